@@ -1,0 +1,30 @@
+# slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
+function(slicefarm_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS} slicefarm_warnings)
+endfunction()
+
+# slicefarm_binary(slicefarm-x SOURCES main.cc DEPS ...): a program in build/bin.
+function(slicefarm_binary name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} slicefarm_warnings)
+endfunction()
+
+# slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
+function(slicefarm_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE SLICEFARM_CORPUS="${PROJECT_SOURCE_DIR}/tests/corpus")
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} slicefarm_warnings GTest::gmock GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()

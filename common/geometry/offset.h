@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm {
+
+enum class Join { kMiter, kRound, kSquare };
+enum class Cap { kButt, kSquare, kRound };
+
+struct OffsetOptions {
+  Join join = Join::kMiter;
+  /// Miters longer than this many offsets are cut square. Smallest useful value 1.
+  double miter_limit = 2.0;
+  /// Largest distance of a round join from the true arc.
+  Coord arc_tolerance_nm = 2'500;
+};
+
+/// Grows (distance > 0) or shrinks (< 0) a region. Rings that shrink to nothing vanish: a unit square inset by 0.6 is
+/// empty. The result is in canonical form. Cost: O(n log n) and a union.
+MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm,
+                    const OffsetOptions& options = {});
+
+/// Offset by `first_nm` and then by `second_nm`: opening for (-d, +d), closing for (+d, -d).
+MultiPolygon OffsetTwice(const MultiPolygon& polygons, Coord first_nm, Coord second_nm,
+                         const OffsetOptions& options = {});
+
+/// The region within `distance_nm` of open lines. REQUIRES: distance_nm > 0.
+MultiPolygon OffsetLines(std::span<const Polyline> lines, Coord distance_nm, Cap cap,
+                         const OffsetOptions& options = {});
+
+}  // namespace slicefarm

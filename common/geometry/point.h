@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+#include <compare>
+#include <cstdint>
+
+namespace slicefarm {
+
+/// A length or a coordinate in nanometres. `double` lives inside a step and is rounded once.
+using Coord = int64_t;
+
+inline constexpr Coord kNmPerMm = 1'000'000;
+
+inline constexpr double ToMm(double nm) { return nm / kNmPerMm; }
+/// Rounds half away from zero, which keeps mirror images mirror images.
+inline Coord FromMm(double mm) { return std::llround(mm * kNmPerMm); }
+
+/// A point of the plane, or a vector between two.
+struct Point {
+  Coord x = 0;
+  Coord y = 0;
+
+  friend auto operator<=>(const Point&, const Point&) = default;
+  friend constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+};
+
+/// Dot and cross product and length in double: relative error below 1e-15 within the +-2.1 m of a job.
+inline double Dot(Point a, Point b) {
+  return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y;
+}
+inline double Cross(Point a, Point b) {
+  return static_cast<double>(a.x) * b.y - static_cast<double>(a.y) * b.x;
+}
+inline double SquaredNorm(Point a) { return Dot(a, a); }
+inline double Norm(Point a) { return std::sqrt(SquaredNorm(a)); }
+inline double Distance(Point a, Point b) { return Norm(b - a); }
+
+}  // namespace slicefarm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm {
+
+/// A closed ring; the last point is not a copy of the first. Outer rings run counter-clockwise, holes clockwise.
+using Polygon = std::vector<Point>;
+
+/// An open line of at least two points.
+using Polyline = std::vector<Point>;
+
+/// One island: an outer ring and the holes in it.
+struct PolygonWithHoles {
+  Polygon outer;
+  std::vector<Polygon> holes;
+
+  friend bool operator==(const PolygonWithHoles&, const PolygonWithHoles&) = default;
+};
+
+/// Disjoint islands. The functions of this folder return them in canonical form (see Canonicalize).
+using MultiPolygon = std::vector<PolygonWithHoles>;
+
+/// Turns each ring so that it starts at its least point, and sorts holes and islands, so that equal regions made of
+/// equal rings compare equal whatever order they came in. Cost: O(n + k log k), n points in k rings.
+void Canonicalize(MultiPolygon& polygons);
+
+/// All rings of `polygons`, each outer ring followed by its holes.
+std::vector<Polygon> Rings(const MultiPolygon& polygons);
+
+/// Number of points over all rings.
+size_t PointCount(const MultiPolygon& polygons);
+
+}  // namespace slicefarm

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm::limits {
+
+/// Every bound on what a stranger may send stands here, and errors quote it (`limit`, `got`).
+
+inline constexpr int64_t kMaxTriangles = 20'000'000;
+inline constexpr int64_t kMaxMeshBytes = 2'000'000'000;
+inline constexpr int64_t kMaxAsciiLineBytes = 1024;
+inline constexpr int64_t kMaxFaceVertices = 1024;  ///< of one OBJ face
+inline constexpr double kMaxMeshCoordinateMm = 10'000;
+inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
+inline constexpr int64_t kMaxLayers = 20'000;
+inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
+inline constexpr int64_t kMaxObjects = 1'000;  ///< copies included
+inline constexpr int64_t kMaxLinesPerFill = 200'000;
+inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;   ///< between stages, one layer a message
+inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
+inline constexpr int64_t kUploadChunkBytes = 64 << 10;
+inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
+inline constexpr int64_t kMaxSettings = 2'000;
+
+}  // namespace slicefarm::limits

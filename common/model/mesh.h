@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm {
+
+enum class MeshFormat { kUnknown, kStl, kObj };
+
+/// The bytes of a mesh file as they came.
+struct MeshFile {
+  std::string name;  ///< what the user calls it; never used as a path
+  MeshFormat format = MeshFormat::kUnknown;  ///< kUnknown: told from the content
+  std::string bytes;
+};
+
+/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this order; the result
+/// drops onto z = 0 with the middle of its bounding box over each of `centers`.
+struct Placement {
+  double unit_mm = 1.0;                           ///< mm per unit of the file
+  std::array<double, 3> scale = {1, 1, 1};        ///< > 0
+  std::array<double, 3> rotate_deg = {0, 0, 0};
+  std::vector<Point> centers;                     ///< one per copy; empty: one copy at the middle of the bed
+
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+struct Vertex {
+  Coord x = 0;
+  Coord y = 0;
+  Coord z = 0;
+
+  friend auto operator<=>(const Vertex&, const Vertex&) = default;
+};
+
+/// Triangles over shared vertices, in nanometres.
+struct IndexedMesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
+};
+
+/// What the mesh is like; part of every job's report. Nothing in it is repaired silently.
+struct MeshReport {
+  std::string name;
+  int64_t triangles = 0;
+  int64_t vertices = 0;            ///< after welding by exact position
+  int64_t bodies = 0;              ///< parts that share no edge
+  int64_t open_edges = 0;          ///< edges with one face
+  int64_t non_manifold_edges = 0;  ///< edges with more than two faces
+  int64_t flipped_faces = 0;       ///< faces that run against the majority of their body
+  int64_t degenerate_faces = 0;    ///< two equal corners or no area; left out of the slicing
+  double volume_mm3 = 0;           ///< signed; as placed; one copy
+  std::array<double, 3> min_mm = {0, 0, 0};  ///< as placed; first copy
+  std::array<double, 3> max_mm = {0, 0, 0};
+  // Of the slicing:
+  int64_t open_loops_closed = 0;   ///< loops closed over a gap, as far as the settings allow
+  int64_t open_loops_dropped = 0;  ///< loops that stayed open, and are not printed
+  double largest_gap_closed_mm = 0;
+  double dropped_length_mm = 0;    ///< length of the outlines that were not printed
+
+  bool Closed() const { return open_edges == 0 && non_manifold_edges == 0; }
+  friend bool operator==(const MeshReport&, const MeshReport&) = default;
+};
+
+/// A picture of the part, PNG.
+struct Thumbnail {
+  int32_t width_px = 0;
+  int32_t height_px = 0;
+  std::string png;
+
+  friend bool operator==(const Thumbnail&, const Thumbnail&) = default;
+};
+
+}  // namespace slicefarm

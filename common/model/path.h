@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm {
+
+/// What a path is part of. FeatureName gives the words of the `;TYPE:` comment.
+enum class Feature : uint8_t {
+  kExternalPerimeter,
+  kPerimeter,
+  kOverhangPerimeter,
+  kGapFill,
+  kInternalInfill,
+  kSolidInfill,
+  kTopSolidInfill,
+  kBridgeInfill,
+  kSkirt,
+  kSupport,
+};
+inline constexpr int kFeatureCount = 10;
+
+/// "External perimeter", "Perimeter", ... as PrusaSlicer's previewers read them.
+std::string_view FeatureName(Feature feature);
+
+/// A bead to lay down: a line with a width at each point.
+/// INVARIANT: points.size() >= 2; widths_nm.size() is 1 (the same everywhere) or points.size().
+struct Path {
+  Feature feature = Feature::kPerimeter;
+  int32_t object = 0;
+  int32_t inset = 0;         ///< of walls: 0 is the outermost
+  bool closed = false;       ///< the last point joins the first, which is not repeated
+  bool reversible = true;    ///< may be printed backwards
+  int32_t tool = 0;
+  Coord height_nm = 0;       ///< 0: the layer's
+  double speed_mm_s = 0;     ///< 0: as the feature's setting says
+  double flow = 1;           ///< times the volume of the bead's section
+  std::vector<Point> points;
+  std::vector<Coord> widths_nm;
+
+  Coord WidthAt(size_t i) const { return widths_nm.size() == 1 ? widths_nm[0] : widths_nm[i]; }
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// Length in nm, the closing edge included.
+double PathLength(const Path& path);
+
+}  // namespace slicefarm

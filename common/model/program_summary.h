@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/model/layer.h"
+#include "common/model/mesh.h"
+
+namespace slicefarm {
+
+/// What the frame of a finished program tells about a layer.
+struct LayerSummary {
+  LayerFrame frame;
+  Point entry;
+  Point exit;
+  double time_s = 0;
+  bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing
+
+  friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
+};
+
+/// What motion needs to write what stands before and after the layers.
+struct ProgramSummary {
+  std::vector<LayerSummary> layers;
+  ProgramStats total;  ///< sum over the layers
+  std::vector<Thumbnail> thumbnails;
+  std::vector<std::string> object_names;
+  /// The effective settings, `key = value`, one a line: the tail of the file quotes them for those who read G-code.
+  std::string settings_text;
+
+  friend bool operator==(const ProgramSummary&, const ProgramSummary&) = default;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "common/stage/stages.h"
+
+namespace slicefarm {
+
+/// The four layer stages one after the other, each local or remote. The stages must outlive the chain.
+class LayerChain : public RangeRunner {
+ public:
+  LayerChain(const BeadingStage& beading, const InfillStage& infill, const OrderingStage& ordering,
+             const MotionStage& motion)
+      : beading_(beading), infill_(infill), ordering_(ordering), motion_(motion) {}
+
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override;
+
+ private:
+  const BeadingStage& beading_;
+  const InfillStage& infill_;
+  const OrderingStage& ordering_;
+  const MotionStage& motion_;
+};
+
+}  // namespace slicefarm

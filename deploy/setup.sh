@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Installs what slicefarm needs on a Debian 12 machine, from Debian's own packages. Safe to run again: it does nothing
+# when all is there.
+#
+#   deploy/setup.sh            to build and test
+#   deploy/setup.sh runtime    only what the finished programs load (used by the image)
+set -euo pipefail
+
+build=(
+  build-essential cmake ninja-build ccache pkg-config python3 git ca-certificates
+  libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
+  libeigen3-dev libcgal-dev libboost-dev libpolyclipping-dev
+  libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev
+  libsqlite3-dev sqlite3 libpq-dev libssl-dev zlib1g-dev libpng-dev libcairo2-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+  clang clang-format clang-tidy libclang-rt-14-dev
+)
+runtime=(
+  libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libprometheus-cpp-pull1.0
+  libsqlite3-0 libpq5 libssl3 zlib1g libpng16-16 libcairo2
+)
+
+packages=("${build[@]}")
+[[ "${1:-}" == runtime ]] && packages=("${runtime[@]}")
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+echo "installing: ${missing[*]}"
+as_root=()
+[[ $(id -u) -eq 0 ]] || as_root=(sudo)
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
