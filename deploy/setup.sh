@@ -10,7 +10,7 @@ build=(
   build-essential cmake ninja-build ccache pkg-config python3 git ca-certificates
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libeigen3-dev libcgal-dev libboost-dev libpolyclipping-dev
-  libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev
+  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev
   libsqlite3-dev sqlite3 libpq-dev libssl-dev zlib1g-dev libpng-dev libcairo2-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   clang clang-format clang-tidy libclang-rt-14-dev

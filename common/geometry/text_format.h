@@ -21,6 +21,7 @@ absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text);
 
 std::string ToText(Point point);
 std::string ToText(const Polyline& line);
+std::string ToText(const PolygonWithHoles& polygon);
 std::string ToText(const MultiPolygon& polygons);
 
 /// For literals in tests: dies on text that cannot be read.

@@ -1,0 +1,138 @@
+#include "common/geometry/text_format.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/core.h>
+#include <iostream>
+
+#include "absl/status/status.h"
+#include "common/geometry/measure.h"
+
+namespace slicefarm {
+namespace {
+
+/// Reads the text from front to back.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  bool AtEnd() {
+    SkipSpace();
+    return at_ == text_.size();
+  }
+  bool Take(char c) {
+    SkipSpace();
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  bool TakeCoord(Coord* coord) {
+    SkipSpace();
+    double mm = 0;
+    const char* begin = text_.data() + at_;
+    const auto result = std::from_chars(begin, text_.data() + text_.size(), mm);
+    if (result.ec != std::errc() || !(std::abs(mm) < 1e12)) return false;
+    at_ += static_cast<size_t>(result.ptr - begin);
+    *coord = FromMm(mm);
+    return true;
+  }
+  absl::Status Error(std::string_view expected) const {
+    return absl::InvalidArgumentError(
+        fmt::format("expected {} at offset {} of \"{}\"", expected, at_, text_));
+  }
+
+ private:
+  void SkipSpace() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  }
+
+  std::string_view text_;
+  size_t at_ = 0;
+};
+
+absl::StatusOr<Polyline> ReadLine(Reader& reader) {
+  if (!reader.Take('(')) return reader.Error("'('");
+  Polyline line;
+  do {
+    Point p;
+    if (!reader.TakeCoord(&p.x) || !reader.TakeCoord(&p.y)) return reader.Error("two numbers");
+    line.push_back(p);
+  } while (reader.Take(','));
+  if (!reader.Take(')')) return reader.Error("',' or ')'");
+  return line;
+}
+
+void Turn(Polygon& ring, bool counter_clockwise) {
+  if ((SignedArea(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+}
+
+template <typename T>
+T ValueOrDie(absl::StatusOr<T> value) {
+  if (value.ok()) return *std::move(value);
+  std::cerr << value.status() << '\n';
+  std::abort();
+}
+
+template <typename T>
+std::string Join(const std::vector<T>& items, std::string_view separator) {
+  std::string text;
+  for (const T& item : items) {
+    if (!text.empty()) text += separator;
+    text += ToText(item);
+  }
+  return text;
+}
+
+}  // namespace
+
+absl::StatusOr<Polyline> ParseLine(std::string_view text) {
+  Reader reader(text);
+  auto line = ReadLine(reader);
+  if (line.ok() && !reader.AtEnd()) return reader.Error("the end");
+  return line;
+}
+
+absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text) {
+  Reader reader(text);
+  MultiPolygon polygons;
+  if (reader.AtEnd()) return polygons;
+  do {
+    PolygonWithHoles island;
+    bool first = true;
+    do {
+      auto ring = ReadLine(reader);
+      if (!ring.ok()) return ring.status();
+      if (ring->size() < 3) return reader.Error("three points or more before this");
+      Turn(*ring, first);
+      first ? void(island.outer = *std::move(ring)) : island.holes.push_back(*std::move(ring));
+      first = false;
+      if (reader.AtEnd()) break;
+    } while (!reader.Take(';'));
+    polygons.push_back(std::move(island));
+  } while (!reader.AtEnd());
+  return polygons;
+}
+
+std::string ToText(Point point) {
+  return fmt::format("{} {}", ToMm(static_cast<double>(point.x)),
+                     ToMm(static_cast<double>(point.y)));
+}
+
+std::string ToText(const Polyline& line) { return "(" + Join(line, ", ") + ")"; }
+
+std::string ToText(const PolygonWithHoles& polygon) {
+  std::string text = ToText(polygon.outer);
+  for (const Polygon& hole : polygon.holes) text += " " + ToText(hole);
+  return text;
+}
+
+std::string ToText(const MultiPolygon& polygons) { return Join(polygons, " ; "); }
+
+Polyline MakeLineOrDie(std::string_view text) { return ValueOrDie(ParseLine(text)); }
+MultiPolygon MakePolygonsOrDie(std::string_view text) {
+  return ValueOrDie(ParseMultiPolygon(text));
+}
+
+}  // namespace slicefarm

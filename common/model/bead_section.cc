@@ -1,0 +1,28 @@
+#include "common/model/bead_section.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace slicefarm {
+namespace {
+
+constexpr double kRoundLoss = 1 - std::numbers::pi / 4;
+
+}  // namespace
+
+Coord Spacing(Coord width_nm, Coord height_nm) {
+  return width_nm - std::llround(static_cast<double>(height_nm) * kRoundLoss);
+}
+
+Coord WidthForSpacing(Coord spacing_nm, Coord height_nm) {
+  return spacing_nm + std::llround(static_cast<double>(height_nm) * kRoundLoss);
+}
+
+double SectionMm2(Coord width_nm, Coord height_nm) {
+  const double width = ToMm(static_cast<double>(width_nm));
+  const double height = ToMm(static_cast<double>(height_nm));
+  if (width < height) return std::numbers::pi / 4 * width * width;
+  return height * (width - height * kRoundLoss);
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,43 @@
+#include "common/model/layer.h"
+
+#include <algorithm>
+
+namespace slicefarm {
+namespace {
+
+template <typename Value>
+double SumOver(const ProgramStats& stats, Value FeatureUse::*value) {
+  double sum = 0;
+  for (const FeatureUse& use : stats.features) sum += use.*value;
+  return sum;
+}
+
+}  // namespace
+
+LayerRange LayerRange::Grown(int32_t by, int32_t layer_count) const {
+  return {std::max(0, first - by), std::min(layer_count, last + by)};
+}
+
+void FeatureUse::Add(const FeatureUse& other) {
+  time_s += other.time_s;
+  length_mm += other.length_mm;
+  filament_mm += other.filament_mm;
+  volume_mm3 += other.volume_mm3;
+}
+
+double ProgramStats::TimeS() const { return travel_time_s + SumOver(*this, &FeatureUse::time_s); }
+double ProgramStats::FilamentMm() const { return SumOver(*this, &FeatureUse::filament_mm); }
+double ProgramStats::VolumeMm3() const { return SumOver(*this, &FeatureUse::volume_mm3); }
+double ProgramStats::ExtrudedMm() const { return SumOver(*this, &FeatureUse::length_mm); }
+
+void ProgramStats::Add(const ProgramStats& other) {
+  for (size_t i = 0; i < features.size(); ++i) features[i].Add(other.features[i]);
+  travel_time_s += other.travel_time_s;
+  travel_mm += other.travel_mm;
+  travels += other.travels;
+  retractions += other.retractions;
+  min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
+  max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};
+}
+
+}  // namespace slicefarm

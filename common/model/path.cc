@@ -1,0 +1,19 @@
+#include "common/model/path.h"
+
+#include "common/geometry/measure.h"
+
+namespace slicefarm {
+
+std::string_view FeatureName(Feature feature) {
+  static constexpr std::array<std::string_view, kFeatureCount> kNames = {
+      "External perimeter", "Perimeter",    "Overhang perimeter", "Gap fill",
+      "Internal infill",    "Solid infill", "Top solid infill",   "Bridge infill",
+      "Skirt/Brim",         "Support material"};
+  return kNames[static_cast<size_t>(feature)];
+}
+
+double PathLength(const Path& path) {
+  return path.closed ? Perimeter(path.points) : Length(path.points);
+}
+
+}  // namespace slicefarm

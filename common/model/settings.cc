@@ -1,0 +1,11 @@
+#include "common/model/settings.h"
+
+#include <algorithm>
+
+namespace slicefarm {
+
+int32_t HaloLayers(const JobSettings& settings) {
+  return std::max(settings.infill.top_solid_layers, settings.infill.bottom_solid_layers);
+}
+
+}  // namespace slicefarm
