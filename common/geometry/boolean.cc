@@ -12,9 +12,12 @@ using ClipperLib::Paths;
 
 ClipperLib::PolyFillType ToClipper(FillRule rule) {
   switch (rule) {
-    case FillRule::kNonZero: return ClipperLib::pftNonZero;
-    case FillRule::kEvenOdd: return ClipperLib::pftEvenOdd;
-    case FillRule::kPositive: return ClipperLib::pftPositive;
+    case FillRule::kNonZero:
+      return ClipperLib::pftNonZero;
+    case FillRule::kEvenOdd:
+      return ClipperLib::pftEvenOdd;
+    case FillRule::kPositive:
+      return ClipperLib::pftPositive;
   }
   return ClipperLib::pftNonZero;
 }
@@ -36,8 +39,8 @@ MultiPolygon Execute(ClipperLib::ClipType type, const MultiPolygon& a, const Mul
   return Execute(type, subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
 }
 
-/// Rings whose winding number is positive exactly where at least `count` of the regions lie: all of them, less one
-/// around everything for each region that may be missing.
+/// Rings whose winding number is positive exactly where at least `count` of the regions lie: all of
+/// them, less one around everything for each region that may be missing.
 Paths CountingRings(std::span<const MultiPolygon* const> regions, int count) {
   Paths paths;
   Box box;
@@ -101,8 +104,7 @@ std::vector<Polyline> ClipLines(std::span<const Polyline> lines, const MultiPoly
   internal::AppendRings(clip, clip_paths);
   clipper.AddPaths(clip_paths, ClipperLib::ptClip, true);
   ClipperLib::PolyTree tree;
-  clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftNonZero,
-                  ClipperLib::pftNonZero);
+  clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   Paths open;
   ClipperLib::OpenPathsFromPolyTree(tree, open);
   std::vector<Polyline> parts;

@@ -15,7 +15,8 @@ enum class FillRule {
 };
 
 /// The region that `rings` enclose under `rule`, as disjoint islands in canonical form.
-/// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n), k crossings.
+/// Points of intersection are rounded to nm; slivers under 1 nm vanish. Cost: O((n + k) log n), k
+/// crossings.
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule);
 MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b);
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b);
@@ -29,7 +30,8 @@ MultiPolygon CoveredAtLeast(std::span<const MultiPolygon* const> regions, int co
 MultiPolygon DifferenceCovered(const MultiPolygon& subject,
                                std::span<const MultiPolygon* const> regions, int count);
 
-/// The parts of open `lines` inside `clip`. Order and direction of the parts are unspecified but deterministic.
+/// The parts of open `lines` inside `clip`. Order and direction of the parts are unspecified but
+/// deterministic.
 std::vector<Polyline> ClipLines(std::span<const Polyline> lines, const MultiPolygon& clip);
 
 }  // namespace slicefarm

@@ -9,18 +9,24 @@ using ClipperLib::ClipperOffset;
 
 ClipperLib::JoinType ToClipper(Join join) {
   switch (join) {
-    case Join::kMiter: return ClipperLib::jtMiter;
-    case Join::kRound: return ClipperLib::jtRound;
-    case Join::kSquare: return ClipperLib::jtSquare;
+    case Join::kMiter:
+      return ClipperLib::jtMiter;
+    case Join::kRound:
+      return ClipperLib::jtRound;
+    case Join::kSquare:
+      return ClipperLib::jtSquare;
   }
   return ClipperLib::jtMiter;
 }
 
 ClipperLib::EndType ToClipper(Cap cap) {
   switch (cap) {
-    case Cap::kButt: return ClipperLib::etOpenButt;
-    case Cap::kSquare: return ClipperLib::etOpenSquare;
-    case Cap::kRound: return ClipperLib::etOpenRound;
+    case Cap::kButt:
+      return ClipperLib::etOpenButt;
+    case Cap::kSquare:
+      return ClipperLib::etOpenSquare;
+    case Cap::kRound:
+      return ClipperLib::etOpenRound;
   }
   return ClipperLib::etOpenButt;
 }

@@ -17,8 +17,8 @@ struct OffsetOptions {
   Coord arc_tolerance_nm = 2'500;
 };
 
-/// Grows (distance > 0) or shrinks (< 0) a region. Rings that shrink to nothing vanish: a unit square inset by 0.6 is
-/// empty. The result is in canonical form. Cost: O(n log n) and a union.
+/// Grows (distance > 0) or shrinks (< 0) a region. Rings that shrink to nothing vanish: a unit
+/// square inset by 0.6 is empty. The result is in canonical form. Cost: O(n log n) and a union.
 MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm,
                     const OffsetOptions& options = {});
 

@@ -25,7 +25,8 @@ struct Point {
   friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// Dot and cross product and length in double: relative error below 1e-15 within the +-2.1 m of a job.
+/// Dot and cross product and length in double: relative error below 1e-15 within the +-2.1 m of a
+/// job.
 inline double Dot(Point a, Point b) {
   return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y;
 }

@@ -6,7 +6,8 @@
 
 namespace slicefarm {
 
-/// A closed ring; the last point is not a copy of the first. Outer rings run counter-clockwise, holes clockwise.
+/// A closed ring; the last point is not a copy of the first. Outer rings run counter-clockwise,
+/// holes clockwise.
 using Polygon = std::vector<Point>;
 
 /// An open line of at least two points.
@@ -23,8 +24,9 @@ struct PolygonWithHoles {
 /// Disjoint islands. The functions of this folder return them in canonical form (see Canonicalize).
 using MultiPolygon = std::vector<PolygonWithHoles>;
 
-/// Turns each ring so that it starts at its least point, and sorts holes and islands, so that equal regions made of
-/// equal rings compare equal whatever order they came in. Cost: O(n + k log k), n points in k rings.
+/// Turns each ring so that it starts at its least point, and sorts holes and islands, so that equal
+/// regions made of equal rings compare equal whatever order they came in. Cost: O(n + k log k), n
+/// points in k rings.
 void Canonicalize(MultiPolygon& polygons);
 
 /// All rings of `polygons`, each outer ring followed by its holes.

@@ -1,0 +1,82 @@
+#include "common/geometry/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm {
+namespace {
+
+Polygon Circle(int points, double radius_mm) {
+  Polygon ring;
+  for (int i = 0; i < points; ++i) {
+    const double a = 2 * std::numbers::pi * i / points;
+    ring.push_back({FromMm(radius_mm * std::cos(a)), FromMm(radius_mm * std::sin(a))});
+  }
+  return ring;
+}
+
+double Farthest(const Polygon& from, const Polygon& to) {
+  double farthest = 0;
+  for (const Point p : from) {
+    double nearest = 1e18;
+    for (size_t i = 0; i < to.size(); ++i)
+      nearest = std::min(nearest, DistanceToSegment(p, to[i], to[(i + 1) % to.size()]));
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+TEST(SimplifyLine, DropsWhatLiesOnTheLine) {
+  EXPECT_EQ(ToText(SimplifyLine(MakeLineOrDie("(0 0, 1 0, 2 0, 5 0, 5 3)"), 1)), "(0 0, 5 0, 5 3)");
+  EXPECT_EQ(ToText(SimplifyLine(MakeLineOrDie("(0 0, 1 0.01, 2 0)"), FromMm(0.01))), "(0 0, 2 0)");
+  EXPECT_EQ(SimplifyLine(MakeLineOrDie("(0 0, 1 0.011, 2 0)"), FromMm(0.01)).size(), 3u);
+}
+
+TEST(SimplifyRing, StaysWithinTheTolerance) {
+  const Polygon circle = Circle(1000, 20);
+  for (const double tolerance : {0.001, 0.01, 0.1}) {
+    const Polygon simple = SimplifyRing(circle, FromMm(tolerance));
+    EXPECT_LT(simple.size(), circle.size() / 2) << tolerance;
+    EXPECT_LE(Farthest(circle, simple), FromMm(tolerance) + 1) << tolerance;
+  }
+}
+
+TEST(SimplifyRing, DoesNotDependOnTheStart) {
+  Polygon circle = Circle(360, 20);
+  const Polygon simple = SimplifyRing(circle, FromMm(0.01));
+  for (int i = 0; i < 360; i += 41) {
+    std::rotate(circle.begin(), circle.begin() + 41, circle.end());
+    EXPECT_EQ(SimplifyRing(circle, FromMm(0.01)), simple);
+  }
+}
+
+TEST(SimplifyRing, WhatIsThinnerThanTheToleranceVanishes) {
+  EXPECT_TRUE(SimplifyRing(MakeLineOrDie("(0 0, 9 0, 9 0.004, 0 0.004)"), FromMm(0.005)).empty());
+  EXPECT_TRUE(SimplifyRing(MakeLineOrDie("(0 0, 9 0)"), 1).empty());
+  EXPECT_TRUE(SimplifyRing({{7, 7}, {7, 7}, {7, 7}}, 1).empty());
+}
+
+TEST(Simplify, HolesGoWithTheirIsland) {
+  const MultiPolygon simple =
+      Simplify(MakePolygonsOrDie(
+                   "(0 0, 9 0, 9 9, 0 9) (4 4, 4.001 4, 4.001 4.001) ; (20 0, 20.001 0, 20 0.001)"),
+               FromMm(0.01));
+  ASSERT_EQ(simple.size(), 1u);
+  EXPECT_TRUE(simple[0].holes.empty());
+}
+
+// Recursion on a line like this would go as deep as it is long.
+TEST(SimplifyLine, TakesAMillionPoints) {
+  Polyline line;
+  for (int i = 0; i < 1'000'000; ++i) line.push_back({i * 1000, (i % 2) * 1000});
+  EXPECT_EQ(SimplifyLine(line, 2000).size(), 2u);
+}
+
+}  // namespace
+}  // namespace slicefarm

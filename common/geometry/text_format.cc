@@ -1,10 +1,11 @@
 #include "common/geometry/text_format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/core.h>
 #include <iostream>
 
 #include "absl/status/status.h"
@@ -22,9 +23,12 @@ class Reader {
     SkipSpace();
     return at_ == text_.size();
   }
-  bool Take(char c) {
+  bool Peek(char c) {
     SkipSpace();
-    if (at_ == text_.size() || text_[at_] != c) return false;
+    return at_ < text_.size() && text_[at_] == c;
+  }
+  bool Take(char c) {
+    if (!Peek(c)) return false;
     ++at_;
     return true;
   }
@@ -68,6 +72,23 @@ void Turn(Polygon& ring, bool counter_clockwise) {
   if ((SignedArea(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
 }
 
+absl::StatusOr<PolygonWithHoles> ReadIsland(Reader& reader) {
+  PolygonWithHoles island;
+  do {
+    auto ring = ReadLine(reader);
+    if (!ring.ok()) return ring.status();
+    if (ring->size() < 3) return reader.Error("three points or more before this");
+    const bool outer = island.outer.empty();
+    Turn(*ring, outer);
+    if (outer) {
+      island.outer = *std::move(ring);
+    } else {
+      island.holes.push_back(*std::move(ring));
+    }
+  } while (reader.Peek('('));
+  return island;
+}
+
 template <typename T>
 T ValueOrDie(absl::StatusOr<T> value) {
   if (value.ok()) return *std::move(value);
@@ -99,19 +120,11 @@ absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text) {
   MultiPolygon polygons;
   if (reader.AtEnd()) return polygons;
   do {
-    PolygonWithHoles island;
-    bool first = true;
-    do {
-      auto ring = ReadLine(reader);
-      if (!ring.ok()) return ring.status();
-      if (ring->size() < 3) return reader.Error("three points or more before this");
-      Turn(*ring, first);
-      first ? void(island.outer = *std::move(ring)) : island.holes.push_back(*std::move(ring));
-      first = false;
-      if (reader.AtEnd()) break;
-    } while (!reader.Take(';'));
-    polygons.push_back(std::move(island));
-  } while (!reader.AtEnd());
+    auto island = ReadIsland(reader);
+    if (!island.ok()) return island.status();
+    polygons.push_back(*std::move(island));
+  } while (reader.Take(';'));
+  if (!reader.AtEnd()) return reader.Error("'(' or ';'");
   return polygons;
 }
 

@@ -14,8 +14,8 @@ namespace slicefarm {
 ///   island          (outer ring) (hole) (hole)
 ///   islands         island ; island
 ///
-/// A ring turns the right way by itself: the first of an island is made counter-clockwise, the rest clockwise.
-/// Errors: InvalidArgument with the offset of what could not be read.
+/// A ring turns the right way by itself: the first of an island is made counter-clockwise, the rest
+/// clockwise. Errors: InvalidArgument with the offset of what could not be read.
 absl::StatusOr<Polyline> ParseLine(std::string_view text);
 absl::StatusOr<MultiPolygon> ParseMultiPolygon(std::string_view text);
 

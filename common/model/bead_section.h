@@ -4,9 +4,9 @@
 
 namespace slicefarm {
 
-/// The section of a bead: a rectangle with round ends (a stadium), `width` over all, `height` thick. Beads that lie
-/// `Spacing` apart tile: what the round ends lack, the overlap gives.
-/// Source: the flow model of Slic3r and PrusaSlicer.
+/// The section of a bead: a rectangle with round ends (a stadium), `width` over all, `height`
+/// thick. Beads that lie `Spacing` apart tile: what the round ends lack, the overlap gives. Source:
+/// the flow model of Slic3r and PrusaSlicer.
 
 /// Distance of neighbours of the same width: width - height (1 - pi/4).
 Coord Spacing(Coord width_nm, Coord height_nm);

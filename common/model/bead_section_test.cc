@@ -1,0 +1,29 @@
+#include "common/model/bead_section.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace slicefarm {
+namespace {
+
+TEST(BeadSection, OfTheUsualBead) {
+  // 0.45 mm wide, 0.2 mm high: PrusaSlicer writes 0.407080 spacing and 0.0814159 mm3/mm.
+  EXPECT_EQ(Spacing(450'000, 200'000), 407'080);
+  EXPECT_NEAR(SectionMm2(450'000, 200'000), 0.0814159, 1e-7);
+  EXPECT_EQ(WidthForSpacing(407'080, 200'000), 450'000);
+}
+
+TEST(BeadSection, AsWideAsHighIsADisc) {
+  EXPECT_NEAR(SectionMm2(200'000, 200'000), std::numbers::pi * 0.01, 1e-9);
+  EXPECT_NEAR(SectionMm2(100'000, 200'000), std::numbers::pi * 0.0025, 1e-9);
+}
+
+TEST(BeadSection, NeighboursTile) {
+  for (Coord width = 200'000; width <= 1'200'000; width += 50'000)
+    EXPECT_NEAR(SectionMm2(width, 200'000),
+                0.2 * ToMm(static_cast<double>(Spacing(width, 200'000))), 1e-6);
+}
+
+}  // namespace
+}  // namespace slicefarm

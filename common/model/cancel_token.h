@@ -7,8 +7,8 @@
 
 namespace slicefarm {
 
-/// Asks whether the work is still wanted. Algorithms that can take over 50 ms poll it and return Cancelled.
-/// Cheap to copy; safe to poll from any thread if the poll function is.
+/// Asks whether the work is still wanted. Algorithms that can take over 50 ms poll it and return
+/// Cancelled. Cheap to copy; safe to poll from any thread if the poll function is.
 class CancelToken {
  public:
   CancelToken() = default;  ///< never cancelled

@@ -1,8 +1,9 @@
 #include "common/model/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <fmt/core.h>
 #include <utility>
 #include <vector>
 
@@ -45,16 +46,23 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
 
 Reason DefaultReason(absl::StatusCode code) {
   switch (code) {
-    case absl::StatusCode::kCancelled: return Reason::kCancelled;
-    case absl::StatusCode::kDeadlineExceeded: return Reason::kDeadlineExceeded;
-    case absl::StatusCode::kUnavailable: return Reason::kUnavailable;
-    case absl::StatusCode::kInvalidArgument: return Reason::kRequestMalformed;
-    case absl::StatusCode::kOutOfRange: return Reason::kOutOfRange;
-    default: return Reason::kInternal;
+    case absl::StatusCode::kCancelled:
+      return Reason::kCancelled;
+    case absl::StatusCode::kDeadlineExceeded:
+      return Reason::kDeadlineExceeded;
+    case absl::StatusCode::kUnavailable:
+      return Reason::kUnavailable;
+    case absl::StatusCode::kInvalidArgument:
+      return Reason::kRequestMalformed;
+    case absl::StatusCode::kOutOfRange:
+      return Reason::kOutOfRange;
+    default:
+      return Reason::kInternal;
   }
 }
 
-/// NUL-separated: reason, key, value, key, value, ... Metadata never holds NUL (MakeError sees to it).
+/// NUL-separated: reason, key, value, key, value, ... Metadata never holds NUL (MakeError sees to
+/// it).
 std::string Encode(const ErrorDetail& detail) {
   std::string text(ReasonName(detail.reason));
   for (const auto& [key, value] : detail.metadata) (((text += '\0') += key) += '\0') += value;

@@ -9,7 +9,8 @@
 
 namespace slicefarm {
 
-/// Why something was refused or failed: stable names that clients may test for. The wire carries the name
+/// Why something was refused or failed: stable names that clients may test for. The wire carries
+/// the name
 /// (`MESH_TRUNCATED`) in google.rpc.ErrorInfo.reason; proto/slicefarm/v1/README.md documents each.
 enum class Reason {
   // The mesh, as read.
@@ -50,7 +51,8 @@ enum class Reason {
 std::string_view ReasonName(Reason reason);
 std::optional<Reason> ReasonFromName(std::string_view name);
 
-/// What travels with an error besides its message: the reason and facts such as `limit`, `got`, `setting`, `layer`.
+/// What travels with an error besides its message: the reason and facts such as `limit`, `got`,
+/// `setting`, `layer`.
 struct ErrorDetail {
   Reason reason = Reason::kInternal;
   std::map<std::string, std::string> metadata;

@@ -11,7 +11,8 @@
 namespace slicefarm {
 
 /// One message type per hop:
-///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer -> motion -> LayerProgram
+///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
+///   motion -> LayerProgram
 
 /// Where a layer lies.
 struct LayerFrame {
@@ -49,8 +50,8 @@ struct SlicedLayer {
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
 
-/// One island with its walls, and what is left for the infill: the region that the infill's beads may cover, edge to
-/// edge, less any overlap with the walls (which is the infill's option).
+/// One island with its walls, and what is left for the infill: the region that the infill's beads
+/// may cover, edge to edge, less any overlap with the walls (which is the infill's option).
 struct WalledIsland {
   int32_t object = 0;
   std::vector<Path> walls;  ///< walls and gap fill, in no particular order
@@ -68,7 +69,8 @@ struct WalledLayer {
 
 /// Lines that fill one connected region of an island.
 struct FillGroup {
-  bool keep_order = false;  ///< monotonic: print the paths in this order, only the whole may be reversed
+  bool keep_order =
+      false;  ///< monotonic: print the paths in this order, only the whole may be reversed
   std::vector<Path> paths;
 
   friend bool operator==(const FillGroup&, const FillGroup&) = default;
@@ -89,8 +91,8 @@ struct FilledLayer {
   friend bool operator==(const FilledLayer&, const FilledLayer&) = default;
 };
 
-/// What is decided for a layer from the outlines of the whole job, before the fan-out, so that layers are independent
-/// afterwards.
+/// What is decided for a layer from the outlines of the whole job, before the fan-out, so that
+/// layers are independent afterwards.
 struct LayerPlan {
   Point entry;               ///< start the layer near here
   std::vector<Point> seams;  ///< start each loop near one of these; empty: near the nozzle
@@ -98,7 +100,8 @@ struct LayerPlan {
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };
 
-/// Paths in the order and direction of printing. A closed path starts (and ends) at its first point.
+/// Paths in the order and direction of printing. A closed path starts (and ends) at its first
+/// point.
 struct OrderedLayer {
   LayerFrame frame;
   std::vector<Path> paths;
@@ -119,7 +122,7 @@ struct FeatureUse {
 
 struct ProgramStats {
   std::array<FeatureUse, kFeatureCount> features;  ///< by Feature
-  double travel_time_s = 0;  ///< retractions included
+  double travel_time_s = 0;                        ///< retractions included
   double travel_mm = 0;
   int64_t travels = 0;
   int64_t retractions = 0;
@@ -134,8 +137,8 @@ struct ProgramStats {
   friend bool operator==(const ProgramStats&, const ProgramStats&) = default;
 };
 
-/// The G-code of one layer. It starts and ends in the canonical state: filament retracted, relative extrusion, absolute
-/// coordinates; so layers are joined by concatenation.
+/// The G-code of one layer. It starts and ends in the canonical state: filament retracted, relative
+/// extrusion, absolute coordinates; so layers are joined by concatenation.
 struct LayerProgram {
   LayerFrame frame;
   std::string gcode;
@@ -146,7 +149,8 @@ struct LayerProgram {
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
 
-/// What stands around the layers: prologue, then for each layer its prefix and its program, then epilogue.
+/// What stands around the layers: prologue, then for each layer its prefix and its program, then
+/// epilogue.
 struct ProgramFrame {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< one a layer (progress), most often empty

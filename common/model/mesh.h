@@ -13,18 +13,18 @@ enum class MeshFormat { kUnknown, kStl, kObj };
 
 /// The bytes of a mesh file as they came.
 struct MeshFile {
-  std::string name;  ///< what the user calls it; never used as a path
+  std::string name;                          ///< what the user calls it; never used as a path
   MeshFormat format = MeshFormat::kUnknown;  ///< kUnknown: told from the content
   std::string bytes;
 };
 
-/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this order; the result
-/// drops onto z = 0 with the middle of its bounding box over each of `centers`.
+/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this
+/// order; the result drops onto z = 0 with the middle of its bounding box over each of `centers`.
 struct Placement {
-  double unit_mm = 1.0;                           ///< mm per unit of the file
-  std::array<double, 3> scale = {1, 1, 1};        ///< > 0
+  double unit_mm = 1.0;                     ///< mm per unit of the file
+  std::array<double, 3> scale = {1, 1, 1};  ///< > 0
   std::array<double, 3> rotate_deg = {0, 0, 0};
-  std::vector<Point> centers;                     ///< one per copy; empty: one copy at the middle of the bed
+  std::vector<Point> centers;  ///< one per copy; empty: one copy at the middle of the bed
 
   friend bool operator==(const Placement&, const Placement&) = default;
 };
@@ -60,7 +60,7 @@ struct MeshReport {
   int64_t open_loops_closed = 0;   ///< loops closed over a gap, as far as the settings allow
   int64_t open_loops_dropped = 0;  ///< loops that stayed open, and are not printed
   double largest_gap_closed_mm = 0;
-  double dropped_length_mm = 0;    ///< length of the outlines that were not printed
+  double dropped_length_mm = 0;  ///< length of the outlines that were not printed
 
   bool Closed() const { return open_edges == 0 && non_manifold_edges == 0; }
   friend bool operator==(const MeshReport&, const MeshReport&) = default;

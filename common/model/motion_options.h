@@ -14,16 +14,17 @@ enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper };
 /// The machine as its firmware sees it; the planner obeys the same rules, so that times are true.
 struct MachineLimits {
   // x, y, z, e
-  std::array<double, 4> max_feedrate_mm_s = {300, 300, 20, 120};      ///< machine_max_feedrate_x..e
-  std::array<double, 4> max_acceleration_mm_s2 = {3000, 3000, 500, 3000};  ///< machine_max_acceleration_x..e
-  std::array<double, 4> max_jerk_mm_s = {8, 8, 0.4, 2.5};             ///< machine_max_jerk_x..e (classic jerk)
-  double max_acceleration_extruding_mm_s2 = 1500;   ///< machine_max_acceleration_extruding
-  double max_acceleration_retracting_mm_s2 = 1500;  ///< machine_max_acceleration_retracting
-  double max_acceleration_travel_mm_s2 = 3000;      ///< machine_max_acceleration_travel
-  double junction_deviation_mm = 0;         ///< machine_max_junction_deviation; 0: classic jerk
-  double square_corner_velocity_mm_s = 5;   ///< square_corner_velocity (Klipper)
-  double minimum_cruise_ratio = 0.5;        ///< minimum_cruise_ratio (Klipper)
-  bool emit_to_gcode = false;               ///< machine_limits_usage = emit_to_gcode
+  std::array<double, 4> max_feedrate_mm_s = {300, 300, 20, 120};  ///< machine_max_feedrate_x..e
+  std::array<double, 4> max_acceleration_mm_s2 = {3000, 3000, 500,
+                                                  3000};   ///< machine_max_acceleration_x..e
+  std::array<double, 4> max_jerk_mm_s = {8, 8, 0.4, 2.5};  ///< machine_max_jerk_x..e (classic jerk)
+  double max_acceleration_extruding_mm_s2 = 1500;          ///< machine_max_acceleration_extruding
+  double max_acceleration_retracting_mm_s2 = 1500;         ///< machine_max_acceleration_retracting
+  double max_acceleration_travel_mm_s2 = 3000;             ///< machine_max_acceleration_travel
+  double junction_deviation_mm = 0;        ///< machine_max_junction_deviation; 0: classic jerk
+  double square_corner_velocity_mm_s = 5;  ///< square_corner_velocity (Klipper)
+  double minimum_cruise_ratio = 0.5;       ///< minimum_cruise_ratio (Klipper)
+  bool emit_to_gcode = false;              ///< machine_limits_usage = emit_to_gcode
 
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };
@@ -40,15 +41,15 @@ struct RetractionOptions {
 };
 
 struct CoolingOptions {
-  bool enabled = true;                  ///< cooling
-  bool fan_always_on = true;            ///< fan_always_on
-  int32_t min_fan_percent = 35;         ///< min_fan_speed
-  int32_t max_fan_percent = 100;        ///< max_fan_speed
-  int32_t bridge_fan_percent = 100;     ///< bridge_fan_speed
-  int32_t disable_fan_first_layers = 1; ///< disable_fan_first_layers
-  double fan_below_layer_time_s = 60;   ///< fan_below_layer_time
+  bool enabled = true;                     ///< cooling
+  bool fan_always_on = true;               ///< fan_always_on
+  int32_t min_fan_percent = 35;            ///< min_fan_speed
+  int32_t max_fan_percent = 100;           ///< max_fan_speed
+  int32_t bridge_fan_percent = 100;        ///< bridge_fan_speed
+  int32_t disable_fan_first_layers = 1;    ///< disable_fan_first_layers
+  double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
   double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
-  double min_print_speed_mm_s = 10;     ///< min_print_speed
+  double min_print_speed_mm_s = 10;        ///< min_print_speed
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };
@@ -59,40 +60,42 @@ struct MotionOptions {
   RetractionOptions retraction;
   CoolingOptions cooling;
 
-  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15, 60, 60, 60};  ///< by Feature
-  double small_perimeter_speed_mm_s = 15;    ///< small_perimeter_speed: loops of radius below 6.5 mm
-  double travel_speed_mm_s = 130;            ///< travel_speed
-  double travel_speed_z_mm_s = 0;            ///< travel_speed_z; 0: the machine's z limit
-  double first_layer_speed_mm_s = 30;        ///< first_layer_speed; 0: as above
-  double first_layer_speed_ratio = 1;        ///< first_layer_speed in percent
-  double max_print_speed_mm_s = 80;          ///< max_print_speed
-  double max_volumetric_speed_mm3_s = 0;     ///< filament_max_volumetric_speed, 0: unlimited
+  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80,
+                                                  20, 15, 60, 60, 60};  ///< by Feature
+  double small_perimeter_speed_mm_s = 15;  ///< small_perimeter_speed: loops of radius below 6.5 mm
+  double travel_speed_mm_s = 130;          ///< travel_speed
+  double travel_speed_z_mm_s = 0;          ///< travel_speed_z; 0: the machine's z limit
+  double first_layer_speed_mm_s = 30;      ///< first_layer_speed; 0: as above
+  double first_layer_speed_ratio = 1;      ///< first_layer_speed in percent
+  double max_print_speed_mm_s = 80;        ///< max_print_speed
+  double max_volumetric_speed_mm3_s = 0;   ///< filament_max_volumetric_speed, 0: unlimited
 
   /// By Feature, 0: default_acceleration. perimeter_acceleration, infill_acceleration, ...
   std::array<double, kFeatureCount> acceleration_mm_s2 = {};
   double default_acceleration_mm_s2 = 0;      ///< default_acceleration, 0: leave it to the firmware
   double first_layer_acceleration_mm_s2 = 0;  ///< first_layer_acceleration, 0: as above
-  double travel_acceleration_mm_s2 = 0;       ///< travel_acceleration, 0: the machine's travel limit
+  double travel_acceleration_mm_s2 = 0;  ///< travel_acceleration, 0: the machine's travel limit
 
-  double nozzle_diameter_mm = 0.4;      ///< nozzle_diameter
-  double filament_diameter_mm = 1.75;   ///< filament_diameter
-  double extrusion_multiplier = 1;      ///< extrusion_multiplier
-  double filament_density_g_cm3 = 1.24; ///< filament_density
-  double filament_cost_per_kg = 0;      ///< filament_cost
-  std::string filament_type = "PLA";    ///< filament_type
-  std::string filament_colour;          ///< filament_colour
-  std::string filament_settings_id;     ///< filament_settings_id
-  std::string printer_model;            ///< printer_model
+  double nozzle_diameter_mm = 0.4;       ///< nozzle_diameter
+  double filament_diameter_mm = 1.75;    ///< filament_diameter
+  double extrusion_multiplier = 1;       ///< extrusion_multiplier
+  double filament_density_g_cm3 = 1.24;  ///< filament_density
+  double filament_cost_per_kg = 0;       ///< filament_cost
+  std::string filament_type = "PLA";     ///< filament_type
+  std::string filament_colour;           ///< filament_colour
+  std::string filament_settings_id;      ///< filament_settings_id
+  std::string printer_model;             ///< printer_model
 
-  int32_t temperature_c = 200;              ///< temperature
-  int32_t first_layer_temperature_c = 200;  ///< first_layer_temperature
-  int32_t bed_temperature_c = 0;            ///< bed_temperature
-  int32_t first_layer_bed_temperature_c = 0;///< first_layer_bed_temperature
+  int32_t temperature_c = 200;                ///< temperature
+  int32_t first_layer_temperature_c = 200;    ///< first_layer_temperature
+  int32_t bed_temperature_c = 0;              ///< bed_temperature
+  int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
 
   bool progress = false;   ///< remaining_times: M73 before each layer
   double z_offset_mm = 0;  ///< z_offset
   std::string start_gcode = "G28 ; home all axes\nG1 Z5 F5000 ; lift nozzle\n";  ///< start_gcode
-  std::string end_gcode = "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
+  std::string end_gcode =
+      "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   std::string before_layer_gcode;  ///< before_layer_gcode
   std::string layer_gcode;         ///< layer_gcode
 

@@ -6,8 +6,8 @@ namespace slicefarm {
 
 std::string_view FeatureName(Feature feature) {
   static constexpr std::array<std::string_view, kFeatureCount> kNames = {
-      "External perimeter", "Perimeter",    "Overhang perimeter", "Gap fill",
-      "Internal infill",    "Solid infill", "Top solid infill",   "Bridge infill",
+      "External perimeter", "Perimeter",       "Overhang perimeter", "Gap fill",
+      "Internal infill",    "Solid infill",    "Top solid infill",   "Bridge infill",
       "Skirt/Brim",         "Support material"};
   return kNames[static_cast<size_t>(feature)];
 }

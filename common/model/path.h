@@ -32,13 +32,13 @@ std::string_view FeatureName(Feature feature);
 struct Path {
   Feature feature = Feature::kPerimeter;
   int32_t object = 0;
-  int32_t inset = 0;         ///< of walls: 0 is the outermost
-  bool closed = false;       ///< the last point joins the first, which is not repeated
-  bool reversible = true;    ///< may be printed backwards
+  int32_t inset = 0;       ///< of walls: 0 is the outermost
+  bool closed = false;     ///< the last point joins the first, which is not repeated
+  bool reversible = true;  ///< may be printed backwards
   int32_t tool = 0;
-  Coord height_nm = 0;       ///< 0: the layer's
-  double speed_mm_s = 0;     ///< 0: as the feature's setting says
-  double flow = 1;           ///< times the volume of the bead's section
+  Coord height_nm = 0;    ///< 0: the layer's
+  double speed_mm_s = 0;  ///< 0: as the feature's setting says
+  double flow = 1;        ///< times the volume of the bead's section
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
 

@@ -25,7 +25,8 @@ struct ProgramSummary {
   ProgramStats total;  ///< sum over the layers
   std::vector<Thumbnail> thumbnails;
   std::vector<std::string> object_names;
-  /// The effective settings, `key = value`, one a line: the tail of the file quotes them for those who read G-code.
+  /// The effective settings, `key = value`, one a line: the tail of the file quotes them for those
+  /// who read G-code.
   std::string settings_text;
 
   friend bool operator==(const ProgramSummary&, const ProgramSummary&) = default;

@@ -8,7 +8,8 @@
 
 namespace slicefarm {
 
-/// What a job is to be made with: one struct a stage, complete and validated (common/config does both at the edge).
+/// What a job is to be made with: one struct a stage, complete and validated (common/config does
+/// both at the edge).
 struct JobSettings {
   SlicingOptions slicing;
   BeadingOptions beading;

@@ -4,7 +4,8 @@
 
 namespace slicefarm {
 
-/// The four layer stages one after the other, each local or remote. The stages must outlive the chain.
+/// The four layer stages one after the other, each local or remote. The stages must outlive the
+/// chain.
 class LayerChain : public RangeRunner {
  public:
   LayerChain(const BeadingStage& beading, const InfillStage& infill, const OrderingStage& ordering,

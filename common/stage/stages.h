@@ -14,17 +14,17 @@
 
 namespace slicefarm {
 
-/// The stages as the pipeline sees them. Each has a local implementation (services/<name>/algo) and a remote one
-/// (services/coordinator/remote); the embedded process, the fused worker and the split services run the same pipeline
-/// over either, and give the same bytes.
+/// The stages as the pipeline sees them. Each has a local implementation (services/<name>/algo) and
+/// a remote one (services/coordinator/remote); the embedded process, the fused worker and the split
+/// services run the same pipeline over either, and give the same bytes.
 ///
-/// All stages are pure: same input, same output; safe to call from many threads; safe to call again.
-/// Errors: what Reason lists; Cancelled as soon as `call.cancel` asks for it.
+/// All stages are pure: same input, same output; safe to call from many threads; safe to call
+/// again. Errors: what Reason lists; Cancelled as soon as `call.cancel` asks for it.
 
 struct StageCall {
   std::string job_id;  ///< for logs
   CancelToken cancel;
-  int threads = 1;     ///< how many a stage may use; never changes the result
+  int threads = 1;  ///< how many a stage may use; never changes the result
 };
 
 struct SliceInput {
@@ -119,7 +119,8 @@ struct RangeResult {
   StageTimes times;
 };
 
-/// Takes a range from outlines to programs: a chain of stages (LayerChain) or a worker that runs one elsewhere.
+/// Takes a range from outlines to programs: a chain of stages (LayerChain) or a worker that runs
+/// one elsewhere.
 class RangeRunner {
  public:
   virtual ~RangeRunner() = default;
