@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Every service as a process of its own on this machine, without containers.
+#
+#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P]
+#   deploy/local.sh status
+#   deploy/local.sh down
+#
+# up       starts the services and waits until the coordinator answers on 127.0.0.1:P (default 50050; the others take the
+#          ports above it). fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
+# down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
+#
+# SLICEFARM_BIN     where the programs are (default build/bin)
+# SLICEFARM_STATE   jobs, blobs, logs and process ids (default build/local)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+bin=${SLICEFARM_BIN:-build/bin}
+state=${SLICEFARM_STATE:-build/local}
+
+usage() { sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 2; }
+die() { echo "local.sh: $*" >&2; exit 1; }
+
+running() { [[ -f "$1" ]] && kill -0 "$(cat "$1")" 2>/dev/null; }
+
+# start NAME PROGRAM ARG...
+start() {
+  local name=$1; shift
+  "$@" >"$state/log/$name.log" 2>&1 </dev/null &
+  echo $! >"$state/pid/$name.pid"
+}
+
+await() {
+  local name=$1 address=$2
+  for _ in $(seq 100); do
+    "$bin/slicefarm" health "$address" >/dev/null 2>&1 && return
+    running "$state/pid/$name.pid" || { tail -n 5 "$state/log/$name.log" >&2; die "$name did not start; its log is $state/log/$name.log"; }
+  done
+  die "$name does not answer on $address; its log is $state/log/$name.log"
+}
+
+up() {
+  local workers=2 mode=fused port=50050
+  while [[ $# -gt 0 ]]; do
+    case "$1" in
+      --workers) workers=${2:?}; shift 2 ;;
+      --mode) mode=${2:?}; shift 2 ;;
+      --port) port=${2:?}; shift 2 ;;
+      *) usage ;;
+    esac
+  done
+  [[ "$workers" =~ ^[1-9][0-9]*$ ]] || die "--workers $workers: a number from 1 is needed"
+  [[ "$mode" == fused || "$mode" == split ]] || die "--mode $mode: fused or split"
+  [[ -x "$bin/slicefarm-coordinator" ]] || die "no programs in $bin: run deploy/setup.sh, then cmake --preset release && cmake --build --preset release"
+  mkdir -p "$state/log" "$state/pid" "$state/coordinator"
+  for pid in "$state"/pid/*.pid; do running "$pid" && die "already up: deploy/local.sh down stops it"; done
+
+  local next=$((port + 1)) pools=()
+  # replicas STAGE COUNT FLAG: COUNT processes of slicefarm-STAGE, and their addresses as the coordinator's --FLAG.
+  replicas() {
+    local addresses=()
+    for i in $(seq "$2"); do
+      start "$1-$i" "$bin/slicefarm-$1" --listen "127.0.0.1:$next"
+      await "$1-$i" "127.0.0.1:$next"
+      addresses+=("127.0.0.1:$next")
+      next=$((next + 1))
+    done
+    pools+=("--$3" "$(IFS=,; echo "${addresses[*]}")")
+  }
+  replicas slicing 1 slicing
+  if [[ "$mode" == fused ]]; then
+    replicas motion 1 motion
+    replicas worker "$workers" workers
+  else
+    for stage in beading infill ordering motion; do replicas "$stage" "$workers" "$stage"; done
+  fi
+  start coordinator "$bin/slicefarm-coordinator" --listen "127.0.0.1:$port" --state-dir "$state/coordinator" "${pools[@]}"
+  await coordinator "127.0.0.1:$port"
+  echo "up: $mode, $workers replicas; submit to 127.0.0.1:$port"
+}
+
+status() {
+  local any=0
+  for pid in "$state"/pid/*.pid; do
+    [[ -f "$pid" ]] || continue
+    any=1
+    if running "$pid"; then echo "$(basename "$pid" .pid) running, process $(cat "$pid")"; else echo "$(basename "$pid" .pid) stopped"; fi
+  done
+  [[ $any -eq 1 ]] || echo "nothing is up"
+}
+
+down() {
+  for pid in "$state"/pid/coordinator.pid "$state"/pid/*.pid; do running "$pid" && kill -TERM "$(cat "$pid")"; done
+  for pid in "$state"/pid/*.pid; do
+    [[ -f "$pid" ]] || continue
+    while running "$pid"; do sleep 0.1; done
+    rm -f "$pid"
+  done
+  echo "down"
+}
+
+command=${1:-}; [[ $# -gt 0 ]] && shift
+case "$command" in
+  up) up "$@" ;;
+  status) status ;;
+  down) down ;;
+  *) usage ;;
+esac

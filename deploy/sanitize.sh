@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Runs the tests under sanitizers, and the fuzz targets for a minute each.
+#
+#   deploy/sanitize.sh [asan] [tsan] [fuzz]      default: all three
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+deploy/setup.sh
+for what in "${@:-asan tsan fuzz}"; do
+  for preset in $what; do
+    cmake --preset "$preset"
+    cmake --build --preset "$preset"
+    case "$preset" in
+      asan) ctest --preset asan -j "$(nproc)" -LE slow ;;
+      tsan) TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" ctest --preset tsan -j "$(nproc)" -LE slow ;;
+      fuzz)
+        for target in build-fuzz/bin/fuzz_*; do
+          name=$(basename "$target")
+          mkdir -p "build-fuzz/corpus/$name"
+          "$target" -max_total_time="${FUZZ_SECONDS:-60}" -rss_limit_mb=4096 \
+            "build-fuzz/corpus/$name" "tests/corpus/fuzz/${name#fuzz_}"
+        done ;;
+    esac
+  done
+done

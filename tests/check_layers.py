@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Fails when an include crosses the layers, or a file breaks a size or pairing rule.
+
+usage: check_layers.py [repo root]        exit 1 and one line per violation
+
+The way is geometry <- model <- config, stage, algo <- wire, rpc <- remote, store, server; a service never includes another
+one, except in the two places where whole programs are put together: services/worker and services/cli.
+"""
+import pathlib
+import re
+import sys
+
+WIRE, GRPC = r"\.pb\.h$", r"^grpc"
+PURE = {"model", "geometry"}
+EDGE = PURE | {"config", "stage", "wire", "rpc", "algo"}
+# layer: (path pattern, layers it may include, system and generated headers it must not include)
+LAYERS = [
+    ("geometry", r"common/geometry/", {"geometry"}, f"{WIRE}|{GRPC}"),
+    ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
+    ("config", r"common/config/", PURE | {"config"}, f"{WIRE}|{GRPC}"),
+    ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
+    ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
+    ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),
+    ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage"}, f"{WIRE}|{GRPC}"),
+    ("remote", r"services/(\w+)/remote/", EDGE | {"remote"}, None),
+    ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
+    ("server", r"services/(\w+)/server/", EDGE | {"remote", "store", "server"}, None),
+    ("cli", r"services/(cli)/", EDGE | {"remote", "cli"}, None),
+]
+COMPOSITION_ROOTS = {"worker", "cli"}
+CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
+IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
+MAX_LINES, MAX_TEST_LINES = 500, 1000
+
+
+def layer_of(path):
+    for name, pattern, _, _ in LAYERS:
+        if m := re.match(pattern, path):
+            return name, (m.group(1) if m.groups() else None)
+    return None, None
+
+
+def check_includes(path, text, layer, service, is_test):
+    _, _, allowed, forbidden = next(l for l in LAYERS if l[0] == layer)
+    for match in re.finditer(r'^\s*#\s*include\s*[<"]([^">]+)[">]', text, re.M):
+        included = match.group(1)
+        where = f"{path}:{text[: match.start()].count(chr(10)) + 1}"
+        to, to_service = layer_of(included)
+        if to and to not in allowed:
+            yield f"{where}: {layer} must not include {to} ({included})"
+        if to_service and to_service != service and service not in COMPOSITION_ROOTS:
+            yield f"{where}: service {service} must not include service {to_service}"
+        if included.startswith("tests/") and not is_test:
+            yield f"{where}: product code must not include tests/"
+        if forbidden and not is_test and re.search(forbidden, included):
+            yield f"{where}: {layer} must not include {included}"
+        if CLIPPER.match(included) and layer != "geometry":
+            yield f"{where}: Clipper is private to common/geometry"
+
+
+def check(root, file):
+    path = file.relative_to(root).as_posix()
+    layer, service = layer_of(path)
+    text = file.read_text()
+    is_test = path.endswith("_test.cc")
+    limit = MAX_TEST_LINES if is_test else MAX_LINES
+    if (n := text.count("\n")) > limit:
+        yield f"{path}: {n} lines, at most {limit}"
+    if layer is None:
+        yield f"{path}: in no known layer"
+        return
+    yield from check_includes(path, text, layer, service, is_test)
+    if layer in ("algo", "geometry", "model", "config") and not is_test:
+        for m in IMPURE.finditer(text):
+            # A literal for tests may die; nothing else in pure code may touch the world.
+            if "OrDie" not in text:
+                yield f"{path}:{text[: m.start()].count(chr(10)) + 1}: {m.group(1)} in pure code"
+    if layer in ("algo", "geometry") and path.endswith(".cc") and not is_test:
+        if not file.with_name(file.stem + "_test.cc").exists():
+            yield f"{path}: no {file.stem}_test.cc beside it"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    files = [f for d in ("common", "services") for e in ("h", "cc") for f in sorted((root / d).rglob(f"*.{e}"))]
+    if not files:
+        print(f"no sources under {root}")
+        return 1
+    found = [v for f in files for v in check(root, f)]
+    print("\n".join(found) or f"{len(files)} files, all layers respected")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
