@@ -34,6 +34,7 @@ await() {
   for _ in $(seq 100); do
     "$bin/slicefarm" health "$address" >/dev/null 2>&1 && return
     running "$state/pid/$name.pid" || { tail -n 5 "$state/log/$name.log" >&2; die "$name did not start; its log is $state/log/$name.log"; }
+    sleep 0.1
   done
   die "$name does not answer on $address; its log is $state/log/$name.log"
 }
