@@ -14,7 +14,8 @@ namespace slicefarm::coordinator {
 struct JobInput {
   SliceInput meshes;
   JobSettings settings;
-  std::string settings_text;  ///< effective settings as `key = value` lines, quoted at the end of the G-code
+  std::string settings_text;  ///< effective settings as `key = value` lines, quoted at the end of
+                              ///< the G-code
 };
 
 /// What a job came to, besides its G-code.
@@ -44,8 +45,10 @@ struct PipelineProgress {
 };
 
 /// The whole way from meshes to G-code:
-///   1 slicing   2 plan (layer_plan.h)   3 ranges with halo (range_split.h)   4 executor   5 assembly
-/// The same for the embedded process and for the coordinator; only the stages and the executor differ.
+///   1 slicing   2 plan (layer_plan.h)   3 ranges with halo (range_split.h)   4 executor   5
+///   assembly
+/// The same for the embedded process and for the coordinator; only the stages and the executor
+/// differ.
 class JobPipeline {
  public:
   JobPipeline(const SlicingStage& slicing, const MotionStage& motion, RangeExecutor& executor)

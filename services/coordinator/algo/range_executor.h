@@ -14,8 +14,9 @@ class RangeExecutor {
  public:
   virtual ~RangeExecutor() = default;
 
-  /// Results are in the order of `tasks`. `layers_done` is told, from any thread but one call at a time, how many layers
-  /// are finished. Errors: the first range's that cannot be made, or Cancelled.
+  /// Results are in the order of `tasks`. `layers_done` is told, from any thread but one call at a
+  /// time, how many layers are finished. Errors: the first range's that cannot be made, or
+  /// Cancelled.
   virtual absl::StatusOr<std::vector<RangeResult>> Execute(
       const StageCall& call, std::span<const RangeTask> tasks,
       const std::function<void(int32_t)>& layers_done) = 0;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+#include "absl/status/status.h"
+
+namespace slicefarm::coordinator {
+
+/// The life of a job. A job ends exactly once: SUCCEEDED, FAILED and CANCELLED are left by nothing.
+///
+///   QUEUED -> RUNNING -> SUCCEEDED | FAILED | CANCELLED
+///   QUEUED -> CANCELLED                    cancelled before it began
+///   QUEUED -> SUCCEEDED                    found in the cache
+///   QUEUED -> FAILED                       its input cannot be read
+///   RUNNING -> QUEUED                      its coordinator stops and hands it back
+enum class JobState { kQueued, kRunning, kSucceeded, kFailed, kCancelled };
+
+bool IsTerminal(JobState state);
+
+bool MayFollow(JobState from, JobState to);
+
+/// "QUEUED", "RUNNING", ...: what the store keeps and logs show.
+std::string_view JobStateName(JobState state);
+
+/// The state a run of a job leads to, by how it ended.
+JobState EndState(const absl::Status& run);
+
+}  // namespace slicefarm::coordinator

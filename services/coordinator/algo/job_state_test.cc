@@ -1,0 +1,43 @@
+#include "services/coordinator/algo/job_state.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace slicefarm::coordinator {
+namespace {
+
+using enum JobState;
+constexpr std::array kAll = {kQueued, kRunning, kSucceeded, kFailed, kCancelled};
+
+TEST(JobState, EndsOnce) {
+  for (const JobState from : kAll) {
+    for (const JobState to : kAll) {
+      if (IsTerminal(from) || from == to) {
+        EXPECT_FALSE(MayFollow(from, to));
+      } else if (IsTerminal(to)) {
+        EXPECT_TRUE(MayFollow(from, to));
+      }
+    }
+  }
+}
+
+TEST(JobState, RunsAndIsHandedBack) {
+  EXPECT_TRUE(MayFollow(kQueued, kRunning));
+  EXPECT_TRUE(MayFollow(kRunning, kQueued));
+}
+
+TEST(JobState, EndsByTheStatusOfItsRun) {
+  EXPECT_EQ(EndState(absl::OkStatus()), kSucceeded);
+  EXPECT_EQ(EndState(absl::CancelledError("")), kCancelled);
+  EXPECT_EQ(EndState(absl::InvalidArgumentError("")), kFailed);
+}
+
+TEST(JobState, NamesDiffer) {
+  for (const JobState a : kAll) {
+    for (const JobState b : kAll) EXPECT_EQ(a == b, JobStateName(a) == JobStateName(b));
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/model/layer.h"
+
+namespace slicefarm::coordinator {
+
+struct RangeSplitOptions {
+  int32_t min_layers = 8;        ///< below, a call costs more than it is worth
+  int32_t max_layers = 128;      ///< above, too much is lost with a worker
+  int64_t max_points = 100'000;  ///< of the outlines; bounds what a slot holds in memory
+};
+
+/// Cuts a job into contiguous ranges for `slots` workers: each takes 1 / (2 slots) of the outline
+/// points that remain, so the first are long and the last are short, and all workers end at about
+/// the same time. The G-code does not depend on the cut.
+///
+/// Shapes: the ranges cover [0, layers.size()) without gap or overlap, in order; none is empty.
+/// Cost:   O(points' rings).
+std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int slots,
+                                        const RangeSplitOptions& options = {});
+
+}  // namespace slicefarm::coordinator
