@@ -1,24 +1,10 @@
 #include "common/stage/layer_chain.h"
 
-#include <chrono>
 #include <utility>
 
+#include "common/stage/stopwatch.h"
+
 namespace slicefarm {
-namespace {
-
-/// Adds the time from its birth to its death to `*seconds`.
-class Timer {
- public:
-  explicit Timer(double* seconds) : seconds_(seconds) {}
-  ~Timer() { *seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double* seconds_;
-  Clock::time_point start_ = Clock::now();
-};
-
-}  // namespace
 
 void StageTimes::Add(const StageTimes& other) {
   slicing_s += other.slicing_s;
@@ -32,23 +18,19 @@ absl::StatusOr<RangeResult> LayerChain::Run(const StageCall& call, const RangeTa
   RangeResult result;
   const Neighbourhood neighbourhood{task.range, task.layer_count, task.layers};
   const JobSettings& settings = *task.settings;
-  const auto timed = [](double* seconds, auto&& stage) {
-    Timer timer(seconds);
-    return stage();
-  };
 
-  auto walled = timed(&result.times.beading_s,
+  auto walled = Timed(result.times.beading_s,
                       [&] { return beading_.Bead(call, neighbourhood, settings.beading); });
   if (!walled.ok()) return walled.status();
-  auto filled = timed(&result.times.infill_s, [&] {
+  auto filled = Timed(result.times.infill_s, [&] {
     return infill_.Fill(call, *std::move(walled), neighbourhood, settings.infill);
   });
   if (!filled.ok()) return filled.status();
-  auto ordered = timed(&result.times.ordering_s, [&] {
+  auto ordered = Timed(result.times.ordering_s, [&] {
     return ordering_.Order(call, *std::move(filled), task.plans, settings.ordering);
   });
   if (!ordered.ok()) return ordered.status();
-  auto programs = timed(&result.times.motion_s, [&] {
+  auto programs = Timed(result.times.motion_s, [&] {
     return motion_.Program(call, *std::move(ordered), settings.motion);
   });
   if (!programs.ok()) return programs.status();

@@ -142,10 +142,6 @@ DispatchCounts Dispatcher::Counts() const {
   return counts;
 }
 
-double Dispatcher::NowS() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
     const StageCall& call, std::span<const RangeTask> tasks,
     const std::function<void(int32_t)>& layers_done) {
@@ -236,8 +232,7 @@ bool Dispatcher::Ready(Lock& lock, const Member& member) {
 void Dispatcher::Rest(Lock& lock, const Member& member, int failures) {
   const auto rest =
       std::min(options_.max_rest, options_.min_rest * (1 << std::min(failures - 1, 10)));
-  const auto until = std::chrono::steady_clock::now() + rest;
-  work_.wait_until(lock, until, [&] { return stopping_ || member.leaving; });
+  work_.wait_for(lock, rest, [&] { return stopping_ || member.leaving; });
 }
 
 /// From the job with the fewest ranges in flight, of these from the one that has waited longest. A
@@ -250,7 +245,7 @@ std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
     return std::pair(a->scheduler.Running(), a->last_turn) <
            std::pair(b->scheduler.Running(), b->last_turn);
   });
-  const double now_s = NowS();
+  const double now_s = clock_.Seconds();
   for (Job* job : jobs) {
     if (const auto grant = job->scheduler.Next(member.id, now_s)) return Assign(*job, *grant);
   }
@@ -291,7 +286,7 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
 }
 
 void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult result) {
-  const auto accepted = job.scheduler.Succeeded(assignment.grant.ticket, NowS());
+  const auto accepted = job.scheduler.Succeeded(assignment.grant.ticket, clock_.Seconds());
   if (!accepted.first) return;
   for (const RangeScheduler::Ticket ticket : accepted.superfluous) {
     if (const auto call = job.calls.find(ticket); call != job.calls.end())

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/range_executor.h"
 #include "services/coordinator/algo/range_scheduler.h"
 #include "services/coordinator/algo/runner_set.h"
@@ -73,10 +74,9 @@ class Dispatcher : public RangeExecutor, public RunnerSet {
   void End(Job& job, absl::Status status);
   void AwaitEnd(Lock& lock, Job& job);
   void Reap();
-  double NowS() const;
 
   const DispatcherOptions options_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Stopwatch clock_;
   mutable std::mutex mutex_;
   std::condition_variable work_;     ///< there may be something to do for a slot, or it is to end
   std::condition_variable changed_;  ///< a job may have got on or be over

@@ -1,26 +1,18 @@
 #include "services/coordinator/algo/job_pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numbers>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/layer_plan.h"
 #include "services/coordinator/algo/mesh_warnings.h"
 #include "services/coordinator/algo/range_split.h"
 
 namespace slicefarm::coordinator {
 namespace {
-
-template <typename Work>
-auto Timed(double& seconds, const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = work();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
 
 absl::Status CheckSliced(const std::vector<SlicedLayer>& layers) {
   const bool printable = std::any_of(layers.begin(), layers.end(),
