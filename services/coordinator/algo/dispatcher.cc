@@ -31,8 +31,8 @@ absl::Status PoisonedError(const LayerRange& range, int tries, const std::string
   return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned,
                    absl::StrCat("layers ", range.first, " to ", range.last - 1, " failed ", tries,
                                 " times, the last time on ", runner, ": ", last.message()),
-                   {{"first_layer", absl::StrCat(range.first)},
-                    {"last_layer", absl::StrCat(range.last - 1)},
+                   {{"layer_first", absl::StrCat(range.first)},
+                    {"layer_last", absl::StrCat(range.last - 1)},
                     {"tries", absl::StrCat(tries)},
                     {"cause", std::string(ReasonName(DetailOf(last).reason))}});
 }

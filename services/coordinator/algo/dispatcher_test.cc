@@ -135,8 +135,8 @@ TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   const auto results = dispatcher.Execute({}, Tasks(5), nullptr);
   const ErrorDetail detail = DetailOf(results.status());
   EXPECT_EQ(detail.reason, Reason::kRangePoisoned);
-  EXPECT_EQ(detail.metadata.at("first_layer"), "20");
-  EXPECT_EQ(detail.metadata.at("last_layer"), "29");
+  EXPECT_EQ(detail.metadata.at("layer_first"), "20");
+  EXPECT_EQ(detail.metadata.at("layer_last"), "29");
   EXPECT_THAT(results.status().message(), HasSubstr("crash"));
   EXPECT_EQ(dispatcher.Counts().poisoned, 1);
 
