@@ -38,6 +38,8 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kCancelled, "CANCELLED"},
     {Reason::kDeadlineExceeded, "DEADLINE_EXCEEDED"},
     {Reason::kUnavailable, "UNAVAILABLE"},
+    {Reason::kOverloaded, "OVERLOADED"},
+    {Reason::kBuildMismatch, "BUILD_MISMATCH"},
     {Reason::kRangePoisoned, "RANGE_POISONED"},
     {Reason::kStoreFailed, "STORE_FAILED"},
     {Reason::kDiskFull, "DISK_FULL"},

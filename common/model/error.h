@@ -41,6 +41,8 @@ enum class Reason {
   kCancelled,
   kDeadlineExceeded,
   kUnavailable,
+  kOverloaded,
+  kBuildMismatch,
   kRangePoisoned,
   kStoreFailed,
   kDiskFull,

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+#include "slicefarm/v1/geometry.pb.h"
+
+namespace slicefarm {
+
+/// Geometry on the wire is 32-bit nanometres. What does not fit is refused with reason
+/// OUT_OF_RANGE; what does not add up (an odd number of coordinates, ring sizes that miss the
+/// points) with REQUEST_MALFORMED. Cost: one pass over the points.
+
+absl::Status ToProto(Point point, v1::Point* proto);
+Point FromProto(const v1::Point& proto);
+
+absl::Status ToProto(const MultiPolygon& polygons, v1::MultiPolygon* proto);
+absl::StatusOr<MultiPolygon> FromProto(const v1::MultiPolygon& proto);
+
+/// Appends `points` as x, y, x, y, ...
+absl::Status PackPoints(std::span<const Point> points,
+                        google::protobuf::RepeatedField<int32_t>* xy_nm);
+absl::StatusOr<std::vector<Point>> UnpackPoints(
+    const google::protobuf::RepeatedField<int32_t>& xy_nm, std::string_view field);
+
+/// OUT_OF_RANGE unless `value_nm` fits in 32 bits.
+absl::Status CheckCoord(Coord value_nm);
+
+}  // namespace slicefarm

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/mesh.h"
+#include "slicefarm/v1/mesh.pb.h"
+
+namespace slicefarm {
+
+v1::MeshFormat ToProto(MeshFormat format);
+absl::StatusOr<MeshFormat> FromProto(v1::MeshFormat proto);
+
+/// The wire may leave out what is as usual: no unit is 1 mm, no scale is 1, one scale goes for all
+/// axes, no rotation is none. Errors: REQUEST_MALFORMED for sizes, non-finite numbers and scales
+/// that are not positive; OUT_OF_RANGE; REQUEST_TOO_LARGE for more than limits::kMaxObjects copies.
+absl::Status ToProto(const Placement& placement, v1::Placement* proto);
+absl::StatusOr<Placement> FromProto(const v1::Placement& proto);
+
+v1::MeshReport ToProto(const MeshReport& report);
+absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto);
+
+v1::Thumbnail ToProto(const Thumbnail& thumbnail);
+absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto);
+
+}  // namespace slicefarm

@@ -1,0 +1,244 @@
+#include "common/wire/motion_options_wire.h"
+
+#include <algorithm>
+#include <array>
+
+#include "common/wire/enum_wire.h"
+#include "common/wire/settings_check.h"
+#include "common/wire/wire_error.h"
+
+namespace slicefarm {
+namespace {
+
+using google::protobuf::RepeatedField;
+
+constexpr int kFlavors = 3;
+static_assert(v1::GCODE_FLAVOR_MARLIN2 == static_cast<int>(GcodeFlavor::kMarlin2) + 1);
+static_assert(v1::GCODE_FLAVOR_MARLIN_LEGACY == static_cast<int>(GcodeFlavor::kMarlinLegacy) + 1);
+static_assert(v1::GCODE_FLAVOR_KLIPPER == static_cast<int>(GcodeFlavor::kKlipper) + 1);
+static_assert(v1::GcodeFlavor_MAX == kFlavors);
+
+template <size_t N>
+void Put(const std::array<double, N>& values, RepeatedField<double>* proto) {
+  proto->Assign(values.begin(), values.end());
+}
+
+/// REQUIRES: CheckSizes.
+template <size_t N>
+void Take(const RepeatedField<double>& proto, std::array<double, N>* values) {
+  std::ranges::copy(proto, values->begin());
+}
+
+absl::Status CheckSizes(const v1::MotionOptions& proto) {
+  const v1::MachineLimits& limits = proto.limits();
+  if (limits.max_feedrate_mm_s_size() != 4) return Malformed("limits.max_feedrate_mm_s", "not 4");
+  if (limits.max_acceleration_mm_s2_size() != 4) {
+    return Malformed("limits.max_acceleration_mm_s2", "not 4");
+  }
+  if (limits.max_jerk_mm_s_size() != 4) return Malformed("limits.max_jerk_mm_s", "not 4");
+  if (proto.speed_mm_s_size() != kFeatureCount) {
+    return Malformed("speed_mm_s", "not one for each feature");
+  }
+  if (proto.acceleration_mm_s2_size() != kFeatureCount) {
+    return Malformed("acceleration_mm_s2", "not one for each feature");
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckRanges(const v1::MotionOptions& proto) {
+  if (proto.nozzle_diameter_mm() <= 0) return Malformed("nozzle_diameter_mm", "is not positive");
+  if (proto.filament_diameter_mm() <= 0) {
+    return Malformed("filament_diameter_mm", "is not positive");
+  }
+  if (std::ranges::any_of(proto.speed_mm_s(), [](double speed) { return speed < 0; })) {
+    return Malformed("speed_mm_s", "is negative");
+  }
+  return absl::OkStatus();
+}
+
+v1::MachineLimits ToProto(const MachineLimits& limits) {
+  v1::MachineLimits proto;
+  Put(limits.max_feedrate_mm_s, proto.mutable_max_feedrate_mm_s());
+  Put(limits.max_acceleration_mm_s2, proto.mutable_max_acceleration_mm_s2());
+  Put(limits.max_jerk_mm_s, proto.mutable_max_jerk_mm_s());
+  proto.set_max_acceleration_extruding_mm_s2(limits.max_acceleration_extruding_mm_s2);
+  proto.set_max_acceleration_retracting_mm_s2(limits.max_acceleration_retracting_mm_s2);
+  proto.set_max_acceleration_travel_mm_s2(limits.max_acceleration_travel_mm_s2);
+  proto.set_junction_deviation_mm(limits.junction_deviation_mm);
+  proto.set_square_corner_velocity_mm_s(limits.square_corner_velocity_mm_s);
+  proto.set_minimum_cruise_ratio(limits.minimum_cruise_ratio);
+  proto.set_emit_to_gcode(limits.emit_to_gcode);
+  return proto;
+}
+
+MachineLimits FromProto(const v1::MachineLimits& proto) {
+  MachineLimits limits;
+  Take(proto.max_feedrate_mm_s(), &limits.max_feedrate_mm_s);
+  Take(proto.max_acceleration_mm_s2(), &limits.max_acceleration_mm_s2);
+  Take(proto.max_jerk_mm_s(), &limits.max_jerk_mm_s);
+  limits.max_acceleration_extruding_mm_s2 = proto.max_acceleration_extruding_mm_s2();
+  limits.max_acceleration_retracting_mm_s2 = proto.max_acceleration_retracting_mm_s2();
+  limits.max_acceleration_travel_mm_s2 = proto.max_acceleration_travel_mm_s2();
+  limits.junction_deviation_mm = proto.junction_deviation_mm();
+  limits.square_corner_velocity_mm_s = proto.square_corner_velocity_mm_s();
+  limits.minimum_cruise_ratio = proto.minimum_cruise_ratio();
+  limits.emit_to_gcode = proto.emit_to_gcode();
+  return limits;
+}
+
+v1::RetractionOptions ToProto(const RetractionOptions& retraction) {
+  v1::RetractionOptions proto;
+  proto.set_length_mm(retraction.length_mm);
+  proto.set_speed_mm_s(retraction.speed_mm_s);
+  proto.set_restart_speed_mm_s(retraction.restart_speed_mm_s);
+  proto.set_restart_extra_mm(retraction.restart_extra_mm);
+  proto.set_min_travel_mm(retraction.min_travel_mm);
+  proto.set_lift_mm(retraction.lift_mm);
+  return proto;
+}
+
+RetractionOptions FromProto(const v1::RetractionOptions& proto) {
+  RetractionOptions retraction;
+  retraction.length_mm = proto.length_mm();
+  retraction.speed_mm_s = proto.speed_mm_s();
+  retraction.restart_speed_mm_s = proto.restart_speed_mm_s();
+  retraction.restart_extra_mm = proto.restart_extra_mm();
+  retraction.min_travel_mm = proto.min_travel_mm();
+  retraction.lift_mm = proto.lift_mm();
+  return retraction;
+}
+
+v1::CoolingOptions ToProto(const CoolingOptions& cooling) {
+  v1::CoolingOptions proto;
+  proto.set_enabled(cooling.enabled);
+  proto.set_fan_always_on(cooling.fan_always_on);
+  proto.set_min_fan_percent(cooling.min_fan_percent);
+  proto.set_max_fan_percent(cooling.max_fan_percent);
+  proto.set_bridge_fan_percent(cooling.bridge_fan_percent);
+  proto.set_disable_fan_first_layers(cooling.disable_fan_first_layers);
+  proto.set_fan_below_layer_time_s(cooling.fan_below_layer_time_s);
+  proto.set_slowdown_below_layer_time_s(cooling.slowdown_below_layer_time_s);
+  proto.set_min_print_speed_mm_s(cooling.min_print_speed_mm_s);
+  return proto;
+}
+
+CoolingOptions FromProto(const v1::CoolingOptions& proto) {
+  CoolingOptions cooling;
+  cooling.enabled = proto.enabled();
+  cooling.fan_always_on = proto.fan_always_on();
+  cooling.min_fan_percent = proto.min_fan_percent();
+  cooling.max_fan_percent = proto.max_fan_percent();
+  cooling.bridge_fan_percent = proto.bridge_fan_percent();
+  cooling.disable_fan_first_layers = proto.disable_fan_first_layers();
+  cooling.fan_below_layer_time_s = proto.fan_below_layer_time_s();
+  cooling.slowdown_below_layer_time_s = proto.slowdown_below_layer_time_s();
+  cooling.min_print_speed_mm_s = proto.min_print_speed_mm_s();
+  return cooling;
+}
+
+void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
+  Put(options.speed_mm_s, proto->mutable_speed_mm_s());
+  proto->set_small_perimeter_speed_mm_s(options.small_perimeter_speed_mm_s);
+  proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
+  proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
+  proto->set_first_layer_speed_mm_s(options.first_layer_speed_mm_s);
+  proto->set_first_layer_speed_ratio(options.first_layer_speed_ratio);
+  proto->set_max_print_speed_mm_s(options.max_print_speed_mm_s);
+  proto->set_max_volumetric_speed_mm3_s(options.max_volumetric_speed_mm3_s);
+  Put(options.acceleration_mm_s2, proto->mutable_acceleration_mm_s2());
+  proto->set_default_acceleration_mm_s2(options.default_acceleration_mm_s2);
+  proto->set_first_layer_acceleration_mm_s2(options.first_layer_acceleration_mm_s2);
+  proto->set_travel_acceleration_mm_s2(options.travel_acceleration_mm_s2);
+}
+
+void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
+  Take(proto.speed_mm_s(), &options->speed_mm_s);
+  options->small_perimeter_speed_mm_s = proto.small_perimeter_speed_mm_s();
+  options->travel_speed_mm_s = proto.travel_speed_mm_s();
+  options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();
+  options->first_layer_speed_mm_s = proto.first_layer_speed_mm_s();
+  options->first_layer_speed_ratio = proto.first_layer_speed_ratio();
+  options->max_print_speed_mm_s = proto.max_print_speed_mm_s();
+  options->max_volumetric_speed_mm3_s = proto.max_volumetric_speed_mm3_s();
+  Take(proto.acceleration_mm_s2(), &options->acceleration_mm_s2);
+  options->default_acceleration_mm_s2 = proto.default_acceleration_mm_s2();
+  options->first_layer_acceleration_mm_s2 = proto.first_layer_acceleration_mm_s2();
+  options->travel_acceleration_mm_s2 = proto.travel_acceleration_mm_s2();
+}
+
+void PutMaterial(const MotionOptions& options, v1::MotionOptions* proto) {
+  proto->set_nozzle_diameter_mm(options.nozzle_diameter_mm);
+  proto->set_filament_diameter_mm(options.filament_diameter_mm);
+  proto->set_extrusion_multiplier(options.extrusion_multiplier);
+  proto->set_filament_density_g_cm3(options.filament_density_g_cm3);
+  proto->set_filament_cost_per_kg(options.filament_cost_per_kg);
+  proto->set_filament_type(options.filament_type);
+  proto->set_filament_colour(options.filament_colour);
+  proto->set_filament_settings_id(options.filament_settings_id);
+  proto->set_printer_model(options.printer_model);
+  proto->set_temperature_c(options.temperature_c);
+  proto->set_first_layer_temperature_c(options.first_layer_temperature_c);
+  proto->set_bed_temperature_c(options.bed_temperature_c);
+  proto->set_first_layer_bed_temperature_c(options.first_layer_bed_temperature_c);
+}
+
+void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
+  options->nozzle_diameter_mm = proto.nozzle_diameter_mm();
+  options->filament_diameter_mm = proto.filament_diameter_mm();
+  options->extrusion_multiplier = proto.extrusion_multiplier();
+  options->filament_density_g_cm3 = proto.filament_density_g_cm3();
+  options->filament_cost_per_kg = proto.filament_cost_per_kg();
+  options->filament_type = proto.filament_type();
+  options->filament_colour = proto.filament_colour();
+  options->filament_settings_id = proto.filament_settings_id();
+  options->printer_model = proto.printer_model();
+  options->temperature_c = proto.temperature_c();
+  options->first_layer_temperature_c = proto.first_layer_temperature_c();
+  options->bed_temperature_c = proto.bed_temperature_c();
+  options->first_layer_bed_temperature_c = proto.first_layer_bed_temperature_c();
+}
+
+}  // namespace
+
+v1::MotionOptions ToProto(const MotionOptions& options) {
+  v1::MotionOptions proto;
+  proto.set_flavor(EnumToProto<v1::GcodeFlavor>(options.flavor));
+  *proto.mutable_limits() = ToProto(options.limits);
+  *proto.mutable_retraction() = ToProto(options.retraction);
+  *proto.mutable_cooling() = ToProto(options.cooling);
+  PutSpeeds(options, &proto);
+  PutMaterial(options, &proto);
+  proto.set_progress(options.progress);
+  proto.set_z_offset_mm(options.z_offset_mm);
+  proto.set_start_gcode(options.start_gcode);
+  proto.set_end_gcode(options.end_gcode);
+  proto.set_before_layer_gcode(options.before_layer_gcode);
+  proto.set_layer_gcode(options.layer_gcode);
+  return proto;
+}
+
+absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckSizes(proto));
+  status.Update(CheckRanges(proto));
+  if (!status.ok()) return status;
+  absl::StatusOr<GcodeFlavor> flavor =
+      EnumFromProto<GcodeFlavor>(proto.flavor(), kFlavors, "flavor");
+  if (!flavor.ok()) return flavor.status();
+  MotionOptions options;
+  options.flavor = *flavor;
+  options.limits = FromProto(proto.limits());
+  options.retraction = FromProto(proto.retraction());
+  options.cooling = FromProto(proto.cooling());
+  TakeSpeeds(proto, &options);
+  TakeMaterial(proto, &options);
+  options.progress = proto.progress();
+  options.z_offset_mm = proto.z_offset_mm();
+  options.start_gcode = proto.start_gcode();
+  options.end_gcode = proto.end_gcode();
+  options.before_layer_gcode = proto.before_layer_gcode();
+  options.layer_gcode = proto.layer_gcode();
+  return options;
+}
+
+}  // namespace slicefarm

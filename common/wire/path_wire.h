@@ -1,0 +1,18 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/path.h"
+#include "slicefarm/v1/layer.pb.h"
+
+namespace slicefarm {
+
+v1::Feature ToProto(Feature feature);
+absl::StatusOr<Feature> FromProto(v1::Feature proto);
+
+/// Errors: OUT_OF_RANGE for what does not fit in 32-bit nanometres; REQUEST_MALFORMED where Path's
+/// invariant or the range of a field is broken.
+absl::Status ToProto(const Path& path, v1::Path* proto);
+absl::StatusOr<Path> FromProto(const v1::Path& proto);
+
+}  // namespace slicefarm

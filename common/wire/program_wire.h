@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/layer.h"
+#include "common/model/program_summary.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/layer.pb.h"
+#include "slicefarm/v1/motion.pb.h"
+
+namespace slicefarm {
+
+/// Programs and what stands around them. G-code is moved, not copied, where the argument is an
+/// rvalue or by value. Errors: OUT_OF_RANGE, REQUEST_MALFORMED naming the field.
+
+void ToProto(const FeatureUse& use, v1::FeatureUse* proto);
+absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto);
+
+absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto);
+absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto);
+
+absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto);
+absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto);
+
+v1::StageTimes ToProto(const StageTimes& times);
+absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
+
+absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto);
+absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
+
+/// All of FrameRequest but its call and options.
+absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
+absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
+
+v1::ProgramFrame ToProto(ProgramFrame frame);
+absl::StatusOr<ProgramFrame> FromProto(v1::ProgramFrame proto);
+
+}  // namespace slicefarm

@@ -1,0 +1,275 @@
+#include "common/wire/settings_wire.h"
+
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/wire/enum_wire.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/motion_options_wire.h"
+#include "common/wire/settings_check.h"
+#include "common/wire/wire_error.h"
+
+namespace slicefarm {
+namespace {
+
+static_assert(v1::FILL_RULE_NON_ZERO == static_cast<int>(FillRule::kNonZero) + 1);
+static_assert(v1::FILL_RULE_EVEN_ODD == static_cast<int>(FillRule::kEvenOdd) + 1);
+static_assert(v1::FILL_RULE_POSITIVE == static_cast<int>(FillRule::kPositive) + 1);
+static_assert(v1::SPARSE_PATTERN_RECTILINEAR == static_cast<int>(SparsePattern::kRectilinear) + 1);
+static_assert(v1::SPARSE_PATTERN_GRID == static_cast<int>(SparsePattern::kGrid) + 1);
+static_assert(v1::SOLID_PATTERN_MONOTONIC == static_cast<int>(SolidPattern::kMonotonic) + 1);
+static_assert(v1::SOLID_PATTERN_RECTILINEAR == static_cast<int>(SolidPattern::kRectilinear) + 1);
+static_assert(v1::SEAM_POSITION_NEAREST == static_cast<int>(SeamPosition::kNearest) + 1);
+static_assert(v1::SEAM_POSITION_REAR == static_cast<int>(SeamPosition::kRear) + 1);
+static_assert(v1::SEAM_POSITION_ALIGNED == static_cast<int>(SeamPosition::kAligned) + 1);
+
+/// The model's value of an enum that CheckComplete has seen.
+template <typename Model, typename Proto>
+Model Known(Proto value) {
+  return static_cast<Model>(static_cast<int>(value) - 1);
+}
+
+struct NamedLength {
+  std::string_view field;
+  Coord value_nm = 0;
+};
+
+absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
+  for (const auto& [field, value_nm] : lengths) {
+    if (value_nm < least_nm || value_nm > limits::kMaxCoord) {
+      return Malformed(field, "is out of range");
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckPositive(std::initializer_list<NamedLength> lengths) {
+  return CheckLengths(lengths, 1);
+}
+
+absl::Status CheckNotNegative(std::initializer_list<NamedLength> lengths) {
+  return CheckLengths(lengths, 0);
+}
+
+absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
+  if (proto.thumbnails_size() > limits::kMaxThumbnails) {
+    return LimitError(Reason::kRequestTooLarge, "thumbnails", limits::kMaxThumbnails,
+                      proto.thumbnails_size());
+  }
+  for (const v1::ThumbnailSize& size : proto.thumbnails()) {
+    for (const int32_t px : {size.width_px(), size.height_px()}) {
+      if (px < 1 || px > limits::kMaxThumbnailPx) return Malformed("thumbnails", "out of range");
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Check(const v1::SlicingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()},
+                               {"first_layer_height_nm", proto.first_layer_height_nm()}}));
+  status.Update(CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                                  {"max_gap_nm", proto.max_gap_nm()},
+                                  {"resolution_nm", proto.resolution_nm()},
+                                  {"max_print_height_nm", proto.max_print_height_nm()}}));
+  status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
+                              {"hole_compensation_nm", proto.hole_compensation_nm()},
+                              {"elephant_foot_nm", proto.elephant_foot_nm()}},
+                             -limits::kMaxCoord));
+  if (proto.bed_xy_nm_size() < 6) status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
+  status.Update(CheckThumbnails(proto));
+  return status;
+}
+
+absl::Status Check(const v1::BeadingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  if (proto.perimeters() < 0 || proto.perimeters() > limits::kMaxPerimeters) {
+    status.Update(Malformed("perimeters", "is out of range"));
+  }
+  status.Update(CheckPositive({{"external_width_nm", proto.external_width_nm()},
+                               {"inner_width_nm", proto.inner_width_nm()},
+                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
+  status.Update(CheckNotNegative({{"min_gap_width_nm", proto.min_gap_width_nm()},
+                                  {"max_gap_width_nm", proto.max_gap_width_nm()}}));
+  return status;
+}
+
+absl::Status Check(const v1::InfillOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  for (const auto& [field, layers] :
+       {std::pair("top_solid_layers", proto.top_solid_layers()),
+        std::pair("bottom_solid_layers", proto.bottom_solid_layers())}) {
+    if (layers < 0 || layers > limits::kMaxLayers) {
+      status.Update(Malformed(field, "is out of range"));
+    }
+  }
+  if (proto.density() < 0 || proto.density() > 1) {
+    status.Update(Malformed("density", "is not in [0, 1]"));
+  }
+  if (proto.solid_below_area_mm2() < 0) {
+    status.Update(Malformed("solid_below_area_mm2", "is negative"));
+  }
+  status.Update(CheckPositive({{"sparse_width_nm", proto.sparse_width_nm()},
+                               {"solid_width_nm", proto.solid_width_nm()},
+                               {"top_width_nm", proto.top_width_nm()},
+                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
+  status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
+  return status;
+}
+
+}  // namespace
+
+absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
+  proto->set_layer_height_nm(options.layer_height_nm);
+  proto->set_first_layer_height_nm(options.first_layer_height_nm);
+  proto->set_fill_rule(EnumToProto<v1::FillRule>(options.fill_rule));
+  proto->set_closing_radius_nm(options.closing_radius_nm);
+  proto->set_max_gap_nm(options.max_gap_nm);
+  proto->set_xy_compensation_nm(options.xy_compensation_nm);
+  proto->set_hole_compensation_nm(options.hole_compensation_nm);
+  proto->set_elephant_foot_nm(options.elephant_foot_nm);
+  proto->set_resolution_nm(options.resolution_nm);
+  proto->set_max_print_height_nm(options.max_print_height_nm);
+  for (const auto& [width, height] : options.thumbnails_px) {
+    v1::ThumbnailSize* size = proto->add_thumbnails();
+    size->set_width_px(width);
+    size->set_height_px(height);
+  }
+  const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
+  return status.ok() ? status : Within("bed_xy_nm", status);
+}
+
+absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
+  if (!bed.ok()) return bed.status();
+  SlicingOptions options;
+  options.layer_height_nm = proto.layer_height_nm();
+  options.first_layer_height_nm = proto.first_layer_height_nm();
+  options.fill_rule = Known<FillRule>(proto.fill_rule());
+  options.closing_radius_nm = proto.closing_radius_nm();
+  options.max_gap_nm = proto.max_gap_nm();
+  options.xy_compensation_nm = proto.xy_compensation_nm();
+  options.hole_compensation_nm = proto.hole_compensation_nm();
+  options.elephant_foot_nm = proto.elephant_foot_nm();
+  options.resolution_nm = proto.resolution_nm();
+  options.bed = *std::move(bed);
+  options.max_print_height_nm = proto.max_print_height_nm();
+  options.thumbnails_px.clear();
+  for (const v1::ThumbnailSize& size : proto.thumbnails()) {
+    options.thumbnails_px.push_back({size.width_px(), size.height_px()});
+  }
+  return options;
+}
+
+v1::BeadingOptions ToProto(const BeadingOptions& options) {
+  v1::BeadingOptions proto;
+  proto.set_perimeters(options.perimeters);
+  proto.set_external_width_nm(options.external_width_nm);
+  proto.set_inner_width_nm(options.inner_width_nm);
+  proto.set_first_layer_width_nm(options.first_layer_width_nm);
+  proto.set_gap_fill(options.gap_fill);
+  proto.set_min_gap_width_nm(options.min_gap_width_nm);
+  proto.set_max_gap_width_nm(options.max_gap_width_nm);
+  return proto;
+}
+
+absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  BeadingOptions options;
+  options.perimeters = proto.perimeters();
+  options.external_width_nm = proto.external_width_nm();
+  options.inner_width_nm = proto.inner_width_nm();
+  options.first_layer_width_nm = proto.first_layer_width_nm();
+  options.gap_fill = proto.gap_fill();
+  options.min_gap_width_nm = proto.min_gap_width_nm();
+  options.max_gap_width_nm = proto.max_gap_width_nm();
+  return options;
+}
+
+v1::InfillOptions ToProto(const InfillOptions& options) {
+  v1::InfillOptions proto;
+  proto.set_top_solid_layers(options.top_solid_layers);
+  proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  proto.set_density(options.density);
+  proto.set_pattern(EnumToProto<v1::SparsePattern>(options.pattern));
+  proto.set_solid_pattern(EnumToProto<v1::SolidPattern>(options.solid_pattern));
+  proto.set_top_pattern(EnumToProto<v1::SolidPattern>(options.top_pattern));
+  proto.set_bottom_pattern(EnumToProto<v1::SolidPattern>(options.bottom_pattern));
+  proto.set_angle_rad(options.angle_rad);
+  proto.set_sparse_width_nm(options.sparse_width_nm);
+  proto.set_solid_width_nm(options.solid_width_nm);
+  proto.set_top_width_nm(options.top_width_nm);
+  proto.set_first_layer_width_nm(options.first_layer_width_nm);
+  proto.set_overlap_nm(options.overlap_nm);
+  proto.set_solid_below_area_mm2(options.solid_below_area_mm2);
+  return proto;
+}
+
+absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  InfillOptions options;
+  options.top_solid_layers = proto.top_solid_layers();
+  options.bottom_solid_layers = proto.bottom_solid_layers();
+  options.density = proto.density();
+  options.pattern = Known<SparsePattern>(proto.pattern());
+  options.solid_pattern = Known<SolidPattern>(proto.solid_pattern());
+  options.top_pattern = Known<SolidPattern>(proto.top_pattern());
+  options.bottom_pattern = Known<SolidPattern>(proto.bottom_pattern());
+  options.angle_rad = proto.angle_rad();
+  options.sparse_width_nm = proto.sparse_width_nm();
+  options.solid_width_nm = proto.solid_width_nm();
+  options.top_width_nm = proto.top_width_nm();
+  options.first_layer_width_nm = proto.first_layer_width_nm();
+  options.overlap_nm = proto.overlap_nm();
+  options.solid_below_area_mm2 = proto.solid_below_area_mm2();
+  return options;
+}
+
+v1::OrderingOptions ToProto(const OrderingOptions& options) {
+  v1::OrderingOptions proto;
+  proto.set_seam(EnumToProto<v1::SeamPosition>(options.seam));
+  proto.set_external_perimeters_first(options.external_perimeters_first);
+  proto.set_infill_first(options.infill_first);
+  proto.set_improvement_moves(options.improvement_moves);
+  return proto;
+}
+
+absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
+  if (absl::Status status = CheckComplete(proto); !status.ok()) return status;
+  if (proto.improvement_moves() < 0) return Malformed("improvement_moves", "is negative");
+  OrderingOptions options;
+  options.seam = Known<SeamPosition>(proto.seam());
+  options.external_perimeters_first = proto.external_perimeters_first();
+  options.infill_first = proto.infill_first();
+  options.improvement_moves = proto.improvement_moves();
+  return options;
+}
+
+absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
+  *proto->mutable_beading() = ToProto(settings.beading);
+  *proto->mutable_infill() = ToProto(settings.infill);
+  *proto->mutable_ordering() = ToProto(settings.ordering);
+  *proto->mutable_motion() = ToProto(settings.motion);
+  const absl::Status status = ToProto(settings.slicing, proto->mutable_slicing());
+  return status.ok() ? status : Within("slicing", status);
+}
+
+absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto) {
+  absl::StatusOr<SlicingOptions> slicing = FromProto(proto.slicing());
+  if (!slicing.ok()) return Within("slicing", slicing.status());
+  absl::StatusOr<BeadingOptions> beading = FromProto(proto.beading());
+  if (!beading.ok()) return Within("beading", beading.status());
+  absl::StatusOr<InfillOptions> infill = FromProto(proto.infill());
+  if (!infill.ok()) return Within("infill", infill.status());
+  absl::StatusOr<OrderingOptions> ordering = FromProto(proto.ordering());
+  if (!ordering.ok()) return Within("ordering", ordering.status());
+  absl::StatusOr<MotionOptions> motion = FromProto(proto.motion());
+  if (!motion.ok()) return Within("motion", motion.status());
+  return JobSettings{*std::move(slicing), *beading, *infill, *ordering, *std::move(motion)};
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,421 @@
+#include "common/wire/settings_wire.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/wire/every_field.h"
+#include "google/protobuf/text_format.h"
+#include "google/protobuf/util/message_differencer.h"
+
+namespace slicefarm {
+namespace {
+
+using google::protobuf::Message;
+using google::protobuf::TextFormat;
+using google::protobuf::util::MessageDifferencer;
+
+v1::JobSettings Proto(const JobSettings& settings) {
+  v1::JobSettings proto;
+  EXPECT_TRUE(ToProto(settings, &proto).ok());
+  return proto;
+}
+
+// The bindings name every member: a new one does not compile until it is sent here, and so on the
+// wire.
+SlicingOptions DistinctSlicing() {
+  SlicingOptions options;
+  auto& [layer_height, first_layer_height, fill_rule, closing_radius, max_gap, xy_compensation,
+         hole_compensation, elephant_foot, resolution, bed, max_print_height, thumbnails] = options;
+  layer_height = 101;
+  first_layer_height = 102;
+  fill_rule = FillRule::kPositive;
+  closing_radius = 104;
+  max_gap = 105;
+  xy_compensation = -106;
+  hole_compensation = -107;
+  elephant_foot = -108;
+  resolution = 109;
+  bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
+  max_print_height = 111;
+  thumbnails = {{12, 13}};
+  return options;
+}
+
+BeadingOptions DistinctBeading() {
+  BeadingOptions options;
+  auto& [perimeters, external_width, inner_width, first_layer_width, gap_fill, min_gap_width,
+         max_gap_width] = options;
+  perimeters = 201;
+  external_width = 202;
+  inner_width = 203;
+  first_layer_width = 204;
+  gap_fill = false;
+  min_gap_width = 206;
+  max_gap_width = 207;
+  return options;
+}
+
+InfillOptions DistinctInfill() {
+  InfillOptions options;
+  auto& [top_layers, bottom_layers, density, pattern, solid_pattern, top_pattern, bottom_pattern,
+         angle, sparse_width, solid_width, top_width, first_layer_width, overlap,
+         solid_below_area] = options;
+  top_layers = 301;
+  bottom_layers = 302;
+  density = 0.303;
+  pattern = SparsePattern::kRectilinear;
+  solid_pattern = SolidPattern::kRectilinear;
+  top_pattern = SolidPattern::kMonotonic;
+  bottom_pattern = SolidPattern::kRectilinear;
+  angle = -0.308;
+  sparse_width = 309;
+  solid_width = 310;
+  top_width = 311;
+  first_layer_width = 312;
+  overlap = -313;
+  solid_below_area = 314.5;
+  return options;
+}
+
+OrderingOptions DistinctOrdering() {
+  OrderingOptions options;
+  auto& [seam, external_first, infill_first, improvement_moves] = options;
+  seam = SeamPosition::kRear;
+  external_first = true;
+  infill_first = false;
+  improvement_moves = 404;
+  return options;
+}
+
+MachineLimits DistinctLimits() {
+  MachineLimits limits;
+  auto& [feedrate, acceleration, jerk, extruding, retracting, travel, junction_deviation,
+         square_corner_velocity, minimum_cruise_ratio, emit] = limits;
+  feedrate = {1, 2, 3, 4};
+  acceleration = {5, 6, 7, 8};
+  jerk = {9, 10, 11, 12};
+  extruding = 13;
+  retracting = 14;
+  travel = 15;
+  junction_deviation = 16;
+  square_corner_velocity = 17;
+  minimum_cruise_ratio = 18;
+  emit = true;
+  return limits;
+}
+
+RetractionOptions DistinctRetraction() {
+  RetractionOptions retraction;
+  auto& [length, speed, restart_speed, restart_extra, min_travel, lift] = retraction;
+  length = 21;
+  speed = 22;
+  restart_speed = 23;
+  restart_extra = -24;
+  min_travel = 25;
+  lift = 26;
+  return retraction;
+}
+
+CoolingOptions DistinctCooling() {
+  CoolingOptions cooling;
+  auto& [enabled, always_on, min_fan, max_fan, bridge_fan, disable_first, fan_below, slowdown_below,
+         min_speed] = cooling;
+  enabled = false;
+  always_on = true;
+  min_fan = 33;
+  max_fan = 34;
+  bridge_fan = 35;
+  disable_first = 36;
+  fan_below = 37;
+  slowdown_below = 38;
+  min_speed = 39;
+  return cooling;
+}
+
+MotionOptions DistinctMotion() {
+  MotionOptions options;
+  auto& [flavor, limits, retraction, cooling, speed, small_perimeter_speed, travel_speed,
+         travel_speed_z, first_layer_speed, first_layer_speed_ratio, max_print_speed,
+         max_volumetric_speed, acceleration, default_acceleration, first_layer_acceleration,
+         travel_acceleration, nozzle_diameter, filament_diameter, extrusion_multiplier,
+         filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
+         printer_model, temperature, first_layer_temperature, bed_temperature,
+         first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
+         before_layer_gcode, layer_gcode] = options;
+  flavor = GcodeFlavor::kKlipper;
+  limits = DistinctLimits();
+  retraction = DistinctRetraction();
+  cooling = DistinctCooling();
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  small_perimeter_speed = 506;
+  travel_speed = 507;
+  travel_speed_z = 508;
+  first_layer_speed = 509;
+  first_layer_speed_ratio = 510;
+  max_print_speed = 511;
+  max_volumetric_speed = 512;
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+  default_acceleration = 514;
+  first_layer_acceleration = 515;
+  travel_acceleration = 516;
+  nozzle_diameter = 517;
+  filament_diameter = 518;
+  extrusion_multiplier = 519;
+  filament_density = 520;
+  filament_cost = 521;
+  filament_type = "type";
+  filament_colour = "colour";
+  filament_settings_id = "id";
+  printer_model = "model";
+  temperature = 526;
+  first_layer_temperature = 527;
+  bed_temperature = 528;
+  first_layer_bed_temperature = 529;
+  progress = true;
+  z_offset = -531;
+  start_gcode = "start";
+  end_gcode = "end";
+  before_layer_gcode = "before";
+  layer_gcode = "layer";
+  return options;
+}
+
+JobSettings Distinct() {
+  JobSettings settings;
+  auto& [slicing, beading, infill, ordering, motion] = settings;
+  slicing = DistinctSlicing();
+  beading = DistinctBeading();
+  infill = DistinctInfill();
+  ordering = DistinctOrdering();
+  motion = DistinctMotion();
+  return settings;
+}
+
+constexpr char kDistinct[] = R"pb(
+  slicing {
+    layer_height_nm: 101
+    first_layer_height_nm: 102
+    fill_rule: FILL_RULE_POSITIVE
+    closing_radius_nm: 104
+    max_gap_nm: 105
+    xy_compensation_nm: -106
+    hole_compensation_nm: -107
+    elephant_foot_nm: -108
+    resolution_nm: 109
+    bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
+    max_print_height_nm: 111
+    thumbnails { width_px: 12 height_px: 13 }
+  }
+  beading {
+    perimeters: 201
+    external_width_nm: 202
+    inner_width_nm: 203
+    first_layer_width_nm: 204
+    gap_fill: false
+    min_gap_width_nm: 206
+    max_gap_width_nm: 207
+  }
+  infill {
+    top_solid_layers: 301
+    bottom_solid_layers: 302
+    density: 0.303
+    pattern: SPARSE_PATTERN_RECTILINEAR
+    solid_pattern: SOLID_PATTERN_RECTILINEAR
+    top_pattern: SOLID_PATTERN_MONOTONIC
+    bottom_pattern: SOLID_PATTERN_RECTILINEAR
+    angle_rad: -0.308
+    sparse_width_nm: 309
+    solid_width_nm: 310
+    top_width_nm: 311
+    first_layer_width_nm: 312
+    overlap_nm: -313
+    solid_below_area_mm2: 314.5
+  }
+  ordering {
+    seam: SEAM_POSITION_REAR
+    external_perimeters_first: true
+    infill_first: false
+    improvement_moves: 404
+  }
+  motion {
+    flavor: GCODE_FLAVOR_KLIPPER
+    limits {
+      max_feedrate_mm_s: [ 1, 2, 3, 4 ]
+      max_acceleration_mm_s2: [ 5, 6, 7, 8 ]
+      max_jerk_mm_s: [ 9, 10, 11, 12 ]
+      max_acceleration_extruding_mm_s2: 13
+      max_acceleration_retracting_mm_s2: 14
+      max_acceleration_travel_mm_s2: 15
+      junction_deviation_mm: 16
+      square_corner_velocity_mm_s: 17
+      minimum_cruise_ratio: 18
+      emit_to_gcode: true
+    }
+    retraction {
+      length_mm: 21
+      speed_mm_s: 22
+      restart_speed_mm_s: 23
+      restart_extra_mm: -24
+      min_travel_mm: 25
+      lift_mm: 26
+    }
+    cooling {
+      enabled: false
+      fan_always_on: true
+      min_fan_percent: 33
+      max_fan_percent: 34
+      bridge_fan_percent: 35
+      disable_fan_first_layers: 36
+      fan_below_layer_time_s: 37
+      slowdown_below_layer_time_s: 38
+      min_print_speed_mm_s: 39
+    }
+    speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 ]
+    small_perimeter_speed_mm_s: 506
+    travel_speed_mm_s: 507
+    travel_speed_z_mm_s: 508
+    first_layer_speed_mm_s: 509
+    first_layer_speed_ratio: 510
+    max_print_speed_mm_s: 511
+    max_volumetric_speed_mm3_s: 512
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20 ]
+    default_acceleration_mm_s2: 514
+    first_layer_acceleration_mm_s2: 515
+    travel_acceleration_mm_s2: 516
+    nozzle_diameter_mm: 517
+    filament_diameter_mm: 518
+    extrusion_multiplier: 519
+    filament_density_g_cm3: 520
+    filament_cost_per_kg: 521
+    filament_type: "type"
+    filament_colour: "colour"
+    filament_settings_id: "id"
+    printer_model: "model"
+    temperature_c: 526
+    first_layer_temperature_c: 527
+    bed_temperature_c: 528
+    first_layer_bed_temperature_c: 529
+    progress: true
+    z_offset_mm: -531
+    start_gcode: "start"
+    end_gcode: "end"
+    before_layer_gcode: "before"
+    layer_gcode: "layer"
+  }
+)pb";
+
+// Sees fields that are swapped in both directions, which no round trip does.
+TEST(SettingsWire, EachMemberIsTheFieldOfItsName) {
+  v1::JobSettings want;
+  ASSERT_TRUE(TextFormat::ParseFromString(kDistinct, &want));
+  MessageDifferencer differencer;
+  std::string difference;
+  differencer.ReportDifferencesToString(&difference);
+  EXPECT_TRUE(differencer.Compare(want, Proto(Distinct()))) << difference;
+}
+
+TEST(SettingsWire, DefaultsAndDistinctValuesReturn) {
+  for (const JobSettings& settings : {JobSettings{}, Distinct()}) {
+    const absl::StatusOr<JobSettings> back = FromProto(Proto(settings));
+    ASSERT_TRUE(back.ok()) << back.status();
+    EXPECT_EQ(*back, settings);
+  }
+}
+
+TEST(SettingsWire, EveryFieldChangedAloneReturns) {
+  const JobSettings defaults;
+  int fields = 0;
+  ForEachChangedField(Proto(defaults), [&](const std::string& path, const Message& message) {
+    SCOPED_TRACE(path);
+    ++fields;
+    const auto& changed = dynamic_cast<const v1::JobSettings&>(message);
+    const absl::StatusOr<JobSettings> settings = FromProto(changed);
+    ASSERT_TRUE(settings.ok()) << settings.status();
+    EXPECT_FALSE(*settings == defaults);
+    EXPECT_TRUE(MessageDifferencer::Equals(Proto(*settings), changed));
+  });
+  EXPECT_GT(fields, 120);
+}
+
+struct Refused {
+  std::string name;
+  std::function<void(v1::JobSettings&)> spoil;
+  std::string field;
+  Reason reason = Reason::kRequestMalformed;
+};
+
+class SettingsWireRefuses : public testing::TestWithParam<Refused> {};
+
+TEST_P(SettingsWireRefuses, NamingTheField) {
+  v1::JobSettings proto = Proto(JobSettings{});
+  GetParam().spoil(proto);
+  const absl::Status status = FromProto(proto).status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
+  EXPECT_EQ(DetailOf(status).reason, GetParam().reason) << status;
+  EXPECT_EQ(DetailOf(status).metadata["field"], GetParam().field) << status;
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    Settings, SettingsWireRefuses,
+    testing::Values(
+        Refused{"NoMotion", [](auto& p) { p.clear_motion(); }, "motion.flavor"},
+        Refused{"NoLimits", [](auto& p) { p.mutable_motion()->clear_limits(); }, "motion.limits"},
+        Refused{"NoFillRule", [](auto& p) { p.mutable_slicing()->clear_fill_rule(); },
+                "slicing.fill_rule"},
+        Refused{"UnknownSeam",
+                [](auto& p) { p.mutable_ordering()->set_seam(v1::SeamPosition(77)); },
+                "ordering.seam"},
+        Refused{"NanDensity", [](auto& p) { p.mutable_infill()->set_density(kNan); },
+                "infill.density"},
+        Refused{"DensityAboveOne", [](auto& p) { p.mutable_infill()->set_density(1.01); },
+                "infill.density"},
+        Refused{
+            "InfiniteJerk",
+            [](auto& p) { p.mutable_motion()->mutable_limits()->set_max_jerk_mm_s(2, kInfinity); },
+            "motion.limits.max_jerk_mm_s"},
+        Refused{"FiveAxes",
+                [](auto& p) { p.mutable_motion()->mutable_limits()->add_max_jerk_mm_s(1); },
+                "motion.limits.max_jerk_mm_s"},
+        Refused{"NineSpeeds",
+                [](auto& p) { p.mutable_motion()->mutable_speed_mm_s()->RemoveLast(); },
+                "motion.speed_mm_s"},
+        Refused{"NoLayerHeight", [](auto& p) { p.mutable_slicing()->set_layer_height_nm(0); },
+                "slicing.layer_height_nm"},
+        Refused{"BedOfTwoPoints",
+                [](auto& p) { p.mutable_slicing()->mutable_bed_xy_nm()->Truncate(4); },
+                "slicing.bed_xy_nm"},
+        Refused{"BedOfOddCoordinates", [](auto& p) { p.mutable_slicing()->add_bed_xy_nm(1); },
+                "slicing.bed_xy_nm"},
+        Refused{"HugeThumbnail",
+                [](auto& p) { p.mutable_slicing()->mutable_thumbnails(0)->set_width_px(1 << 20); },
+                "slicing.thumbnails"},
+        Refused{"NegativePerimeters", [](auto& p) { p.mutable_beading()->set_perimeters(-1); },
+                "beading.perimeters"},
+        Refused{"NoWidth", [](auto& p) { p.mutable_beading()->set_inner_width_nm(0); },
+                "beading.inner_width_nm"},
+        Refused{"LongStartGcode",
+                [](auto& p) {
+                  p.mutable_motion()->set_start_gcode(
+                      std::string(limits::kMaxSettingBytes + 1, 'G'));
+                },
+                "motion", Reason::kRequestTooLarge}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(SettingsWire, RefusesABedBeyondTheWire) {
+  JobSettings settings;
+  settings.slicing.bed[1].x = int64_t{1} << 31;
+  v1::JobSettings proto;
+  const absl::Status status = ToProto(settings, &proto);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "slicing.bed_xy_nm");
+}
+
+}  // namespace
+}  // namespace slicefarm

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/layer.pb.h"
+
+namespace slicefarm {
+
+/// What begins every call of a stage; cancellation and deadline travel beside the message.
+v1::StageCall ToProto(const StageCall& call);
+
+/// Errors: FailedPrecondition, reason BUILD_MISMATCH with `caller` and `callee`, where the caller
+/// is of another build: its other stages would not give the same bytes.
+absl::StatusOr<StageCall> FromProto(const v1::StageCall& proto);
+
+}  // namespace slicefarm

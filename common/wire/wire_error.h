@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "absl/status/status.h"
+
+namespace slicefarm {
+
+/// InvalidArgument, reason REQUEST_MALFORMED, that names the field (metadata `field`): "xy_nm: an
+/// odd number of values".
+absl::Status Malformed(std::string_view field, std::string_view what);
+
+/// The same error seen from the message around it: `xy_nm` becomes `walls.xy_nm`, or
+/// `walls[3].xy_nm`.
+absl::Status Within(std::string_view field, const absl::Status& status);
+absl::Status Within(std::string_view field, size_t index, const absl::Status& status);
+
+}  // namespace slicefarm
