@@ -1,0 +1,58 @@
+#include "services/ordering/algo/fill_order.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "services/ordering/algo/path_key.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// By what the blocks' first paths are.
+std::vector<FillBlock> Sorted(std::vector<FillBlock> blocks) {
+  std::vector<Path*> firsts;
+  firsts.reserve(blocks.size());
+  for (const FillBlock& block : blocks) firsts.push_back(block.paths.front());
+  std::vector<FillBlock> sorted;
+  sorted.reserve(blocks.size());
+  for (const size_t i : OrderByGeometry(firsts)) sorted.push_back(std::move(blocks[i]));
+  return sorted;
+}
+
+bool IsLoop(const FillBlock& block) { return block.paths.size() == 1 && block.paths[0]->closed; }
+
+Leg LegOf(const FillBlock& block, Point nozzle) {
+  if (IsLoop(block)) {
+    const Point at = NearestVertex(block.paths[0]->points, nozzle).at;
+    return {at, at, true};
+  }
+  const bool reversible = std::all_of(block.paths.begin(), block.paths.end(),
+                                      [](const Path* path) { return path->reversible; });
+  return {StartOf(*block.paths.front()), EndOf(*block.paths.back()), reversible};
+}
+
+void PrintBlock(FillBlock block, bool reversed, Route& route) {
+  if (IsLoop(block)) {
+    Path& loop = *block.paths[0];
+    const LoopPlace start = NearestVertex(loop.points, route.at());
+    route.PrintLoop(std::move(loop), start);
+    return;
+  }
+  if (reversed) std::reverse(block.paths.begin(), block.paths.end());
+  for (Path* path : block.paths) route.Print(std::move(*path), reversed);
+}
+
+}  // namespace
+
+void PrintFills(std::vector<FillBlock> blocks, std::optional<Point> next, Route& route,
+                WorkBudget& budget) {
+  blocks = Sorted(std::move(blocks));
+  std::vector<Leg> legs;
+  legs.reserve(blocks.size());
+  for (const FillBlock& block : blocks) legs.push_back(LegOf(block, route.at()));
+  for (const Visit visit : OrderByTravel({route.at(), next}, legs, budget)) {
+    PrintBlock(std::move(blocks[visit.leg]), visit.reversed, route);
+  }
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm::ordering {
+
+/// The ordering stage in this process: OrderLayer for each layer. Stateless.
+std::unique_ptr<OrderingStage> MakeLocalOrdering();
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "common/model/path.h"
+#include "services/ordering/algo/loop_start.h"
+
+namespace slicefarm::ordering {
+
+/// Where a path starts, and where it ends; the same for a closed one.
+Point StartOf(const Path& path);
+Point EndOf(const Path& path);
+
+/// Turns a path round; a closed one keeps its start.
+void Reverse(Path& path);
+
+/// The paths printed so far, and where they leave the nozzle.
+class Route {
+ public:
+  explicit Route(Point entry) : at_(entry) {}
+
+  Point at() const { return at_; }
+  const std::vector<Path>& paths() const { return paths_; }
+  std::vector<Path> TakePaths() { return std::move(paths_); }
+
+  void Print(Path path, bool reversed = false);
+  void PrintLoop(Path loop, LoopPlace start);
+
+ private:
+  Point at_;
+  std::vector<Path> paths_;
+};
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,55 @@
+#include "services/ordering/algo/route.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace slicefarm::ordering {
+namespace {
+
+using ::testing::ElementsAre;
+
+Path Line(bool closed) {
+  Path path;
+  path.closed = closed;
+  path.points = {{0, 0}, {1, 0}, {2, 5}};
+  path.widths_nm = {10, 20, 30};
+  return path;
+}
+
+TEST(Reverse, TurnsPointsAndWidths) {
+  Path path = Line(/*closed=*/false);
+  Reverse(path);
+  EXPECT_THAT(path.points, ElementsAre(Point{2, 5}, Point{1, 0}, Point{0, 0}));
+  EXPECT_THAT(path.widths_nm, ElementsAre(30, 20, 10));
+}
+
+TEST(Reverse, LoopKeepsItsStart) {
+  Path path = Line(/*closed=*/true);
+  Reverse(path);
+  EXPECT_THAT(path.points, ElementsAre(Point{0, 0}, Point{2, 5}, Point{1, 0}));
+  EXPECT_THAT(path.widths_nm, ElementsAre(10, 30, 20));
+}
+
+TEST(Reverse, TwiceIsNothing) {
+  for (const bool closed : {false, true}) {
+    Path path = Line(closed);
+    Reverse(path);
+    Reverse(path);
+    EXPECT_EQ(path, Line(closed));
+  }
+}
+
+TEST(Route, FollowsTheNozzle) {
+  Route route({7, 7});
+  EXPECT_EQ(route.at(), (Point{7, 7}));
+  route.Print(Line(/*closed=*/false));
+  EXPECT_EQ(route.at(), (Point{2, 5}));
+  route.Print(Line(/*closed=*/false), /*reversed=*/true);
+  EXPECT_EQ(route.at(), (Point{0, 0}));
+  route.PrintLoop(Line(/*closed=*/true), {1, {1, 0}});
+  EXPECT_EQ(route.at(), (Point{1, 0}));
+  EXPECT_EQ(route.TakePaths().size(), 3);
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

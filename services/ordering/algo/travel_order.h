@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm::ordering {
+
+/// A stretch that is printed in one go, from `start` to `end` or, if reversible, the other way
+/// round. What lies between does not matter for the travel. A loop is a leg that ends where it
+/// starts.
+struct Leg {
+  Point start;
+  Point end;
+  bool reversible = true;
+};
+
+/// Where the nozzle comes from, and where it goes when all legs are done (nowhere in particular if
+/// absent).
+struct Journey {
+  Point from;
+  std::optional<Point> to;
+};
+
+struct Visit {
+  uint32_t leg = 0;
+  bool reversed = false;
+
+  friend bool operator==(const Visit&, const Visit&) = default;
+};
+
+/// Work that may still be spent on improvement, in moves tried. Counted, not timed: the result does
+/// not depend on the machine.
+struct WorkBudget {
+  int64_t moves = 0;
+};
+
+/// An order and direction of all `legs` with little travel: nearest neighbour, then 2-opt and
+/// Or-opt until no move gains or `budget` is spent.
+///
+/// The journey is a path with a fixed start and, if asked for, a fixed end. Shapes: each leg once.
+/// A leg that is not reversible is never reversed. Deterministic. Cost: O(n log n) and the moves
+/// tried, each O(1) to judge and O(n) to make. Source: J. L. Bentley, "Fast Algorithms for
+/// Geometric Traveling Salesman Problems", ORSA J. Computing 4 (1992): neighbour lists, don't-look
+/// bits.
+std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
+                                 WorkBudget& budget);
+
+/// Length in nm of the travel in between, from `journey.from` to the first leg and from the last to
+/// `journey.to`.
+double TravelLength(const Journey& journey, std::span<const Leg> legs,
+                    std::span<const Visit> visits);
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,213 @@
+#include "services/ordering/algo/travel_order.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+
+namespace slicefarm::ordering {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr int64_t kPlenty = 10'000'000;
+
+std::vector<Visit> Order(const Journey& journey, std::span<const Leg> legs,
+                         int64_t moves = kPlenty) {
+  WorkBudget budget{moves};
+  return OrderByTravel(journey, legs, budget);
+}
+
+Leg RandomLeg(std::mt19937& random, bool reversible = true) {
+  std::uniform_int_distribution<Coord> coord(0, 100 * kNmPerMm);
+  return {{coord(random), coord(random)}, {coord(random), coord(random)}, reversible};
+}
+
+std::vector<Leg> RandomLegs(size_t count, uint32_t seed, int irreversible_of_4 = 0) {
+  std::mt19937 random(seed);
+  std::vector<Leg> legs;
+  for (size_t i = 0; i < count; ++i) {
+    legs.push_back(RandomLeg(random, static_cast<int>(random() % 4) >= irreversible_of_4));
+  }
+  return legs;
+}
+
+void ExpectEachLegOnce(const std::vector<Visit>& visits, std::span<const Leg> legs) {
+  ASSERT_EQ(visits.size(), legs.size());
+  std::vector<int> seen(legs.size(), 0);
+  for (const Visit& visit : visits) {
+    ASSERT_LT(visit.leg, legs.size());
+    ++seen[visit.leg];
+    EXPECT_TRUE(legs[visit.leg].reversible || !visit.reversed);
+  }
+  EXPECT_THAT(seen, testing::Each(1));
+}
+
+/// The least travel over all orders and directions.
+double Optimum(const Journey& journey, std::span<const Leg> legs) {
+  std::vector<uint32_t> order(legs.size());
+  std::iota(order.begin(), order.end(), 0);
+  double best = std::numeric_limits<double>::infinity();
+  do {
+    for (uint32_t directions = 0; directions < (1U << legs.size()); ++directions) {
+      std::vector<Visit> visits;
+      bool allowed = true;
+      for (size_t i = 0; i < legs.size(); ++i) {
+        const bool reversed = ((directions >> i) & 1U) != 0;
+        allowed = allowed && (!reversed || legs[order[i]].reversible);
+        visits.push_back({order[i], reversed});
+      }
+      if (allowed) best = std::min(best, TravelLength(journey, legs, visits));
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+TEST(TravelOrder, NothingToVisit) {
+  EXPECT_THAT(Order({{0, 0}, Point{5, 5}}, {}), IsEmpty());
+  EXPECT_EQ(TravelLength({{0, 0}, Point{3, 4}}, {}, {}), 5);
+}
+
+TEST(TravelOrder, OneLegIsEnteredAtItsNearEnd) {
+  const Leg leg{{100, 0}, {10, 0}};
+  EXPECT_THAT(Order({{0, 0}, {}}, {{leg}}), ElementsAre(Visit{0, true}));
+  EXPECT_THAT(Order({{0, 0}, {}}, {{{leg.start, leg.end, false}}}), ElementsAre(Visit{0, false}));
+}
+
+TEST(TravelOrder, TheWayOnDecidesToo) {
+  // Entered at its near end, the leg would be left far from where the journey goes on.
+  const Leg leg{{10'000, 0}, {100'000, 0}};
+  EXPECT_THAT(Order({{0, 0}, {}}, {{leg}}), ElementsAre(Visit{0, false}));
+  EXPECT_THAT(Order({{0, 0}, Point{0, 5}}, {{leg}}), testing::SizeIs(1));
+  const Leg far{{60'000, 0}, {100'000, 0}};
+  EXPECT_THAT(Order({{70'000, 0}, Point{50'000, 0}}, {{far}}), ElementsAre(Visit{0, true}));
+}
+
+TEST(TravelOrder, ParallelLinesBecomeAZigzag) {
+  std::vector<Leg> legs;
+  for (const Coord y : {3, 0, 4, 1, 2}) {
+    legs.push_back({{0, y * kNmPerMm}, {50 * kNmPerMm, y * kNmPerMm}});
+  }
+  EXPECT_THAT(Order({{0, 0}, {}}, legs),
+              ElementsAre(Visit{1, false}, Visit{3, true}, Visit{4, false}, Visit{0, true},
+                          Visit{2, false}));
+}
+
+TEST(TravelOrder, NearTheOptimumOfSmallSets) {
+  double found = 0;
+  double optimum = 0;
+  int exact = 0;
+  constexpr int kSets = 60;
+  for (int set = 0; set < kSets; ++set) {
+    const size_t count = 2 + static_cast<size_t>(set) % 5;
+    const auto legs = RandomLegs(count, static_cast<uint32_t>(set), set % 3);
+    Journey journey{{50 * kNmPerMm, 0}, {}};
+    if (set % 2 == 1) journey.to = Point{0, 70 * kNmPerMm};
+    const double length = TravelLength(journey, legs, Order(journey, legs));
+    const double best = Optimum(journey, legs);
+    EXPECT_GE(length, best - 1) << "set " << set;
+    EXPECT_LE(length, 1.35 * best) << "set " << set;
+    found += length;
+    optimum += best;
+    if (length <= best + 1) ++exact;
+  }
+  EXPECT_LE(found, 1.02 * optimum);
+  EXPECT_GE(exact, kSets * 8 / 10);
+}
+
+std::vector<Point> ReadTsplib(const std::string& name) {
+  std::ifstream in(std::string(SLICEFARM_CORPUS) + "/tsplib/" + name + ".tsp");
+  std::string word;
+  while (in >> word && word != "NODE_COORD_SECTION") {
+  }
+  std::vector<Point> cities;
+  int number = 0;
+  double x = 0;
+  double y = 0;
+  while (in >> number >> x >> y) cities.push_back({FromMm(x), FromMm(y)});
+  return cities;
+}
+
+struct TsplibCase {
+  std::string name;
+  int64_t optimum;
+};
+
+class TsplibTest : public testing::TestWithParam<TsplibCase> {};
+
+// Cities are legs without length; a tour is a journey from the first city back to it.
+TEST_P(TsplibTest, TourIsWithinSevenPercent) {
+  const std::vector<Point> cities = ReadTsplib(GetParam().name);
+  ASSERT_FALSE(cities.empty()) << "no corpus";
+  std::vector<Leg> legs;
+  for (size_t i = 1; i < cities.size(); ++i) legs.push_back({cities[i], cities[i]});
+  const std::vector<Visit> visits = Order({cities[0], cities[0]}, legs);
+  ExpectEachLegOnce(visits, legs);
+  int64_t length = 0;  // EUC_2D: each distance rounded
+  Point at = cities[0];
+  for (const Visit& visit : visits) {
+    length += std::llround(ToMm(Distance(at, legs[visit.leg].start)));
+    at = legs[visit.leg].start;
+  }
+  length += std::llround(ToMm(Distance(at, cities[0])));
+  EXPECT_GE(length, GetParam().optimum);
+  EXPECT_LE(static_cast<double>(length), 1.07 * static_cast<double>(GetParam().optimum));
+  RecordProperty("length", static_cast<int>(length));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tsplib, TsplibTest,
+                         testing::Values(TsplibCase{"berlin52", 7542}, TsplibCase{"eil51", 426},
+                                         TsplibCase{"kroA100", 21282}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(TravelOrder, LosesNothingAndReversesOnlyWhatItMay) {
+  for (const size_t count : {1, 2, 3, 24, 25, 300}) {
+    for (const int irreversible : {0, 1, 4}) {
+      const auto legs = RandomLegs(count, static_cast<uint32_t>(count), irreversible);
+      ExpectEachLegOnce(Order({{0, 0}, {}}, legs), legs);
+      ExpectEachLegOnce(Order({{0, 0}, Point{1, 1}}, legs), legs);
+    }
+  }
+}
+
+TEST(TravelOrder, ImprovementShortensNearestNeighbour) {
+  const auto legs = RandomLegs(400, 7);
+  const Journey journey{{0, 0}, {}};
+  const double nearest = TravelLength(journey, legs, Order(journey, legs, 0));
+  const double improved = TravelLength(journey, legs, Order(journey, legs));
+  EXPECT_LT(improved, 0.93 * nearest);
+}
+
+TEST(TravelOrder, MoreWorkIsNeverWorse) {
+  const auto legs = RandomLegs(200, 3, 1);
+  const Journey journey{{0, 0}, Point{kNmPerMm, 0}};
+  double before = std::numeric_limits<double>::infinity();
+  for (const int64_t moves : {0, 100, 1'000, 10'000, 100'000}) {
+    const double length = TravelLength(journey, legs, Order(journey, legs, moves));
+    EXPECT_LE(length, before + 1);
+    before = length;
+  }
+}
+
+TEST(TravelOrder, BudgetIsSharedAndEnds) {
+  const auto legs = RandomLegs(200, 5);
+  WorkBudget budget{500};
+  OrderByTravel({{0, 0}, {}}, legs, budget);
+  EXPECT_LE(budget.moves, 0);
+}
+
+TEST(TravelOrder, AllEndsInOnePoint) {
+  const std::vector<Leg> legs(5000, Leg{{7, 7}, {7, 7}});
+  const auto visits = Order({{7, 7}, {}}, legs);
+  ExpectEachLegOnce(visits, legs);
+  EXPECT_EQ(TravelLength({{7, 7}, {}}, legs, visits), 0);
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

@@ -1,0 +1,79 @@
+#include "services/ordering/algo/wall_groups.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "common/geometry/measure.h"
+#include "services/ordering/algo/path_key.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+struct Member {
+  Path* path;
+  Box box;
+  size_t group;
+};
+
+double DistanceToBox(Point p, const Box& box) {
+  return Distance(p,
+                  {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)});
+}
+
+/// Distance from p to the line of `path`, or at least `enough` if it is not below.
+double DistanceToPath(Point p, const Path& path, double enough) {
+  const std::vector<Point>& points = path.points;
+  double best = enough;
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    best = std::min(best, DistanceToSegment(p, points[i], points[i + 1]));
+  }
+  if (path.closed) best = std::min(best, DistanceToSegment(p, points.back(), points.front()));
+  return best;
+}
+
+const Member* Nearest(Point p, const std::vector<Member>& members) {
+  const Member* best = nullptr;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const Member& member : members) {
+    if (DistanceToBox(p, member.box) >= best_distance) continue;
+    const double distance = DistanceToPath(p, *member.path, best_distance);
+    if (distance >= best_distance) continue;
+    best = &member;
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<WallGroup> GroupWalls(const std::vector<Path*>& walls) {
+  std::map<int32_t, std::vector<Path*>> by_inset;
+  for (Path* wall : walls) by_inset[wall->inset].push_back(wall);
+
+  std::vector<WallGroup> groups;
+  std::vector<Member> outside;
+  int32_t inset_outside = -1;
+  for (const auto& [inset, paths] : by_inset) {
+    if (inset != inset_outside + 1) outside.clear();
+    std::vector<Member> members;
+    std::vector<bool> has_level(groups.size(), false);
+    for (Path* path : paths) {
+      const Member* parent = Nearest(LeastPoint(*path), outside);
+      const size_t group = parent != nullptr ? parent->group : groups.size();
+      if (parent == nullptr) {
+        groups.emplace_back();
+        has_level.push_back(false);
+      }
+      if (!has_level[group]) groups[group].levels.emplace_back();
+      has_level[group] = true;
+      groups[group].levels.back().push_back(path);
+      members.push_back({path, Bounds(path->points), group});
+    }
+    outside = std::move(members);
+    inset_outside = inset;
+  }
+  return groups;
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,66 @@
+#include "services/ordering/algo/wall_order.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "services/ordering/algo/path_key.h"
+#include "services/ordering/algo/wall_groups.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// Where loops of a contour start.
+struct StartRule {
+  std::optional<Point> seam;
+
+  LoopPlace For(const Path& loop, Point nozzle) const {
+    return seam ? NearestToSeam(loop.points, *seam) : NearestVertex(loop.points, nozzle);
+  }
+};
+
+Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
+  if (!wall.closed) return {StartOf(wall), EndOf(wall), wall.reversible};
+  const Point at = rule.For(wall, nozzle).at;
+  return {at, at, true};
+}
+
+/// Walls of one contour and inset.
+void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& route,
+                WorkBudget& budget) {
+  std::vector<Leg> legs;
+  legs.reserve(walls.size());
+  for (const Path* wall : walls) legs.push_back(LegOf(*wall, rule, route.at()));
+  for (const Visit visit : OrderByTravel({route.at(), {}}, legs, budget)) {
+    Path& wall = *walls[visit.leg];
+    if (wall.closed) {
+      const LoopPlace start = rule.For(wall, route.at());
+      route.PrintLoop(std::move(wall), start);
+    } else {
+      route.Print(std::move(wall), visit.reversed);
+    }
+  }
+}
+
+}  // namespace
+
+void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
+                WorkBudget& budget) {
+  std::vector<WallGroup> groups = GroupWalls(SortedByGeometry(walls));
+  std::vector<StartRule> starts;
+  std::vector<Leg> legs;
+  for (const WallGroup& group : groups) {
+    const Path& wall = group.Outermost();
+    StartRule start;
+    if (!rules.seams.empty()) start.seam = SeamOf(wall.points, rules.seams);
+    starts.push_back(start);
+    legs.push_back(LegOf(wall, start, route.at()));
+  }
+  for (const Visit visit : OrderByTravel({route.at(), {}}, legs, budget)) {
+    WallGroup& group = groups[visit.leg];
+    if (!rules.external_first) std::reverse(group.levels.begin(), group.levels.end());
+    for (const auto& level : group.levels) PrintLevel(level, starts[visit.leg], route, budget);
+  }
+}
+
+}  // namespace slicefarm::ordering

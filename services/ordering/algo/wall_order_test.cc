@@ -1,0 +1,91 @@
+#include "services/ordering/algo/wall_order.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+
+Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
+
+Path Wall(int32_t inset, std::string_view points) {
+  Path path;
+  path.inset = inset;
+  path.closed = true;
+  path.points = MakeLineOrDie(points);
+  path.widths_nm = {450'000};
+  return path;
+}
+
+/// Two contours of two walls each.
+std::vector<Path> TwoContours() {
+  return {Wall(0, "(0 0, 40 0, 40 40, 0 40)"), Wall(1, "(1 1, 39 1, 39 39, 1 39)"),
+          Wall(0, "(15 15, 15 25, 25 25, 25 15)"), Wall(1, "(14 14, 14 26, 26 26, 26 14)")};
+}
+
+std::vector<Path> Printed(std::vector<Path> walls, const WallRules& rules, Point from) {
+  std::vector<Path*> pointers;
+  for (Path& wall : walls) pointers.push_back(&wall);
+  Route route(from);
+  WorkBudget budget{10'000};
+  PrintWalls(pointers, rules, route, budget);
+  return route.TakePaths();
+}
+
+std::vector<int32_t> Insets(const std::vector<Path>& paths) {
+  std::vector<int32_t> insets;
+  for (const Path& path : paths) insets.push_back(path.inset);
+  return insets;
+}
+
+TEST(PrintWalls, InsideOutContourByContour) {
+  const auto printed = Printed(TwoContours(), {}, Mm(0, 0));
+  EXPECT_THAT(Insets(printed), ElementsAre(1, 0, 1, 0));
+  EXPECT_EQ(printed[0].points[0], Mm(1, 1));
+  EXPECT_EQ(printed[1].points[0], Mm(0, 0));
+}
+
+TEST(PrintWalls, OutsideIn) {
+  EXPECT_THAT(Insets(Printed(TwoContours(), {true, {}}, Mm(0, 0))),
+              ElementsAre(0, 1, 0, 1));
+}
+
+TEST(PrintWalls, NearestContourFirst) {
+  const auto printed = Printed(TwoContours(), {}, Mm(24, 24));
+  EXPECT_EQ(printed[0].points.size(), 4);
+  EXPECT_EQ(printed[0].points[0], Mm(26, 26));
+  EXPECT_EQ(printed[1].points[0], Mm(25, 25));
+}
+
+TEST(PrintWalls, LoopsOfAContourStartAtItsSeam) {
+  const std::vector<Point> seams = {Mm(40, 0), Mm(15, 25)};
+  const auto printed = Printed(TwoContours(), {false, seams}, Mm(0, 0));
+  std::vector<Point> starts;
+  for (const Path& path : printed) starts.push_back(path.points[0]);
+  EXPECT_THAT(starts, testing::UnorderedElementsAre(Mm(39, 1), Mm(40, 0), Mm(14, 26), Mm(15, 25)));
+}
+
+TEST(PrintWalls, OpenWallsTurnToTheNozzle) {
+  Path line = Wall(0, "(0 0, 30 0)");
+  line.closed = false;
+  EXPECT_EQ(Printed({line}, {}, Mm(29, 1))[0].points[0], Mm(30, 0));
+  line.reversible = false;
+  EXPECT_EQ(Printed({line}, {}, Mm(29, 1))[0].points[0], Mm(0, 0));
+}
+
+TEST(PrintWalls, OrderOfInputDoesNotMatter) {
+  std::vector<Path> walls = TwoContours();
+  const auto want = Printed(walls, {}, Mm(3, 50));
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(walls.begin(), walls.begin() + 1, walls.end());
+    EXPECT_EQ(Printed(walls, {}, Mm(3, 50)), want);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering
