@@ -1,0 +1,90 @@
+#include "common/config/check_settings.h"
+
+#include <fmt/core.h>
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "common/config/value.h"
+#include "common/model/error.h"
+
+namespace slicefarm::config {
+namespace {
+
+absl::Status Refuse(const Draft& draft, std::string_view key, std::string_view rule, double min,
+                    double max) {
+  std::map<std::string, std::string> metadata = {{"setting", std::string(key)},
+                                                 {"value", PrintNumber(draft.Number(key))}};
+  if (min > 0) metadata["min"] = PrintNumber(min);
+  if (max < std::numeric_limits<double>::infinity()) metadata["max"] = PrintNumber(max);
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      fmt::format("{} = {} mm is out of range: {}", key, PrintNumber(draft.Number(key)), rule),
+      std::move(metadata));
+}
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+absl::Status CheckHeight(const Draft& draft, std::string_view key) {
+  const double nozzle = draft.Number("nozzle_diameter");
+  if (draft.Number(key) <= nozzle) return absl::OkStatus();
+  return Refuse(draft, key,
+                fmt::format("it must not exceed nozzle_diameter = {} mm", PrintNumber(nozzle)), 0,
+                nozzle);
+}
+
+absl::Status CheckWidth(const Draft& draft, std::string_view key, std::string_view height_key) {
+  constexpr double kMaxNozzles = 3;
+  const double width = draft.Number(key);
+  const double height = draft.Number(height_key);
+  const double max = Quantise(kMaxNozzles * draft.Number("nozzle_diameter"));
+  if (width < height) {
+    return Refuse(draft, key,
+                  fmt::format("it must be at least {} = {} mm", height_key, PrintNumber(height)),
+                  height, kUnbounded);
+  }
+  if (width >= max) {
+    return Refuse(
+        draft, key,
+        fmt::format("it must be less than 3 times nozzle_diameter, {} mm", PrintNumber(max)), 0,
+        max);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckWidths(const Draft& draft) {
+  for (const std::string_view key :
+       {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
+        "solid_infill_extrusion_width", "top_infill_extrusion_width"}) {
+    const absl::Status status = CheckWidth(draft, key, "layer_height");
+    if (!status.ok()) return status;
+  }
+  return CheckWidth(draft, "first_layer_extrusion_width", "first_layer_height");
+}
+
+}  // namespace
+
+absl::Status CheckSettings(const Draft& draft) {
+  for (const std::string_view key : {"layer_height", "first_layer_height"}) {
+    if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
+  }
+  if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
+
+  if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     "retract_speed = 0 is out of range: it must be more than 0 mm/s while "
+                     "retract_length is",
+                     {{"setting", "retract_speed"}, {"value", "0"}});
+  }
+  const double widest_gap = draft.Number("gap_fill_max_width");
+  if (draft.Number("gap_fill_min_width") > widest_gap) {
+    return Refuse(
+        draft, "gap_fill_min_width",
+        fmt::format("it must not exceed gap_fill_max_width = {} mm", PrintNumber(widest_gap)), 0,
+        widest_gap);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::config

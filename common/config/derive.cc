@@ -1,0 +1,141 @@
+#include "common/config/derive.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "common/config/settings_table.h"
+
+namespace slicefarm::config {
+namespace {
+
+constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
+
+constexpr std::string_view kSpeeds[] = {
+    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
+    "support_material_speed",
+};
+
+/// The setting's value, a percentage taken of `whole`.
+double Absolute(const Value& value, double whole) {
+  return value.percent ? value.number / 100 * whole : value.number;
+}
+
+/// Replaces a percentage by what it comes to of the setting it relates to, which must be an
+/// absolute number by now.
+void TakePercentage(Draft& draft, std::string_view key) {
+  const std::string_view whole = SettingsTable()[FindSetting(key)].relative_to;
+  draft.SetNumber(key, Absolute(*draft.At(key).value, draft.Number(whole)));
+}
+
+/// Replaces 0 by another setting's value.
+void FallBack(Draft& draft, std::string_view key, std::string_view to) {
+  if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number(to));
+}
+
+void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
+  Value width = *draft.At(key).value;
+  if (width.number == 0) width = *draft.At("extrusion_width").value;
+  const double mm = Absolute(width, draft.Number("layer_height"));
+  draft.SetNumber(key, mm == 0 ? auto_width : mm);
+}
+
+void DeriveWidths(Draft& draft) {
+  const double nozzle = draft.Number("nozzle_diameter");
+  for (const std::string_view key :
+       {"perimeter_extrusion_width", "external_perimeter_extrusion_width", "infill_extrusion_width",
+        "solid_infill_extrusion_width"}) {
+    DeriveWidth(draft, key, kWidthPerNozzle * nozzle);
+  }
+  DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
+  TakePercentage(draft, "first_layer_extrusion_width");
+  FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
+  TakePercentage(draft, "extrusion_width");
+}
+
+void DeriveSpeeds(Draft& draft) {
+  for (const std::string_view key : {"external_perimeter_speed", "small_perimeter_speed",
+                                     "solid_infill_speed", "top_solid_infill_speed"}) {
+    TakePercentage(draft, key);
+  }
+  for (const std::string_view key : kSpeeds) {
+    if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number("max_print_speed"));
+  }
+}
+
+void DeriveAccelerations(Draft& draft) {
+  FallBack(draft, "external_perimeter_acceleration", "perimeter_acceleration");
+  FallBack(draft, "solid_infill_acceleration", "infill_acceleration");
+  FallBack(draft, "top_solid_infill_acceleration", "solid_infill_acceleration");
+}
+
+/// As many layers as the shell needs to be `thickness` thick, and no fewer than `layers` says.
+void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickness) {
+  const double number = draft.Number(layers);
+  if (number == 0) return;
+  constexpr double kRounding = 1e-6;
+  const double needed =
+      std::ceil(draft.Number(thickness) / draft.Number("layer_height") - kRounding);
+  draft.SetNumber(layers, std::max(number, needed));
+}
+
+void DeriveFilament(Draft& draft) {
+  for (const std::string_view key :
+       {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
+        "retract_before_travel", "retract_lift"}) {
+    const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
+    if (own.value.has_value()) draft.SetNumber(key, own.value->number);
+  }
+  FallBack(draft, "deretract_speed", "retract_speed");
+
+  const double print_limit = draft.Number("max_volumetric_speed");
+  const double filament_limit = draft.Number("filament_max_volumetric_speed");
+  if (print_limit > 0 && (filament_limit == 0 || print_limit < filament_limit)) {
+    draft.SetNumber("filament_max_volumetric_speed", print_limit);
+  }
+}
+
+/// The filament's own G-code is the last before the layers and the first after them.
+void DeriveGcode(Draft& draft) {
+  const auto joined = [](const std::string& first, const std::string& second) {
+    const bool needs_break = !first.empty() && !second.empty() && first.back() != '\n';
+    return first + (needs_break ? "\n" : "") + second;
+  };
+  std::string& start = draft.At("start_gcode").value->text;
+  std::string& end = draft.At("end_gcode").value->text;
+  start = joined(start, draft.At("start_filament_gcode").value->text);
+  end = joined(draft.At("end_filament_gcode").value->text, end);
+}
+
+absl::Status CheckPercentages(const Draft& draft) {
+  const auto table = SettingsTable();
+  for (const bool given : {true, false}) {  // what the user wrote is to blame before what follows
+    for (size_t i = 0; i < table.size(); ++i) {
+      const Draft::Entry& entry = draft.entries()[i];
+      if (table[i].kind != Kind::kNumberOrPercent || entry.given != given) continue;
+      const absl::Status status = CheckRange(table[i], entry.value->number, entry.written);
+      if (!status.ok()) return status;
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status Derive(Draft& draft) {
+  TakePercentage(draft, "first_layer_height");
+  DeriveWidths(draft);
+  TakePercentage(draft, "infill_overlap");
+  DeriveSpeeds(draft);
+  DeriveAccelerations(draft);
+  DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
+  DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
+  DeriveFilament(draft);
+  DeriveGcode(draft);
+  return CheckPercentages(draft);
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/config/value.h"
+
+namespace slicefarm::config {
+
+/// The values of all settings on their way from text to JobSettings, in the order of
+/// SettingsTable().
+class Draft {
+ public:
+  Draft();  ///< every setting at its standard
+
+  struct Entry {
+    std::optional<Value> value = {};  ///< none: `nil`
+    std::string written = {};         ///< as the user wrote it, for errors
+    bool given = false;               ///< not the standard
+  };
+
+  std::vector<Entry>& entries() { return entries_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+
+  /// REQUIRES: `key` stands in the table.
+  Entry& At(std::string_view key);
+  const Entry& At(std::string_view key) const;
+
+  /// REQUIRES: the setting has a value.
+  double Number(std::string_view key) const;
+  void SetNumber(std::string_view key, double number);
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+}  // namespace slicefarm::config

@@ -1,0 +1,178 @@
+#include "common/config/known_keys.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "common/config/text.h"
+
+namespace slicefarm::config {
+namespace {
+
+constexpr std::string_view kNotYet = "not supported yet";
+constexpr std::string_view kProfile = "describes the profile, not the print";
+constexpr std::string_view kSending = "concerns sending files to a printer";
+constexpr std::string_view kResin = "concerns resin printers";
+
+/// What a profile switches on and off, with the value that asks for what is done anyway.
+constexpr KnownKey kSwitches[] = {
+    // These change the part or whether it prints at all.
+    {"complete_objects", kNotYet, "0", true, true},
+    {"fuzzy_skin", kNotYet, "none", true, true},
+    {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true},
+    {"infill_every_layers", kNotYet, "1", true, true},
+    {"infill_only_where_needed", kNotYet, "0", true, true},
+    {"ironing", kNotYet, "0", true, true},
+    {"post_process", "scripts are never run", "", true, true},
+    {"printer_technology", kResin, "FFF", true, true},
+    {"raft_layers", kNotYet, "0", true, true},
+    {"single_extruder_multi_material", kNotYet, "0", true, true},
+    {"solid_infill_every_layers", kNotYet, "0", true, true},
+    {"spiral_vase", kNotYet, "0", true, true},
+    {"support_material", kNotYet, "0", true, true},
+    {"use_firmware_retraction", kNotYet, "0", true, true},
+    {"use_volumetric_e", kNotYet, "0", true, true},
+    {"brim_width", kNotYet, "0", true, true},
+    // These make it better or different in detail.
+    {"arc_fitting", kNotYet, "disabled", true},
+    {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
+    {"avoid_crossing_perimeters", kNotYet, "0", true},
+    {"automatic_infill_combination", kNotYet, "0", true},
+    {"between_objects_gcode", kNotYet, "", true},
+    {"binary_gcode", kNotYet, "0", true},
+    {"bridge_angle", kNotYet, "0", true},
+    {"bridge_flow_ratio", kNotYet, "1", true},
+    {"brim_type", kNotYet, "no_brim", true},
+    {"chamber_temperature", kNotYet, "0", true},
+    {"colorprint_heights", kNotYet, "", true},
+    {"draft_shield", kNotYet, "disabled", true},
+    {"enable_dynamic_fan_speeds", kNotYet, "0", true},
+    {"enable_dynamic_overhang_speeds", kNotYet, "0", true},
+    {"ensure_vertical_shell_thickness", kNotYet, "0", true},
+    {"extra_perimeters", kNotYet, "0", true},
+    {"extra_perimeters_on_overhangs", kNotYet, "0", true},
+    {"extruder_offset", kNotYet, "0x0", true},
+    {"extrusion_axis", kNotYet, "E", true},
+    {"filament_retract_layer_change", "every layer starts with the filament retracted", "1", true},
+    {"filament_shrinkage_compensation_xy", kNotYet, "0", true},
+    {"filament_shrinkage_compensation_z", kNotYet, "0", true},
+    {"filament_wipe", kNotYet, "nil", true},
+    {"first_layer_acceleration_over_raft", kNotYet, "0", true},
+    {"full_fan_speed_layer", kNotYet, "0", true},
+    {"gcode_comments", kNotYet, "0", true},
+    {"infill_extruder", kNotYet, "1", true},
+    {"interface_shells", kNotYet, "0", true},
+    {"interlocking_beam", kNotYet, "0", true},
+    {"machine_min_extruding_rate", kNotYet, "0", true},
+    {"machine_min_travel_rate", kNotYet, "0", true},
+    {"max_volumetric_extrusion_rate_slope_negative", kNotYet, "0", true},
+    {"max_volumetric_extrusion_rate_slope_positive", kNotYet, "0", true},
+    {"only_one_perimeter_first_layer", kNotYet, "0", true},
+    {"only_retract_when_crossing_perimeters", kNotYet, "0", true},
+    {"ooze_prevention", kNotYet, "0", true},
+    {"overhangs", kNotYet, "0", true},
+    {"perimeter_extruder", kNotYet, "1", true},
+    {"perimeter_generator", "not supported yet: walls have a constant width, as with classic",
+     "classic", true},
+    {"prefer_clockwise_movements", kNotYet, "0", true},
+    {"resolution", "outline_resolution is the setting here", "0", true},
+    {"retract_layer_change", "every layer starts with the filament retracted", "1", true},
+    {"scarf_seam_placement", kNotYet, "nowhere", true},
+    {"skirts", kNotYet, "0", true},
+    {"solid_infill_extruder", kNotYet, "1", true},
+    {"staggered_inner_seams", kNotYet, "0", true},
+    {"support_material_enforce_layers", kNotYet, "0", true},
+    {"thin_walls", kNotYet, "0", true},
+    {"thumbnails_format", "only PNG pictures are made", "PNG", true},
+    {"toolchange_gcode", kNotYet, "", true},
+    {"top_one_perimeter_type", kNotYet, "none", true},
+    {"travel_ramping_lift", kNotYet, "0", true},
+    {"use_relative_e_distances", "extrusion is always relative", "1", true},
+    {"wipe", kNotYet, "0", true},
+    {"wipe_into_infill", kNotYet, "0", true},
+    {"wipe_into_objects", kNotYet, "0", true},
+    {"wipe_tower", kNotYet, "0", true},
+};
+
+struct Group {
+  std::string_view why;
+  std::string_view keys;  // by spaces; `*` at the end: all that begin so
+};
+
+/// Settings of features that are not there yet, and those that no slicing ever looks at.
+constexpr Group kGroups[] = {
+    {kNotYet,
+     "avoid_crossing_perimeters_max_detour autoemit_temperature_commands "
+     "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
+     "bed_temperature_extruder brim_* chamber_minimal_temperature clip_multipart_objects "
+     "color_change_gcode cooling_tube_* dont_support_bridges duplicate_distance "
+     "extra_loading_move extruder_clearance_* filament_abrasive "
+     "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
+     "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
+     "filament_ramming_parameters filament_retract_before_wipe "
+     "filament_retract_length_toolchange filament_retract_lift_above filament_retract_lift_below "
+     "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
+     "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
+     "filament_unload_time filament_unloading_* first_layer_infill_speed "
+     "first_layer_speed_over_raft fuzzy_skin_* gcode_label_objects gcode_resolution "
+     "high_current_on_filament_swap idle_temperature infill_anchor infill_anchor_max "
+     "interlocking_* ironing_* max_layer_height min_bead_width min_feature_size "
+     "min_layer_height min_skirt_length mmu_* multimaterial_purging nozzle_high_flow "
+     "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode raft_* "
+     "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
+     "retract_restart_extra_toolchange scarf_seam_* seam_gap_distance silent_mode "
+     "single_extruder_multi_material_priming skirt_* small_area_infill_flow_compensation* "
+     "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
+     "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
+     "travel_slope variable_layer_height wall_distribution_count wall_transition_* "
+     "wipe_tower_* wiping_volumes_*"},
+    {kProfile,
+     "bed_custom_model bed_custom_texture color_change_* compatible_* default_filament_profile "
+     "default_print_profile default_sla_* extruder_colour filament_notes filament_spool_weight "
+     "filament_vendor inherits inherits_* notes output_filename_format "
+     "physical_printer_settings_id preset_name preset_names print_settings_id printer_notes "
+     "printer_settings_id printer_variant printer_vendor profile_vendor profile_version"},
+    {kSending, "host_type print_host printhost_* octoprint_* serial_*"},
+    {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*"},
+    {"--threads is the option here", "threads"},
+};
+
+std::vector<KnownKey> MakeTable() {
+  std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
+  for (const Group& group : kGroups) {
+    for (const std::string_view key : Split(group.keys, " ")) {
+      table.push_back({key, group.why});
+    }
+  }
+  return table;
+}
+
+bool Matches(std::string_view pattern, std::string_view key) {
+  if (!pattern.ends_with("*")) return pattern == key;
+  return key.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
+bool SameValue(std::string_view a, std::string_view b) {
+  const auto x = ToNumber(a);
+  const auto y = ToNumber(b);
+  return x.has_value() && y.has_value() ? *x == *y : a == b;
+}
+
+}  // namespace
+
+const KnownKey* FindKnownKey(std::string_view key) {
+  static const std::vector<KnownKey>& table = *new std::vector<KnownKey>(MakeTable());
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const KnownKey& k) { return Matches(k.key, key); });
+  return found == table.end() ? nullptr : &*found;
+}
+
+bool IsNeutral(const KnownKey& key, std::string_view value) {
+  if (!key.has_neutral) return false;
+  if (value == "\"\"") value = "";  // an empty text in a list
+  const std::vector<std::string_view> items = Split(value, ",;");
+  return std::all_of(items.begin(), items.end(),
+                     [&](std::string_view item) { return SameValue(Trim(item), key.neutral); });
+}
+
+}  // namespace slicefarm::config

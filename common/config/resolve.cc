@@ -1,0 +1,225 @@
+#include "common/config/resolve.h"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "common/config/check_settings.h"
+#include "common/config/derive.h"
+#include "common/config/draft.h"
+#include "common/config/known_keys.h"
+#include "common/config/settings_table.h"
+#include "common/config/suggest.h"
+#include "common/config/text.h"
+#include "common/model/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::config {
+namespace {
+
+/// A value as a report quotes it: start G-codes and ramming tables are long.
+std::string Quoted(std::string_view key, std::string_view value) {
+  constexpr size_t kMax = 40;
+  return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
+}
+
+absl::Status CheckLimits(std::span<const Setting> given) {
+  const auto count = static_cast<int64_t>(given.size());
+  if (count > limits::kMaxSettings) {
+    return LimitError(Reason::kRequestTooLarge, "settings", limits::kMaxSettings, count);
+  }
+  for (const Setting& setting : given) {
+    const auto size = static_cast<int64_t>(setting.key.size() + setting.value.size());
+    if (size > limits::kMaxSettingBytes) {
+      return LimitError(Reason::kRequestTooLarge, "bytes of one setting", limits::kMaxSettingBytes,
+                        size);
+    }
+  }
+  return absl::OkStatus();
+}
+
+/// The last value of each key by source, and what is said about the others.
+class Reader {
+ public:
+  explicit Reader(ResolvedSettings& result) : result_(result) {}
+
+  absl::Status Read(const Setting& setting) {
+    const std::string_view value = Trim(setting.value);
+    NoteOverridden(setting, value);
+    if (const int index = FindSetting(setting.key); index >= 0) {
+      return ReadEffective(SettingsTable()[index], draft_.entries()[index], setting, value);
+    }
+    if (const KnownKey* known = FindKnownKey(setting.key)) {
+      others_[setting.key] = {known, std::string(value)};
+      return absl::OkStatus();
+    }
+    if (setting.source == Source::kRequest) return Unknown(setting.key);
+    others_[setting.key] = {nullptr, std::string(value)};
+    return absl::OkStatus();
+  }
+
+  /// Says what has no effect, once all settings are read.
+  Draft Finish() {
+    const auto table = SettingsTable();
+    for (size_t i = 0; i < table.size(); ++i) {
+      if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i].written);
+    }
+    for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
+    return std::move(draft_);
+  }
+
+ private:
+  static absl::Status Unknown(const std::string& key) {
+    const std::string nearest = NearestSetting(key);
+    std::map<std::string, std::string> metadata = {{"setting", key}};
+    if (!nearest.empty()) metadata["suggestion"] = nearest;
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
+                     fmt::format("there is no setting '{}'{}", key,
+                                 nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest)),
+                     std::move(metadata));
+  }
+
+  static absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry,
+                                    const Setting& setting, std::string_view value) {
+    entry.written = std::string(value);
+    entry.given = true;
+    if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
+      entry.value.reset();
+      return absl::OkStatus();
+    }
+    auto parsed = ParseValue(spec, value);
+    if (!parsed.ok()) return parsed.status();
+    if (setting.source == Source::kRequest) {
+      if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, *choice);
+    }
+    entry.value = *std::move(parsed);
+    return absl::OkStatus();
+  }
+
+  static std::string_view FirstItem(std::string_view value) {
+    return Trim(value.substr(0, value.find(',')));
+  }
+
+  /// The choice of `spec` that `value` names, if something else is done instead.
+  static const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
+    for (const Choice& choice : spec.choices) {
+      if (choice.name == value && !choice.note.empty()) return &choice;
+    }
+    return nullptr;
+  }
+
+  static absl::Status RefuseStandIn(const SettingSpec& spec, const Choice& choice) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     fmt::format("{} = {} is not supported yet: it must be {}", spec.key,
+                                 choice.name, DescribeRange(spec)),
+                     {{"setting", std::string(spec.key)}, {"value", std::string(choice.name)}});
+  }
+
+  /// Within one source, a key that comes twice is likely a mistake; a request over a profile is
+  /// not.
+  void NoteOverridden(const Setting& setting, std::string_view value) {
+    std::string& last = last_[{setting.source, setting.key}];
+    if (!last.empty() && last != value) {
+      result_.no_effect.push_back(
+          fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
+    }
+    last = std::string(value);
+  }
+
+  void Warn(std::string text) {
+    result_.no_effect.push_back(text);
+    result_.warnings.push_back(std::move(text));
+  }
+
+  void NoteEffective(const SettingSpec& spec, std::string_view value) {
+    if (const Choice* choice = StandIn(spec, value)) {
+      Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
+    }
+    const std::string_view separator =
+        spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
+    if (spec.list != List::kNone && value.find('"') == std::string_view::npos) {
+      const std::vector<std::string_view> items = Split(value, separator);
+      for (const std::string_view item : items) {
+        if (item == items[0]) continue;
+        const std::string text = fmt::format("{}: only the first value, {}, has an effect",
+                                             Quoted(spec.key, value), items[0]);
+        if (spec.list == List::kPerExtruder) {
+          Warn(text);
+        } else {
+          result_.no_effect.push_back(text);
+        }
+        break;
+      }
+    }
+    if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
+  }
+
+  void NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
+    const auto number = ParseNumber(value, false);
+    if (!number.ok() || number->number <= 0 || number->number >= 1) return;
+    result_.warnings.push_back(
+        fmt::format("{0} = {1} is read as {1}%; for {2}% write the percent sign", spec.key, value,
+                    PrintNumber(number->number * 100)));
+  }
+
+  void NoteOther(const std::string& key, const KnownKey* known, const std::string& value) {
+    if (known == nullptr) {
+      result_.no_effect.push_back(Quoted(key, value) + ": unknown");
+      return;
+    }
+    if (IsNeutral(*known, value)) return;
+    const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
+    if (known->changes_print && !SwitchedOff(key)) {
+      Warn(text);
+    } else {
+      result_.no_effect.push_back(text);
+    }
+  }
+
+  /// A brim's width asks for nothing if the brim's type is none.
+  bool SwitchedOff(const std::string& key) const {
+    const auto type = others_.find("brim_type");
+    return key == "brim_width" && type != others_.end() && type->second.second == "no_brim";
+  }
+
+  ResolvedSettings& result_;
+  Draft draft_;
+  std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
+  std::map<std::pair<Source, std::string>, std::string> last_;
+};
+
+}  // namespace
+
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
+  if (absl::Status status = CheckLimits(given); !status.ok()) return status;
+  ResolvedSettings result;
+  Reader reader(result);
+  for (const Setting& setting : given) {
+    if (absl::Status status = reader.Read(setting); !status.ok()) return status;
+  }
+  Draft draft = reader.Finish();
+  if (absl::Status status = Derive(draft); !status.ok()) return status;
+  if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
+
+  const auto table = SettingsTable();
+  for (size_t i = 0; i < table.size(); ++i) {
+    for (const Field& field : {table[i].field, table[i].also}) {
+      if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
+    }
+  }
+  result.effective_text = EffectiveText(result.settings);
+  return result;
+}
+
+std::string EffectiveText(const JobSettings& settings) {
+  std::string text;
+  for (const SettingSpec& spec : SettingsTable()) {
+    if (spec.field.get == nullptr) continue;
+    text += fmt::format("{} = {}\n", spec.key, PrintValue(spec, spec.field.get(settings)));
+  }
+  return text;
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/settings.h"
+
+namespace slicefarm::config {
+
+/// Who asks: a whole profile, of which many keys may mean nothing here, or a person who names what
+/// they want.
+enum class Source { kProfile, kRequest };
+
+/// A key of a config.ini and its value, as text: newlines as `\n`.
+struct Setting {
+  std::string key;
+  std::string value;
+  Source source = Source::kRequest;
+
+  friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+struct ResolvedSettings {
+  JobSettings settings;
+  /// EffectiveText(settings).
+  std::string effective_text;
+  /// Settings that were given and have no effect, or not the full one: `key = value: why`.
+  std::vector<std::string> no_effect;
+  /// Those of them that change what is printed, and other things worth a look.
+  std::vector<std::string> warnings;
+};
+
+/// Settings as text to settings as a job needs them: complete, in range, percentages worked out.
+/// Later settings win; what none gives has the standard of settings_table.h.
+///
+/// Errors: REQUEST_TOO_LARGE past the limits; SETTING_UNKNOWN for a kRequest key that neither
+/// slicefarm nor PrusaSlicer knows (metadata `setting` and, where one comes near, `suggestion`);
+/// SETTING_MALFORMED; SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also where
+/// settings do not fit each other.
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given);
+
+/// All settings that have an effect as `key = value` lines, sorted by key: equal texts for equal
+/// settings, and the other way round. Resolve of its lines gives `settings` back.
+std::string EffectiveText(const JobSettings& settings);
+
+}  // namespace slicefarm::config

@@ -1,0 +1,557 @@
+#include "common/config/resolve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/config/ini.h"
+#include "common/config/settings_table.h"
+#include "common/config/text.h"
+#include "common/model/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::config {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<Setting> Settings(const Pairs& pairs, Source source = Source::kRequest) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : pairs) settings.push_back({key, value, source});
+  return settings;
+}
+
+ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
+  auto resolved = Resolve(given);
+  if (!resolved.ok()) {
+    ADD_FAILURE() << resolved.status();
+    return {};
+  }
+  return *std::move(resolved);
+}
+
+JobSettings Job(const Pairs& pairs) { return ResolveOrDie(Settings(pairs)).settings; }
+
+absl::Status Refusal(const Pairs& pairs, Source source = Source::kRequest) {
+  return Resolve(Settings(pairs, source)).status();
+}
+
+std::string ReadCorpus(const std::string& name) {
+  std::ifstream file(std::string(SLICEFARM_CORPUS) + "/config/" + name);
+  EXPECT_TRUE(file.is_open()) << name;
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+double SpeedOf(const JobSettings& settings, Feature feature) {
+  return settings.motion.speed_mm_s[static_cast<int>(feature)];
+}
+
+TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
+  const JobSettings s = Job({});
+  EXPECT_EQ(s.slicing.layer_height_nm, 300'000);
+  EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
+  EXPECT_EQ(s.beading.inner_width_nm, 450'000);
+  EXPECT_EQ(s.infill.top_width_nm, 400'000);
+  EXPECT_EQ(s.beading.first_layer_width_nm, 700'000);
+  EXPECT_EQ(s.infill.top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(s.infill.density, 0.2);
+  EXPECT_DOUBLE_EQ(s.infill.angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
+  EXPECT_EQ(s.motion.limits.max_feedrate_mm_s[0], 500);
+  EXPECT_EQ(s.motion.temperature_c, 200);
+}
+
+// The file that the benchmarks run with, value by value.
+TEST(Resolve, ReadsThePeersProfile) {
+  const auto given = ReadIni(ReadCorpus("peers.ini"));
+  ASSERT_TRUE(given.ok()) << given.status();
+  const ResolvedSettings resolved = ResolveOrDie(*given);
+  const JobSettings& s = resolved.settings;
+
+  EXPECT_EQ(s.slicing.layer_height_nm, 200'000);
+  EXPECT_EQ(s.slicing.first_layer_height_nm, 200'000);
+  EXPECT_EQ(PrintBedShape(s.slicing.bed), "0x0,250x0,250x210,0x210");
+  EXPECT_EQ(s.slicing.max_print_height_nm, 210'000'000);
+  EXPECT_EQ(s.slicing.elephant_foot_nm, 0);
+  const BeadingOptions walls = {.perimeters = 3,
+                                .external_width_nm = 450'000,
+                                .inner_width_nm = 450'000,
+                                .first_layer_width_nm = 450'000};
+  EXPECT_EQ(s.beading, walls);
+  const InfillOptions infill = {.angle_rad = std::numbers::pi / 4};  // the rest is the model's
+  EXPECT_EQ(s.infill, infill);
+  EXPECT_EQ(s.ordering, OrderingOptions{});
+
+  const MotionOptions& m = s.motion;
+  EXPECT_EQ(m.flavor, GcodeFlavor::kMarlin2);
+  EXPECT_THAT(m.limits.max_feedrate_mm_s, ElementsAre(300, 300, 20, 120));
+  EXPECT_THAT(m.limits.max_acceleration_mm_s2, ElementsAre(3000, 3000, 500, 3000));
+  EXPECT_THAT(m.limits.max_jerk_mm_s, ElementsAre(8, 8, 0.4, 2.5));
+  EXPECT_EQ(m.limits.max_acceleration_extruding_mm_s2, 1000);
+  EXPECT_EQ(m.limits.max_acceleration_travel_mm_s2, 3000);
+  EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
+  EXPECT_FALSE(m.limits.emit_to_gcode);
+  // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt and
+  // support 60.
+  EXPECT_THAT(m.speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
+  EXPECT_EQ(m.small_perimeter_speed_mm_s, 40);
+  EXPECT_EQ(m.travel_speed_mm_s, 150);
+  EXPECT_EQ(m.first_layer_speed_mm_s, 30);
+  EXPECT_EQ(m.first_layer_speed_ratio, 1);
+  EXPECT_EQ(m.default_acceleration_mm_s2, 1000);
+  EXPECT_THAT(m.acceleration_mm_s2, Each(0));
+  const RetractionOptions retraction = {.length_mm = 0.8,
+                                        .speed_mm_s = 35,
+                                        .restart_speed_mm_s = 35,
+                                        .restart_extra_mm = 0,
+                                        .min_travel_mm = 2,
+                                        .lift_mm = 0};
+  EXPECT_EQ(m.retraction, retraction);
+  EXPECT_FALSE(m.cooling.enabled);
+  EXPECT_TRUE(m.cooling.fan_always_on);
+  EXPECT_EQ(m.temperature_c, 210);
+  EXPECT_EQ(m.first_layer_temperature_c, 210);
+  EXPECT_EQ(m.bed_temperature_c, 60);
+  EXPECT_EQ(m.first_layer_bed_temperature_c, 60);
+  EXPECT_EQ(m.start_gcode, "G28");
+  EXPECT_EQ(m.end_gcode, "M84");
+  EXPECT_THAT(resolved.warnings, IsEmpty());
+  EXPECT_THAT(resolved.no_effect,
+              ElementsAre(HasSubstr("perimeter_generator = arachne: not supported yet"),
+                          HasSubstr("use_relative_e_distances = 0: extrusion is always relative")));
+}
+
+// Everything PrusaSlicer 2.5 writes when it saves its own defaults.
+TEST(Resolve, TakesAWholeProfile) {
+  const auto given = ReadIni(ReadCorpus("prusaslicer_defaults.ini"));
+  ASSERT_TRUE(given.ok()) << given.status();
+  ASSERT_GT(given->size(), 250);
+  const ResolvedSettings resolved = ResolveOrDie(*given);
+  EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
+  EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("support_material_threshold = 0")));
+  EXPECT_THAT(resolved.warnings,
+              ElementsAre(HasSubstr("fill_pattern = stars"), HasSubstr("gcode_flavor = reprap")));
+
+  // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
+  // documentation.
+  JobSettings ours = Job({});
+  ours.motion.filament_density_g_cm3 = 0;
+  ours.slicing.thumbnails_px.clear();
+  ours.motion.start_gcode += "; Filament gcode\n";
+  ours.motion.end_gcode =
+      "; Filament-specific end gcode \n;END gcode for filament\n" + ours.motion.end_gcode;
+  EXPECT_EQ(EffectiveText(resolved.settings), EffectiveText(ours));
+  EXPECT_EQ(resolved.settings, ours);
+}
+
+struct DerivedCase {
+  std::string name;
+  Pairs given;
+  std::string key;
+  std::string want;
+};
+
+class Derived : public testing::TestWithParam<DerivedCase> {};
+
+TEST_P(Derived, ComesTo) {
+  const DerivedCase& c = GetParam();
+  const ResolvedSettings resolved = ResolveOrDie(Settings(c.given));
+  EXPECT_THAT(resolved.effective_text, HasSubstr("\n" + c.key + " = " + c.want + "\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Widths, Derived,
+    testing::Values(
+        DerivedCase{"AutoIsOneAndAnEighthNozzle",
+                    {{"nozzle_diameter", "0.6"}},
+                    "perimeter_extrusion_width",
+                    "0.675"},
+        DerivedCase{"AutoTopIsTheNozzle",
+                    {{"nozzle_diameter", "0.6"}},
+                    "top_infill_extrusion_width",
+                    "0.6"},
+        DerivedCase{
+            "ZeroFallsBack", {{"extrusion_width", "0.5"}}, "solid_infill_extrusion_width", "0.5"},
+        DerivedCase{"OwnWins",
+                    {{"extrusion_width", "0.5"}, {"infill_extrusion_width", "0.6"}},
+                    "infill_extrusion_width",
+                    "0.6"},
+        DerivedCase{"PercentOfLayerHeight",
+                    {{"layer_height", "0.2"}, {"perimeter_extrusion_width", "210%"}},
+                    "perimeter_extrusion_width",
+                    "0.42"},
+        DerivedCase{"FallBackInPercent",
+                    {{"layer_height", "0.2"}, {"extrusion_width", "250%"}},
+                    "external_perimeter_extrusion_width",
+                    "0.5"},
+        DerivedCase{"FirstLayerPercentOfItsHeight",
+                    {{"layer_height", "0.2"}, {"first_layer_height", "0.3"}},
+                    "first_layer_extrusion_width",
+                    "0.6"},
+        DerivedCase{"FirstLayerZeroIsThePerimeters",
+                    {{"first_layer_extrusion_width", "0"}, {"perimeter_extrusion_width", "0.5"}},
+                    "first_layer_extrusion_width",
+                    "0.5"},
+        DerivedCase{"FirstHeightPercent",
+                    {{"layer_height", "0.2"}, {"first_layer_height", "150%"}},
+                    "first_layer_height",
+                    "0.3"},
+        DerivedCase{"OverlapPercentOfPerimeter",
+                    {{"infill_overlap", "10%"}, {"perimeter_extrusion_width", "0.5"}},
+                    "infill_overlap",
+                    "0.05"},
+        DerivedCase{
+            "OverlapPercentOfAuto", {{"nozzle_diameter", "0.8"}}, "infill_overlap", "0.225"},
+        DerivedCase{"OverlapInMm", {{"infill_overlap", "0.15"}}, "infill_overlap", "0.15"}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Speeds, Derived,
+    testing::Values(
+        DerivedCase{"ExternalPercent",
+                    {{"perimeter_speed", "80"}, {"external_perimeter_speed", "60%"}},
+                    "external_perimeter_speed",
+                    "48"},
+        DerivedCase{"SmallPercent",
+                    {{"perimeter_speed", "80"}, {"small_perimeter_speed", "25%"}},
+                    "small_perimeter_speed",
+                    "20"},
+        DerivedCase{"SolidPercent",
+                    {{"infill_speed", "100"}, {"solid_infill_speed", "80%"}},
+                    "solid_infill_speed",
+                    "80"},
+        DerivedCase{"TopPercentOfPercent",
+                    {{"infill_speed", "100"},
+                     {"solid_infill_speed", "80%"},
+                     {"top_solid_infill_speed", "50%"}},
+                    "top_solid_infill_speed",
+                    "40"},
+        DerivedCase{"ZeroIsMaxPrintSpeed",
+                    {{"infill_speed", "0"}, {"max_print_speed", "123"}},
+                    "infill_speed",
+                    "123"},
+        DerivedCase{"PercentOfZeroIsMaxPrintSpeed",
+                    {{"perimeter_speed", "0"}, {"max_print_speed", "123"}},
+                    "external_perimeter_speed",
+                    "123"},
+        DerivedCase{
+            "FirstLayerPercentStays", {{"first_layer_speed", "40%"}}, "first_layer_speed", "40%"},
+        DerivedCase{
+            "FirstLayerZeroIsAsAbove", {{"first_layer_speed", "0"}}, "first_layer_speed", "100%"},
+        DerivedCase{"ExternalAcceleration",
+                    {{"perimeter_acceleration", "800"}},
+                    "external_perimeter_acceleration",
+                    "800"},
+        DerivedCase{"TopAccelerationThroughSolid",
+                    {{"infill_acceleration", "900"}},
+                    "top_solid_infill_acceleration",
+                    "900"},
+        DerivedCase{"OwnAccelerationWins",
+                    {{"infill_acceleration", "900"}, {"solid_infill_acceleration", "700"}},
+                    "top_solid_infill_acceleration",
+                    "700"},
+        DerivedCase{"LesserVolumetricLimit",
+                    {{"max_volumetric_speed", "8"}, {"filament_max_volumetric_speed", "11"}},
+                    "filament_max_volumetric_speed",
+                    "8"},
+        DerivedCase{"OnlyTheFilamentsLimit",
+                    {{"filament_max_volumetric_speed", "11"}},
+                    "filament_max_volumetric_speed",
+                    "11"},
+        DerivedCase{"OnlyThePrintsLimit",
+                    {{"max_volumetric_speed", "8"}},
+                    "filament_max_volumetric_speed",
+                    "8"}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Others, Derived,
+    testing::Values(
+        DerivedCase{"DeretractAsRetract", {{"retract_speed", "33"}}, "deretract_speed", "33"},
+        DerivedCase{"FilamentOverrides",
+                    {{"retract_length", "0.8"}, {"filament_retract_length", "1.2"}},
+                    "retract_length",
+                    "1.2"},
+        DerivedCase{"NilDoesNot",
+                    {{"retract_length", "0.8"}, {"filament_retract_length", "nil"}},
+                    "retract_length",
+                    "0.8"},
+        DerivedCase{"NilTakesBack",
+                    {{"filament_retract_length", "1.2"},
+                     {"retract_length", "0.8"},
+                     {"filament_retract_length", "nil"}},
+                    "retract_length",
+                    "0.8"},
+        DerivedCase{"NilPerExtruder",
+                    {{"retract_lift", "0.4"}, {"filament_retract_lift", "nil,nil"}},
+                    "retract_lift",
+                    "0.4"},
+        DerivedCase{"ThickerShell",
+                    {{"layer_height", "0.2"},
+                     {"top_solid_layers", "3"},
+                     {"top_solid_min_thickness", "0.7"}},
+                    "top_solid_layers",
+                    "4"},
+        DerivedCase{"ShellThicknessJustReached",
+                    {{"layer_height", "0.1"},
+                     {"bottom_solid_layers", "3"},
+                     {"bottom_solid_min_thickness", "0.7"}},
+                    "bottom_solid_layers",
+                    "7"},
+        DerivedCase{"NoShellStaysNone",
+                    {{"top_solid_layers", "0"}, {"top_solid_min_thickness", "0.7"}},
+                    "top_solid_layers",
+                    "0"},
+        DerivedCase{"FilamentGcodeAfterStart",
+                    {{"start_gcode", "G28"}, {"start_filament_gcode", "\"M900 K0.05\\n\""}},
+                    "start_gcode",
+                    "G28\\nM900 K0.05\\n"},
+        DerivedCase{"FilamentGcodeBeforeEnd",
+                    {{"end_gcode", "M84"}, {"end_filament_gcode", "M900 K0"}},
+                    "end_gcode",
+                    "M900 K0\\nM84"},
+        DerivedCase{"FirstOfAList", {{"temperature", "215,230"}}, "temperature", "215"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(Resolve, LetsLaterSettingsWin) {
+  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading.perimeters, 4);
+}
+
+// The text is the settings: it resolves to them, and to itself.
+TEST(Resolve, ReadsItsOwnEffectiveText) {
+  const std::vector<Pairs> kCases = {
+      {},
+      {{"layer_height", "0.15"}, {"extrusion_width", "0.47"}, {"first_layer_speed", "37.5%"}},
+      {{"gcode_flavor", "klipper"}, {"filament_settings_id", "\"a; \\\"b\\\"\""}},
+      {{"fill_angle", "33.333333"},
+       {"fill_density", "12.345678%"},
+       {"external_perimeter_speed", "33.3333%"}},
+      {{"start_gcode", "G28\\n; back\\\\slash\\nG1"}, {"top_solid_min_thickness", "1"}},
+      {{"bed_shape", "-10x-10,10x-10,0x17.123457"},
+       {"thumbnails", ""},
+       {"infill_acceleration", "500"}},
+      {{"filament_retract_length", "0.3"}, {"max_volumetric_speed", "7.5"}, {"infill_speed", "0"}},
+  };
+  for (const Pairs& given : kCases) {
+    const ResolvedSettings first = ResolveOrDie(Settings(given));
+    const auto lines = ReadIni(first.effective_text);
+    ASSERT_TRUE(lines.ok()) << lines.status();
+    const ResolvedSettings second = ResolveOrDie(*lines);
+    EXPECT_EQ(second.settings, first.settings);
+    EXPECT_EQ(second.effective_text, first.effective_text);
+    EXPECT_THAT(second.no_effect, IsEmpty());
+    EXPECT_THAT(second.warnings, IsEmpty());
+  }
+}
+
+TEST(Resolve, GivesOneTextForOneMeaning) {
+  const std::string text = ResolveOrDie(Settings({{"layer_height", "0.2"}})).effective_text;
+  for (const Pairs& same : {Pairs{{"layer_height", " 0.20 "}}, Pairs{{"layer_height", "2e-1"}},
+                            Pairs{{"layer_height", "0.3"}, {"layer_height", "0.2"}},
+                            Pairs{{"layer_height", "0.2"}, {"perimeter_speed", "60.0"}},
+                            Pairs{{"layer_height", "0.2"}, {"external_perimeter_speed", "30"}}}) {
+    EXPECT_EQ(ResolveOrDie(Settings(same)).effective_text, text);
+  }
+  EXPECT_NE(ResolveOrDie(Settings({{"layer_height", "0.200001"}})).effective_text, text);
+}
+
+TEST(Resolve, SortsTheEffectiveText) {
+  std::vector<std::string> keys;
+  const std::string text = ResolveOrDie({}).effective_text;
+  for (const std::string_view line : Split(text, "\n")) {
+    if (!line.empty()) keys.emplace_back(line.substr(0, line.find(" = ")));
+  }
+  EXPECT_GT(keys.size(), 100);
+  EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+}
+
+TEST(Resolve, RefusesUnknownKeysOfARequestWithASuggestion) {
+  const absl::Status status = Refusal({{"layer_hieght", "0.2"}});
+  const ErrorDetail detail = DetailOf(status);
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(detail.reason, Reason::kSettingUnknown);
+  EXPECT_EQ(detail.metadata.at("setting"), "layer_hieght");
+  EXPECT_EQ(detail.metadata.at("suggestion"), "layer_height");
+  EXPECT_THAT(std::string(status.message()), HasSubstr("do you mean layer_height?"));
+  EXPECT_EQ(DetailOf(Refusal({{"banana", "1"}})).metadata.count("suggestion"), 0);
+}
+
+TEST(Resolve, ReportsUnknownKeysOfAProfile) {
+  const ResolvedSettings resolved =
+      ResolveOrDie(Settings({{"new_in_3_0", "1"}, {"layer_height", "0.2"}}, Source::kProfile));
+  EXPECT_THAT(resolved.no_effect, ElementsAre("new_in_3_0 = 1: unknown"));
+  EXPECT_EQ(resolved.settings.slicing.layer_height_nm, 200'000);
+}
+
+TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
+  for (const auto& [key, value] : Pairs{{"support_material", "1"},
+                                        {"brim_width", "5"},
+                                        {"raft_layers", "2"},
+                                        {"spiral_vase", "1"},
+                                        {"ironing", "1"},
+                                        {"post_process", "/bin/rm"}}) {
+    for (const Source source : {Source::kProfile, Source::kRequest}) {
+      const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, source));
+      EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
+      EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    }
+  }
+  const ResolvedSettings off = ResolveOrDie(Settings(
+      {{"support_material", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
+  EXPECT_THAT(off.no_effect, IsEmpty());
+  EXPECT_THAT(off.warnings, IsEmpty());
+}
+
+TEST(Resolve, KnowsThatABrimCanBeSwitchedOffByItsType) {
+  const ResolvedSettings resolved =
+      ResolveOrDie(Settings({{"brim_width", "5"}, {"brim_type", "no_brim"}}));
+  EXPECT_THAT(resolved.warnings, IsEmpty());
+}
+
+TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
+  const ResolvedSettings resolved = ResolveOrDie(Settings(
+      {{"fill_pattern", "gyroid"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
+      Source::kProfile));
+  EXPECT_EQ(resolved.settings.infill.pattern, SparsePattern::kGrid);
+  EXPECT_EQ(resolved.settings.ordering.seam, SeamPosition::kNearest);
+  EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
+  EXPECT_THAT(resolved.warnings,
+              ElementsAre("fill_pattern = gyroid: not supported yet: grid is used",
+                          "gcode_flavor = reprap: not supported yet: marlin2 is used",
+                          "seam_position = random: not supported yet: nearest is used"));
+  EXPECT_EQ(resolved.no_effect, resolved.warnings);
+}
+
+TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {
+  const absl::Status status = Refusal({{"fill_pattern", "gyroid"}});
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("one of grid, rectilinear"));
+  EXPECT_EQ(DetailOf(Refusal({{"fill_pattern", "spaghetti"}}, Source::kProfile)).reason,
+            Reason::kSettingMalformed);
+}
+
+TEST(Resolve, SaysThatOnlyTheFirstExtruderCounts) {
+  EXPECT_THAT(ResolveOrDie(Settings({{"temperature", "210,215"}})).warnings,
+              ElementsAre(HasSubstr("only the first value, 210")));
+  EXPECT_THAT(ResolveOrDie(Settings({{"filament_type", "PLA;PETG"}})).warnings,
+              ElementsAre(HasSubstr("only the first value, PLA")));
+  EXPECT_THAT(ResolveOrDie(Settings({{"temperature", "210,210"}})).no_effect, IsEmpty());
+  const ResolvedSettings modes = ResolveOrDie(Settings({{"machine_max_feedrate_x", "500,200"}}));
+  EXPECT_THAT(modes.warnings, IsEmpty());
+  EXPECT_THAT(modes.no_effect, ElementsAre(HasSubstr("only the first value, 500")));
+}
+
+TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
+  const std::vector<Setting> twice =
+      Settings({{"perimeters", "2"}, {"perimeters", "4"}}, Source::kProfile);
+  EXPECT_THAT(ResolveOrDie(twice).no_effect,
+              ElementsAre("perimeters = 2: overridden by a later perimeters"));
+  const std::vector<Setting> over = {{"perimeters", "2", Source::kProfile},
+                                     {"perimeters", "4", Source::kRequest}};
+  EXPECT_THAT(ResolveOrDie(over).no_effect, IsEmpty());
+}
+
+TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
+  const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
+  EXPECT_DOUBLE_EQ(resolved.settings.infill.density, 0.004);
+  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
+  EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
+  EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());
+}
+
+TEST(Resolve, ChecksWhatAPercentageComesTo) {
+  const absl::Status status = Refusal({{"layer_height", "0.2"}, {"first_layer_height", "9000%"}});
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata.at("value"), "9000%");
+  EXPECT_THAT(std::string(status.message()), HasSubstr("comes to 18"));
+  EXPECT_FALSE(Refusal({{"external_perimeter_speed", "-5%"}}).ok());
+}
+
+struct ConflictCase {
+  std::string name;
+  Pairs given;
+  std::string setting;
+  std::string says;
+};
+
+class Conflict : public testing::TestWithParam<ConflictCase> {};
+
+TEST_P(Conflict, IsRefusedNamingBothSettings) {
+  const ConflictCase& c = GetParam();
+  const absl::Status status = Refusal(c.given);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata.at("setting"), c.setting);
+  EXPECT_THAT(std::string(status.message()), HasSubstr(c.setting + " = "));
+  EXPECT_THAT(std::string(status.message()), HasSubstr(c.says));
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings, Conflict,
+                         testing::Values(ConflictCase{"LayerOverNozzle",
+                                                      {{"layer_height", "0.41"}},
+                                                      "layer_height",
+                                                      "nozzle_diameter = 0.4 mm"},
+                                         ConflictCase{"FirstLayerOverNozzle",
+                                                      {{"first_layer_height", "0.5"}},
+                                                      "first_layer_height",
+                                                      "nozzle_diameter = 0.4 mm"},
+                                         ConflictCase{"WidthUnderHeight",
+                                                      {{"infill_extrusion_width", "0.29"}},
+                                                      "infill_extrusion_width",
+                                                      "layer_height = 0.3 mm"},
+                                         ConflictCase{"FirstWidthUnderHeight",
+                                                      {{"first_layer_extrusion_width", "0.349"}},
+                                                      "first_layer_extrusion_width",
+                                                      "first_layer_height = 0.35 mm"},
+                                         ConflictCase{"WidthOverThreeNozzles",
+                                                      {{"perimeter_extrusion_width", "1.2"}},
+                                                      "perimeter_extrusion_width",
+                                                      "1.2 mm"},
+                                         ConflictCase{"NoRetractionSpeed",
+                                                      {{"retract_speed", "0"}},
+                                                      "retract_speed",
+                                                      "retract_length"},
+                                         ConflictCase{"Gaps",
+                                                      {{"gap_fill_min_width", "0.9"}},
+                                                      "gap_fill_min_width",
+                                                      "gap_fill_max_width = 0.8 mm"}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(Resolve, AllowsTheBounds) {
+  EXPECT_TRUE(Refusal({{"layer_height", "0.4"}, {"first_layer_height", "0.4"}}).ok());
+  EXPECT_TRUE(Refusal({{"perimeter_extrusion_width", "1.199"}}).ok());
+  EXPECT_TRUE(Refusal({{"retract_speed", "0"}, {"retract_length", "0"}}).ok());
+}
+
+TEST(Resolve, BoundsNumberAndSize) {
+  const std::vector<Setting> many(limits::kMaxSettings + 1, {"perimeters", "3"});
+  EXPECT_EQ(DetailOf(Resolve(many).status()).reason, Reason::kRequestTooLarge);
+  const std::string big(limits::kMaxSettingBytes + 1, 'x');
+  EXPECT_EQ(DetailOf(Refusal({{"start_gcode", big}})).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(Refusal({{big, "1"}})).reason, Reason::kRequestTooLarge);
+}
+
+TEST(Resolve, ShortensLongValuesInReports) {
+  const ResolvedSettings resolved =
+      ResolveOrDie(Settings({{"notes", std::string(1000, 'n')}}, Source::kProfile));
+  ASSERT_EQ(resolved.no_effect.size(), 1);
+  EXPECT_LT(resolved.no_effect[0].size(), 150);
+}
+
+}  // namespace
+}  // namespace slicefarm::config

@@ -1,0 +1,222 @@
+#include "common/config/settings_sections.h"
+
+namespace slicefarm::config {
+namespace {
+
+enum Axis { kX, kY, kZ, kE };
+
+SettingSpec Limit(std::string_view key, std::string_view unit, double min, double max,
+                  std::string_view standard, std::string_view doc, Field field) {
+  return {.key = key,
+          .unit = unit,
+          .min = min,
+          .max = max,
+          .standard = standard,
+          .doc = doc,
+          .list = List::kPerMode,
+          .field = field};
+}
+
+template <Axis kAxis>
+std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
+                                    std::array<std::string_view, 3> standards) {
+  return {
+      Limit(keys[0], "mm/s", 0.001, 10'000, standards[0], "Speed limit of this axis",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_feedrate_mm_s[kAxis]; })),
+      Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_mm_s2[kAxis]; })),
+      Limit(keys[2], "mm/s", 0, 1000, standards[2],
+            "Jump of speed that this axis allows at corners (Marlin's classic jerk)",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_jerk_mm_s[kAxis]; })),
+  };
+}
+
+std::vector<SettingSpec> WholeMachineLimits() {
+  return {
+      Limit("machine_max_acceleration_extruding", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit while extruding; 0: none", Bind([](auto& s) -> auto& {
+              return s.motion.limits.max_acceleration_extruding_mm_s2;
+            })),
+      Limit("machine_max_acceleration_retracting", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit of retractions; 0: none", Bind([](auto& s) -> auto& {
+              return s.motion.limits.max_acceleration_retracting_mm_s2;
+            })),
+      Limit("machine_max_acceleration_travel", "mm/s2", 0, 1e6, "1500",
+            "Acceleration limit of travel; 0: none",
+            Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_travel_mm_s2; })),
+      Limit("machine_max_junction_deviation", "mm", 0, 10, "0",
+            "Marlin's junction deviation; 0: the firmware uses classic jerk",
+            Bind([](auto& s) -> auto& { return s.motion.limits.junction_deviation_mm; })),
+      Limit("square_corner_velocity", "mm/s", 0, 1000, "5", "Klipper's speed through right angles",
+            Bind([](auto& s) -> auto& { return s.motion.limits.square_corner_velocity_mm_s; })),
+      Limit("minimum_cruise_ratio", "", 0, 0.99, "0.5",
+            "Klipper's least share of a short move at its top speed",
+            Bind([](auto& s) -> auto& { return s.motion.limits.minimum_cruise_ratio; })),
+      {.key = "machine_limits_usage",
+       .kind = Kind::kChoice,
+       .standard = "time_estimate_only",
+       .doc = "Whether the limits are written to the G-code too, or only reckoned with",
+       .choices = {{"time_estimate_only", 0},
+                   {"emit_to_gcode", 1},
+                   {"ignore", 0, "the limits are reckoned with all the same"}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.limits.emit_to_gcode; })},
+  };
+}
+
+/// A setting of retraction, and the filament's own one that overrides it (through derive.h).
+void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
+                   std::string_view filament_key, std::string_view unit, double max,
+                   std::string_view standard, std::string_view doc, Field field) {
+  SettingSpec spec = {.key = key,
+                      .unit = unit,
+                      .min = 0,
+                      .max = max,
+                      .standard = standard,
+                      .doc = doc,
+                      .list = List::kPerExtruder,
+                      .field = field};
+  to.push_back(spec);
+  spec.key = filament_key;
+  spec.standard = kNotSet;
+  spec.doc = "The filament's own value of the setting without filament_; nil: none";
+  spec.field = {};
+  to.push_back(spec);
+}
+
+std::vector<SettingSpec> Retraction() {
+  std::vector<SettingSpec> settings;
+  AddRetraction(settings, "retract_length", "filament_retract_length", "mm", 100, "2",
+                "How much filament is pulled back before a travel; 0: none",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.length_mm; }));
+  AddRetraction(settings, "retract_speed", "filament_retract_speed", "mm/s", 1000, "40",
+                "Speed of pulling back",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.speed_mm_s; }));
+  AddRetraction(settings, "deretract_speed", "filament_deretract_speed", "mm/s", 1000, "0",
+                "Speed of pushing forward again; 0: retract_speed",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_speed_mm_s; }));
+  AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
+                "How much more is pushed forward than was pulled back",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }));
+  AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
+                "2", "Shorter travels do not retract",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.min_travel_mm; }));
+  AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
+                "How far the nozzle rises over a travel",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_mm; }));
+  return settings;
+}
+
+std::vector<SettingSpec> Machine() {
+  const auto flavor = [](GcodeFlavor f) { return static_cast<int>(f); };
+  constexpr std::string_view kAsMarlin = "not supported yet: marlin2 is used";
+  return {
+      {.key = "gcode_flavor",
+       .kind = Kind::kChoice,
+       .standard = "marlin2",
+       .doc = "The firmware that the G-code is for",
+       .choices = {{"marlin2", flavor(GcodeFlavor::kMarlin2)},
+                   {"marlin", flavor(GcodeFlavor::kMarlinLegacy)},
+                   {"klipper", flavor(GcodeFlavor::kKlipper)},
+                   {"reprap", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"reprapfirmware", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"repetier", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"rapid", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"teacup", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"makerware", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"sailfish", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"mach3", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"machinekit", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"smoothie", flavor(GcodeFlavor::kMarlin2), kAsMarlin},
+                   {"no-extrusion", flavor(GcodeFlavor::kMarlin2), kAsMarlin}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.flavor; })},
+      {.key = "bed_shape",
+       .kind = Kind::kBedShape,
+       .unit = "mm",
+       .standard = "0x0,200x0,200x200,0x200",
+       .doc = "Outline of the bed: corners XxY, by commas",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.bed; })},
+      {.key = "max_print_height",
+       .unit = "mm",
+       .min = 0,
+       .max = 2100,
+       .standard = "200",
+       .doc = "Height that the machine can print; 0: no limit",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; })},
+      {.key = "nozzle_diameter",
+       .unit = "mm",
+       .min = 0.05,
+       .max = 5,
+       .standard = "0.4",
+       .doc = "Diameter of the nozzle",
+       .list = List::kPerExtruder,
+       .field = Bind([](auto& s) -> auto& { return s.motion.nozzle_diameter_mm; })},
+      {.key = "z_offset",
+       .unit = "mm",
+       .min = -100,
+       .max = 100,
+       .standard = "0",
+       .doc = "Added to all heights in the G-code",
+       .field = Bind([](auto& s) -> auto& { return s.motion.z_offset_mm; })},
+      {.key = "remaining_times",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Tells the printer before each layer how much is done (M73)",
+       .field = Bind([](auto& s) -> auto& { return s.motion.progress; })},
+      {.key = "printer_model",
+       .kind = Kind::kText,
+       .doc = "Name of the printer, for printer hosts",
+       .field = Bind([](auto& s) -> auto& { return s.motion.printer_model; })},
+  };
+}
+
+std::vector<SettingSpec> CustomGcode() {
+  const auto gcode = [](std::string_view key, std::string_view standard, std::string_view doc,
+                        Field field) {
+    return SettingSpec{
+        .key = key, .kind = Kind::kGcode, .standard = standard, .doc = doc, .field = field};
+  };
+  return {
+      gcode("start_gcode", "G28 ; home all axes\\nG1 Z5 F5000 ; lift nozzle\\n",
+            "G-code before the first layer",
+            Bind([](auto& s) -> auto& { return s.motion.start_gcode; })),
+      gcode("end_gcode",
+            "M104 S0 ; turn off temperature\\nG28 X0  ; home X axis\\nM84     ; disable motors\\n",
+            "G-code after the last layer",
+            Bind([](auto& s) -> auto& { return s.motion.end_gcode; })),
+      {.key = "start_filament_gcode",
+       .kind = Kind::kGcode,
+       .doc = "G-code of the filament, after start_gcode",
+       .list = List::kPerExtruder},
+      {.key = "end_filament_gcode",
+       .kind = Kind::kGcode,
+       .doc = "G-code of the filament, before end_gcode",
+       .list = List::kPerExtruder},
+      gcode("before_layer_gcode", "", "G-code before each layer's move up",
+            Bind([](auto& s) -> auto& { return s.motion.before_layer_gcode; })),
+      gcode("layer_gcode", "", "G-code after each layer's move up",
+            Bind([](auto& s) -> auto& { return s.motion.layer_gcode; })),
+  };
+}
+
+}  // namespace
+
+std::vector<SettingSpec> MachineSettings() {
+  std::vector<SettingSpec> settings = Machine();
+  const auto add = [&](std::vector<SettingSpec> more) {
+    for (SettingSpec& spec : more) settings.push_back(std::move(spec));
+  };
+  add(AxisLimits<kX>({"machine_max_feedrate_x", "machine_max_acceleration_x", "machine_max_jerk_x"},
+                     {"500", "9000", "10"}));
+  add(AxisLimits<kY>({"machine_max_feedrate_y", "machine_max_acceleration_y", "machine_max_jerk_y"},
+                     {"500", "9000", "10"}));
+  add(AxisLimits<kZ>({"machine_max_feedrate_z", "machine_max_acceleration_z", "machine_max_jerk_z"},
+                     {"12", "500", "0.2"}));
+  add(AxisLimits<kE>({"machine_max_feedrate_e", "machine_max_acceleration_e", "machine_max_jerk_e"},
+                     {"120", "10000", "2.5"}));
+  add(WholeMachineLimits());
+  add(Retraction());
+  add(CustomGcode());
+  return settings;
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,102 @@
+#include "common/config/settings_sections.h"
+
+namespace slicefarm::config {
+namespace {
+
+/// A width of beads: mm, a percentage of the layer's height, or 0 for what `extrusion_width` says.
+SettingSpec Width(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key,
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm",
+          .min = 0,
+          .max = 20,
+          .standard = "0",
+          .doc = doc,
+          .relative_to = "layer_height",
+          .field = field};
+}
+
+std::vector<SettingSpec> Widths() {
+  SettingSpec first = Width("first_layer_extrusion_width",
+                            "Width of all beads of the first layer; 0: perimeter_extrusion_width",
+                            Bind([](auto& s) -> auto& { return s.beading.first_layer_width_nm; }));
+  first.standard = "200%";
+  first.relative_to = "first_layer_height";
+  first.also = Bind([](auto& s) -> auto& { return s.infill.first_layer_width_nm; });
+  return {
+      Width("extrusion_width",
+            "Width of beads whose own setting is 0; 0: 1.125 times the nozzle's diameter (top "
+            "infill: the nozzle's diameter)",
+            {}),
+      first,
+      Width("perimeter_extrusion_width", "Width of the inner walls; 0: extrusion_width",
+            Bind([](auto& s) -> auto& { return s.beading.inner_width_nm; })),
+      Width("external_perimeter_extrusion_width", "Width of the outer walls; 0: extrusion_width",
+            Bind([](auto& s) -> auto& { return s.beading.external_width_nm; })),
+      Width("infill_extrusion_width", "Width of the sparse infill's lines; 0: extrusion_width",
+            Bind([](auto& s) -> auto& { return s.infill.sparse_width_nm; })),
+      Width("solid_infill_extrusion_width", "Width of the solid infill's lines; 0: extrusion_width",
+            Bind([](auto& s) -> auto& { return s.infill.solid_width_nm; })),
+      Width("top_infill_extrusion_width", "Width of the top surface's lines; 0: extrusion_width",
+            Bind([](auto& s) -> auto& { return s.infill.top_width_nm; })),
+  };
+}
+
+}  // namespace
+
+std::vector<SettingSpec> WallSettings() {
+  const auto seam = [](SeamPosition position) { return static_cast<int>(position); };
+  std::vector<SettingSpec> settings = {
+      {.key = "perimeters",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 1000,
+       .standard = "3",
+       .doc = "Number of walls",
+       .field = Bind([](auto& s) -> auto& { return s.beading.perimeters; })},
+      {.key = "external_perimeters_first",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Prints the outermost wall before the inner ones",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.external_perimeters_first; })},
+      {.key = "gap_fill_enabled",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Fills gaps between walls that are too narrow for another one",
+       .field = Bind([](auto& s) -> auto& { return s.beading.gap_fill; })},
+      {.key = "gap_fill_min_width",
+       .unit = "mm",
+       .min = 0,
+       .max = 5,
+       .standard = "0.08",
+       .doc = "Narrower gaps stay empty",
+       .field = Bind([](auto& s) -> auto& { return s.beading.min_gap_width_nm; })},
+      {.key = "gap_fill_max_width",
+       .unit = "mm",
+       .min = 0,
+       .max = 20,
+       .standard = "0.8",
+       .doc = "Wider gaps are the infill's",
+       .field = Bind([](auto& s) -> auto& { return s.beading.max_gap_width_nm; })},
+      {.key = "seam_position",
+       .kind = Kind::kChoice,
+       .standard = "aligned",
+       .doc = "Where loops start: in line with the layer below, near the nozzle, or at the back",
+       .choices = {{"aligned", seam(SeamPosition::kAligned)},
+                   {"nearest", seam(SeamPosition::kNearest)},
+                   {"rear", seam(SeamPosition::kRear)},
+                   {"random", seam(SeamPosition::kNearest), "not supported yet: nearest is used"}},
+       .field = Bind([](auto& s) -> auto& { return s.ordering.seam; })},
+      {.key = "ordering_improvement_moves",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 100e6,
+       .standard = "200000",
+       .doc = "How many changes of the printing order are tried per layer to shorten the travel",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.improvement_moves; })},
+  };
+  for (SettingSpec& width : Widths()) settings.push_back(std::move(width));
+  return settings;
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace slicefarm::config {
+
+/// Without blanks, tabs and line ends at both sides.
+std::string_view Trim(std::string_view text);
+
+/// The parts between any of `separators`: always one more than there are separators.
+std::vector<std::string_view> Split(std::string_view text, std::string_view separators);
+
+/// All of `text` as a decimal number, "-1.5e3". NaN, infinities and hexadecimals are none.
+std::optional<double> ToNumber(std::string_view text);
+
+}  // namespace slicefarm::config

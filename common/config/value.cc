@@ -1,0 +1,205 @@
+#include "common/config/value.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "absl/status/status.h"
+#include "common/config/text.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::config {
+namespace {
+
+constexpr double kSteps = 1e6;
+constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a double
+constexpr size_t kMaxCorners = 1000;
+constexpr size_t kMaxThumbnails = 8;
+constexpr int kMaxThumbnailPx = 1024;
+
+absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
+
+/// True if the segments ab and cd have a point in common.
+bool Touch(Point a, Point b, Point c, Point d) {
+  const int abc = Orientation(a, b, c);
+  const int abd = Orientation(a, b, d);
+  const int cda = Orientation(c, d, a);
+  const int cdb = Orientation(c, d, b);
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return OnSegment(c, a, b) || OnSegment(d, a, b) || OnSegment(a, c, d) || OnSegment(b, c, d);
+}
+
+/// No two edges meet, except neighbours in their common corner.
+bool Simple(const Polygon& ring) {
+  const size_t n = ring.size();
+  for (size_t i = 0; i < n; ++i) {
+    if (ring[i] == ring[(i + 1) % n]) return false;
+    for (size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      if (Touch(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) return false;
+    }
+  }
+  return true;
+}
+
+absl::StatusOr<Point> ParseCorner(std::string_view text) {
+  const std::vector<std::string_view> parts = Split(text, "x");
+  if (parts.size() != 2) return Malformed(fmt::format("'{}' is not XxY", text));
+  const auto x = ParseNumber(parts[0], false);
+  const auto y = ParseNumber(parts[1], false);
+  if (!x.ok() || !y.ok()) return Malformed(fmt::format("'{}' is not XxY in mm", text));
+  const double limit = ToMm(limits::kMaxCoord);
+  if (std::abs(x->number) > limit || std::abs(y->number) > limit) {
+    return Malformed(fmt::format("'{}' lies more than {} mm from the origin", text, limit));
+  }
+  return Point{FromMm(x->number), FromMm(y->number)};
+}
+
+absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
+  const std::vector<std::string_view> parts = Split(text, "/");
+  if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "PNG")) {
+    return Malformed(fmt::format("'{}': only PNG pictures are made", text));
+  }
+  const std::vector<std::string_view> sides = Split(parts[0], "x");
+  if (sides.size() != 2) return Malformed(fmt::format("'{}' is not WIDTHxHEIGHT", text));
+  std::array<int32_t, 2> size = {0, 0};
+  for (int i = 0; i < 2; ++i) {
+    const auto side = ToNumber(sides[i]);
+    if (!side.has_value() || *side != std::floor(*side) || *side < 1 || *side > kMaxThumbnailPx) {
+      return Malformed(
+          fmt::format("'{}' is not WIDTHxHEIGHT of 1 to {} pixels", text, kMaxThumbnailPx));
+    }
+    size[i] = static_cast<int32_t>(*side);
+  }
+  return size;
+}
+
+}  // namespace
+
+double Quantise(double number) {
+  return std::round(number * kSteps) / kSteps + 0.0;  // + 0.0: no negative zero
+}
+
+absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent) {
+  text = Trim(text);
+  Value value;
+  if (may_be_percent && text.ends_with("%")) {
+    value.percent = true;
+    text = Trim(text.substr(0, text.size() - 1));
+  }
+  const auto number = ToNumber(text);
+  if (!number.has_value() || std::abs(*number) > kLargest) {
+    return Malformed(fmt::format("'{}' is not a number", text));
+  }
+  value.number = Quantise(*number);
+  return value;
+}
+
+std::string PrintNumber(double number) {
+  char digits[64];
+  const auto end =
+      std::to_chars(digits, digits + sizeof(digits), Quantise(number), std::chars_format::fixed);
+  return std::string(digits, end.ptr);
+}
+
+std::string Unescape(std::string_view text) {
+  std::string plain;
+  plain.reserve(text.size());
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      plain += text[i];
+      continue;
+    }
+    const char next = text[++i];
+    plain += next == 'n' ? '\n' : next == 'r' ? '\r' : next;
+  }
+  return plain;
+}
+
+std::string Escape(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
+    if (c == '\n') {
+      escaped += "\\n";
+    } else if (c == '\r') {
+      escaped += "\\r";
+    } else {
+      if (c == '\\') escaped += '\\';
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string FirstText(std::string_view list) {
+  list = Trim(list);
+  if (list.empty() || list[0] != '"') {
+    return std::string(Trim(list.substr(0, list.find(';'))));
+  }
+  size_t end = 1;
+  while (end < list.size() && list[end] != '"') end += list[end] == '\\' ? 2 : 1;
+  return Unescape(list.substr(1, std::min(end, list.size()) - 1));
+}
+
+std::string QuoteText(std::string_view text) {
+  const bool plain = std::none_of(text.begin(), text.end(), [](char c) {
+    return c == ' ' || c == ';' || c == '"' || c == '\\' || c == '\n' || c == '\r' || c == '\t';
+  });
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : Escape(text)) {
+    if (c == '"') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
+  Polygon bed;
+  for (const std::string_view corner : Split(text, ",")) {
+    const auto point = ParseCorner(Trim(corner));
+    if (!point.ok()) return point.status();
+    bed.push_back(*point);
+    if (bed.size() > kMaxCorners) return Malformed("more than 1000 corners");
+  }
+  if (bed.size() < 3) return Malformed("fewer than three corners");
+  if (!Simple(bed)) return Malformed("the outline crosses or touches itself");
+  if (SignedArea(bed) < 0) std::reverse(bed.begin(), bed.end());
+  return bed;
+}
+
+std::string PrintBedShape(const Polygon& bed) {
+  std::string text;
+  for (const Point p : bed) {
+    text += fmt::format("{}{}x{}", text.empty() ? "" : ",", PrintNumber(ToMm(p.x)),
+                        PrintNumber(ToMm(p.y)));
+  }
+  return text;
+}
+
+absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text) {
+  std::vector<std::array<int32_t, 2>> sizes;
+  if (Trim(text).empty()) return sizes;
+  for (const std::string_view item : Split(text, ",")) {
+    const auto size = ParseSize(Trim(item));
+    if (!size.ok()) return size.status();
+    sizes.push_back(*size);
+    if (sizes.size() > kMaxThumbnails) return Malformed("more than 8 pictures");
+  }
+  return sizes;
+}
+
+std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes) {
+  std::string text;
+  for (const auto& [width, height] : sizes) {
+    text += fmt::format("{}{}x{}", text.empty() ? "" : ",", width, height);
+  }
+  return text;
+}
+
+}  // namespace slicefarm::config

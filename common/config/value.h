@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::config {
+
+/// The value of a setting, in the setting's own unit (mm, mm/s, degrees, ...).
+struct Value {
+  double number = 0;      ///< of numbers, flags (0, 1) and choices
+  bool percent = false;   ///< `number` is a percentage of another setting
+  std::string text = {};  ///< of texts, unescaped; of lists, in canonical form
+
+  friend bool operator==(const Value&, const Value&) = default;
+};
+
+/// Every number is a multiple of 1e-6 of its unit (lengths: 1 nm), so that a value printed and read
+/// again is the same bits, and equal settings have equal texts.
+double Quantise(double number);
+
+/// "0.2", " 1e3 ", with "%" if `may_be_percent`. Errors: InvalidArgument for anything else, NaN and
+/// infinities included.
+absl::StatusOr<Value> ParseNumber(std::string_view text, bool may_be_percent);
+
+/// The shortest decimal of a quantised number: "0.2", "1000", "-0.05".
+std::string PrintNumber(double number);
+
+/// `\n`, `\r` and `\\` of a config.ini's texts, to the characters and back.
+std::string Unescape(std::string_view text);
+std::string Escape(std::string_view text);
+
+/// The first item of a list of texts: `PLA;PETG` or `"a; b";"c"`, quotes and escapes taken off.
+std::string FirstText(std::string_view list);
+/// One text as such a list has it: in quotes where it must be.
+std::string QuoteText(std::string_view text);
+
+/// `0x0,250x0,250x210,0x210`, mm: a simple ring of at least three corners, which comes back
+/// counter-clockwise.
+absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
+std::string PrintBedShape(const Polygon& bed);
+
+/// `32x32, 300x300/PNG`, pixels; empty: none. Errors: not PNG, more than 8 pictures, a side outside
+/// [1, 1024].
+absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text);
+std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes);
+
+}  // namespace slicefarm::config

@@ -1,0 +1,156 @@
+#include "common/config/value.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace slicefarm::config {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(ParseNumber, ReadsDecimals) {
+  const std::pair<const char*, double> kCases[] = {
+      {"0.2", 0.2},
+      {" 15 ", 15},
+      {"-0.05", -0.05},
+      {"+3", 3},
+      {"1e3", 1000},
+      {".5", 0.5},
+      {"5.", 5},
+      {"0.1234567", 0.123457},
+      {"-0.0", 0.0},
+      {"1e-9", 0.0},
+      {"999999999", 999999999},
+  };
+  for (const auto& [text, want] : kCases) {
+    const auto value = ParseNumber(text, false);
+    ASSERT_TRUE(value.ok()) << text;
+    EXPECT_EQ(value->number, want) << text;
+    EXPECT_FALSE(value->percent) << text;
+    EXPECT_FALSE(std::signbit(value->number) && value->number == 0) << text;
+  }
+}
+
+TEST(ParseNumber, ReadsPercentagesOnlyWhereTheyMayStand) {
+  const auto value = ParseNumber("105 %", true);
+  ASSERT_TRUE(value.ok());
+  EXPECT_EQ(value->number, 105);
+  EXPECT_TRUE(value->percent);
+  EXPECT_FALSE(ParseNumber("105%", false).ok());
+}
+
+TEST(ParseNumber, RefusesWhatIsNoNumber) {
+  for (const char* text : {"", " ", "%", "0.2mm", "0x10", "nan", "inf", "-inf", "1e10", "1e400",
+                           "1,5", "1 2", "--1", "+-1", "one", "5%%"}) {
+    EXPECT_FALSE(ParseNumber(text, true).ok()) << text;
+  }
+}
+
+TEST(PrintNumber, IsShortAndReadsBackToTheSameBits) {
+  EXPECT_EQ(PrintNumber(0.2), "0.2");
+  EXPECT_EQ(PrintNumber(1000), "1000");
+  EXPECT_EQ(PrintNumber(-0.05), "-0.05");
+  EXPECT_EQ(PrintNumber(0.1 + 0.2), "0.3");
+  EXPECT_EQ(PrintNumber(-1e-9), "0");
+  EXPECT_EQ(PrintNumber(1e-6), "0.000001");
+  EXPECT_EQ(PrintNumber(123456789.123456), "123456789.123456");
+  for (int i = -2000; i < 2000; ++i) {
+    const double number = Quantise(i * 0.0371234567);
+    EXPECT_EQ(ParseNumber(PrintNumber(number), false)->number, number);
+  }
+}
+
+TEST(Escape, ComesBack) {
+  for (const std::string text : {"", "G28", "G28\nM84\n", "a\\nb", "\\", "\r\n", "tab\there"}) {
+    EXPECT_EQ(Unescape(Escape(text)), text);
+    EXPECT_EQ(Escape(text).find('\n'), std::string::npos);
+  }
+  EXPECT_EQ(Escape("G28\nM84"), "G28\\nM84");
+  EXPECT_EQ(Unescape("end\\"), "end\\");
+}
+
+TEST(FirstText, TakesTheFirstOfAList) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"PLA", "PLA"},
+      {"PLA;PETG", "PLA"},
+      {"", ""},
+      {"\"\"", ""},
+      {"\"a; b\";c", "a; b"},
+      {"\"say \\\"hi\\\"\"", "say \"hi\""},
+      {";PETG", ""},
+      {"\"never closed", "never closed"},
+      {"\"a\\nb\"", "a\nb"},
+  };
+  for (const auto& [list, want] : kCases) EXPECT_EQ(FirstText(list), want) << list;
+}
+
+TEST(QuoteText, ComesBack) {
+  for (const std::string text :
+       {"", "PLA", "Generic PLA", "a;b", "say \"hi\"", "back\\slash", "two\nlines", "#29B2B2"}) {
+    EXPECT_EQ(FirstText(QuoteText(text)), text);
+  }
+  EXPECT_EQ(QuoteText("PLA"), "PLA");
+  EXPECT_EQ(QuoteText("Generic PLA"), "\"Generic PLA\"");
+}
+
+TEST(ParseBedShape, ReadsCorners) {
+  const auto bed = ParseBedShape("0x0, 250x0,250x210,0x210");
+  ASSERT_TRUE(bed.ok()) << bed.status();
+  EXPECT_THAT(*bed, ElementsAre(Point{0, 0}, Point{250'000'000, 0}, Point{250'000'000, 210'000'000},
+                                Point{0, 210'000'000}));
+  EXPECT_EQ(PrintBedShape(*bed), "0x0,250x0,250x210,0x210");
+}
+
+TEST(ParseBedShape, TurnsClockwiseRingsRound) {
+  const auto bed = ParseBedShape("0x0,0x10,10x10,10x0");
+  ASSERT_TRUE(bed.ok());
+  EXPECT_EQ(PrintBedShape(*bed), "10x0,10x10,0x10,0x0");
+}
+
+TEST(ParseBedShape, TakesConcaveAndOffCentreBeds) {
+  EXPECT_TRUE(ParseBedShape("-50x-50,50x-50,50x50,0x0,-50x50").ok());
+  EXPECT_TRUE(ParseBedShape("-86.6x-50,86.6x-50,0x100").ok());
+}
+
+TEST(ParseBedShape, SaysWhatIsWrong) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"", "XxY"},
+      {"0x0,10x0", "fewer than three"},
+      {"0x0,10x0,10", "XxY"},
+      {"0x0,10x0,axb", "mm"},
+      {"0x0,10x10,10x0,0x10", "crosses"},
+      {"0x0,10x0,10x10,10x0", "crosses"},
+      {"0x0,0x0,10x0,0x10", "crosses"},
+      {"0x0,5000x0,0x10", "from the origin"},
+  };
+  for (const auto& [text, want] : kCases) {
+    const auto bed = ParseBedShape(text);
+    ASSERT_FALSE(bed.ok()) << text;
+    EXPECT_THAT(std::string(bed.status().message()), HasSubstr(want)) << text;
+  }
+}
+
+TEST(ParseBedShape, BoundsTheCorners) {
+  std::string text = "0x0";
+  for (int i = 1; i <= 1000; ++i) text += ",1x" + std::to_string(i);
+  EXPECT_FALSE(ParseBedShape(text).ok());
+}
+
+TEST(ParseSizes, ReadsOldAndNewForms) {
+  using Size = std::array<int32_t, 2>;
+  EXPECT_THAT(*ParseSizes("16x16,220x124"), ElementsAre(Size{16, 16}, Size{220, 124}));
+  EXPECT_THAT(*ParseSizes("16x16/PNG, 300x300/PNG"), ElementsAre(Size{16, 16}, Size{300, 300}));
+  EXPECT_TRUE(ParseSizes("")->empty());
+  EXPECT_EQ(PrintSizes({{16, 16}, {220, 124}}), "16x16,220x124");
+}
+
+TEST(ParseSizes, RefusesWhatCannotBeMade) {
+  for (const char* text : {"16", "16x", "x16", "0x16", "16x1025", "16x16/QOI", "16x16/PNG/x",
+                           "-1x5", "1.5x2", "16x16,", "1x1,1x1,1x1,1x1,1x1,1x1,1x1,1x1,1x1"}) {
+    EXPECT_FALSE(ParseSizes(text).ok()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::config
