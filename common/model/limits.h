@@ -16,6 +16,7 @@ inline constexpr double kMaxMeshCoordinateMm = 10'000;
 inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
 inline constexpr int64_t kMaxLayers = 20'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
+inline constexpr int64_t kMaxPointsPerMesh = 200'000'000;  ///< over all layers, before simplification
 inline constexpr int64_t kMaxObjects = 1'000;  ///< copies included
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;

@@ -47,13 +47,13 @@ struct IndexedMesh {
 struct MeshReport {
   std::string name;
   int64_t triangles = 0;
-  int64_t vertices = 0;            ///< after welding by exact position
+  int64_t vertices = 0;            ///< after welding by exact position, as in the file
   int64_t bodies = 0;              ///< parts that share no edge
-  int64_t open_edges = 0;          ///< edges with one face
-  int64_t non_manifold_edges = 0;  ///< edges with more than two faces
-  int64_t flipped_faces = 0;       ///< faces that run against the majority of their body
-  int64_t degenerate_faces = 0;    ///< two equal corners or no area; left out of the slicing
-  double volume_mm3 = 0;           ///< signed; as placed; one copy
+  int64_t open_edges = 0;          ///< edges with one face, in the file
+  int64_t non_manifold_edges = 0;  ///< edges with more than two faces, in the file
+  int64_t flipped_faces = 0;     ///< faces that run against the majority around them; sliced turned
+  int64_t degenerate_faces = 0;  ///< no area, or none left in nanometres
+  double volume_mm3 = 0;         ///< signed; as placed; one copy
   std::array<double, 3> min_mm = {0, 0, 0};  ///< as placed; first copy
   std::array<double, 3> max_mm = {0, 0, 0};
   // Of the slicing:

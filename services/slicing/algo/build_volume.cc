@@ -1,0 +1,134 @@
+#include "services/slicing/algo/build_volume.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "absl/strings/escaping.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "services/slicing/algo/placement.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+std::string SizeText(const Box& box) {
+  return fmt::format("{:.3f} x {:.3f} mm", ToMm(static_cast<double>(box.max.x - box.min.x)),
+                     ToMm(static_cast<double>(box.max.y - box.min.y)));
+}
+
+std::string Quoted(std::string_view name) {
+  return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
+}
+
+/// Andrew's monotone chain.
+Polygon ConvexHull(std::vector<Point> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Polygon hull;
+  const auto add_chain = [&hull](auto begin, auto end) {
+    const size_t base = hull.size();
+    for (auto it = begin; it != end; ++it) {
+      while (hull.size() >= base + 2 && Orientation(hull.end()[-2], hull.back(), *it) <= 0)
+        hull.pop_back();
+      hull.push_back(*it);
+    }
+    hull.pop_back();
+  };
+  if (points.size() < 3) return points;
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+Polygon HullOf(const IndexedMesh& mesh) {
+  std::vector<Point> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vertex& v : mesh.vertices) points.push_back({v.x, v.y});
+  return ConvexHull(std::move(points));
+}
+
+double DistanceToRing(Point p, const Polygon& ring) {
+  double nearest = DistanceToSegment(p, ring.back(), ring.front());
+  for (size_t i = 1; i < ring.size(); ++i)
+    nearest = std::min(nearest, DistanceToSegment(p, ring[i - 1], ring[i]));
+  return nearest;
+}
+
+/// How far the farthest of `points`, moved by `shift`, lies outside of the bed; 0 if all lie
+/// within.
+double ExcessNm(const Polygon& points, Point shift, const Polygon& bed) {
+  double excess = 0;
+  for (const Point p : points)
+    if (Locate(p + shift, bed) == Side::kOutside)
+      excess = std::max(excess, DistanceToRing(p + shift, bed));
+  return excess;
+}
+
+absl::Status BedError(std::string_view name, const Box& part, const Polygon& bed, double excess) {
+  const Box bed_box = Bounds(bed);
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   fmt::format("{} reaches {:.3f} mm beyond the edge of the bed (part {}, bed {})",
+                               Quoted(name), ToMm(excess), SizeText(part), SizeText(bed_box)),
+                   {{"object", std::string(name)},
+                    {"excess_mm", fmt::format("{:.3f}", ToMm(excess))},
+                    {"limit", SizeText(bed_box)},
+                    {"got", SizeText(part)}});
+}
+
+absl::Status HeightError(std::string_view name, Coord height, Coord limit) {
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+      fmt::format("{} is {:.3f} mm high, {:.3f} mm more than max_print_height", Quoted(name),
+                  ToMm(static_cast<double>(height)), ToMm(static_cast<double>(height - limit))),
+      {{"object", std::string(name)},
+       {"excess_mm", fmt::format("{:.3f}", ToMm(static_cast<double>(height - limit)))},
+       {"limit", fmt::format("{:.3f} mm", ToMm(static_cast<double>(limit)))},
+       {"got", fmt::format("{:.3f} mm", ToMm(static_cast<double>(height)))}});
+}
+
+bool InRange(const Box& box, Point center) {
+  return std::max({box.max.x + center.x, box.max.y + center.y, -(box.min.x + center.x),
+                   -(box.min.y + center.y)}) <= limits::kMaxCoord;
+}
+
+absl::Status CentersError(std::string_view name) {
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
+      fmt::format("{} is placed farther out than {:.3f} mm", Quoted(name), ToMm(limits::kMaxCoord)),
+      {{"object", std::string(name)}, {"limit", fmt::format("{:.3f}", ToMm(limits::kMaxCoord))}});
+}
+
+}  // namespace
+
+Point BedCenter(const Polygon& bed) {
+  if (bed.empty()) return {};
+  const Box box = Bounds(bed);
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
+                              const std::vector<Point>& centers, const SlicingOptions& options) {
+  const Extent extent = ExtentOf(mesh);
+  const Box box{{extent.min.x, extent.min.y}, {extent.max.x, extent.max.y}};
+  const Polygon corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  if (options.max_print_height_nm > 0 && extent.max.z > options.max_print_height_nm)
+    return HeightError(name, extent.max.z, options.max_print_height_nm);
+  Polygon hull;  // sorted out only when a box does not fit
+  for (const Point center : centers) {
+    // Far centres would overflow the sums.
+    constexpr Coord kFar = 2 * limits::kMaxCoord;
+    const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
+    if (!near || !InRange(box, center)) return CentersError(name);
+    if (options.bed.size() < 3 || ExcessNm(corners, center, options.bed) == 0) continue;
+    if (hull.empty()) hull = HullOf(mesh);
+    const double excess = ExcessNm(hull, center, options.bed);
+    if (excess > 0) return BedError(name, box, options.bed, excess);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/model/mesh.h"
+#include "common/model/slicing_options.h"
+
+namespace slicefarm::slicing {
+
+/// The middle of the bed's box; the origin for a bed without points.
+Point BedCenter(const Polygon& bed);
+
+/// Whether the mesh, moved to each of `centers`, stays within the bed, under max_print_height and
+/// within 32-bit nanometres. A bed of less than three points is unlimited.
+///
+/// A part fits if all corners of its convex hull lie in the bed or on its edge; exact for convex
+/// beds, which all printers have. Errors: OUT_OF_BUILD_VOLUME with `object` (the file's name),
+/// `excess_mm` (how far it reaches out), `limit` and `got` (sizes in mm); OUT_OF_RANGE. Cost:
+/// O(centers) for parts whose box fits, else O(n log n).
+absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
+                              const std::vector<Point>& centers, const SlicingOptions& options);
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,197 @@
+#include "services/slicing/algo/local_slicing_stage.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "services/slicing/algo/layer_heights.h"
+#include "services/slicing/algo/open_loops.h"
+#include "services/slicing/algo/parallel.h"
+#include "services/slicing/algo/prepared_mesh.h"
+#include "services/slicing/algo/regions.h"
+#include "services/slicing/algo/sweep.h"
+#include "services/slicing/algo/thumbnail.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+/// More triangles than this are not drawn as many times as there are copies.
+constexpr int64_t kMaxDrawnTriangles = 2'000'000;
+
+absl::Status CheckInput(const SliceInput& input) {
+  if (input.files.empty() || input.files.size() != input.placements.size())
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     "a job needs one placement for each of its meshes, and at least one mesh");
+  int64_t objects = 0;
+  for (const Placement& placement : input.placements)
+    objects += static_cast<int64_t>(std::max<size_t>(placement.centers.size(), 1));
+  if (objects > limits::kMaxObjects)
+    return LimitError(Reason::kRequestTooLarge, "objects, copies included", limits::kMaxObjects,
+                      objects);
+  return absl::OkStatus();
+}
+
+void Shift(MultiPolygon& polygons, Point by) {
+  const auto shift = [by](Polygon& ring) {
+    for (Point& p : ring) p = p + by;
+  };
+  for (PolygonWithHoles& polygon : polygons) {
+    shift(polygon.outer);
+    for (Polygon& hole : polygon.holes) shift(hole);
+  }
+}
+
+/// One run of the stage.
+class SlicingRun {
+ public:
+  SlicingRun(const StageCall& call, const SlicingOptions& options)
+      : call_(call), options_(options) {}
+
+  absl::StatusOr<SlicedJob> Run(SliceInput input) {
+    for (auto step : {&SlicingRun::Prepare, &SlicingRun::Plan, &SlicingRun::Draw})
+      if (absl::Status status = (this->*step)(input); !status.ok()) return status;
+    if (absl::Status status = CutLayers(); !status.ok()) return status;
+    return Result();
+  }
+
+ private:
+  absl::Status Prepare(SliceInput& input) {
+    for (size_t i = 0; i < input.files.size(); ++i) {
+      absl::StatusOr<PreparedMesh> mesh = PrepareMesh(std::exchange(input.files[i], {}),
+                                                      input.placements[i], options_, call_.cancel);
+      if (!mesh.ok()) return mesh.status();
+      meshes_.push_back(*std::move(mesh));
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status Plan(SliceInput&) {
+    Coord top = 0;
+    for (const PreparedMesh& mesh : meshes_)
+      for (const Vertex& v : mesh.connected.mesh.vertices) top = std::max(top, v.z);
+    absl::StatusOr<std::vector<LayerPlane>> planes = LayerPlanes(top, options_);
+    if (!planes.ok()) return planes.status();
+    std::vector<Coord> heights;
+    for (const LayerPlane& plane : *planes) {
+      job_.layers.push_back({plane.frame, {}});
+      heights.push_back(plane.z_nm);
+    }
+    for (const PreparedMesh& mesh : meshes_) {
+      absl::StatusOr<Sweep> sweep = Sweep::Prepare(mesh.connected, heights);
+      if (!sweep.ok()) return sweep.status();
+      sweeps_.push_back(*std::move(sweep));
+    }
+    return CheckPointsPerLayer();
+  }
+
+  absl::Status CheckPointsPerLayer() const {
+    for (size_t layer = 0; layer < job_.layers.size(); ++layer) {
+      int64_t points = 0;
+      for (size_t i = 0; i < meshes_.size(); ++i)
+        points += sweeps_[i].segments(layer) * static_cast<int64_t>(meshes_[i].centers.size());
+      if (points > limits::kMaxPointsPerLayer)
+        return LimitError(Reason::kMeshTooLarge, "points in a layer, copies included",
+                          limits::kMaxPointsPerLayer, points);
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status Draw(SliceInput&) {
+    int64_t triangles = 0;
+    for (const PreparedMesh& mesh : meshes_)
+      triangles += mesh.report.triangles * static_cast<int64_t>(mesh.centers.size());
+    const bool all_copies = triangles <= kMaxDrawnTriangles;
+    std::vector<SceneObject> scene;
+    for (const PreparedMesh& mesh : meshes_) {
+      const bool solid = mesh.connected.closed && mesh.report.volume_mm3 > 0;
+      for (size_t copy = 0; copy < (all_copies ? mesh.centers.size() : 1); ++copy)
+        scene.push_back({&mesh.connected.mesh, mesh.centers[copy], solid});
+    }
+    for (const auto& size_px : options_.thumbnails_px) {
+      absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size_px, call_.cancel);
+      if (!thumbnail.ok()) return thumbnail.status();
+      job_.thumbnails.push_back(*std::move(thumbnail));
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status CutLayers() {
+    counts_.assign(job_.layers.size(), std::vector<GapCounts>(meshes_.size()));
+    std::vector<SweepScratch> scratch(static_cast<size_t>(std::max(call_.threads, 1)));
+    ForEachIndex(call_.threads, job_.layers.size(), [&](size_t layer, int worker) {
+      if (!call_.cancel.Cancelled()) CutLayer(layer, scratch[static_cast<size_t>(worker)]);
+    });
+    if (call_.cancel.Cancelled()) return call_.cancel.Check();
+    for (const SlicedLayer& layer : job_.layers)
+      if (!layer.objects.empty()) return absl::OkStatus();
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                     "no layer has an outline: the mesh has no volume, or its openings are wider "
+                     "than open_loop_max_gap");
+  }
+
+  void CutLayer(size_t layer, SweepScratch& scratch) {
+    SlicedLayer& sliced = job_.layers[layer];
+    int32_t object = 0;
+    for (size_t i = 0; i < meshes_.size(); ++i) {
+      MultiPolygon outlines = Outlines(i, layer, scratch);
+      for (const Point center : meshes_[i].centers) {
+        if (!outlines.empty()) {
+          sliced.objects.push_back({object, outlines});
+          Shift(sliced.objects.back().outlines, center);
+        }
+        ++object;
+      }
+    }
+  }
+
+  MultiPolygon Outlines(size_t mesh, size_t layer, SweepScratch& scratch) {
+    Section section = sweeps_[mesh].Cut(layer, scratch);
+    ClosedChains closed = CloseChains(std::move(section.chains), options_.max_gap_nm);
+    counts_[layer][mesh] = closed.counts;
+    std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(section.loops));
+    const RegionEdits edits =
+        EditsFor(static_cast<int32_t>(layer), meshes_[mesh].connected.closed, options_);
+    return Edited(RegionOf(section.loops, options_.fill_rule, options_.resolution_nm), edits,
+                  options_.resolution_nm);
+  }
+
+  SlicedJob Result() {
+    for (size_t i = 0; i < meshes_.size(); ++i) {
+      GapCounts total;
+      for (const auto& by_mesh : counts_) total.Add(by_mesh[i]);
+      MeshReport& report = meshes_[i].report;
+      report.open_loops_closed = total.closed;
+      report.open_loops_dropped = total.dropped;
+      report.largest_gap_closed_mm = ToMm(total.largest_gap_nm);
+      report.dropped_length_mm = ToMm(total.dropped_length_nm);
+      job_.object_names.insert(job_.object_names.end(), meshes_[i].centers.size(), report.name);
+      job_.meshes.push_back(std::move(report));
+    }
+    return std::move(job_);
+  }
+
+  const StageCall& call_;
+  const SlicingOptions& options_;
+  SlicedJob job_;
+  std::vector<PreparedMesh> meshes_;
+  std::vector<Sweep> sweeps_;
+  std::vector<std::vector<GapCounts>> counts_;  ///< by layer, by mesh
+};
+
+class LocalSlicing : public SlicingStage {
+ public:
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
+                                  const SlicingOptions& options) const override {
+    if (absl::Status status = CheckInput(input); !status.ok()) return status;
+    return SlicingRun(call, options).Run(std::move(input));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SlicingStage> MakeLocalSlicing() { return std::make_unique<LocalSlicing>(); }
+
+}  // namespace slicefarm::slicing

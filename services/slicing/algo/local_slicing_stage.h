@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm::slicing {
+
+/// The slicing stage in this process; README.md lists its steps. Errors: those of ReadMesh,
+/// PlaceMesh, CheckBuildVolume, LayerPlanes, Sweep and RenderThumbnail, with `file` (from 0) in the
+/// message where there are several; NOTHING_TO_PRINT if no layer has an outline; REQUEST_MALFORMED
+/// for files without placements; Cancelled.
+std::unique_ptr<SlicingStage> MakeLocalSlicing();
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/polygon.h"
+#include "common/model/slicing_options.h"
+
+namespace slicefarm::slicing {
+
+/// The region that a layer's loops enclose under `rule`, simplified to `resolution_nm`: disjoint
+/// islands in canonical form, outer rings counter-clockwise, holes clockwise, every point a true
+/// corner.
+///
+/// Loops are simplified one by one; if they then neither touch nor cross (the sound case) they are
+/// only nested, else Union sorts them out. Cost: that of SimplifyRing and NestSimpleLoops, or of a
+/// union.
+MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord resolution_nm);
+
+/// What is done to a region after it was found, in this order.
+struct RegionEdits {
+  Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed
+  Coord grow_nm = 0;            ///< all outlines move outwards, into holes too; may be negative
+  Coord widen_holes_nm = 0;     ///< holes grow; may be negative
+
+  friend bool operator==(const RegionEdits&, const RegionEdits&) = default;
+};
+
+/// The edits for layer `layer` of a mesh that is closed or not: xy_size_compensation grows, on the
+/// first layer less elefant_foot_compensation; xy_hole_compensation widens holes;
+/// slice_closing_radius works on open meshes only.
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options);
+
+/// Offsets have mitred corners. Free of cost if there is nothing to edit.
+MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm);
+
+}  // namespace slicefarm::slicing
