@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "common/model/path.h"
+#include "services/beading/algo/constant_walls.h"
+
+namespace slicefarm::beading {
+
+struct GapFillOptions {
+  Coord min_width_nm = 80'000;   ///< narrower gaps stay empty
+  Coord max_width_nm = 800'000;  ///< beads are not made wider
+  Coord layer_height_nm = 200'000;
+};
+
+/// Beads of varying width along the middle of each gap (see MedialAxis). Beside walls a bead is as
+/// wide as makes its rectangle fill the gap; along an outline it stays inside. Beads that print
+/// less than a dot of about a quarter of a square millimetre's hundredth are left out: they cost a
+/// travel and fill nothing that shows. Paths have Feature::kGapFill, one width a point (one in all
+/// where they are equal), and are in no particular order.
+std::vector<Path> FillGaps(const std::vector<Gap>& gaps, const GapFillOptions& options);
+
+}  // namespace slicefarm::beading

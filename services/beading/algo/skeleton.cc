@@ -1,0 +1,298 @@
+#include "services/beading/algo/skeleton.h"
+
+#include <algorithm>
+#include <boost/polygon/voronoi.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+
+namespace slicefarm::beading {
+namespace {
+
+/// Nodes nearer than this are one: far below what a printer resolves, far above the diagram's
+/// rounding.
+constexpr double kMergeNm = 1'000;
+/// How far a node's distances to its sources may differ before the diagram is called wrong.
+constexpr double kRadiusErrorNm = 2'000;
+constexpr int kMaxChords = 64;  ///< of one parabola
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+
+/// A directed edge of the boundary, the region to its left; and where the boundary goes on.
+struct BoundaryEdge {
+  Point from;
+  Point to;
+  int previous = 0;
+  int next = 0;
+};
+
+Polygon WithoutCollinearPoints(const Polygon& ring) {
+  Polygon kept;
+  for (const Point p : ring) {
+    while (kept.size() >= 2 && Orientation(kept[kept.size() - 2], kept.back(), p) == 0)
+      kept.pop_back();
+    if (kept.empty() || kept.back() != p) kept.push_back(p);
+  }
+  const auto redundant = [&](size_t before, size_t at, size_t after) {
+    return kept[at] == kept[after] || Orientation(kept[before], kept[at], kept[after]) == 0;
+  };
+  while (kept.size() >= 3 && redundant(kept.size() - 2, kept.size() - 1, 0)) kept.pop_back();
+  size_t first = 0;
+  while (kept.size() - first >= 3 && redundant(kept.size() - 1, first, first + 1)) ++first;
+  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
+  return kept.size() < 3 ? Polygon{} : kept;
+}
+
+void AppendRing(const Polygon& ring, Point origin, std::vector<BoundaryEdge>& boundary) {
+  const Polygon points = WithoutCollinearPoints(ring);
+  const int first = static_cast<int>(boundary.size());
+  const int count = static_cast<int>(points.size());
+  for (int i = 0; i < count; ++i) {
+    const int next = i + 1 == count ? 0 : i + 1;
+    boundary.push_back({points[i] - origin, points[next] - origin,
+                        first + (i == 0 ? count - 1 : i - 1), first + next});
+  }
+}
+
+/// True if the two edges share a point that is not the end of one and the start of the other as
+/// neighbours.
+bool Collide(const std::vector<BoundaryEdge>& boundary, int i, int j) {
+  const BoundaryEdge &e = boundary[i], &f = boundary[j];
+  const int from = Orientation(e.from, e.to, f.from), to = Orientation(e.from, e.to, f.to);
+  // Neighbours are never collinear, so they share just the one point, unless a ring of two edges.
+  if (e.next == j || e.previous == j) return e.next == j && e.previous == j;
+  if (from * to > 0) return false;
+  const int back_from = Orientation(f.from, f.to, e.from),
+            back_to = Orientation(f.from, f.to, e.to);
+  if (back_from * back_to > 0) return false;
+  if (from != 0 || to != 0 || back_from != 0 || back_to != 0) return true;
+  return OnSegment(f.from, e.from, e.to) || OnSegment(f.to, e.from, e.to) ||
+         OnSegment(e.from, f.from, f.to);
+}
+
+/// True if no two edges cross or touch but at the corners of their ring. Cost: O(n log n) and the
+/// pairs of edges that overlap in x.
+bool IsSimple(const std::vector<BoundaryEdge>& boundary) {
+  std::vector<int> order(boundary.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto left = [&](int i) { return std::min(boundary[i].from.x, boundary[i].to.x); };
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return left(i) != left(j) ? left(i) < left(j) : i < j; });
+  for (size_t i = 0; i < order.size(); ++i) {
+    const BoundaryEdge& e = boundary[order[i]];
+    const Coord right = std::max(e.from.x, e.to.x);
+    const auto [low, high] = std::minmax(e.from.y, e.to.y);
+    for (size_t j = i + 1; j < order.size() && left(order[j]) <= right; ++j) {
+      const BoundaryEdge& f = boundary[order[j]];
+      if (std::max(f.from.y, f.to.y) < low || std::min(f.from.y, f.to.y) > high) continue;
+      if (Collide(boundary, order[i], order[j])) return false;
+    }
+  }
+  return true;
+}
+
+double Side(Point a, Point b, double x, double y) {
+  return static_cast<double>(b.x - a.x) * (y - static_cast<double>(a.y)) -
+         static_cast<double>(b.y - a.y) * (x - static_cast<double>(a.x));
+}
+
+double DistanceTo(Point p, double x, double y) {
+  return std::hypot(x - static_cast<double>(p.x), y - static_cast<double>(p.y));
+}
+
+double DistanceTo(const BoundaryEdge& edge, double x, double y) {
+  const Point d = edge.to - edge.from;
+  const double px = x - static_cast<double>(edge.from.x), py = y - static_cast<double>(edge.from.y);
+  const double along = px * static_cast<double>(d.x) + py * static_cast<double>(d.y);
+  if (along <= 0) return DistanceTo(edge.from, x, y);
+  if (along >= SquaredNorm(d)) return DistanceTo(edge.to, x, y);
+  return std::abs(Side(edge.from, edge.to, x, y)) / Norm(d);
+}
+
+/// What a cell of the diagram surrounds: a boundary edge, or the point at which one starts.
+struct Source {
+  bool is_point = false;
+  int edge = 0;
+};
+
+/// Collects the inner edges of a diagram as a skeleton.
+class SkeletonBuilder {
+ public:
+  SkeletonBuilder(const std::vector<BoundaryEdge>& boundary, const Diagram& diagram,
+                  double tolerance_nm)
+      : boundary_(boundary),
+        diagram_(diagram),
+        tolerance_nm_(tolerance_nm),
+        node_of_(diagram.num_vertices(), -1) {}
+
+  /// False if the diagram is wrong.
+  bool Build() {
+    for (const Diagram::edge_type& edge : diagram_.edges()) {
+      if (edge.is_secondary() || edge.is_infinite() || &edge > edge.twin()) continue;
+      const Source a = SourceOf(*edge.cell()), b = SourceOf(*edge.twin()->cell());
+      if (!IsInside(a, edge) || !IsInside(b, edge)) continue;
+      if (!AddEdge(a, b, edge)) return false;
+    }
+    return true;
+  }
+
+  std::vector<SkeletonNode> TakeNodes() { return std::move(nodes_); }
+  std::vector<SkeletonEdge> TakeEdges() { return std::move(edges_); }
+
+ private:
+  Source SourceOf(const Diagram::cell_type& cell) const {
+    const int edge = static_cast<int>(cell.source_index());
+    if (!cell.contains_point()) return {false, edge};
+    const bool starts =
+        cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;
+    return {true, starts ? edge : boundary_[edge].next};
+  }
+
+  double DistanceToSource(const Source& source, double x, double y) const {
+    const BoundaryEdge& edge = boundary_[source.edge];
+    return source.is_point ? DistanceTo(edge.from, x, y) : DistanceTo(edge, x, y);
+  }
+
+  /// Whether the part of the diagram next to `source` that `edge` bounds lies in the region.
+  bool IsInside(const Source& source, const Diagram::edge_type& edge) const {
+    const double x = (edge.vertex0()->x() + edge.vertex1()->x()) / 2;
+    const double y = (edge.vertex0()->y() + edge.vertex1()->y()) / 2;
+    const BoundaryEdge& after = boundary_[source.edge];
+    if (!source.is_point) return Side(after.from, after.to, x, y) > 0;
+    const BoundaryEdge& before = boundary_[after.previous];
+    // Only reflex corners have a cell of their own inside: what is left of one of the two edges.
+    if (Orientation(before.from, before.to, after.to) >= 0) return false;
+    return Side(before.from, before.to, x, y) > 0 || Side(after.from, after.to, x, y) > 0;
+  }
+
+  /// The node of a vertex, or -1 if its distances to the two sources do not agree.
+  int NodeOf(const Diagram::vertex_type& vertex, const Source& a, const Source& b) {
+    const double radius = DistanceToSource(a, vertex.x(), vertex.y());
+    const double other = DistanceToSource(b, vertex.x(), vertex.y());
+    if (!(std::abs(radius - other) <= kRadiusErrorNm)) return -1;
+    int& node = node_of_[static_cast<size_t>(&vertex - diagram_.vertices().data())];
+    if (node < 0) {
+      node = static_cast<int>(nodes_.size());
+      nodes_.push_back({vertex.x(), vertex.y(), (radius + other) / 2});
+    }
+    return node;
+  }
+
+  bool AddEdge(const Source& a, const Source& b, const Diagram::edge_type& edge) {
+    const int first = NodeOf(*edge.vertex0(), a, b), last = NodeOf(*edge.vertex1(), a, b);
+    if (first < 0 || last < 0) return false;
+    if (edge.is_linear()) {
+      edges_.push_back({first, last});
+    } else if (a.is_point != b.is_point) {
+      AddParabola(boundary_[(a.is_point ? a : b).edge].from, boundary_[(a.is_point ? b : a).edge],
+                  first, last);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Chords along the points that are as far from `focus` as from `directrix`, between two nodes on
+  /// it.
+  void AddParabola(Point focus, const BoundaryEdge& directrix, int first, int last) {
+    const Point d = directrix.to - directrix.from;
+    const double length = Norm(d);
+    const double ux = static_cast<double>(d.x) / length, uy = static_cast<double>(d.y) / length;
+    const auto along = [&](double x, double y) {
+      return (x - static_cast<double>(focus.x)) * ux + (y - static_cast<double>(focus.y)) * uy;
+    };
+    const double height = Side(directrix.from, directrix.to, static_cast<double>(focus.x),
+                               static_cast<double>(focus.y)) /
+                          length;
+    const double from = along(nodes_[first].x, nodes_[first].y);
+    const double to = along(nodes_[last].x, nodes_[last].y);
+    int previous = first;
+    const int chords = ChordCount(std::abs(height), std::abs(to - from));
+    for (int i = 1; i < chords; ++i) {
+      const double t = from + (to - from) * i / chords;
+      const double rise = (t * t + height * height) / (2 * height) - height;
+      nodes_.push_back({static_cast<double>(focus.x) + t * ux - rise * uy,
+                        static_cast<double>(focus.y) + t * uy + rise * ux,
+                        std::abs(rise + height)});
+      const int node = static_cast<int>(nodes_.size()) - 1;
+      edges_.push_back({previous, node});
+      previous = node;
+    }
+    edges_.push_back({previous, last});
+  }
+
+  /// A chord over a width t of the parabola with focal height h misses it by t^2 / 8h at most.
+  int ChordCount(double height, double width) const {
+    if (height < 1) return 1;
+    const double chords = width / std::sqrt(8 * height * tolerance_nm_);
+    return std::clamp(static_cast<int>(std::ceil(std::min<double>(chords, kMaxChords))), 1,
+                      kMaxChords);
+  }
+
+  const std::vector<BoundaryEdge>& boundary_;
+  const Diagram& diagram_;
+  const double tolerance_nm_;
+  std::vector<int> node_of_;
+  std::vector<SkeletonNode> nodes_;
+  std::vector<SkeletonEdge> edges_;
+};
+
+int Root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Makes one of nodes that are joined by an edge shorter than kMergeNm.
+void MergeShortEdges(Skeleton& skeleton) {
+  std::vector<int> parent(skeleton.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const SkeletonEdge& edge : skeleton.edges) {
+    const SkeletonNode &a = skeleton.nodes[edge.a], &b = skeleton.nodes[edge.b];
+    if (std::hypot(a.x - b.x, a.y - b.y) >= kMergeNm) continue;
+    const int i = Root(parent, edge.a), j = Root(parent, edge.b);
+    parent[std::max(i, j)] = std::min(i, j);
+  }
+  std::vector<SkeletonEdge> kept;
+  kept.reserve(skeleton.edges.size());
+  for (const SkeletonEdge& edge : skeleton.edges) {
+    const SkeletonEdge merged{Root(parent, edge.a), Root(parent, edge.b)};
+    if (merged.a != merged.b) kept.push_back(merged);
+  }
+  skeleton.edges = std::move(kept);
+}
+
+}  // namespace
+
+Skeleton MakeSkeleton(const PolygonWithHoles& region, Coord tolerance_nm) {
+  const Box box = Bounds(region.outer);
+  if (box.Empty() || box.max.x - box.min.x > INT32_MAX || box.max.y - box.min.y > INT32_MAX)
+    return {};
+  Skeleton skeleton;
+  skeleton.origin = {box.min.x + (box.max.x - box.min.x) / 2,
+                     box.min.y + (box.max.y - box.min.y) / 2};
+  std::vector<BoundaryEdge> boundary;
+  AppendRing(region.outer, skeleton.origin, boundary);
+  if (boundary.empty()) return {};
+  for (const Polygon& hole : region.holes) AppendRing(hole, skeleton.origin, boundary);
+  if (!IsSimple(boundary)) return {};
+
+  boost::polygon::voronoi_builder<int32_t> voronoi;
+  for (const BoundaryEdge& edge : boundary) {
+    voronoi.insert_segment(static_cast<int32_t>(edge.from.x), static_cast<int32_t>(edge.from.y),
+                           static_cast<int32_t>(edge.to.x), static_cast<int32_t>(edge.to.y));
+  }
+  Diagram diagram;
+  voronoi.construct(&diagram);
+  SkeletonBuilder builder(boundary, diagram, static_cast<double>(tolerance_nm));
+  if (!builder.Build()) return {};
+  skeleton.nodes = builder.TakeNodes();
+  skeleton.edges = builder.TakeEdges();
+  MergeShortEdges(skeleton);
+  return skeleton;
+}
+
+}  // namespace slicefarm::beading

@@ -1,0 +1,106 @@
+#include "services/beading/algo/thick_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace slicefarm::beading {
+namespace {
+
+Coord Mix(Coord a, Coord b, double t) { return a + std::llround(t * static_cast<double>(b - a)); }
+Point Mix(Point a, Point b, double t) { return {Mix(a.x, b.x, t), Mix(a.y, b.y, t)}; }
+
+/// How far point i lies from the straight line between points a and b, in place or in thickness.
+double Deviation(const ThickLine& line, size_t a, size_t b, size_t i) {
+  const Point ab = line.points[b] - line.points[a], ai = line.points[i] - line.points[a];
+  const double squared = SquaredNorm(ab);
+  const double t = squared > 0 ? std::clamp(Dot(ab, ai) / squared, 0.0, 1.0) : 0;
+  const double place = std::hypot(static_cast<double>(ai.x) - t * static_cast<double>(ab.x),
+                                  static_cast<double>(ai.y) - t * static_cast<double>(ab.y));
+  const Coord thickness = Mix(line.thickness_nm[a], line.thickness_nm[b], t);
+  return std::max(place, static_cast<double>(std::abs(line.thickness_nm[i] - thickness)));
+}
+
+}  // namespace
+
+double Length(const ThickLine& line) {
+  double length = 0;
+  for (size_t i = 1; i < line.points.size(); ++i)
+    length += Distance(line.points[i - 1], line.points[i]);
+  return line.closed ? length + Distance(line.points.back(), line.points.front()) : length;
+}
+
+double Area(const ThickLine& line) {
+  double area = 0;
+  const size_t count = line.points.size();
+  for (size_t i = line.closed ? 0 : 1; i < count; ++i) {
+    const size_t before = i == 0 ? count - 1 : i - 1;
+    area += Distance(line.points[before], line.points[i]) *
+            static_cast<double>(line.thickness_nm[before] + line.thickness_nm[i]) / 2;
+  }
+  return area;
+}
+
+void CutEnd(ThickLine& line, double length_nm) {
+  while (line.points.size() >= 2) {
+    const Point last = line.points.back(), before = line.points[line.points.size() - 2];
+    const double edge = Distance(before, last);
+    if (edge > length_nm) {
+      const double t = length_nm / edge;
+      line.points.back() = Mix(last, before, t);
+      Coord& thickness = line.thickness_nm.back();
+      thickness = Mix(thickness, line.thickness_nm[line.thickness_nm.size() - 2], t);
+      return;
+    }
+    length_nm -= edge;
+    line.points.pop_back();
+    line.thickness_nm.pop_back();
+  }
+  line.points.clear();
+  line.thickness_nm.clear();
+}
+
+void ExtendEnd(ThickLine& line, double length_nm) {
+  const Point end = line.points.back();
+  size_t from = line.points.size() - 1;
+  while (from > 0 && Distance(line.points[from], end) < length_nm) --from;
+  const double reach = Distance(line.points[from], end);
+  if (reach == 0) return;
+  line.points.push_back(Mix(end, end + (end - line.points[from]), length_nm / reach));
+  line.thickness_nm.push_back(line.thickness_nm.back());
+}
+
+void Reverse(ThickLine& line) {
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.thickness_nm.begin(), line.thickness_nm.end());
+}
+
+ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
+  if (line.points.size() < 3) return line;
+  std::vector<bool> keep(line.points.size(), false);
+  keep.front() = keep.back() = true;
+  std::vector<std::pair<size_t, size_t>> open = {{0, line.points.size() - 1}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    double worst = static_cast<double>(tolerance_nm);
+    size_t at = from;
+    for (size_t i = from + 1; i < to; ++i) {
+      const double deviation = Deviation(line, from, to, i);
+      if (deviation > worst) worst = deviation, at = i;
+    }
+    if (at == from) continue;
+    keep[at] = true;
+    open.emplace_back(from, at);
+    open.emplace_back(at, to);
+  }
+  ThickLine simple{line.closed, {}, {}};
+  for (size_t i = 0; i < line.points.size(); ++i) {
+    if (!keep[i]) continue;
+    simple.points.push_back(line.points[i]);
+    simple.thickness_nm.push_back(line.thickness_nm[i]);
+  }
+  return simple;
+}
+
+}  // namespace slicefarm::beading

@@ -1,0 +1,132 @@
+#include "services/infill/algo/local_infill_stage.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+/// A plate of 20 mm, and from layer `step` on only its left half.
+std::vector<SlicedLayer> Steps(int count, int step) {
+  std::vector<SlicedLayer> layers(count);
+  for (int i = 0; i < count; ++i) {
+    layers[i].frame = {i, 200'000 * (i + 1), 200'000};
+    layers[i].objects.push_back(
+        {3, P(i < step ? "(0 0, 20 0, 20 20, 0 20)" : "(0 0, 10 0, 10 20, 0 20)")});
+  }
+  return layers;
+}
+
+std::vector<WalledLayer> Walled(const std::vector<SlicedLayer>& layers, LayerRange range) {
+  std::vector<WalledLayer> walled;
+  for (const SlicedLayer& layer : layers) {
+    if (!range.Contains(layer.frame.index)) continue;
+    WalledIsland island;
+    island.object = 3;
+    island.fill_area = layer.objects[0].outlines;
+    for (Point& p : island.fill_area[0].outer) {
+      p.x += p.x == 0 ? 1'000'000 : -1'000'000;
+      p.y += p.y == 0 ? 1'000'000 : -1'000'000;
+    }
+    walled.push_back({layer.frame, {island}});
+  }
+  return walled;
+}
+
+absl::StatusOr<std::vector<FilledLayer>> Fill(const std::vector<SlicedLayer>& layers,
+                                              LayerRange range, int32_t halo,
+                                              const InfillOptions& options = {},
+                                              CancelToken cancel = {}) {
+  const auto count = static_cast<int32_t>(layers.size());
+  const LayerRange seen = range.Grown(halo, count);
+  StageCall call;
+  call.cancel = std::move(cancel);
+  return MakeLocalInfill()->Fill(call, Walled(layers, range),
+                                 {range, count, std::span(layers).subspan(seen.first, seen.size())},
+                                 options);
+}
+
+std::set<Feature> FeaturesOf(const FilledLayer& layer) {
+  std::set<Feature> features;
+  for (const FilledIsland& island : layer.islands)
+    for (const FillGroup& group : island.fills)
+      for (const Path& path : group.paths) {
+        features.insert(path.feature);
+        EXPECT_EQ(path.object, 3);
+      }
+  return features;
+}
+
+TEST(LocalInfill, StepPartHasEveryKindOfRegion) {
+  const auto filled = Fill(Steps(20, 10), {0, 20}, 5);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  using enum Feature;
+  EXPECT_EQ(FeaturesOf((*filled)[0]), std::set{kSolidInfill});
+  EXPECT_EQ(FeaturesOf((*filled)[4]), std::set{kSolidInfill});
+  EXPECT_EQ(FeaturesOf((*filled)[5]), (std::set{kInternalInfill, kSolidInfill}));
+  EXPECT_EQ(FeaturesOf((*filled)[9]), (std::set{kInternalInfill, kSolidInfill, kTopSolidInfill}));
+  EXPECT_EQ(FeaturesOf((*filled)[12]), std::set{kInternalInfill});
+  EXPECT_EQ(FeaturesOf((*filled)[19]), std::set{kTopSolidInfill});
+}
+
+TEST(LocalInfill, OverhangIsABridge) {
+  std::vector<SlicedLayer> layers = Steps(20, 10);
+  for (int i = 0; i < 10; ++i) std::swap(layers[i].objects, layers[19 - i].objects);
+  const auto filled = Fill(layers, {0, 20}, 5);
+  ASSERT_TRUE(filled.ok());
+  EXPECT_TRUE(FeaturesOf((*filled)[10]).contains(Feature::kBridgeInfill));
+  EXPECT_FALSE(FeaturesOf((*filled)[11]).contains(Feature::kBridgeInfill));
+}
+
+TEST(LocalInfill, RangesDoNotMatter) {
+  const auto layers = Steps(16, 8);
+  const auto all = Fill(layers, {0, 16}, 5);
+  ASSERT_TRUE(all.ok());
+  for (int first = 0; first < 16; first += 3) {
+    const LayerRange range{first, std::min(16, first + 3)};
+    const auto part = Fill(layers, range, 5);
+    ASSERT_TRUE(part.ok());
+    for (int i = range.first; i < range.last; ++i) EXPECT_EQ((*part)[i - first], (*all)[i]) << i;
+  }
+}
+
+TEST(LocalInfill, FullDensityIsSolidThroughout) {
+  InfillOptions options;
+  options.density = 1;
+  const auto filled = Fill(Steps(20, 10), {0, 20}, 5, options);
+  ASSERT_TRUE(filled.ok());
+  for (const FilledLayer& layer : *filled)
+    EXPECT_FALSE(FeaturesOf(layer).contains(Feature::kInternalInfill));
+}
+
+TEST(LocalInfill, NoDensityLeavesTheInsideEmpty) {
+  InfillOptions options;
+  options.density = 0;
+  const auto filled = Fill(Steps(20, 20), {0, 20}, 5, options);
+  ASSERT_TRUE(filled.ok());
+  EXPECT_TRUE((*filled)[10].islands[0].fills.empty());
+}
+
+TEST(LocalInfill, FirstLayerHasItsOwnWidth) {
+  InfillOptions options;
+  options.first_layer_width_nm = 600'000;
+  const auto filled = Fill(Steps(2, 2), {0, 2}, 5, options);
+  ASSERT_TRUE(filled.ok());
+  EXPECT_NEAR((*filled)[0].islands[0].fills[0].paths[0].widths_nm[0], 600'000, 20'000);
+  EXPECT_NEAR((*filled)[1].islands[0].fills[0].paths[0].widths_nm[0], 450'000, 20'000);
+}
+
+TEST(LocalInfill, StopsWhenCancelled) {
+  int polls = 0;
+  const auto filled = Fill(Steps(9, 9), {0, 9}, 5, {}, CancelToken([&] { return ++polls > 2; }));
+  EXPECT_EQ(filled.status().code(), absl::StatusCode::kCancelled);
+  EXPECT_EQ(polls, 3);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/infill_options.h"
+#include "common/model/path.h"
+
+namespace slicefarm::infill {
+
+struct SparseFill {
+  SparsePattern pattern = SparsePattern::kGrid;
+  double density = 0.2;  ///< (0, 1]
+  double angle_rad = 0;
+  int32_t layer_index = 0;  ///< rectilinear lines turn by a right angle from layer to layer
+  Coord width_nm = 450'000;
+  Coord height_nm = 200'000;
+  Coord overlap_nm = 0;  ///< how far lines end beyond half their width from the region's edge
+};
+
+/// Fills a region with straight lines of the given density: path length per area is density /
+/// spacing, exactly. So the pitch is spacing / density, and twice that for each of the two
+/// directions of a grid.
+///
+/// Lines lie on one grid through the origin, the same for all layers, islands and regions.
+/// Neighbouring ends are joined along the edge where that is not farther than the lines are apart;
+/// these joints are what the region has in excess of the density: about half the pitch per length
+/// of edge.
+///
+/// Errors: as CutLines. Cost: O(n log n) for the inset, O(n + k) for the lines.
+/// Source: the spacing law is that of every slicer; see also "density" in tests.
+absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);
+
+}  // namespace slicefarm::infill

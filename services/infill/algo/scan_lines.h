@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::infill {
+
+/// Parallel lines at v = phase + i * pitch for all integers i, in a frame whose u axis runs at
+/// `angle_rad`.
+struct LineFamily {
+  double angle_rad = 0;
+  double phase_nm = 0;
+  double pitch_nm = 0;
+};
+
+/// The frame that a line family is laid out in: u along the lines, v across.
+class LineFrame {
+ public:
+  explicit LineFrame(double angle_rad);
+
+  double U(Point p) const {
+    return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
+  }
+  double V(Point p) const {
+    return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
+  }
+  Point At(double u, double v) const;
+
+ private:
+  double cos_;  ///< exactly 0 and 1 at multiples of a right angle
+  double sin_;
+};
+
+/// Where a scan line meets a ring.
+struct Crossing {
+  double u = 0;
+  int32_t line = 0;  ///< counted from the first line that meets the region
+  int32_t ring = 0;
+  int32_t edge = 0;      ///< of the ring: the edge from its point `edge` to the next
+  int32_t previous = 0;  ///< crossing before this along the ring
+  int32_t next = 0;      ///< crossing after this along the ring
+  int32_t place = 0;  ///< in ScanLines::order; place ^ 1 is the other end of the same piece of line
+};
+
+/// The pieces of a line family inside a region, with their connections along the boundary.
+struct ScanLines {
+  LineFrame frame{0};
+  std::vector<const Polygon*> rings;  ///< of the region, which must outlive this
+  double first_v = 0;                 ///< of line 0
+  double pitch = 0;
+  std::vector<Crossing> crossings;
+  std::vector<int32_t>
+      order;  ///< crossings by line, then u: places 2k and 2k + 1 are the ends of piece k
+  std::vector<int32_t>
+      line_begin;  ///< place of each line's first crossing; one more entry than lines
+
+  int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
+  int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
+  Point PlaceOf(const Crossing& crossing) const;
+};
+
+/// Cuts `region` into pieces of lines. A line meets an edge under a half-open rule, so every line
+/// meets every ring an even number of times whatever vertices it passes through.
+///
+/// Precision: ends are rounded once to nm; they lie within 1 nm of the boundary.
+/// Errors: ResourceExhausted with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
+/// limits::kMaxLinesPerFill; found before anything is allocated for them.
+/// Cost: O(n + k + k log k'), n points, k crossings, at most k' of them on one line.
+absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family);
+
+/// Extent of a region across the lines: least and greatest v. REQUIRES: not empty.
+struct Extent {
+  double min_v = 0;
+  double max_v = 0;
+};
+Extent ExtentAcross(const MultiPolygon& region, const LineFrame& frame);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::infill {
+
+/// What lies above and below a fill area: the outlines of the layers whose skins reach it.
+struct Cover {
+  std::vector<const MultiPolygon*>
+      above;  ///< nearest first, as many as top solid layers; nullptr: air
+  std::vector<const MultiPolygon*>
+      below;            ///< nearest first, as many as bottom solid layers; nullptr: air or bed
+  bool on_bed = false;  ///< what is below the nearest is the bed
+};
+
+struct SkinOptions {
+  Coord width_nm = 450'000;         ///< of a solid bead: narrower regions join their neighbours
+  double solid_below_area_mm2 = 0;  ///< smaller sparse regions become solid
+  bool all_solid = false;           ///< no sparse region is wanted at all
+};
+
+/// A partition of a fill area by what its infill is for.
+struct Skins {
+  MultiPolygon top;     ///< nothing above: the surface that is seen
+  MultiPolygon bridge;  ///< nothing below, and no bed: laid over air
+  MultiPolygon solid;   ///< the rest of the skins, or what is solid for other reasons
+  MultiPolygon sparse;
+};
+
+/// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; skins
+/// grow by two beads into the sparse region, so that they end on something, and regions too narrow
+/// for a bead go to their neighbour.
+///
+/// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
+/// Cost: nothing for outlines equal to `outline` (that of this layer); one sweep over the others;
+/// one more for each kind of skin there is.
+Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
+                   const SkinOptions& options);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,85 @@
+#include "services/infill/algo/solid.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::infill {
+namespace {
+
+PolygonWithHoles Island(std::string_view text) { return MakePolygonsOrDie(text)[0]; }
+
+double VolumeArea(const FillGroup& group, Coord height) {
+  double area = 0;
+  for (const Path& path : group.paths)
+    area += PathLength(path) * static_cast<double>(Spacing(path.widths_nm[0], height));
+  return area;
+}
+
+struct SolidCase {
+  std::string name;
+  std::string region;
+  double angle_deg;
+};
+class Solid : public testing::TestWithParam<SolidCase> {};
+
+// Volume 98..102 %, covered >= 99.5 %, all inside.
+TEST_P(Solid, CoversTheRegionOnce) {
+  const PolygonWithHoles region = Island(GetParam().region);
+  SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180, .overlap_nm = 60'000};
+  const auto group = FillSolid(region, fill);
+  ASSERT_TRUE(group.ok());
+  EXPECT_NEAR(VolumeArea(*group, fill.height_nm) / Area(region), 1, 0.02);
+  std::vector<Polyline> lines;
+  MultiPolygon covered;
+  for (const Path& path : group->paths) lines.push_back(path.points);
+  covered =
+      OffsetLines(lines, group->paths[0].widths_nm[0] / 2, Cap::kRound, {.join = Join::kRound});
+  EXPECT_LT(Area(Difference({region}, covered)) / Area(region), 0.005);
+  EXPECT_LT(Area(Difference(covered, Offset({region}, 70'000))), 1e8);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Solid,
+    testing::Values(SolidCase{"SquareStraight", "(0 0, 20 0, 20 20, 0 20)", 0},
+                    SolidCase{"SquareSlanted", "(0 0, 20 0, 20 20, 0 20)", 45},
+                    SolidCase{"NotAMultiple", "(0 0, 20 0, 20 7.77, 0 7.77)", 0},
+                    SolidCase{"WithHole", "(0 0, 20 0, 20 20, 0 20) (6 6, 14 6, 14 14, 6 14)", 45},
+                    SolidCase{"Triangle", "(0 0, 20 0, 9 17)", 30},
+                    SolidCase{"EllShape", "(0 0, 20 0, 20 6, 6 6, 6 20, 0 20)", 45}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(SolidSpacing, FitsTheRegion) {
+  for (double height = 3.0; height < 3.5; height += 0.05) {
+    const Coord h = FromMm(height);
+    const PolygonWithHoles region{{{0, 0}, {10'000'000, 0}, {10'000'000, h}, {0, h}}, {}};
+    const auto group = FillSolid(region, {});
+    ASSERT_TRUE(group.ok());
+    const auto spacing = static_cast<double>(Spacing(group->paths[0].widths_nm[0], 200'000));
+    const double count = static_cast<double>(h) / spacing;
+    EXPECT_NEAR(count, std::round(count), 1e-4) << height;
+  }
+}
+
+TEST(SolidGroup, MonotonicKeepsItsOrder) {
+  const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20) (6 6, 14 6, 14 14, 6 14)");
+  EXPECT_TRUE(FillSolid(region, {.pattern = SolidPattern::kMonotonic})->keep_order);
+  EXPECT_FALSE(FillSolid(region, {.pattern = SolidPattern::kRectilinear})->keep_order);
+}
+
+TEST(SolidGroup, TurnsWithTheLayer) {
+  const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20)");
+  const auto even = FillSolid(region, {.layer_index = 2});
+  const auto odd = FillSolid(region, {.layer_index = 3});
+  EXPECT_EQ(even->paths[0].points[0].y, even->paths[0].points[1].y);
+  EXPECT_EQ(odd->paths[0].points[0].x, odd->paths[0].points[1].x);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill
