@@ -51,8 +51,7 @@ TEST(PrintWalls, InsideOutContourByContour) {
 }
 
 TEST(PrintWalls, OutsideIn) {
-  EXPECT_THAT(Insets(Printed(TwoContours(), {true, {}}, Mm(0, 0))),
-              ElementsAre(0, 1, 0, 1));
+  EXPECT_THAT(Insets(Printed(TwoContours(), {true, {}}, Mm(0, 0))), ElementsAre(0, 1, 0, 1));
 }
 
 TEST(PrintWalls, NearestContourFirst) {
