@@ -37,6 +37,14 @@ std::string_view JobStateName(JobState state) {
   return "";
 }
 
+std::optional<JobState> JobStateFromName(std::string_view name) {
+  using enum JobState;
+  for (const JobState state : {kQueued, kRunning, kSucceeded, kFailed, kCancelled}) {
+    if (JobStateName(state) == name) return state;
+  }
+  return std::nullopt;
+}
+
 JobState EndState(const absl::Status& run) {
   if (run.ok()) return JobState::kSucceeded;
   return absl::IsCancelled(run) ? JobState::kCancelled : JobState::kFailed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "absl/status/status.h"
@@ -21,6 +22,7 @@ bool MayFollow(JobState from, JobState to);
 
 /// "QUEUED", "RUNNING", ...: what the store keeps and logs show.
 std::string_view JobStateName(JobState state);
+std::optional<JobState> JobStateFromName(std::string_view name);
 
 /// The state a run of a job leads to, by how it ended.
 JobState EndState(const absl::Status& run);

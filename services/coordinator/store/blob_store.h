@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace slicefarm::coordinator {
+
+struct BlobStatus {
+  int64_t committed_size = 0;  ///< bytes that are here
+  bool complete = false;       ///< all are, and their digest is the blob's name
+};
+
+/// A blob whose content was checked against its name when it was opened.
+class BlobReader {
+ public:
+  virtual ~BlobReader() = default;
+  virtual int64_t size() const = 0;
+  /// Up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED.
+  virtual absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) = 0;
+};
+
+/// Bytes by their SHA-256 (64 lower-case hex digits). A blob that is complete is on disk and never
+/// changes. Thread-safe.
+///
+/// Errors of all: STORE_FAILED, DISK_FULL; REQUEST_MALFORMED for a name that is no digest.
+class BlobStore {
+ public:
+  virtual ~BlobStore() = default;
+
+  /// What is there of a blob; of an unknown one, nothing.
+  virtual absl::StatusOr<BlobStatus> Status(const std::string& digest) = 0;
+
+  /// Adds bytes to an upload. What is there already may be sent again and is skipped. Survives a
+  /// restart. Errors: UPLOAD_OFFSET (metadata `committed_size`) if `offset` lies beyond what is
+  /// there.
+  virtual absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
+                                            std::string_view bytes) = 0;
+
+  /// Ends an upload of `size` bytes: afterwards the blob is complete. Does nothing to a complete
+  /// one. Errors: UPLOAD_OFFSET if fewer bytes are there; BLOB_DIGEST_MISMATCH if they are others,
+  /// and the upload is dropped.
+  virtual absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) = 0;
+
+  /// Keeps `bytes`, and gives their digest.
+  virtual absl::StatusOr<std::string> Put(std::string_view bytes) = 0;
+
+  /// Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have changed.
+  virtual absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) = 0;
+
+  /// Open, and all of its bytes.
+  virtual absl::StatusOr<std::string> Get(const std::string& digest) = 0;
+
+  /// Removes a blob, or an upload. Does nothing if there is none.
+  virtual absl::Status Delete(const std::string& digest) = 0;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,69 @@
+#include "services/coordinator/store/job_steps.h"
+
+#include <fmt/format.h>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+void LetGo(JobRecord& job, int64_t claimable_from_us) {
+  job.owner.clear();
+  job.owner_until_us = claimable_from_us;
+}
+
+}  // namespace
+
+absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
+                         int64_t now_us) {
+  if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
+    return absl::AbortedError(absl::StrCat("job ", job.id, " is not held in epoch ", lease.epoch));
+  }
+  const bool begins = job.state == JobState::kQueued && update.state == JobState::kRunning;
+  if (update.state != job.state && !MayFollow(job.state, update.state)) {
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     fmt::format("job {} cannot go from {} to {}", job.id, JobStateName(job.state),
+                                 JobStateName(update.state)));
+  }
+  job.state = update.state;
+  job.layers_total = update.layers_total;
+  job.layers_done = update.layers_done;
+  job.error = update.error;
+  job.result = update.result;
+  if (update.retry) ++job.retries;
+  if (begins && job.start_us == 0) job.start_us = now_us;
+  if (IsTerminal(job.state)) job.end_us = now_us;
+  if (IsTerminal(job.state)) LetGo(job, 0);
+  if (job.state == JobState::kQueued) LetGo(job, update.claimable_from_us);
+  return absl::OkStatus();
+}
+
+bool ApplyCancel(JobRecord& job, int64_t now_us) {
+  if (IsTerminal(job.state) || job.cancel_requested) return false;
+  job.cancel_requested = true;
+  if (job.state != JobState::kQueued || !job.owner.empty()) return true;
+  job.state = JobState::kCancelled;
+  job.end_us = now_us;
+  ++job.owner_epoch;
+  LetGo(job, 0);
+  return true;
+}
+
+absl::Status JobNotFound(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kJobNotFound,
+                   absl::StrCat("there is no job ", id), {{"job", id}});
+}
+
+absl::Status JobNotFinished(const std::string& id) {
+  return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
+                   absl::StrCat("job ", id, " has not ended"), {{"job", id}});
+}
+
+absl::Status RequestIdReused(const std::string& request_id) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestIdReused,
+                   absl::StrCat("request_id ", request_id, " was used for another job"),
+                   {{"request_id", request_id}});
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/status.h"
+#include "services/coordinator/store/job_store.h"
+
+namespace slicefarm::coordinator {
+
+/// The rules of JobStore that do not depend on where jobs are kept: what a write does to a record.
+/// Pure.
+
+/// Errors: Aborted if the lease is not the job's present one, or the job has ended; Internal if the
+/// state may not follow.
+absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
+                         int64_t now_us);
+
+/// False: nothing is to be done.
+bool ApplyCancel(JobRecord& job, int64_t now_us);
+
+absl::Status JobNotFound(const std::string& id);
+absl::Status JobNotFinished(const std::string& id);
+absl::Status RequestIdReused(const std::string& request_id);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/store/job_record.h"
+
+namespace slicefarm::coordinator {
+
+struct NewJob {
+  std::string id;
+  std::string request_id;   ///< empty: the call is not idempotent
+  std::string spec_digest;  ///< equal for equal requests
+  std::string spec;
+  std::map<std::string, std::string> labels;
+  std::string settings_digest;
+  std::string action_digest;
+  std::string build_id;
+};
+
+struct Created {
+  JobRecord job;
+  bool fresh = true;  ///< false: an earlier call with the same request_id made it
+};
+
+/// The right to write to a job: of the coordinator that claimed it last.
+struct Lease {
+  std::string job_id;
+  int64_t epoch = 0;
+
+  friend auto operator<=>(const Lease&, const Lease&) = default;
+};
+
+struct HeldJob {
+  Lease lease;
+  bool cancel_requested = false;
+};
+
+/// What the owner writes.
+struct JobUpdate {
+  JobState state = JobState::kRunning;
+  int32_t layers_total = 0;
+  int32_t layers_done = 0;
+  std::optional<JobError> error = {};
+  std::optional<JobResult> result = {};
+  /// With QUEUED: nobody claims it before.
+  int64_t claimable_from_us = 0;
+  bool retry = false;  ///< with QUEUED: because a run failed
+};
+
+struct ListQuery {
+  std::vector<JobState> states;  ///< none: all
+  int64_t before_number = 0;     ///< only jobs with a smaller number; 0: all
+  int32_t limit = 50;
+};
+
+/// How long a request_id is remembered.
+inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
+
+/// Jobs, their events, idempotency keys and the index of results. Whatever a call acknowledged is
+/// on disk. The clock is the caller's: `now_us`. Thread-safe; several coordinators may share one
+/// store.
+///
+/// Errors of all: STORE_FAILED; DISK_FULL; JOB_NOT_FOUND where a job is named; Aborted where a
+/// lease is, if the job was claimed by another since, or has ended: "you were fenced, drop it".
+class JobStore {
+ public:
+  virtual ~JobStore() = default;
+
+  /// Makes a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id made
+  /// another job's spec.
+  virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
+
+  virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
+
+  /// Newest first.
+  virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
+
+  /// Gives up to `limit` jobs that are QUEUED or RUNNING and that nobody holds to `owner` until
+  /// `until_us`, oldest first.
+  virtual absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit,
+                                                       int64_t now_us, int64_t until_us) = 0;
+
+  /// Holds all jobs of `owner` until `until_us`, and tells which those are.
+  virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::string& owner,
+                                                     int64_t until_us) = 0;
+
+  /// Lets go of all jobs of `owner`: those of an earlier life, at the start.
+  virtual absl::Status Release(const std::string& owner) = 0;
+
+  /// Writes state and progress and appends an event. A state that may not follow is Internal. An
+  /// ended job and one that is QUEUED again are let go. A result that is not `cached` enters the
+  /// index; one that is must still be in it (Aborted otherwise).
+  virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
+                                           int64_t now_us) = 0;
+
+  /// A QUEUED job that nobody holds ends as CANCELLED at once; a held one is marked for its owner;
+  /// to an ended one nothing happens.
+  virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
+
+  /// Removes an ended job with its events. Gives the digests of the blobs that no job refers to any
+  /// more; results that consist of them leave the index. Errors: JOB_NOT_FINISHED.
+  virtual absl::StatusOr<std::vector<std::string>> Delete(const std::string& id) = 0;
+
+  /// Events with a sequence above `after`, at most `limit`.
+  virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
+                                                             int32_t limit) = 0;
+
+  /// What the same work came to before.
+  virtual absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) = 0;
+  virtual absl::Status ForgetResult(const std::string& action_digest) = 0;
+
+  /// Forgets request ids that are older than kRequestIdKeptUs.
+  virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
+
+  virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
+};
+
+}  // namespace slicefarm::coordinator

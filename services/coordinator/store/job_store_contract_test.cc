@@ -1,0 +1,435 @@
+// What every JobStore does. An implementation joins by an entry in kStores.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+#include "services/coordinator/store/sqlite_job_store.h"
+#include "services/coordinator/store/temp_directory_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+using enum JobState;
+
+/// A place for a database, which can be opened again and again.
+class Place {
+ public:
+  virtual ~Place() = default;
+  virtual std::unique_ptr<JobStore> Open() = 0;
+};
+
+class SqlitePlace : public Place {
+ public:
+  std::unique_ptr<JobStore> Open() override {
+    auto store = SqliteJobStore::Open(directory_.path() + "/jobs.db");
+    EXPECT_TRUE(store.ok()) << store.status();
+    return *std::move(store);
+  }
+
+ private:
+  TempDirectory directory_;
+};
+
+struct Implementation {
+  std::string name;
+  std::function<std::unique_ptr<Place>()> place;
+};
+
+const std::vector<Implementation> kStores = {
+    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
+};
+
+NewJob JobOf(const std::string& id) {
+  NewJob job;
+  job.id = id;
+  job.spec = std::string("spec\0of ", 8) + id;
+  job.spec_digest = "spec-" + id;
+  job.labels = {{"order", "17"}};
+  job.settings_digest = "settings";
+  job.action_digest = "action-" + id;
+  job.build_id = "build";
+  return job;
+}
+
+JobResult ResultOf(const std::string& gcode, const std::string& report) {
+  JobResult result;
+  result.gcode_sha256 = gcode;
+  result.gcode_size = 5;
+  result.report_sha256 = report;
+  result.print_time_s = 12.5;
+  result.layers = 3;
+  result.warnings = {"careful"};
+  return result;
+}
+
+class JobStoreTest : public testing::TestWithParam<Implementation> {
+ protected:
+  void Make(const std::string& id) { ASSERT_TRUE(store_->Create(JobOf(id), ++now_).ok()); }
+
+  Lease Claim(const std::string& owner = "me") {
+    ++now_;
+    const auto jobs = store_->Claim(owner, 1, now_, now_ + 1000);
+    EXPECT_TRUE(jobs.ok()) << jobs.status();
+    if (!jobs.ok() || jobs->empty()) return {};
+    return {jobs->front().id, jobs->front().owner_epoch};
+  }
+
+  absl::StatusOr<JobRecord> Update(const Lease& lease, JobState state) {
+    JobUpdate update;
+    update.state = state;
+    return store_->Update(lease, update, ++now_);
+  }
+
+  absl::StatusOr<JobRecord> Succeed(const Lease& lease, const JobResult& result) {
+    JobUpdate update;
+    update.state = kSucceeded;
+    update.result = result;
+    return store_->Update(lease, update, ++now_);
+  }
+
+  /// A job that succeeded.
+  void MakeDone(const std::string& id, const JobResult& result) {
+    Make(id);
+    const Lease lease = Claim();
+    ASSERT_EQ(lease.job_id, id);
+    ASSERT_TRUE(Succeed(lease, result).ok());
+  }
+
+  std::unique_ptr<Place> place_ = GetParam().place();
+  std::unique_ptr<JobStore> store_ = place_->Open();
+  int64_t now_ = 1'000'000;
+};
+
+INSTANTIATE_TEST_SUITE_P(Stores, JobStoreTest, testing::ValuesIn(kStores),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(JobStoreTest, GivesBackWhatWasCreated) {
+  const auto created = store_->Create(JobOf("a"), 42);
+  ASSERT_TRUE(created.ok()) << created.status();
+  EXPECT_TRUE(created->fresh);
+  const auto job = store_->Get("a");
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(*job, created->job);
+  EXPECT_EQ(job->state, kQueued);
+  EXPECT_EQ(job->spec, JobOf("a").spec) << "with the zero in it";
+  EXPECT_EQ(job->labels, JobOf("a").labels);
+  EXPECT_EQ(job->action_digest, "action-a");
+  EXPECT_EQ(job->create_us, 42);
+  EXPECT_EQ(job->last_sequence, 1);
+}
+
+TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
+  Make("a");
+  const auto before = store_->Get("a");
+  store_.reset();
+  store_ = place_->Open();
+  EXPECT_EQ(*store_->Get("a"), *before);
+}
+
+TEST_P(JobStoreTest, UnknownJobsAreNotFound) {
+  for (const absl::Status& status :
+       {store_->Get("x").status(), store_->RequestCancel("x", 1).status(),
+        store_->Delete("x").status(), store_->Events("x", 0, 9).status(),
+        store_->Update({"x", 1}, {}, 1).status()}) {
+    EXPECT_EQ(DetailOf(status).reason, Reason::kJobNotFound) << status;
+  }
+}
+
+TEST_P(JobStoreTest, RequestIdMakesOneJob) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 1).ok());
+  NewJob again = JobOf("b");
+  again.request_id = "r";
+  again.spec_digest = first.spec_digest;
+  const auto second = store_->Create(again, 2);
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_FALSE(second->fresh);
+  EXPECT_EQ(second->job.id, "a");
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("b").status()));
+}
+
+TEST_P(JobStoreTest, RequestIdIsNotForAnotherJob) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 1).ok());
+  NewJob other = JobOf("b");
+  other.request_id = "r";
+  EXPECT_EQ(DetailOf(store_->Create(other, 2).status()).reason, Reason::kRequestIdReused);
+}
+
+TEST_P(JobStoreTest, RequestIdIsForgottenAfterItsTime) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 10).ok());
+  NewJob other = JobOf("b");
+  other.request_id = "r";
+  ASSERT_TRUE(store_->ExpireRequestIds(10 + kRequestIdKeptUs).ok());
+  EXPECT_FALSE(store_->Create(other, 2).ok());
+  ASSERT_TRUE(store_->ExpireRequestIds(11 + kRequestIdKeptUs).ok());
+  EXPECT_TRUE(store_->Create(other, 2).ok());
+}
+
+TEST_P(JobStoreTest, RequestIdRacedByManyMakesOneJob) {
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::string> ids(16);
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 16; ++i) {
+      threads.emplace_back([&, i] {
+        NewJob job = JobOf(absl::StrCat("job-", round, "-", i));
+        job.request_id = absl::StrCat("request-", round);
+        job.spec_digest = "same";
+        const auto created = store_->Create(job, 1);
+        if (created.ok()) ids[i] = created->job.id;
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 1u);
+    EXPECT_FALSE(ids[0].empty());
+  }
+}
+
+TEST_P(JobStoreTest, ListsNewestFirstAndByPages) {
+  for (const char* id : {"a", "b", "c", "d", "e"}) Make(id);
+  std::vector<std::string> ids;
+  ListQuery query{.states = {}, .before_number = 0, .limit = 2};
+  while (true) {
+    const auto page = store_->List(query);
+    ASSERT_TRUE(page.ok()) << page.status();
+    if (page->empty()) break;
+    for (const JobRecord& job : *page) ids.push_back(job.id);
+    query.before_number = page->back().number;
+    Make(absl::StrCat("new", ids.size()));  // does not disturb the pages that follow
+  }
+  EXPECT_THAT(ids, ElementsAre("e", "d", "c", "b", "a"));
+}
+
+TEST_P(JobStoreTest, ListsByState) {
+  MakeDone("done", ResultOf("g", "r"));
+  Make("waits");
+  Make("runs");
+  const auto list = [&](std::vector<JobState> states) {
+    std::vector<std::string> ids;
+    ListQuery query;
+    query.states = std::move(states);
+    const auto jobs = store_->List(query);
+    for (const JobRecord& job : *jobs) ids.push_back(job.id);
+    return ids;
+  };
+  EXPECT_THAT(list({kSucceeded}), ElementsAre("done"));
+  EXPECT_THAT(list({kQueued}), ElementsAre("runs", "waits"));
+  EXPECT_THAT(list({kSucceeded, kQueued}), SizeIs(3));
+  EXPECT_THAT(list({kFailed}), IsEmpty());
+  EXPECT_THAT(*store_->CountByState(), UnorderedElementsAre(Pair(kSucceeded, 1), Pair(kQueued, 2)));
+}
+
+TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
+  for (const char* id : {"a", "b", "c"}) Make(id);
+  const auto first = store_->Claim("me", 2, 10, 100);
+  ASSERT_TRUE(first.ok()) << first.status();
+  ASSERT_THAT(*first, SizeIs(2));
+  EXPECT_EQ(first->at(0).id, "a");
+  EXPECT_EQ(first->at(1).id, "b");
+  EXPECT_EQ(first->at(0).owner, "me");
+  EXPECT_EQ(first->at(0).owner_epoch, 1);
+  EXPECT_THAT(*store_->Claim("you", 5, 10, 100), SizeIs(1));
+  EXPECT_THAT(*store_->Claim("you", 5, 10, 100), IsEmpty());
+}
+
+TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
+  const auto other = place_->Open();
+  constexpr int kJobs = 60;
+  for (int i = 0; i < kJobs; ++i) Make(absl::StrCat("job", i));
+  std::vector<std::string> claimed[2];
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 2; ++i) {
+    threads.emplace_back([&, i] {
+      JobStore& store = i == 0 ? *store_ : *other;
+      while (true) {
+        const auto jobs = store.Claim(absl::StrCat("owner", i), 1, 10'000'000, 20'000'000);
+        if (!jobs.ok() || jobs->empty()) return;
+        claimed[i].push_back(jobs->front().id);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::set<std::string> all(claimed[0].begin(), claimed[0].end());
+  all.insert(claimed[1].begin(), claimed[1].end());
+  EXPECT_EQ(all.size(), static_cast<size_t>(kJobs));
+  EXPECT_EQ(claimed[0].size() + claimed[1].size(), static_cast<size_t>(kJobs)) << "none twice";
+}
+
+TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
+  Make("a");
+  const auto mine = store_->Claim("me", 1, 10, 100);
+  EXPECT_THAT(*store_->Claim("you", 1, 99, 200), IsEmpty());
+  ASSERT_THAT(*store_->Renew("me", 150), SizeIs(1));
+  EXPECT_THAT(*store_->Claim("you", 1, 149, 200), IsEmpty());
+  const auto yours = store_->Claim("you", 1, 150, 250);
+  ASSERT_THAT(*yours, SizeIs(1));
+  EXPECT_THAT(*store_->Renew("me", 300), IsEmpty());
+
+  const absl::Status fenced = Update({"a", mine->front().owner_epoch}, kRunning).status();
+  EXPECT_TRUE(absl::IsAborted(fenced)) << fenced;
+  EXPECT_TRUE(Update({"a", yours->front().owner_epoch}, kRunning).ok());
+}
+
+TEST_P(JobStoreTest, ReleasedJobsAreClaimedAgain) {
+  Make("a");
+  const Lease old = Claim("me");
+  ASSERT_TRUE(Update(old, kRunning).ok());
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_TRUE(absl::IsAborted(Update(old, kRunning).status()));
+  const auto again = store_->Claim("me", 1, now_, now_ + 10);
+  ASSERT_THAT(*again, SizeIs(1));
+  EXPECT_EQ(again->front().state, kRunning);
+  EXPECT_EQ(again->front().owner_epoch, old.epoch + 1);
+}
+
+TEST_P(JobStoreTest, UpdatesKeepTheTimes) {
+  Make("a");
+  const Lease lease = Claim();
+  const auto running = Update(lease, kRunning);
+  ASSERT_TRUE(running.ok()) << running.status();
+  const int64_t started = now_;
+  const auto done = Succeed(lease, ResultOf("g", "r"));
+  ASSERT_TRUE(done.ok()) << done.status();
+  EXPECT_EQ(done->start_us, started);
+  EXPECT_EQ(done->end_us, now_);
+  EXPECT_EQ(done->result, ResultOf("g", "r"));
+  EXPECT_EQ(done->owner, "");
+  EXPECT_EQ(*store_->Get("a"), *done);
+}
+
+TEST_P(JobStoreTest, FailuresAreKept) {
+  Make("a");
+  const Lease lease = Claim();
+  JobUpdate update{.state = kFailed};
+  update.error = JobErrorOf(MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshTruncated,
+                                      "ends \"early\"\n", {{"got", "7"}}));
+  ASSERT_TRUE(store_->Update(lease, update, 5).ok());
+  EXPECT_EQ(store_->Get("a")->error, update.error);
+}
+
+TEST_P(JobStoreTest, EndsOnce) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  for (const JobState state : {kQueued, kRunning, kSucceeded, kFailed, kCancelled}) {
+    EXPECT_TRUE(absl::IsAborted(Update(lease, state).status()));
+  }
+  EXPECT_EQ(store_->Get("a")->state, kSucceeded);
+}
+
+TEST_P(JobStoreTest, HandedBackJobsWaitAsLongAsTheyShould) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  JobUpdate update{.state = kQueued};
+  update.claimable_from_us = 5'000'000;
+  update.retry = true;
+  ASSERT_TRUE(store_->Update(lease, update, 2'000'000).ok());
+  EXPECT_THAT(*store_->Renew("me", 9'000'000), IsEmpty());
+  EXPECT_THAT(*store_->Claim("you", 1, 4'999'999, 9'000'000), IsEmpty());
+  const auto again = store_->Claim("you", 1, 5'000'000, 9'000'000);
+  ASSERT_THAT(*again, SizeIs(1));
+  EXPECT_EQ(again->front().retries, 1);
+}
+
+TEST_P(JobStoreTest, EventsTellTheStory) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  JobUpdate progress{.state = kRunning, .layers_total = 9, .layers_done = 4};
+  ASSERT_TRUE(store_->Update(lease, progress, 77).ok());
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  const auto events = store_->Events("a", 0, 100);
+  ASSERT_TRUE(events.ok()) << events.status();
+  ASSERT_THAT(*events, SizeIs(4));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(events->at(i).sequence, i + 1);
+  EXPECT_EQ(events->at(0).state, kQueued);
+  EXPECT_EQ(events->at(2), (JobEventRecord{3, 77, kRunning, 9, 4}));
+  EXPECT_EQ(events->at(3).state, kSucceeded);
+  EXPECT_THAT(*store_->Events("a", 3, 100), SizeIs(1));
+  EXPECT_THAT(*store_->Events("a", 0, 2), SizeIs(2));
+  EXPECT_THAT(*store_->Events("a", 4, 100), IsEmpty());
+}
+
+TEST_P(JobStoreTest, CancelOfAWaitingJobEndsIt) {
+  Make("a");
+  const auto job = store_->RequestCancel("a", 9);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->state, kCancelled);
+  EXPECT_EQ(job->end_us, 9);
+  EXPECT_THAT(*store_->Claim("me", 1, 10, 20), IsEmpty());
+  EXPECT_EQ(store_->Events("a", 0, 9)->back().state, kCancelled);
+}
+
+TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
+  Make("a");
+  const Lease lease = Claim();
+  EXPECT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  const auto held = store_->Renew("me", now_ + 1000);
+  ASSERT_THAT(*held, SizeIs(1));
+  EXPECT_TRUE(held->front().cancel_requested);
+  EXPECT_EQ(held->front().lease, lease);
+  ASSERT_TRUE(Update(lease, kCancelled).ok());
+  const int64_t sequence = store_->Get("a")->last_sequence;
+  EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
+}
+
+TEST_P(JobStoreTest, DeleteIsForEndedJobs) {
+  Make("a");
+  EXPECT_EQ(DetailOf(store_->Delete("a").status()).reason, Reason::kJobNotFinished);
+  ASSERT_TRUE(store_->RequestCancel("a", 1).ok());
+  EXPECT_TRUE(store_->Delete("a").ok());
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("a").status()));
+}
+
+TEST_P(JobStoreTest, DeleteGivesTheBlobsThatNobodyNeeds) {
+  MakeDone("a", ResultOf("gcode", "report-a"));
+  MakeDone("b", ResultOf("gcode", "report-b"));
+  EXPECT_THAT(*store_->Delete("a"), ElementsAre("report-a"));
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  EXPECT_TRUE(store_->FindResult("action-b")->has_value());
+  EXPECT_THAT(*store_->Delete("b"), ElementsAre("gcode", "report-b"));
+  EXPECT_FALSE(store_->FindResult("action-b")->has_value());
+}
+
+TEST_P(JobStoreTest, FindsResultsByContent) {
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  MakeDone("a", ResultOf("g", "r"));
+  EXPECT_EQ(*store_->FindResult("action-a"), ResultOf("g", "r"));
+  ASSERT_TRUE(store_->ForgetResult("action-a").ok());
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+}
+
+TEST_P(JobStoreTest, ACachedResultMustStillBeThere) {
+  MakeDone("a", ResultOf("g", "r"));
+  NewJob same = JobOf("b");
+  same.action_digest = "action-a";
+  ASSERT_TRUE(store_->Create(same, 1).ok());
+  const Lease lease = Claim();
+  JobResult cached = ResultOf("g", "r");
+  cached.cached = true;
+
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_TRUE(absl::IsAborted(Succeed(lease, cached).status()));
+  EXPECT_EQ(store_->Get("b")->state, kQueued);
+  EXPECT_TRUE(Succeed(lease, ResultOf("g", "r")).ok()) << "computed anew, it may end";
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

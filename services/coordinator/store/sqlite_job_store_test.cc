@@ -1,0 +1,48 @@
+#include "services/coordinator/store/sqlite_job_store.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "services/coordinator/store/sqlite_connection.h"
+#include "services/coordinator/store/sqlite_schema.h"
+#include "services/coordinator/store/temp_directory_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+TEST(SqliteJobStore, RefusesANewerSchema) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  ASSERT_TRUE((*SqliteConnection::Open(path))->Execute("PRAGMA user_version = 999").ok());
+  EXPECT_TRUE(absl::IsFailedPrecondition(SqliteJobStore::Open(path).status()));
+}
+
+TEST(SqliteJobStore, RefusesWhatIsNoDatabase) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  std::ofstream(path) << std::string(5000, 'x');
+  EXPECT_FALSE(SqliteJobStore::Open(path).ok());
+}
+
+TEST(SqliteSchema, MigratesOnce) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  EXPECT_TRUE(MigrateSqlite(*db).ok());
+  EXPECT_TRUE(MigrateSqlite(*db).ok());
+}
+
+/// What is asked all the time must not read whole tables.
+TEST(SqliteSchema, ClaimingUsesAnIndex) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  SqliteQuery plan(*db,
+                   "EXPLAIN QUERY PLAN SELECT number FROM jobs WHERE state IN ('QUEUED', 'RUNNING')"
+                   " AND owner_until_us <= ? ORDER BY number LIMIT ?");
+  ASSERT_TRUE(plan.Next());
+  EXPECT_NE(plan.Text(3).find("USING"), std::string::npos) << plan.Text(3);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

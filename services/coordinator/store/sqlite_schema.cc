@@ -1,0 +1,102 @@
+#include "services/coordinator/store/sqlite_schema.h"
+
+#include <array>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// Migration i leads from version i to i + 1. Those that were released never change.
+constexpr std::array kMigrations = {
+    R"(
+CREATE TABLE jobs (
+  number          INTEGER PRIMARY KEY AUTOINCREMENT,
+  id              TEXT    NOT NULL UNIQUE,
+  state           TEXT    NOT NULL,
+  spec            BLOB    NOT NULL,
+  labels          TEXT    NOT NULL,           -- JSON
+  settings_digest TEXT    NOT NULL,
+  action_digest   TEXT    NOT NULL,
+  build_id        TEXT    NOT NULL,
+  create_us       INTEGER NOT NULL,
+  start_us        INTEGER NOT NULL DEFAULT 0,
+  end_us          INTEGER NOT NULL DEFAULT 0,
+  layers_total    INTEGER NOT NULL DEFAULT 0,
+  layers_done     INTEGER NOT NULL DEFAULT 0,
+  error           TEXT    NOT NULL DEFAULT '',  -- JSON; '': none
+  result          TEXT    NOT NULL DEFAULT '',  -- JSON; '': none
+  gcode_sha256    TEXT    NOT NULL DEFAULT '',  -- of result: what refers to a blob
+  report_sha256   TEXT    NOT NULL DEFAULT '',
+  cancel_requested INTEGER NOT NULL DEFAULT 0,
+  retries        INTEGER NOT NULL DEFAULT 0,
+  last_sequence   INTEGER NOT NULL DEFAULT 0,
+  owner           TEXT    NOT NULL DEFAULT '',
+  owner_epoch     INTEGER NOT NULL DEFAULT 0,
+  owner_until_us  INTEGER NOT NULL DEFAULT 0
+) STRICT;
+CREATE INDEX jobs_open ON jobs (number) WHERE state IN ('QUEUED', 'RUNNING');
+CREATE INDEX jobs_by_state ON jobs (state, number);
+CREATE INDEX jobs_by_gcode ON jobs (gcode_sha256) WHERE gcode_sha256 <> '';
+CREATE INDEX jobs_by_report ON jobs (report_sha256) WHERE report_sha256 <> '';
+
+CREATE TABLE events (
+  job          INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+  sequence     INTEGER NOT NULL,
+  time_us      INTEGER NOT NULL,
+  state        TEXT    NOT NULL,
+  layers_total INTEGER NOT NULL,
+  layers_done  INTEGER NOT NULL,
+  PRIMARY KEY (job, sequence)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE requests (
+  request_id  TEXT    PRIMARY KEY,
+  job_id      TEXT    NOT NULL,
+  spec_digest TEXT    NOT NULL,
+  create_us   INTEGER NOT NULL
+) STRICT, WITHOUT ROWID;
+CREATE INDEX requests_by_age ON requests (create_us);
+
+CREATE TABLE results (
+  action_digest TEXT PRIMARY KEY,
+  result        TEXT NOT NULL,  -- JSON
+  gcode_sha256  TEXT NOT NULL,
+  report_sha256 TEXT NOT NULL
+) STRICT, WITHOUT ROWID;
+CREATE INDEX results_by_gcode ON results (gcode_sha256);
+CREATE INDEX results_by_report ON results (report_sha256);
+)",
+};
+
+absl::StatusOr<int64_t> Version(SqliteConnection& db) {
+  SqliteQuery query(db, "PRAGMA user_version");
+  const int64_t version = query.Next() ? query.Int(0) : 0;
+  if (!query.status().ok()) return query.status();
+  return version;
+}
+
+}  // namespace
+
+absl::Status MigrateSqlite(SqliteConnection& db) {
+  while (true) {
+    SqliteTransaction transaction(db);
+    if (!transaction.status().ok()) return transaction.status();
+    const auto version = Version(db);
+    if (!version.ok()) return version.status();
+    if (*version == static_cast<int64_t>(kMigrations.size())) return transaction.Commit();
+    if (*version > static_cast<int64_t>(kMigrations.size())) {
+      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
+                       absl::StrCat("the database has version ", *version, ", this build knows ",
+                                    kMigrations.size()));
+    }
+    const std::string step =
+        absl::StrCat(kMigrations[*version], "PRAGMA user_version = ", *version + 1, ";");
+    if (absl::Status done = db.Execute(step); !done.ok()) return done;
+    if (absl::Status done = transaction.Commit(); !done.ok()) return done;
+  }
+}
+
+}  // namespace slicefarm::coordinator

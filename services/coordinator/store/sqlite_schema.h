@@ -1,0 +1,12 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "services/coordinator/store/sqlite_connection.h"
+
+namespace slicefarm::coordinator {
+
+/// Brings a database, new or of an older version, to the schema of this build, one migration a
+/// transaction. Errors: FailedPrecondition if a newer build made it.
+absl::Status MigrateSqlite(SqliteConnection& db);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace slicefarm::coordinator {
+
+/// A directory for one test, removed at its end.
+class TempDirectory {
+ public:
+  TempDirectory() {
+    std::string pattern = testing::TempDir() + "slicefarm-XXXXXX";
+    path_ = mkdtemp(pattern.data());
+  }
+  ~TempDirectory() { std::filesystem::remove_all(path_); }
+  TempDirectory(const TempDirectory&) = delete;
+  TempDirectory& operator=(const TempDirectory&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace slicefarm::coordinator
