@@ -31,4 +31,8 @@ absl::StatusOr<std::vector<Point>> UnpackPoints(
 /// OUT_OF_RANGE unless `value_nm` fits in 32 bits.
 absl::Status CheckCoord(Coord value_nm);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

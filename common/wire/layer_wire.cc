@@ -207,18 +207,11 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
 
 absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range,
                                 int32_t layer_count) {
-  if (layers.empty()) return Malformed("layer", "none was sent");
-  const int32_t first = layers.front().frame.index;
-  for (size_t i = 0; i < layers.size(); ++i) {
-    if (layers[i].frame.index != first + static_cast<int32_t>(i)) {
-      return Malformed("layer", "not consecutive");
-    }
-  }
-  const int32_t last = first + static_cast<int32_t>(layers.size());
-  if (first > range.first || last < range.last || last > layer_count) {
-    return Malformed(
-        "layer",
-        fmt::format("layers [{}, {}) do not surround the range within the job", first, last));
+  if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
+  const LayerRange sent = RangeOf(layers);
+  if (sent.first > range.first || sent.last < range.last || sent.last > layer_count) {
+    return Malformed("layer", fmt::format("layers [{}, {}) do not surround the range in the job",
+                                          sent.first, sent.last));
   }
   return absl::OkStatus();
 }

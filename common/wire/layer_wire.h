@@ -50,21 +50,39 @@ absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 
+/// The layers from the first to the last one. REQUIRES: CheckConsecutive.
+template <typename Layers>
+LayerRange RangeOf(const Layers& layers) {
+  if (layers.empty()) return {};
+  return {layers.front().frame.index, layers.back().frame.index + 1};
+}
+
+/// Layers come one after the other, bottom up.
+template <typename Layers>
+absl::Status CheckConsecutive(const Layers& layers) {
+  for (size_t i = 1; i < layers.size(); ++i) {
+    if (layers[i].frame.index != layers[i - 1].frame.index + 1) {
+      return Malformed("layer", "does not follow the one before");
+    }
+  }
+  return absl::OkStatus();
+}
+
+/// One layer for each of the range, in order.
+template <typename Layers>
+absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
+  if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
+  if (RangeOf(layers) == range) return absl::OkStatus();
+  return Malformed("layer", "not one for each layer of the range");
+}
+
 /// What a stage of a range needs: consecutive layers that contain the range and do not leave the
 /// job.
 absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range,
                                 int32_t layer_count);
 
-/// One layer for each of the range, in order.
-template <typename Layer>
-absl::Status CheckLayersOfRange(const std::vector<Layer>& layers, LayerRange range) {
-  if (layers.size() != static_cast<size_t>(range.size())) {
-    return Malformed("layer", "not one for each layer of the range");
-  }
-  for (int32_t i = 0; i < range.size(); ++i) {
-    if (layers[i].frame.index != range.first + i) return Malformed("layer", "out of order");
-  }
-  return absl::OkStatus();
-}
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
 
 }  // namespace slicefarm

@@ -22,4 +22,8 @@ absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto);
 v1::Thumbnail ToProto(const Thumbnail& thumbnail);
 absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

@@ -10,4 +10,8 @@ namespace slicefarm {
 v1::MotionOptions ToProto(const MotionOptions& options);
 absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

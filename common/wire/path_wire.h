@@ -15,4 +15,8 @@ absl::StatusOr<Feature> FromProto(v1::Feature proto);
 absl::Status ToProto(const Path& path, v1::Path* proto);
 absl::StatusOr<Path> FromProto(const v1::Path& proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

@@ -37,4 +37,8 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 v1::ProgramFrame ToProto(ProgramFrame frame);
 absl::StatusOr<ProgramFrame> FromProto(v1::ProgramFrame proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

@@ -26,4 +26,8 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto);
 absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

@@ -13,4 +13,8 @@ v1::StageCall ToProto(const StageCall& call);
 /// is of another build: its other stages would not give the same bytes.
 absl::StatusOr<StageCall> FromProto(const v1::StageCall& proto);
 
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
 }  // namespace slicefarm

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <grpcpp/channel.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "common/model/limits.h"
+
+namespace slicefarm::rpc {
+
+struct ChannelOptions {
+  int64_t max_message_bytes = limits::kMaxStageMessageBytes;
+};
+
+/// A channel to one address (host:port): keepalive that notices a dead peer within half a minute,
+/// reconnection within a second, and, for unary methods, up to three retries while the server is
+/// UNAVAILABLE. No proxy. Connects when first used.
+std::shared_ptr<grpc::Channel> MakeChannel(const std::string& address,
+                                           const ChannelOptions& options = {});
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,91 @@
+#include "common/rpc/serve.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "common/model/build_info.h"
+
+namespace slicefarm::rpc {
+namespace {
+
+/// Threads beyond the calls at work and waiting: for health, reflection and calls that are being
+/// refused.
+constexpr int kSpareThreads = 16;
+
+std::string HostOf(const std::string& address) { return address.substr(0, address.rfind(':')); }
+
+void Announce(std::string_view what, const std::string& host, int port) {
+  fmt::print("{} on {}:{}\n", what, host, port);
+  std::fflush(stdout);
+}
+
+int Concurrency(const ServeFlags& flags) {
+  if (flags.max_concurrent > 0) return flags.max_concurrent;
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+void AddServeFlags(CLI::App& app, ServeFlags* flags) {
+  app.set_version_flag(
+      "--version", fmt::format("slicefarm {} ({}) build {}", Version(), ReleaseDate(), BuildId()));
+  app.add_option("--listen", flags->server.listen, "Address to serve on; port 0 takes any free one")
+      ->capture_default_str();
+  app.add_option("--metrics-port", flags->metrics_port,
+                 "Port for Prometheus; 0 takes any free one, -1 serves none")
+      ->check(CLI::Range(-1, 65535))
+      ->capture_default_str();
+  app.add_option("--max-concurrent", flags->max_concurrent,
+                 "Calls worked on at once; 0: one for each core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--threads", flags->threads, "Threads that one call may use")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
+}
+
+CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
+  CallGateOptions options;
+  options.slots = Concurrency(flags);
+  options.queue = 4 * options.slots;
+  return options;
+}
+
+int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services) {
+  ServerOptions options = flags.server;
+  const CallGateOptions gate = GateOptions(flags);
+  options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);
+  absl::StatusOr<std::unique_ptr<Server>> server = Server::Start(options, services, call_metrics_);
+  if (!server.ok()) {
+    log_.Error("cannot serve", {{"error", std::string(server.status().message())}});
+    return 1;
+  }
+  const std::string host = HostOf(options.listen);
+  if (flags.metrics_port >= 0) {
+    const absl::StatusOr<int> port = metrics_.Serve(fmt::format("{}:{}", host, flags.metrics_port));
+    if (!port.ok()) {
+      log_.Error("cannot serve", {{"error", std::string(port.status().message())}});
+      return 1;
+    }
+    Announce("metrics", host, *port);
+  }
+  Announce("listening", host, (*server)->port());
+  log_.Info("serving", {{"address", fmt::format("{}:{}", host, (*server)->port())},
+                        {"version", std::string(Version())},
+                        {"build", std::string(BuildId())}});
+
+  const int signal = signal_.Wait();
+  log_.Info("draining", {{"signal", int64_t{signal}}});
+  (*server)->Drain(std::chrono::seconds(flags.drain_s));
+  log_.Info("stopped");
+  return 0;
+}
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "common/rpc/call_gate.h"
+#include "common/rpc/call_metrics.h"
+#include "common/rpc/json_log.h"
+#include "common/rpc/metrics.h"
+#include "common/rpc/server.h"
+#include "common/rpc/shutdown_signal.h"
+
+namespace CLI {
+class App;
+}
+
+namespace slicefarm::rpc {
+
+/// What every server program can be told on its command line.
+struct ServeFlags {
+  ServerOptions server;
+  int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
+  int max_concurrent = 0;  ///< 0: as many as the machine has cores
+  int threads = 1;         ///< that one call may use
+  int drain_s = 30;
+};
+
+/// --listen, --metrics-port, --max-concurrent, --threads, --drain, and --version.
+void AddServeFlags(CLI::App& app, ServeFlags* flags);
+
+/// The life of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
+/// before any thread starts. Prints `listening on HOST:PORT` and `metrics on HOST:PORT` to stdout
+/// once it serves.
+class ServerProgram {
+ public:
+  /// `name`: `beading` of slicefarm-beading.
+  explicit ServerProgram(std::string name) : log_(name), call_metrics_(metrics_.registry()) {}
+
+  const JsonLog& log() const { return log_; }
+  Metrics& metrics() { return metrics_; }
+
+  /// The gate for heavy calls that the flags ask for.
+  CallGateOptions GateOptions(const ServeFlags& flags) const;
+
+  /// Serves `services` until a signal comes. Returns the exit code of the program: 0, or 1 if it
+  /// cannot listen.
+  int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services);
+
+ private:
+  ShutdownSignal signal_;
+  JsonLog log_;
+  Metrics metrics_;
+  CallMetrics call_metrics_;
+};
+
+}  // namespace slicefarm::rpc

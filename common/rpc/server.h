@@ -1,0 +1,51 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/limits.h"
+#include "common/rpc/call_metrics.h"
+
+namespace slicefarm::rpc {
+
+struct ServerOptions {
+  std::string listen = "127.0.0.1:0";  ///< host:port; port 0: any that is free
+  int64_t max_message_bytes = limits::kMaxStageMessageBytes;
+  int64_t max_buffer_bytes = int64_t{1} << 30;  ///< of messages in flight, over all calls
+  int max_threads = 64;  ///< calls beyond are refused with RESOURCE_EXHAUSTED
+};
+
+/// A gRPC server with health checking, reflection, limits, keepalive and metrics.
+class Server {
+ public:
+  /// `services` and `metrics` must outlive the server. Errors: Unavailable if it cannot listen
+  /// there.
+  static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
+                                                       const std::vector<grpc::Service*>& services,
+                                                       CallMetrics& metrics);
+  ~Server();
+
+  int port() const { return port_; }
+
+  /// Health turns to NOT_SERVING, no new call is taken; waits until those in flight are done, and
+  /// cancels what is left after `patience`.
+  void Drain(std::chrono::milliseconds patience);
+
+  /// For clients in this process.
+  std::shared_ptr<grpc::Channel> InProcessChannel();
+
+ private:
+  Server(std::unique_ptr<grpc::Server> server, int port)
+      : server_(std::move(server)), port_(port) {}
+
+  std::unique_ptr<grpc::Server> server_;
+  const int port_;
+};
+
+}  // namespace slicefarm::rpc

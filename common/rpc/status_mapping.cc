@@ -1,0 +1,115 @@
+#include "common/rpc/status_mapping.h"
+
+#include <charconv>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/rpc/utf8.h"
+#include "slicefarm/v1/error_details.pb.h"
+
+namespace slicefarm::rpc {
+namespace {
+
+constexpr size_t kMaxMessageBytes = 2048;
+constexpr size_t kMaxValueBytes = 512;
+constexpr size_t kMaxValues = 8;
+
+std::string MessageOf(const absl::Status& status) {
+  return ToUtf8({status.message().data(), status.message().size()}, kMaxMessageBytes);
+}
+
+int64_t ToInt(const std::string& text) {
+  int64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+google::rpc::RetryInfo RetryAfter(int64_t ms) {
+  google::rpc::RetryInfo info;
+  info.mutable_retry_delay()->set_seconds(ms / 1000);
+  info.mutable_retry_delay()->set_nanos(static_cast<int32_t>(ms % 1000) * 1'000'000);
+  return info;
+}
+
+google::rpc::Status Details(const absl::Status& status) {
+  ErrorDetail detail = DetailOf(status);
+  google::rpc::Status proto;
+  proto.set_code(static_cast<int>(status.code()));
+  proto.set_message(MessageOf(status));
+  if (const auto retry = detail.metadata.find(kRetryAfterMs); retry != detail.metadata.end()) {
+    proto.add_details()->PackFrom(RetryAfter(ToInt(retry->second)));
+    detail.metadata.erase(retry);
+  }
+  google::rpc::ErrorInfo info;
+  info.set_domain(kErrorDomain);
+  info.set_reason(std::string(ReasonName(detail.reason)));
+  for (const auto& [key, value] : detail.metadata) {
+    if (info.metadata_size() == kMaxValues) break;
+    (*info.mutable_metadata())[ToUtf8(key, kMaxValueBytes)] = ToUtf8(value, kMaxValueBytes);
+  }
+  proto.add_details()->PackFrom(info);
+  return proto;
+}
+
+bool Contains(const std::string& text, std::initializer_list<std::string_view> parts) {
+  for (const std::string_view part : parts) {
+    if (text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// What gRPC says when there is nothing behind it but a connection that went away.
+bool IsBrokenConnection(const grpc::Status& status) {
+  const grpc::StatusCode code = status.error_code();
+  return (code == grpc::StatusCode::UNKNOWN || code == grpc::StatusCode::INTERNAL) &&
+         Contains(status.error_message(), {"RST_STREAM", "Stream removed", "Socket closed",
+                                           "Connection reset", "Broken pipe"});
+}
+
+absl::Status FromLibrary(const grpc::Status& status) {
+  const auto code = static_cast<absl::StatusCode>(status.error_code());
+  const std::string& message = status.error_message();
+  if (code == absl::StatusCode::kResourceExhausted && Contains(message, {"larger than max"})) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestTooLarge, message);
+  }
+  if (IsBrokenConnection(status)) {
+    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, message);
+  }
+  return MakeError(code, DetailOf(absl::Status(code, message)).reason, message);
+}
+
+}  // namespace
+
+grpc::Status ToGrpc(const absl::Status& status) {
+  if (status.ok()) return grpc::Status::OK;
+  return grpc::Status(static_cast<grpc::StatusCode>(status.code()), MessageOf(status),
+                      Details(status).SerializeAsString());
+}
+
+absl::Status FromGrpc(const grpc::Status& status) {
+  if (status.ok()) return absl::OkStatus();
+  google::rpc::Status proto;
+  if (status.error_details().empty() || !proto.ParseFromString(status.error_details())) {
+    return FromLibrary(status);
+  }
+  Reason reason = Reason::kInternal;
+  std::map<std::string, std::string> metadata;
+  for (const google::protobuf::Any& any : proto.details()) {
+    google::rpc::ErrorInfo info;
+    google::rpc::RetryInfo retry;
+    if (any.UnpackTo(&info)) {
+      reason = ReasonFromName(info.reason()).value_or(Reason::kInternal);
+      metadata.insert(info.metadata().begin(), info.metadata().end());
+    } else if (any.UnpackTo(&retry)) {
+      const auto& delay = retry.retry_delay();
+      metadata[kRetryAfterMs] = std::to_string(delay.seconds() * 1000 + delay.nanos() / 1'000'000);
+    }
+  }
+  return MakeError(static_cast<absl::StatusCode>(status.error_code()), reason,
+                   status.error_message(), std::move(metadata));
+}
+
+}  // namespace slicefarm::rpc

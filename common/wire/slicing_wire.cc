@@ -1,0 +1,148 @@
+#include "common/wire/slicing_wire.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/wire/mesh_wire.h"
+#include "common/wire/repeated_wire.h"
+#include "common/wire/settings_wire.h"
+#include "common/wire/stage_call_wire.h"
+#include "common/wire/wire_error.h"
+
+namespace slicefarm {
+namespace {
+
+/// Memory for a file that is merely announced; more comes with the bytes.
+constexpr int64_t kMaxReservedBytes = 64 << 20;
+
+absl::StatusOr<MeshFile> FileFromProto(const v1::SliceObject& proto) {
+  const absl::StatusOr<MeshFormat> format = FromProto(proto.format());
+  if (!format.ok()) return format.status();
+  MeshFile file;
+  file.name = proto.name();
+  file.format = *format;
+  file.bytes.reserve(std::min(proto.size_bytes(), kMaxReservedBytes));
+  return file;
+}
+
+absl::Status CheckSizes(const v1::SliceStart& start) {
+  if (start.objects_size() < 1) return Malformed("objects", "there are none");
+  if (start.objects_size() > limits::kMaxObjects) {
+    return LimitError(Reason::kRequestTooLarge, "objects", limits::kMaxObjects,
+                      start.objects_size());
+  }
+  int64_t left = limits::kMaxMeshBytes;
+  for (const v1::SliceObject& object : start.objects()) {
+    if (object.size_bytes() < 0) return Malformed("objects.size_bytes", "is negative");
+    if (object.size_bytes() > left) {
+      return LimitError(Reason::kMeshTooLarge, "bytes of meshes", limits::kMaxMeshBytes,
+                        limits::kMaxMeshBytes - left + object.size_bytes());
+    }
+    left -= object.size_bytes();
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
+                     v1::SliceStart* start) {
+  *start->mutable_call() = ToProto(call);
+  if (absl::Status status = ToProto(options, start->mutable_options()); !status.ok()) {
+    return Within("options", status);
+  }
+  for (size_t i = 0; i < input.files.size(); ++i) {
+    v1::SliceObject* object = start->add_objects();
+    object->set_name(input.files[i].name);
+    object->set_format(ToProto(input.files[i].format));
+    object->set_size_bytes(static_cast<int64_t>(input.files[i].bytes.size()));
+    if (absl::Status status = ToProto(input.placements[i], object->mutable_placement());
+        !status.ok()) {
+      return Within("objects", i, status);
+    }
+  }
+  return absl::OkStatus();
+}
+
+void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_view)>& send) {
+  for (const MeshFile& file : input.files) {
+    for (std::string_view rest = file.bytes; !rest.empty();) {
+      const std::string_view chunk = rest.substr(0, limits::kUploadChunkBytes);
+      if (!send(chunk)) return;
+      rest.remove_prefix(chunk.size());
+    }
+  }
+}
+
+absl::StatusOr<SliceInputReader> SliceInputReader::Begin(const v1::SliceStart& start) {
+  if (absl::Status status = CheckSizes(start); !status.ok()) return status;
+  SliceInputReader reader;
+  for (int i = 0; i < start.objects_size(); ++i) {
+    const v1::SliceObject& object = start.objects(i);
+    absl::StatusOr<MeshFile> file = FileFromProto(object);
+    if (!file.ok()) return Within("objects", i, file.status());
+    absl::StatusOr<Placement> placement = FromProto(object.placement());
+    if (!placement.ok()) return Within("objects", i, placement.status());
+    reader.input_.files.push_back(*std::move(file));
+    reader.input_.placements.push_back(*std::move(placement));
+    reader.sizes_.push_back(static_cast<size_t>(object.size_bytes()));
+  }
+  return reader;
+}
+
+absl::Status SliceInputReader::Add(std::string_view chunk) {
+  while (!chunk.empty()) {
+    if (file_ == sizes_.size()) return Malformed("chunk", "more bytes than were announced");
+    std::string& bytes = input_.files[file_].bytes;
+    const std::string_view part = chunk.substr(0, sizes_[file_] - bytes.size());
+    bytes.append(part);
+    chunk.remove_prefix(part.size());
+    if (bytes.size() == sizes_[file_]) ++file_;
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<SliceInput> SliceInputReader::Finish() {
+  for (size_t i = 0; i < sizes_.size(); ++i) {
+    if (input_.files[i].bytes.size() != sizes_[i]) {
+      return Malformed("chunk", "fewer bytes than were announced");
+    }
+  }
+  return std::move(input_);
+}
+
+absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto) {
+  absl::StatusOr<StageCall> call = FromProto(proto.call());
+  if (!call.ok()) return call.status();
+  absl::StatusOr<SlicingOptions> options = FromProto(proto.options());
+  if (!options.ok()) return Within("options", options.status());
+  absl::StatusOr<SliceInputReader> files = SliceInputReader::Begin(proto);
+  if (!files.ok()) return files.status();
+  return SliceStart{*std::move(call), *std::move(options), *std::move(files)};
+}
+
+v1::SliceSummary ToProto(const SlicedJob& job) {
+  v1::SliceSummary proto;
+  proto.set_layer_count(static_cast<int32_t>(job.layers.size()));
+  proto.mutable_object_names()->Assign(job.object_names.begin(), job.object_names.end());
+  for (const MeshReport& mesh : job.meshes) *proto.add_meshes() = ToProto(mesh);
+  for (const Thumbnail& thumbnail : job.thumbnails) *proto.add_thumbnails() = ToProto(thumbnail);
+  return proto;
+}
+
+absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
+  if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayers) {
+    return Malformed("layer_count", "is out of range");
+  }
+  SlicedJob job;
+  job.layers.reserve(proto.layer_count());
+  job.object_names.assign(proto.object_names().begin(), proto.object_names().end());
+  absl::Status status = AllFromProto(proto.meshes(), "meshes", &job.meshes);
+  status.Update(AllFromProto(proto.thumbnails(), "thumbnails", &job.thumbnails));
+  if (!status.ok()) return status;
+  return job;
+}
+
+}  // namespace slicefarm

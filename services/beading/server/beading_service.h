@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/rpc/call_gate.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/beading.grpc.pb.h"
+
+namespace slicefarm::beading {
+
+/// Translates slicefarm.v1.Beading to a BeadingStage and back.
+class BeadingService final : public v1::Beading::Service {
+ public:
+  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
+  BeadingService(const BeadingStage& stage, rpc::CallGate& gate, int threads)
+      : stage_(stage), gate_(gate), threads_(threads) {}
+
+  using Stream = grpc::ServerReaderWriter<v1::WalledLayer, v1::BeadRequest>;
+  grpc::Status BeadLayers(grpc::ServerContext* context, Stream* stream) override;
+
+ private:
+  absl::Status Bead(rpc::Call& call, Stream& stream) const;
+
+  const BeadingStage& stage_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
+
+}  // namespace slicefarm::beading

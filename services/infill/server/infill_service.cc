@@ -1,0 +1,43 @@
+#include "services/infill/server/infill_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/start_wire.h"
+
+namespace slicefarm::infill {
+
+grpc::Status InfillService::FillLayers(grpc::ServerContext* context, Stream* stream) {
+  return gate_.Run(*context, "FillLayers", [&](rpc::Call& call) { return Fill(call, *stream); });
+}
+
+absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  call.layers = start->range;
+  std::vector<SlicedLayer> neighbours;
+  std::vector<WalledLayer> walled;
+  absl::Status status = ReadEach<v1::FillRequest>(stream, [&](const v1::FillRequest& request) {
+    return request.has_neighbour() ? Append(FromProto(request.neighbour()), &neighbours)
+                                   : Append(FromProto(request.layer()), &walled);
+  });
+  status.Update(call.cancel.Check());
+  status.Update(CheckNeighbourhood(neighbours, start->range, start->layer_count));
+  status.Update(CheckLayersOfRange(walled, start->range));
+  if (!status.ok()) return status;
+
+  start->call.cancel = call.cancel;
+  start->call.threads = threads_;
+  const absl::StatusOr<std::vector<FilledLayer>> filled =
+      stage_.Fill(start->call, std::move(walled), {start->range, start->layer_count, neighbours},
+                  start->options);
+  if (!filled.ok()) return filled.status();
+  return WriteEach<v1::FilledLayer>(
+      stream, *filled,
+      [](const FilledLayer& layer, v1::FilledLayer* proto) { return ToProto(layer, proto); });
+}
+
+}  // namespace slicefarm::infill

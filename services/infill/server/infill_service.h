@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/rpc/call_gate.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/infill.grpc.pb.h"
+
+namespace slicefarm::infill {
+
+/// Translates slicefarm.v1.Infill to an InfillStage and back.
+class InfillService final : public v1::Infill::Service {
+ public:
+  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
+  InfillService(const InfillStage& stage, rpc::CallGate& gate, int threads)
+      : stage_(stage), gate_(gate), threads_(threads) {}
+
+  using Stream = grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>;
+  grpc::Status FillLayers(grpc::ServerContext* context, Stream* stream) override;
+
+ private:
+  absl::Status Fill(rpc::Call& call, Stream& stream) const;
+
+  const InfillStage& stage_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
+
+}  // namespace slicefarm::infill

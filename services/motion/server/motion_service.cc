@@ -1,0 +1,69 @@
+#include "services/motion/server/motion_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/motion_options_wire.h"
+#include "common/wire/program_wire.h"
+#include "common/wire/stage_call_wire.h"
+#include "common/wire/start_wire.h"
+
+namespace slicefarm::motion {
+
+grpc::Status MotionService::ProgramLayers(grpc::ServerContext* context, Stream* stream) {
+  return gate_.Run(*context, "ProgramLayers",
+                   [&](rpc::Call& call) { return Program(call, *stream); });
+}
+
+absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  std::vector<OrderedLayer> layers;
+  absl::Status status =
+      ReadEach<v1::ProgramRequest>(stream, [&](const v1::ProgramRequest& request) {
+        return Append(FromProto(request.layer()), &layers);
+      });
+  status.Update(call.cancel.Check());
+  status.Update(CheckConsecutive(layers));
+  if (!status.ok()) return status;
+  call.layers = RangeOf(layers);
+
+  start->call.cancel = call.cancel;
+  start->call.threads = threads_;
+  absl::StatusOr<std::vector<LayerProgram>> programs =
+      stage_.Program(start->call, std::move(layers), start->options);
+  if (!programs.ok()) return programs.status();
+  return WriteEach<v1::LayerProgram>(stream, *programs,
+                                     [](LayerProgram& program, v1::LayerProgram* proto) {
+                                       return ToProto(std::move(program), proto);
+                                     });
+}
+
+grpc::Status MotionService::FrameProgram(grpc::ServerContext* context,
+                                         const v1::FrameRequest* request,
+                                         v1::ProgramFrame* response) {
+  return gate_.Run(*context, "FrameProgram",
+                   [&](rpc::Call& call) { return Frame(call, *request, response); });
+}
+
+absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& request,
+                                  v1::ProgramFrame* response) const {
+  absl::StatusOr<StageCall> stage_call = FromProto(request.call());
+  if (!stage_call.ok()) return stage_call.status();
+  const absl::StatusOr<MotionOptions> options = FromProto(request.options());
+  if (!options.ok()) return Within("options", options.status());
+  const absl::StatusOr<ProgramSummary> summary = FromProto(request);
+  if (!summary.ok()) return summary.status();
+  call.job_id = stage_call->job_id;
+  stage_call->cancel = call.cancel;
+  stage_call->threads = threads_;
+  absl::StatusOr<ProgramFrame> frame = stage_.Frame(*stage_call, *summary, *options);
+  if (!frame.ok()) return frame.status();
+  *response = ToProto(*std::move(frame));
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::motion

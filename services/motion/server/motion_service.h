@@ -1,0 +1,32 @@
+#pragma once
+
+#include "common/rpc/call_gate.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/motion.grpc.pb.h"
+
+namespace slicefarm::motion {
+
+/// Translates slicefarm.v1.Motion to a MotionStage and back.
+class MotionService final : public v1::Motion::Service {
+ public:
+  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
+  MotionService(const MotionStage& stage, rpc::CallGate& gate, int threads)
+      : stage_(stage), gate_(gate), threads_(threads) {}
+
+  using Stream = grpc::ServerReaderWriter<v1::LayerProgram, v1::ProgramRequest>;
+  grpc::Status ProgramLayers(grpc::ServerContext* context, Stream* stream) override;
+
+  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* request,
+                            v1::ProgramFrame* response) override;
+
+ private:
+  absl::Status Program(rpc::Call& call, Stream& stream) const;
+  absl::Status Frame(rpc::Call& call, const v1::FrameRequest& request,
+                     v1::ProgramFrame* response) const;
+
+  const MotionStage& stage_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
+
+}  // namespace slicefarm::motion

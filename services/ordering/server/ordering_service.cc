@@ -1,0 +1,42 @@
+#include "services/ordering/server/ordering_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/start_wire.h"
+
+namespace slicefarm::ordering {
+
+grpc::Status OrderingService::OrderLayers(grpc::ServerContext* context, Stream* stream) {
+  return gate_.Run(*context, "OrderLayers", [&](rpc::Call& call) { return Order(call, *stream); });
+}
+
+absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  std::vector<FilledLayer> layers;
+  std::vector<LayerPlan> plans;
+  absl::Status status = ReadEach<v1::OrderRequest>(stream, [&](const v1::OrderRequest& request) {
+    absl::Status appended = Append(FromProto(request.layer().layer()), &layers);
+    appended.Update(Append(FromProto(request.layer().plan()), &plans));
+    return appended;
+  });
+  status.Update(call.cancel.Check());
+  status.Update(CheckConsecutive(layers));
+  if (!status.ok()) return status;
+  call.layers = RangeOf(layers);
+
+  start->call.cancel = call.cancel;
+  start->call.threads = threads_;
+  const absl::StatusOr<std::vector<OrderedLayer>> ordered =
+      stage_.Order(start->call, std::move(layers), plans, start->options);
+  if (!ordered.ok()) return ordered.status();
+  return WriteEach<v1::OrderedLayer>(
+      stream, *ordered,
+      [](const OrderedLayer& layer, v1::OrderedLayer* proto) { return ToProto(layer, proto); });
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/rpc/call_gate.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/ordering.grpc.pb.h"
+
+namespace slicefarm::ordering {
+
+/// Translates slicefarm.v1.Ordering to an OrderingStage and back.
+class OrderingService final : public v1::Ordering::Service {
+ public:
+  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
+  OrderingService(const OrderingStage& stage, rpc::CallGate& gate, int threads)
+      : stage_(stage), gate_(gate), threads_(threads) {}
+
+  using Stream = grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>;
+  grpc::Status OrderLayers(grpc::ServerContext* context, Stream* stream) override;
+
+ private:
+  absl::Status Order(rpc::Call& call, Stream& stream) const;
+
+  const OrderingStage& stage_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
+
+}  // namespace slicefarm::ordering
