@@ -24,7 +24,7 @@ struct Placement {
   double unit_mm = 1.0;                     ///< mm per unit of the file
   std::array<double, 3> scale = {1, 1, 1};  ///< > 0
   std::array<double, 3> rotate_deg = {0, 0, 0};
-  std::vector<Point> centers;  ///< one per copy; empty: one copy at the middle of the bed
+  std::vector<Point> centers = {};  ///< one per copy; empty: one copy at the middle of the bed
 
   friend bool operator==(const Placement&, const Placement&) = default;
 };

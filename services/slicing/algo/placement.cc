@@ -27,15 +27,6 @@ absl::Status FactorError(std::string_view name, double got) {
 
 bool IsFactor(double value) { return std::isfinite(value) && value > 0; }
 
-absl::Status CheckPlacement(const Placement& placement) {
-  if (!IsFactor(placement.unit_mm)) return FactorError("unit_mm", placement.unit_mm);
-  for (const double scale : placement.scale)
-    if (!IsFactor(scale)) return FactorError("scale", scale);
-  for (const double angle : placement.rotate_deg)
-    if (!std::isfinite(angle)) return FactorError("rotate_deg", angle);
-  return absl::OkStatus();
-}
-
 /// From the units of the file to nanometres.
 Matrix3 TransformOf(const Placement& placement) {
   Matrix3 transform = RotationXyz(placement.rotate_deg);
@@ -97,6 +88,15 @@ Extent ExtentOf(const IndexedMesh& mesh) {
                   std::max(extent.max.z, v.z)};
   }
   return extent;
+}
+
+absl::Status CheckPlacement(const Placement& placement) {
+  if (!IsFactor(placement.unit_mm)) return FactorError("unit_mm", placement.unit_mm);
+  for (const double scale : placement.scale)
+    if (!IsFactor(scale)) return FactorError("scale", scale);
+  for (const double angle : placement.rotate_deg)
+    if (!std::isfinite(angle)) return FactorError("rotate_deg", angle);
+  return absl::OkStatus();
 }
 
 double CoordinateLimit(const Placement& placement) {

@@ -18,6 +18,9 @@ struct Extent {
 };
 Extent ExtentOf(const IndexedMesh& mesh);
 
+/// Errors: SETTING_OUT_OF_RANGE for units, scale or angles that are not finite, or not above zero.
+absl::Status CheckPlacement(const Placement& placement);
+
 /// The largest absolute coordinate, in the units of the file, that `placement` leaves within
 /// limits.h's 10 m.
 double CoordinateLimit(const Placement& placement);

@@ -23,6 +23,7 @@ void ReportEdgesOfFile(const RawMesh& raw, MeshReport& report) {
 
 absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const Placement& placement,
                                          const SlicingOptions& options, const CancelToken& cancel) {
+  if (absl::Status status = CheckPlacement(placement); !status.ok()) return status;
   absl::StatusOr<RawMesh> raw = ReadMesh(file, CoordinateLimit(placement), cancel);
   if (!raw.ok()) return raw.status();
   file.bytes = std::string();

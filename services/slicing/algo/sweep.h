@@ -69,6 +69,8 @@ class Sweep {
   Sweep(const ConnectedMesh& mesh, std::span<const Coord> planes_nm);
   absl::Status SortFacesIntoLayers();
   Point Crossing(uint32_t half_edge, Coord z_nm) const;
+  void PrefetchFace(uint32_t face, SweepScratch& scratch) const;
+  void PrefetchCorners(uint32_t face) const;
   /// One segment a face, in the order of `faces`.
   void CutFaces(std::span<const uint32_t> faces, size_t layer, SweepScratch& scratch) const;
   Polyline Chain(uint32_t first, uint32_t face, Coord z_nm, SweepScratch& scratch) const;

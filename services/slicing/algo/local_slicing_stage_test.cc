@@ -1,0 +1,261 @@
+#include "services/slicing/algo/local_slicing_stage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "common/model/error.h"
+#include "services/slicing/algo/sample_meshes.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+using testing::ElementsAre;
+using testing::SizeIs;
+
+constexpr Coord kMm = kNmPerMm;
+
+RawMesh Cube(double x, double y, double z, double size = 10) {
+  return BoxMesh({x, y, z}, {x + size, y + size, z + size});
+}
+
+MeshFile File(const RawMesh& mesh, std::string name = "part") {
+  return {std::move(name), MeshFormat::kUnknown, ToBinaryStl(mesh)};
+}
+
+SliceInput Input(const RawMesh& mesh, const Placement& placement = {}) {
+  return {{File(mesh)}, {placement}};
+}
+
+absl::StatusOr<SlicedJob> Slice(SliceInput input, const SlicingOptions& options = {},
+                                int threads = 1) {
+  StageCall call;
+  call.threads = threads;
+  return MakeLocalSlicing()->Slice(call, std::move(input), options);
+}
+
+double VolumeMm3(const SlicedJob& job) {
+  double volume = 0;
+  for (const SlicedLayer& layer : job.layers)
+    for (const ObjectSection& object : layer.objects)
+      volume += Area(object.outlines) * 1e-12 * ToMm(static_cast<double>(layer.frame.height_nm));
+  return volume;
+}
+
+TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
+  const auto job = Slice(Input(Cube(3, 4, 5)));
+  ASSERT_TRUE(job.ok()) << job.status();
+  ASSERT_THAT(job->layers, SizeIs(50));
+  const Polygon square = {{120 * kMm, 100 * kMm},
+                          {130 * kMm, 100 * kMm},
+                          {130 * kMm, 110 * kMm},
+                          {120 * kMm, 110 * kMm}};
+  for (int32_t k = 0; k < 50; ++k) {
+    EXPECT_EQ(job->layers[k].frame, (LayerFrame{k, (k + 1) * 200'000, 200'000}));
+    EXPECT_THAT(job->layers[k].objects, ElementsAre(ObjectSection{0, {{square, {}}}}));
+  }
+  EXPECT_THAT(job->object_names, ElementsAre("part"));
+  ASSERT_THAT(job->meshes, SizeIs(1));
+  EXPECT_TRUE(job->meshes[0].Closed());
+  EXPECT_DOUBLE_EQ(job->meshes[0].volume_mm3, 1000);
+  ASSERT_THAT(job->thumbnails, SizeIs(2));
+  EXPECT_EQ(job->thumbnails[0].width_px, 32);
+  EXPECT_EQ(job->thumbnails[1].height_px, 300);
+}
+
+struct RuleCase {
+  std::string name;
+  RawMesh mesh;
+  double non_zero_mm2, even_odd_mm2, positive_mm2;  ///< in the layer at 5 mm
+};
+
+TEST(LocalSlicing, FillRulesDecideWhatIsInside) {
+  const RawMesh outer = Cube(0, 0, 0, 20), inner = Cube(5, 5, 2, 10);
+  const std::vector<RuleCase> cases = {
+      {"Overlap", Joined(Cube(0, 0, 0), Cube(5, 5, 0)), 175, 150, 175},
+      {"Shell", Joined(outer, TurnedInsideOut(inner)), 300, 300, 300},
+      {"ShellTheWrongWay", Joined(outer, inner), 400, 300, 400},
+      {"InsideOut", TurnedInsideOut(outer), 400, 400, 0},
+      {"TouchingInAnEdge", Joined(Cube(0, 0, 0), Cube(10, 10, 0)), 200, 200, 200},
+      {"TouchingInAFace", Joined(Cube(0, 0, 0), Cube(10, 0, 0)), 200, 200, 200},
+  };
+  for (const RuleCase& c : cases) {
+    for (const auto& [rule, want] : {std::pair{FillRule::kNonZero, c.non_zero_mm2},
+                                     {FillRule::kEvenOdd, c.even_odd_mm2},
+                                     {FillRule::kPositive, c.positive_mm2}}) {
+      SlicingOptions options;
+      options.fill_rule = rule;
+      const auto job = Slice(Input(c.mesh), options);
+      if (want == 0) {
+        EXPECT_EQ(DetailOf(job.status()).reason, Reason::kNothingToPrint) << c.name;
+        continue;
+      }
+      ASSERT_TRUE(job.ok()) << c.name << job.status();
+      ASSERT_THAT(job->layers[25].objects, SizeIs(1)) << c.name;
+      EXPECT_NEAR(Area(job->layers[25].objects[0].outlines) * 1e-12, want, 1e-6) << c.name;
+    }
+  }
+}
+
+TEST(LocalSlicing, CopiesAreShiftedOutlines) {
+  const std::vector<Point> centers = {
+      {50 * kMm, 50 * kMm}, {120 * kMm, 61 * kMm}, {50 * kMm, 120 * kMm}};
+  SliceInput input = Input(TorusMesh({.ring_radius = 10, .tube_radius = 3}), {.centers = centers});
+  input.files.push_back(File(Cube(0, 0, 0, 5), "cube"));
+  input.placements.push_back({.centers = {{200 * kMm, 150 * kMm}}});
+  const auto job = Slice(std::move(input));
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_THAT(job->object_names, ElementsAre("part", "part", "part", "cube"));
+  ASSERT_THAT(job->layers, SizeIs(30));
+  for (const SlicedLayer& layer : job->layers) {
+    const size_t objects = layer.frame.print_z_nm <= 5 * kMm ? 4 : 3;
+    ASSERT_THAT(layer.objects, SizeIs(objects));
+    for (size_t copy = 0; copy < 3; ++copy) {
+      EXPECT_EQ(layer.objects[copy].object, static_cast<int32_t>(copy));
+      const Point shift = centers[copy] - centers[0];
+      EXPECT_EQ(layer.objects[copy].outlines[0].outer[0] - shift,
+                layer.objects[0].outlines[0].outer[0]);
+    }
+  }
+}
+
+void ExpectSame(const SlicedJob& a, const SlicedJob& b) {
+  EXPECT_EQ(a.layers, b.layers);
+  EXPECT_EQ(a.meshes, b.meshes);
+}
+
+TEST(LocalSlicing, DoesNotDependOnThreadsOrTheOrderOfTriangles) {
+  const RawMesh sound = Joined(TorusMesh({.snap_to_layer = 0.2}), Moved(TorusMesh({}), {13, 7, 3}));
+  const RawMesh broken = WithoutTriangle(WithoutTriangle(sound, 77), 3);
+  for (const RawMesh& mesh : {sound, broken}) {
+    const auto want = Slice(Input(mesh));
+    ASSERT_TRUE(want.ok()) << want.status();
+    for (const int threads : {2, 8}) {
+      const auto got = Slice(Input(mesh), {}, threads);
+      ASSERT_TRUE(got.ok());
+      ExpectSame(*got, *want);
+      EXPECT_EQ(got->thumbnails, want->thumbnails);
+    }
+    for (const uint32_t seed : {1u, 2u}) ExpectSame(*Slice(Input(Shuffled(mesh, seed))), *want);
+  }
+}
+
+TEST(LocalSlicing, OpenMeshesAreClosedAsFarAsAllowedAndReported) {
+  const RawMesh open = WithoutTriangle(Cube(0, 0, 0), 11);
+  SlicingOptions options;
+  options.max_gap_nm = 2 * kMm;
+  const auto job = Slice(Input(open), options);
+  ASSERT_TRUE(job.ok()) << job.status();
+  const MeshReport& report = job->meshes[0];
+  EXPECT_EQ(report.open_edges, 3);
+  // Half of the side x = 10 is missing: the gap grows from 0 to 10 mm over 50 layers.
+  EXPECT_EQ(report.open_loops_closed, 10);
+  EXPECT_EQ(report.open_loops_dropped, 40);
+  EXPECT_NEAR(report.largest_gap_closed_mm, 1.9, 1e-6);
+  EXPECT_GT(report.dropped_length_mm, 40 * 30);
+  options.max_gap_nm = 0;
+  const auto strict = Slice(Input(open), options);
+  EXPECT_EQ(DetailOf(strict.status()).reason, Reason::kNothingToPrint);
+}
+
+TEST(LocalSlicing, ClosesCracksInOpenMeshesOnly) {
+  const RawMesh near = Joined(Cube(0, 0, 0), Cube(10.05, 0, 0));
+  const auto closed = Slice(Input(near));
+  ASSERT_TRUE(closed.ok());
+  EXPECT_THAT(closed->layers[10].objects[0].outlines, SizeIs(2));
+  SlicingOptions options;
+  options.max_gap_nm = 20 * kMm;
+  const auto open = Slice(Input(WithoutTriangle(near, 23)), options);
+  ASSERT_TRUE(open.ok());
+  EXPECT_THAT(open->layers[10].objects[0].outlines, SizeIs(1));
+}
+
+TEST(LocalSlicing, ElephantFootIsTakenOffTheFirstLayer) {
+  SlicingOptions options;
+  options.elephant_foot_nm = 200'000;
+  const auto job = Slice(Input(Cube(0, 0, 0)), options);
+  ASSERT_TRUE(job.ok());
+  EXPECT_NEAR(Area(job->layers[0].objects[0].outlines) * 1e-12, 9.6 * 9.6, 1e-6);
+  EXPECT_NEAR(Area(job->layers[1].objects[0].outlines) * 1e-12, 100, 1e-6);
+}
+
+TEST(LocalSlicing, RefusesWithAReason) {
+  const auto reason = [](SliceInput input, const SlicingOptions& options = {}) {
+    return DetailOf(Slice(std::move(input), options).status()).reason;
+  };
+  EXPECT_EQ(reason({}), Reason::kRequestMalformed);
+  EXPECT_EQ(reason({{File(Cube(0, 0, 0))}, {}}), Reason::kRequestMalformed);
+  EXPECT_EQ(reason(Input(Cube(0, 0, 0), {.centers = std::vector<Point>(1001)})),
+            Reason::kRequestTooLarge);
+  EXPECT_EQ(reason(Input(Cube(0, 0, 0), {.unit_mm = 50})), Reason::kOutOfBuildVolume);
+  EXPECT_EQ(reason(Input(Cube(0, 0, 0), {.scale = {1, 1, 0.005}})), Reason::kNothingToPrint);
+  EXPECT_EQ(reason({{{"x", MeshFormat::kUnknown, "hello"}}, {{}}}), Reason::kMeshFormatUnknown);
+  SlicingOptions flat;
+  flat.layer_height_nm = 0;
+  EXPECT_EQ(reason(Input(Cube(0, 0, 0)), flat), Reason::kSettingOutOfRange);
+  SlicingOptions picture;
+  picture.thumbnails_px = {{0, 0}};
+  EXPECT_EQ(reason(Input(Cube(0, 0, 0)), picture), Reason::kSettingOutOfRange);
+}
+
+TEST(LocalSlicing, CanBeCancelledAtAnyPoll) {
+  for (int after = 0; after < 60; ++after) {
+    std::atomic<int> polls = 0;
+    StageCall call;
+    call.cancel = CancelToken([&] { return polls++ >= after; });
+    const auto job = MakeLocalSlicing()->Slice(call, Input(Cube(0, 0, 0)), {});
+    if (job.ok()) {
+      EXPECT_GT(after, 50);  // at least once a layer
+      continue;
+    }
+    EXPECT_EQ(job.status().code(), absl::StatusCode::kCancelled);
+    EXPECT_EQ(DetailOf(job.status()).reason, Reason::kCancelled);
+  }
+}
+
+struct ModelCase {
+  std::string file;
+  size_t layers;
+  int64_t triangles, vertices, bodies, open_edges;
+  double volume_mm3;
+  double printed_mm3;  ///< less where bodies overlap
+};
+
+/// Layers integrate to the volume to within what half a layer at the top and bottom may take.
+TEST(LocalSlicing, ModelsOfTheCorpus) {
+  const std::vector<ModelCase> cases = {
+      {"benchy.stl", 240, 225'154, 112'565, 1, 0, 15'550.5, 15'550.5},
+      {"busted.stl", 48, 3'878, 1'941, 1, 0, 526.449, 526.449},
+      {"featuretype.stl", 175, 3'476, 2'010, 1, 576, 190'544.41, 190'544.41},
+      {"spot.stl", 394, 5'856, 2'930, 1, 0, 72'535.473, 72'535.473},
+      {"textbox.stl", 50, 1'444, 724, 1, 0, 42'108.78, 42'108.78},
+      {"thin_walls.stl", 75, 200, 134, 17, 0, 11'760, 11'520},
+  };
+  for (const ModelCase& c : cases) {
+    std::ifstream in(std::string(SLICEFARM_CORPUS) + "/models/" + c.file, std::ios::binary);
+    ASSERT_TRUE(in) << c.file;
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const auto job = Slice({{{c.file, MeshFormat::kUnknown, bytes}}, {{}}}, {}, 2);
+    ASSERT_TRUE(job.ok()) << c.file << job.status();
+    const MeshReport& report = job->meshes[0];
+    EXPECT_EQ(job->layers.size(), c.layers) << c.file;
+    EXPECT_EQ(report.triangles, c.triangles) << c.file;
+    EXPECT_EQ(report.vertices, c.vertices) << c.file;
+    EXPECT_EQ(report.bodies, c.bodies) << c.file;
+    EXPECT_EQ(report.open_edges, c.open_edges) << c.file;
+    EXPECT_EQ(report.non_manifold_edges + report.flipped_faces, 0) << c.file;
+    EXPECT_EQ(report.open_loops_closed + report.open_loops_dropped, 0) << c.file;
+    EXPECT_NEAR(report.volume_mm3, c.volume_mm3, c.volume_mm3 * 1e-5) << c.file;
+    EXPECT_NEAR(VolumeMm3(*job), c.printed_mm3, c.printed_mm3 * 0.0035) << c.file;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing

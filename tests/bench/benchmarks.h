@@ -1,0 +1,8 @@
+#pragma once
+
+namespace slicefarm::bench {
+
+/// Each prints `key value` rows to stdout and returns the exit code.
+int BenchSlice();
+
+}  // namespace slicefarm::bench
