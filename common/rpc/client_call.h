@@ -84,7 +84,9 @@ class StreamCall {
     (void)Finish();
   }
 
-  /// False if the call is over: Finish says why.
+  /// False once an operation found the call to be over: Finish says why.
+  bool alive() const { return alive_; }
+
   bool Write(const Request& request) {
     return Step([&] { stream_->Write(request, nullptr); });
   }

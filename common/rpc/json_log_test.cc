@@ -1,0 +1,63 @@
+#include "common/rpc/json_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace slicefarm::rpc {
+namespace {
+
+class JsonLogTest : public testing::Test {
+ protected:
+  nlohmann::json Line() const { return nlohmann::json::parse(out_.str()); }
+
+  std::ostringstream out_;
+  const JsonLog log_{"beading",
+                     std::make_shared<spdlog::logger>(
+                         "test", std::make_shared<spdlog::sinks::ostream_sink_mt>(out_))};
+};
+
+TEST_F(JsonLogTest, WritesOneObjectALine) {
+  log_.Info("range done", {{"job", "j1"}, {"layer_first", int64_t{3}}, {"seconds", 0.25}});
+  EXPECT_THAT(out_.str(), testing::EndsWith("}\n"));
+  const nlohmann::json line = Line();
+  EXPECT_EQ(line["level"], "info");
+  EXPECT_EQ(line["svc"], "beading");
+  EXPECT_EQ(line["msg"], "range done");
+  EXPECT_EQ(line["job"], "j1");
+  EXPECT_EQ(line["layer_first"], 3);
+  EXPECT_EQ(line["seconds"], 0.25);
+  EXPECT_THAT(line["ts"].get<std::string>(),
+              testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}\\.[0-9]{3}Z"));
+}
+
+TEST_F(JsonLogTest, NamesTheLevel) {
+  log_.Warn("x");
+  EXPECT_EQ(Line()["level"], "warning");
+  out_.str("");
+  log_.Error("x");
+  EXPECT_EQ(Line()["level"], "error");
+}
+
+// A job's name must not be able to write log lines of its own, nor break the reader.
+TEST_F(JsonLogTest, HostileTextStaysOneLine) {
+  const std::string hostile = "\"}\n{\"level\":\"error\" {} %v %n \xff\0" + std::string(1, '\0');
+  log_.Info(hostile, {{"job", hostile}, {"seconds", std::nan("")}});
+  EXPECT_EQ(std::ranges::count(out_.str(), '\n'), 1);
+  EXPECT_EQ(Line()["level"], "info");
+  EXPECT_THAT(Line()["job"].get<std::string>(), testing::StartsWith("\"}\n{"));
+  EXPECT_TRUE(Line()["seconds"].is_null());
+}
+
+TEST_F(JsonLogTest, CutsLongText) {
+  log_.Info("x", {{"error", std::string(1'000'000, 'x')}});
+  EXPECT_EQ(Line()["error"].get<std::string>().size(), 2048);
+}
+
+}  // namespace
+}  // namespace slicefarm::rpc

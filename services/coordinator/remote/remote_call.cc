@@ -1,0 +1,18 @@
+#include "services/coordinator/remote/remote_call.h"
+
+#include <fmt/core.h>
+
+#include <string>
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+
+absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
+  return MakeError(
+      absl::StatusCode::kInternal, Reason::kInternal,
+      fmt::format("{} answered what does not fit the call: {}", stage, std::string(why.message())),
+      {{"stage", std::string(stage)}});
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "common/rpc/client_call.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/remote/replica_source.h"
+
+namespace slicefarm::coordinator {
+
+/// Bounds of a remote stage's calls.
+struct RemoteOptions {
+  std::chrono::milliseconds deadline{300'000};  ///< of one try
+};
+
+/// A server that answers what cannot be read or does not fit: Internal, because the input is not at
+/// fault.
+absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
+
+/// Makes a call of a method with streams both ways on one of `replicas`: `write(stream)` sends the
+/// request, `read(stream)` takes the answer and drops what an earlier try left. `prepare(channel,
+/// context, queue)` is the stub's PrepareAsync method. The result is the server's word where it
+/// gave one.
+template <typename Request, typename Response, typename Prepare, typename Write, typename Read>
+absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
+                        const StageCall& call, std::string_view stage, const Prepare& prepare,
+                        const Write& write, const Read& read) {
+  return replicas.Call(call.cancel, [&](const std::shared_ptr<grpc::Channel>& channel) {
+    rpc::StreamCall<Request, Response> stream(
+        {options.deadline, call.cancel},
+        [&](auto* context, auto* queue) { return prepare(channel, context, queue); });
+    const absl::Status written = write(stream);
+    if (!stream.alive()) return stream.Finish();
+    if (!written.ok()) return stream.Abandon(written);
+    stream.WritesDone();
+    const absl::Status answer = read(stream);
+    return answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer));
+  });
+}
+
+}  // namespace slicefarm::coordinator

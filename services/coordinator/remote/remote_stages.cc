@@ -1,0 +1,214 @@
+#include "services/coordinator/remote/remote_stages.h"
+
+#include <string>
+#include <utility>
+
+#include "common/rpc/client_call.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/motion_options_wire.h"
+#include "common/wire/program_wire.h"
+#include "common/wire/slicing_wire.h"
+#include "common/wire/stage_call_wire.h"
+#include "common/wire/start_wire.h"
+#include "slicefarm/v1/beading.grpc.pb.h"
+#include "slicefarm/v1/infill.grpc.pb.h"
+#include "slicefarm/v1/motion.grpc.pb.h"
+#include "slicefarm/v1/ordering.grpc.pb.h"
+#include "slicefarm/v1/slicing.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr char kSlicing[] = "slicing";
+constexpr char kBeading[] = "beading";
+constexpr char kInfill[] = "infill";
+constexpr char kOrdering[] = "ordering";
+constexpr char kMotion[] = "motion";
+
+template <typename Layers>
+absl::StatusOr<Layers> ForRange(Layers layers, LayerRange range, std::string_view stage) {
+  const absl::Status status = CheckLayersOfRange(layers, range);
+  if (!status.ok()) return BadAnswer(stage, status);
+  return layers;
+}
+
+template <typename Request, typename Stream, typename Start>
+bool WriteStart(Stream& stream, const Start& start) {
+  Request request;
+  ToProto(start, request.mutable_start());
+  return stream.Write(request);
+}
+
+/// Takes all answers, of a message each.
+template <typename Response, typename Model, typename Stream>
+absl::Status ReadAll(Stream& stream, std::vector<Model>* models) {
+  models->clear();
+  return ReadEach<Response>(stream, [models](Response& response) {
+    return Append(FromProto(std::move(response)), models);
+  });
+}
+
+template <typename Stream>
+absl::Status WriteFiles(Stream& stream, const StageCall& call, const SliceInput& input,
+                        const SlicingOptions& options) {
+  v1::SliceRequest request;
+  absl::Status status = ToProto(call, input, options, request.mutable_start());
+  if (!status.ok() || !stream.Write(request)) return status;
+  ForEachChunk(input, [&](std::string_view chunk) {
+    request.set_chunk(chunk.data(), chunk.size());
+    return stream.Write(request);
+  });
+  return absl::OkStatus();
+}
+
+template <typename Stream>
+absl::Status ReadJob(Stream& stream, SlicedJob* job, int32_t* layer_count) {
+  v1::SliceResponse first;
+  if (!stream.Read(&first)) return absl::OkStatus();  // the call's end says why
+  absl::StatusOr<SlicedJob> summary = FromProto(first.summary());
+  if (!summary.ok()) return summary.status();
+  *job = *std::move(summary);
+  *layer_count = first.summary().layer_count();
+  return ReadEach<v1::SliceResponse>(stream, [job](const v1::SliceResponse& response) {
+    return Append(FromProto(response.layer()), &job->layers);
+  });
+}
+
+}  // namespace
+
+absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput input,
+                                               const SlicingOptions& options) const {
+  SlicedJob job;
+  int32_t layer_count = 0;
+  const absl::Status status = StreamOver<v1::SliceRequest, v1::SliceResponse>(
+      replicas_, options_, call, kSlicing,
+      [](const auto& channel, auto* context, auto* queue) {
+        return v1::Slicing::NewStub(channel)->PrepareAsyncSlice(context, queue);
+      },
+      [&](auto& stream) { return WriteFiles(stream, call, input, options); },
+      [&](auto& stream) { return ReadJob(stream, &job, &layer_count); });
+  if (!status.ok()) return status;
+  if (layer_count == 0) return job;
+  absl::StatusOr<std::vector<SlicedLayer>> layers =
+      ForRange(std::move(job.layers), {0, layer_count}, kSlicing);
+  if (!layers.ok()) return layers.status();
+  job.layers = *std::move(layers);
+  return job;
+}
+
+absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(const StageCall& call,
+                                                             const Neighbourhood& neighbourhood,
+                                                             const BeadingOptions& options) const {
+  std::vector<WalledLayer> walled;
+  const absl::Status status = StreamOver<v1::BeadRequest, v1::WalledLayer>(
+      replicas_, options_, call, kBeading,
+      [](const auto& channel, auto* context, auto* queue) {
+        return v1::Beading::NewStub(channel)->PrepareAsyncBeadLayers(context, queue);
+      },
+      [&](auto& stream) {
+        WriteStart<v1::BeadRequest>(
+            stream, BeadStart{call, options, neighbourhood.range, neighbourhood.layer_count});
+        return WriteEach<v1::BeadRequest>(stream, neighbourhood.layers,
+                                          [](const SlicedLayer& layer, v1::BeadRequest* request) {
+                                            return ToProto(layer, request->mutable_layer());
+                                          });
+      },
+      [&](auto& stream) { return ReadAll<v1::WalledLayer>(stream, &walled); });
+  if (!status.ok()) return status;
+  return ForRange(std::move(walled), neighbourhood.range, kBeading);
+}
+
+absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(const StageCall& call,
+                                                            std::vector<WalledLayer> walled,
+                                                            const Neighbourhood& neighbourhood,
+                                                            const InfillOptions& options) const {
+  std::vector<FilledLayer> filled;
+  const auto write = [&](auto& stream) {
+    WriteStart<v1::FillRequest>(
+        stream, FillStart{call, options, neighbourhood.range, neighbourhood.layer_count});
+    absl::Status status = WriteEach<v1::FillRequest>(
+        stream, neighbourhood.layers, [](const SlicedLayer& layer, v1::FillRequest* request) {
+          return ToProto(layer, request->mutable_neighbour());
+        });
+    if (!status.ok()) return status;
+    return WriteEach<v1::FillRequest>(stream, walled,
+                                      [](const WalledLayer& layer, v1::FillRequest* request) {
+                                        return ToProto(layer, request->mutable_layer());
+                                      });
+  };
+  const absl::Status status = StreamOver<v1::FillRequest, v1::FilledLayer>(
+      replicas_, options_, call, kInfill,
+      [](const auto& channel, auto* context, auto* queue) {
+        return v1::Infill::NewStub(channel)->PrepareAsyncFillLayers(context, queue);
+      },
+      write, [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
+  if (!status.ok()) return status;
+  return ForRange(std::move(filled), neighbourhood.range, kInfill);
+}
+
+absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
+    const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
+    const OrderingOptions& options) const {
+  std::vector<OrderedLayer> ordered;
+  const auto write = [&](auto& stream) {
+    WriteStart<v1::OrderRequest>(stream, OrderStart{call, options});
+    auto plan = plans.begin();
+    return WriteEach<v1::OrderRequest>(
+        stream, layers, [&](const FilledLayer& layer, v1::OrderRequest* request) {
+          absl::Status status = ToProto(*plan++, request->mutable_layer()->mutable_plan());
+          status.Update(ToProto(layer, request->mutable_layer()->mutable_layer()));
+          return status;
+        });
+  };
+  const absl::Status status = StreamOver<v1::OrderRequest, v1::OrderedLayer>(
+      replicas_, options_, call, kOrdering,
+      [](const auto& channel, auto* context, auto* queue) {
+        return v1::Ordering::NewStub(channel)->PrepareAsyncOrderLayers(context, queue);
+      },
+      write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
+  if (!status.ok()) return status;
+  return ForRange(std::move(ordered), RangeOf(layers), kOrdering);
+}
+
+absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
+    const StageCall& call, std::vector<OrderedLayer> layers, const MotionOptions& options) const {
+  std::vector<LayerProgram> programs;
+  const auto write = [&](auto& stream) {
+    WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, options});
+    return WriteEach<v1::ProgramRequest>(
+        stream, layers, [](const OrderedLayer& layer, v1::ProgramRequest* request) {
+          return ToProto(layer, request->mutable_layer());
+        });
+  };
+  const absl::Status status = StreamOver<v1::ProgramRequest, v1::LayerProgram>(
+      replicas_, options_, call, kMotion,
+      [](const auto& channel, auto* context, auto* queue) {
+        return v1::Motion::NewStub(channel)->PrepareAsyncProgramLayers(context, queue);
+      },
+      write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
+  if (!status.ok()) return status;
+  return ForRange(std::move(programs), RangeOf(layers), kMotion);
+}
+
+absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
+                                                 const ProgramSummary& summary,
+                                                 const MotionOptions& options) const {
+  v1::FrameRequest request;
+  *request.mutable_call() = ToProto(call);
+  *request.mutable_options() = ToProto(options);
+  if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
+  v1::ProgramFrame response;
+  const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
+    const auto stub = v1::Motion::NewStub(channel);
+    return rpc::UnaryCall(
+        {options_.deadline, call.cancel}, request, &response,
+        [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); });
+  });
+  if (!status.ok()) return status;
+  absl::StatusOr<ProgramFrame> frame = FromProto(std::move(response));
+  if (!frame.ok()) return BadAnswer(kMotion, frame.status());
+  return frame;
+}
+
+}  // namespace slicefarm::coordinator

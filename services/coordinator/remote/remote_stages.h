@@ -1,0 +1,90 @@
+#pragma once
+
+#include <vector>
+
+#include "common/stage/stages.h"
+#include "services/coordinator/remote/remote_call.h"
+#include "services/coordinator/remote/replica_source.h"
+
+namespace slicefarm::coordinator {
+
+/// The stages as clients of their services. Each call goes to one of `replicas`, which must outlive
+/// the stage; it has a deadline, and its cancellation reaches the algorithm at the other end.
+/// Errors: the stage's own; Unavailable, DeadlineExceeded, Cancelled; Internal for an answer that
+/// does not fit the call.
+
+class RemoteSlicing : public SlicingStage {
+ public:
+  explicit RemoteSlicing(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  /// Keeps the bytes until the answer is there: another replica may need them.
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
+                                  const SlicingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+class RemoteBeading : public BeadingStage {
+ public:
+  explicit RemoteBeading(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
+                                                const Neighbourhood& neighbourhood,
+                                                const BeadingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+class RemoteInfill : public InfillStage {
+ public:
+  explicit RemoteInfill(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
+                                                std::vector<WalledLayer> walled,
+                                                const Neighbourhood& neighbourhood,
+                                                const InfillOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+class RemoteOrdering : public OrderingStage {
+ public:
+  explicit RemoteOrdering(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
+                                                  std::vector<FilledLayer> layers,
+                                                  std::span<const LayerPlan> plans,
+                                                  const OrderingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+class RemoteMotion : public MotionStage {
+ public:
+  explicit RemoteMotion(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
+                                                    std::vector<OrderedLayer> layers,
+                                                    const MotionOptions& options) const override;
+  absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
+                                     const MotionOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,188 @@
+#include "services/coordinator/remote/stage_pool.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/rpc/channel.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How soon a waiting call sees that a replica has become reachable, or that it is not wanted any
+/// more.
+constexpr std::chrono::milliseconds kPoll{20};
+
+bool IsReady(grpc::Channel& channel) {
+  return channel.GetState(/*try_to_connect=*/true) == GRPC_CHANNEL_READY;
+}
+
+}  // namespace
+
+struct StagePool::Replica {
+  explicit Replica(std::string where)
+      : address(std::move(where)), channel(rpc::MakeChannel(address)) {}
+
+  const std::string address;
+  const std::shared_ptr<grpc::Channel> channel;  // gRPC's own handle
+  // Under the pool's mutex:
+  int in_flight = 0;
+  int64_t last_turn = 0;
+  Clock::time_point rests_until;
+};
+
+/// A call in flight on a replica.
+class StagePool::Use {
+ public:
+  Use(StagePool& pool, Replica& replica) : pool_(pool), replica_(replica) {
+    const std::lock_guard lock(pool_.mutex_);
+    ++replica_.in_flight;
+    replica_.last_turn = ++pool_.turn_;
+  }
+  ~Use() {
+    const std::lock_guard lock(pool_.mutex_);
+    --replica_.in_flight;
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+ private:
+  StagePool& pool_;
+  Replica& replica_;
+};
+
+StagePool::StagePool(std::string stage, std::vector<std::string> names, rpc::JsonLog log,
+                     const StagePoolOptions& options)
+    : stage_(std::move(stage)),
+      names_(names),
+      log_(std::move(log)),
+      options_(options),
+      watch_(
+          std::move(names), [this](const auto& addresses) { Update(addresses); }, options.watch) {}
+
+StagePool::~StagePool() = default;
+
+void StagePool::Update(const std::vector<std::string>& addresses) {
+  Members updated;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const std::string& address : addresses) {
+      const auto known =
+          std::ranges::find(replicas_, address, [](const auto& r) { return r->address; });
+      updated.push_back(known != replicas_.end() ? *known : std::make_shared<Replica>(address));
+    }
+    replicas_.swap(updated);
+    for (const auto& replica : replicas_) replica->channel->GetState(/*try_to_connect=*/true);
+  }
+  log_.Info("replicas",
+            {{"stage", stage_}, {"addresses", fmt::format("{}", fmt::join(addresses, ","))}});
+}
+
+absl::Status StagePool::Call(const CancelToken& cancel, const Attempt& attempt) {
+  std::set<std::string> tried;
+  absl::Status status;
+  for (int tries = 0; tries < options_.tries;) {
+    const absl::StatusOr<std::shared_ptr<Replica>> replica = AwaitPick(cancel, tried);
+    if (!replica.ok()) return replica.status();
+    {
+      const Use use(*this, **replica);
+      status = attempt((*replica)->channel);
+    }
+    if (IsOverloaded(status)) {
+      if (absl::Status wanted = AwaitRetry(status, cancel); !wanted.ok()) return wanted;
+      continue;
+    }
+    if (!IsReplicasFault(status)) return status;
+    Failed(**replica, status);
+    tried.insert((*replica)->address);
+    ++tries;
+  }
+  return status;
+}
+
+void StagePool::Failed(Replica& replica, const absl::Status& status) {
+  {
+    const std::lock_guard lock(mutex_);
+    replica.rests_until = Clock::now() + options_.rest;
+  }
+  log_.Warn("replica failed", {{"stage", stage_},
+                               {"address", replica.address},
+                               {"reason", std::string(ReasonName(DetailOf(status).reason))},
+                               {"error", std::string(status.message())}});
+  watch_.Refresh();
+}
+
+/// Of the reachable ones: rather one that was not tried, does not rest, has least to do, was idle
+/// longest.
+std::shared_ptr<StagePool::Replica> StagePool::Pick(const std::set<std::string>& tried) {
+  const auto now = Clock::now();
+  const auto worth = [&](const std::shared_ptr<Replica>& replica) {
+    return std::make_tuple(tried.contains(replica->address), replica->rests_until > now,
+                           replica->in_flight, replica->last_turn);
+  };
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<Replica> best;
+  for (const auto& replica : replicas_) {
+    if (IsReady(*replica->channel) && (best == nullptr || worth(replica) < worth(best)))
+      best = replica;
+  }
+  return best;
+}
+
+absl::StatusOr<std::shared_ptr<StagePool::Replica>> StagePool::AwaitPick(
+    const CancelToken& cancel, const std::set<std::string>& tried) {
+  const auto deadline = Clock::now() + options_.connect_patience;
+  for (;;) {
+    if (absl::Status status = cancel.Check(); !status.ok()) return status;
+    if (std::shared_ptr<Replica> replica = Pick(tried)) return replica;
+    if (Clock::now() >= deadline) return NoneReachable();
+    watch_.Refresh();
+    AwaitChange();
+  }
+}
+
+/// Until the first channel changes its state, or for kPoll.
+void StagePool::AwaitChange() const {
+  std::shared_ptr<grpc::Channel> channel;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!replicas_.empty()) channel = replicas_.front()->channel;
+  }
+  if (channel == nullptr) {
+    std::this_thread::sleep_for(kPoll);
+    return;
+  }
+  channel->WaitForStateChange(channel->GetState(true), std::chrono::system_clock::now() + kPoll);
+}
+
+absl::Status StagePool::NoneReachable() const {
+  return MakeError(
+      absl::StatusCode::kUnavailable, Reason::kUnavailable,
+      fmt::format("no {} service can be reached at {}", stage_, fmt::join(names_, ",")),
+      {{"stage", stage_}});
+}
+
+bool StagePool::AwaitReady(std::chrono::milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  while (Pick({}) == nullptr) {
+    if (Clock::now() >= deadline) return false;
+    AwaitChange();
+  }
+  return true;
+}
+
+std::vector<std::string> StagePool::Addresses() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> addresses;
+  for (const auto& replica : replicas_) addresses.push_back(replica->address);
+  return addresses;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,182 @@
+#include "services/coordinator/remote/worker_pool.h"
+
+#include <grpcpp/alarm.h>
+#include <grpcpp/client_context.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/model/build_info.h"
+#include "common/model/error.h"
+#include "common/rpc/channel.h"
+#include "common/rpc/status_mapping.h"
+#include "services/coordinator/remote/remote_worker.h"
+#include "slicefarm/v1/worker.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::system_clock;
+
+/// How long a worker that cannot be reached is waited for before it is asked anew.
+constexpr milliseconds kGreetingPatience{10'000};
+constexpr milliseconds kRetryDelay{100};
+/// After an answer that is no use: a worker of another build, or no worker at all.
+constexpr milliseconds kRegreetDelay{2'000};
+
+absl::Status CheckInfo(const v1::WorkerInfo& info) {
+  if (info.build_id() != BuildId()) {
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
+                     "the worker is of build " + info.build_id());
+  }
+  if (info.slots() < 1) {
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker has no slots");
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+/// Asking a worker who it is, after a while.
+struct WorkerPool::Greeting {
+  grpc::Alarm delay;
+  grpc::ClientContext context;
+  v1::GetWorkerInfoRequest request;
+  v1::WorkerInfo info;
+};
+
+struct WorkerPool::Member {
+  Member(std::string where, const RemoteOptions& options)
+      : address(std::move(where)), replica(rpc::MakeChannel(address)), worker(replica, options) {}
+
+  const std::string address;
+  SingleReplica replica;
+  const RemoteWorker worker;
+  // Under the pool's mutex:
+  std::shared_ptr<Greeting> greeting;  // shared with gRPC's callbacks
+  RunnerId runner = 0;                 ///< 0: has not joined
+  bool dismissed = false;
+};
+
+WorkerPool::WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
+                       const RemoteOptions& options, const AddressWatchOptions& watch)
+    : runners_(runners),
+      log_(std::move(log)),
+      options_(options),
+      watch_(std::make_unique<AddressWatch>(
+          std::move(names), [this](const auto& addresses) { Update(addresses); }, watch)) {}
+
+WorkerPool::~WorkerPool() {
+  watch_.reset();
+  Update({});
+  std::unique_lock lock(mutex_);
+  greeted_.wait(lock, [this] { return greetings_ == 0; });
+}
+
+void WorkerPool::Update(const std::vector<std::string>& addresses) {
+  std::vector<MemberPtr> joining;
+  std::vector<MemberPtr> leaving;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [address, member] : members_) {
+      if (!std::ranges::binary_search(addresses, address)) leaving.push_back(member);
+    }
+    for (const MemberPtr& member : leaving) members_.erase(member->address);
+    for (const std::string& address : addresses) {
+      if (members_.contains(address)) continue;
+      joining.push_back(std::make_shared<Member>(address, options_));
+      members_[address] = joining.back();
+    }
+  }
+  for (const MemberPtr& member : leaving) Dismiss(member);
+  for (const MemberPtr& member : joining) Greet(member, milliseconds(0));
+}
+
+void WorkerPool::Dismiss(const MemberPtr& member) {
+  std::shared_ptr<Greeting> greeting;
+  RunnerId runner = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    member->dismissed = true;
+    greeting = member->greeting;
+    runner = member->runner;
+  }
+  if (runner != 0) {
+    runners_.Leave(runner);
+    log_.Info("worker left", {{"address", member->address}});
+  }
+  if (greeting == nullptr) return;
+  greeting->delay.Cancel();
+  greeting->context.TryCancel();
+}
+
+void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
+  auto greeting = std::make_shared<Greeting>();
+  {
+    const std::lock_guard lock(mutex_);
+    if (member->dismissed) return;
+    member->greeting = greeting;
+    ++greetings_;
+  }
+  // Weakly: the alarm is part of the greeting and keeps what it is to call.
+  greeting->delay.Set(system_clock::now() + delay,
+                      [this, member, weak = std::weak_ptr(greeting)](bool in_time) {
+                        const std::shared_ptr<Greeting> current = weak.lock();
+                        in_time && current != nullptr ? Ask(member, current) : EndGreeting();
+                      });
+}
+
+void WorkerPool::Ask(const MemberPtr& member, const std::shared_ptr<Greeting>& greeting) {
+  greeting->context.set_wait_for_ready(true);
+  greeting->context.set_deadline(system_clock::now() + kGreetingPatience);
+  const auto stub = v1::Worker::NewStub(member->replica.channel());
+  stub->async()->GetWorkerInfo(&greeting->context, &greeting->request, &greeting->info,
+                               [this, member, greeting](const grpc::Status& status) {
+                                 Hear(member, rpc::FromGrpc(status), *greeting);
+                                 EndGreeting();
+                               });
+}
+
+void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
+                      const Greeting& greeting) {
+  const absl::Status fit = status.ok() ? CheckInfo(greeting.info) : status;
+  if (fit.ok()) return Join(member, greeting.info.slots());
+  const bool absent = absl::IsDeadlineExceeded(status) || absl::IsUnavailable(status);
+  if (!absent && !absl::IsCancelled(status)) {
+    log_.Warn("worker refused",
+              {{"address", member->address}, {"error", std::string(fit.message())}});
+  }
+  Greet(member, absent ? kRetryDelay : kRegreetDelay);
+}
+
+void WorkerPool::Join(const MemberPtr& member, int slots) {
+  Runner runner;
+  runner.name = member->address;
+  runner.ranges = std::shared_ptr<const RangeRunner>(member, &member->worker);
+  runner.slots = slots;
+  runner.await_ready = [channel = member->replica.channel()](milliseconds patience) {
+    return channel->WaitForConnected(system_clock::now() + patience);
+  };
+  const std::lock_guard lock(mutex_);
+  if (member->dismissed) return;
+  member->runner = runners_.Join(std::move(runner));
+  log_.Info("worker joined", {{"address", member->address}, {"slots", int64_t{slots}}});
+}
+
+void WorkerPool::EndGreeting() {
+  const std::lock_guard lock(mutex_);
+  --greetings_;
+  greeted_.notify_all();
+}
+
+std::vector<std::string> WorkerPool::Joined() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> addresses;
+  for (const auto& [address, member] : members_) {
+    if (member->runner != 0) addresses.push_back(address);
+  }
+  return addresses;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "common/rpc/json_log.h"
+#include "services/coordinator/algo/runner_set.h"
+#include "services/coordinator/remote/address_watch.h"
+#include "services/coordinator/remote/remote_call.h"
+
+namespace slicefarm::coordinator {
+
+/// The workers behind some names. Each joins the runners once it has told its build and its slots,
+/// and leaves them when its address goes; in between, it may be down for a while
+/// (Runner::await_ready). Workers of another build do not join.
+class WorkerPool {
+ public:
+  /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
+  WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
+             const RemoteOptions& options = {}, const AddressWatchOptions& watch = {});
+  /// The workers leave.
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  /// Addresses of the workers that have joined.
+  std::vector<std::string> Joined() const;
+
+  /// Looks the names up again, soon.
+  void Refresh() { watch_->Refresh(); }
+
+ private:
+  struct Greeting;
+  struct Member;
+  using MemberPtr =
+      std::shared_ptr<Member>;  // shared with the calls in flight, which may outlive a membership
+
+  void Update(const std::vector<std::string>& addresses);
+  void Greet(const MemberPtr& member, std::chrono::milliseconds delay);
+  void Ask(const MemberPtr& member, const std::shared_ptr<Greeting>& greeting);
+  void Hear(const MemberPtr& member, const absl::Status& status, const Greeting& greeting);
+  void Join(const MemberPtr& member, int slots);
+  void Dismiss(const MemberPtr& member);
+  void EndGreeting();
+
+  RunnerSet& runners_;
+  const rpc::JsonLog log_;
+  const RemoteOptions options_;
+  mutable std::mutex mutex_;
+  std::condition_variable greeted_;
+  std::map<std::string, MemberPtr> members_;
+  int greetings_ = 0;  ///< in flight
+  bool stopping_ = false;
+  std::unique_ptr<AddressWatch> watch_;  ///< the last member: its thread uses the others
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,59 @@
+#include "services/worker/server/worker_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/model/build_info.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/program_wire.h"
+#include "common/wire/start_wire.h"
+
+namespace slicefarm::worker {
+
+grpc::Status WorkerService::WorkRange(grpc::ServerContext* context, Stream* stream) {
+  return gate_.Run(*context, "WorkRange", [&](rpc::Call& call) { return Work(call, *stream); });
+}
+
+grpc::Status WorkerService::GetWorkerInfo(grpc::ServerContext* /*context*/,
+                                          const v1::GetWorkerInfoRequest* /*request*/,
+                                          v1::WorkerInfo* response) {
+  response->set_build_id(std::string(BuildId()));
+  response->set_slots(gate_.admission().slots());
+  return grpc::Status::OK;
+}
+
+absl::Status WorkerService::Work(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<WorkStart> start = ReadStart<v1::WorkRequest>(stream);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  call.layers = start->range;
+  std::vector<SlicedLayer> layers;
+  absl::Status status = ReadEach<v1::WorkRequest>(stream, [&](const v1::WorkRequest& request) {
+    return Append(FromProto(request.layer()), &layers);
+  });
+  status.Update(call.cancel.Check());
+  status.Update(CheckNeighbourhood(layers, start->range, start->layer_count));
+  if (!status.ok()) return status;
+
+  start->call.cancel = call.cancel;
+  start->call.threads = threads_;
+  absl::StatusOr<RangeResult> result = runner_.Run(
+      start->call, {start->range, start->layer_count, layers, start->plans, &start->settings});
+  if (!result.ok()) return result.status();
+  return Answer(*std::move(result), stream);
+}
+
+absl::Status WorkerService::Answer(RangeResult result, Stream& stream) {
+  absl::Status status = WriteEach<v1::WorkResponse>(
+      stream, result.programs, [](LayerProgram& program, v1::WorkResponse* proto) {
+        return ToProto(std::move(program), proto->mutable_program());
+      });
+  if (!status.ok()) return status;
+  v1::WorkResponse times;
+  *times.mutable_times() = ToProto(result.times);
+  stream.Write(times);  // a client that is gone needs no error
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::worker

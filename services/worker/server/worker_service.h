@@ -1,0 +1,30 @@
+#pragma once
+
+#include "common/rpc/call_gate.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/worker.grpc.pb.h"
+
+namespace slicefarm::worker {
+
+/// Translates slicefarm.v1.Worker to a RangeRunner and back. The gate's slots are the worker's.
+class WorkerService final : public v1::Worker::Service {
+ public:
+  /// `runner` and `gate` must outlive the service. `threads`: what one call may use.
+  WorkerService(const RangeRunner& runner, rpc::CallGate& gate, int threads)
+      : runner_(runner), gate_(gate), threads_(threads) {}
+
+  using Stream = grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>;
+  grpc::Status WorkRange(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status GetWorkerInfo(grpc::ServerContext* context, const v1::GetWorkerInfoRequest* request,
+                             v1::WorkerInfo* response) override;
+
+ private:
+  absl::Status Work(rpc::Call& call, Stream& stream) const;
+  static absl::Status Answer(RangeResult result, Stream& stream);
+
+  const RangeRunner& runner_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
+
+}  // namespace slicefarm::worker
