@@ -25,4 +25,11 @@ double SectionMm2(Coord width_nm, Coord height_nm) {
   return height * (width - height * kRoundLoss);
 }
 
+Coord WidthToFill(Coord strip_nm, Coord height_nm) {
+  const Coord width = WidthForSpacing(strip_nm, height_nm);
+  if (width >= height_nm) return width;
+  const double area = static_cast<double>(strip_nm) * static_cast<double>(height_nm);
+  return std::llround(std::sqrt(area * 4 / std::numbers::pi));
+}
+
 }  // namespace slicefarm

@@ -17,4 +17,8 @@ Coord WidthForSpacing(Coord spacing_nm, Coord height_nm);
 /// Section area in mm^2: height times spacing. For a width below the height, a disc of that width.
 double SectionMm2(Coord width_nm, Coord height_nm);
 
+/// The width of the bead whose section is `strip_nm` times the height, so that it fills a strip of
+/// that width: WidthForSpacing, and a disc's diameter where that comes below the height.
+Coord WidthToFill(Coord strip_nm, Coord height_nm);
+
 }  // namespace slicefarm

@@ -25,5 +25,11 @@ TEST(BeadSection, NeighboursTile) {
                 0.2 * ToMm(static_cast<double>(Spacing(width, 200'000))), 1e-6);
 }
 
+TEST(BeadSection, FillsAStripOfAnyWidth) {
+  for (Coord strip = 10'000; strip <= 800'000; strip += 10'000)
+    EXPECT_NEAR(SectionMm2(WidthToFill(strip, 200'000), 200'000),
+                0.2 * ToMm(static_cast<double>(strip)), 1e-6);
+}
+
 }  // namespace
 }  // namespace slicefarm

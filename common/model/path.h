@@ -28,7 +28,9 @@ inline constexpr int kFeatureCount = 10;
 std::string_view FeatureName(Feature feature);
 
 /// A bead to lay down: a line with a width at each point.
-/// INVARIANT: points.size() >= 2; widths_nm.size() is 1 (the same everywhere) or points.size().
+/// Along an edge the width goes from one point's to the next one's; where two points in a row are
+/// equal it steps. INVARIANT: points.size() >= 2; widths_nm.size() is 1 (the same everywhere) or
+/// points.size().
 struct Path {
   Feature feature = Feature::kPerimeter;
   int32_t object = 0;

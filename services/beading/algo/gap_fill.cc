@@ -1,8 +1,6 @@
 #include "services/beading/algo/gap_fill.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "common/geometry/measure.h"
@@ -17,16 +15,6 @@ constexpr Coord kToleranceNm = 5'000;
 /// Smaller beads are not worth their travel.
 constexpr double kMinAreaNm2 = 0.02 * kNmPerMm * kNmPerMm;
 
-/// The bead whose rectangle is as wide as the gap. Below the height beads are round, and their
-/// width follows from the area.
-Coord WidthForGap(Coord gap_nm, Coord height_nm) {
-  const Coord width = WidthForSpacing(gap_nm, height_nm);
-  if (width >= height_nm) return width;
-  const double area = static_cast<double>(gap_nm) * static_cast<double>(height_nm);
-  return std::min(height_nm,
-                  static_cast<Coord>(std::llround(std::sqrt(area * 4 / std::numbers::pi))));
-}
-
 Path MakePath(ThickLine line, bool along_outline, const GapFillOptions& options) {
   Path path;
   path.feature = Feature::kGapFill;
@@ -35,7 +23,7 @@ Path MakePath(ThickLine line, bool along_outline, const GapFillOptions& options)
   path.widths_nm.reserve(line.thickness_nm.size());
   for (const Coord thickness : line.thickness_nm) {
     const Coord gap = std::min(thickness, options.max_width_nm);
-    path.widths_nm.push_back(along_outline ? gap : WidthForGap(gap, options.layer_height_nm));
+    path.widths_nm.push_back(along_outline ? gap : WidthToFill(gap, options.layer_height_nm));
   }
   const auto [least, most] = std::minmax_element(path.widths_nm.begin(), path.widths_nm.end());
   if (*least == *most) path.widths_nm.resize(1);

@@ -22,7 +22,7 @@ struct MedialAxisOptions {
 /// rounding, or wider than 2.1 m) give no lines; a diagram is checked vertex by vertex before it is
 /// used.
 ///
-/// Cost: O(n log n), n points: about 20 us each.
+/// Cost: O(n log n), n points: a few us each.
 /// Source: Voronoi diagram of segments by Boost.Polygon (Sweepline, Fortune); what is "facing" as
 /// in T. Kuipers et al., "A Framework for Adaptive Width Control of Dense Contour-Parallel
 /// Toolpaths in FDM", 2020, section 3.

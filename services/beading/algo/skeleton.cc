@@ -9,15 +9,19 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
+#include "services/beading/algo/voronoi_traits.h"
 
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes nearer than this are one: far below what a printer resolves, far above the diagram's
-/// rounding.
+/// The diagram's unit: on a grid coarser than nm fewer edges are almost but not quite parallel, and
+/// these are what costs its precision. Regions that do not survive the rounding are tried again in
+/// nm.
+constexpr Coord kCoarseUnitNm = 1'000;
+/// Nodes nearer than this are one: far below what a printer resolves.
 constexpr double kMergeNm = 1'000;
 /// How far a node's distances to its sources may differ before the diagram is called wrong.
-constexpr double kRadiusErrorNm = 2'000;
+constexpr double kRadiusErrorNm = 1'000;
 constexpr int kMaxChords = 64;  ///< of one parabola
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
@@ -28,6 +32,14 @@ struct BoundaryEdge {
   Point to;
   int previous = 0;
   int next = 0;
+};
+
+/// The boundary of a region, in multiples of `unit_nm` from `origin`.
+struct Boundary {
+  Point origin;
+  Coord unit_nm = 1;
+  int holes = 0;
+  std::vector<BoundaryEdge> edges;
 };
 
 Polygon WithoutCollinearPoints(const Polygon& ring) {
@@ -47,15 +59,25 @@ Polygon WithoutCollinearPoints(const Polygon& ring) {
   return kept.size() < 3 ? Polygon{} : kept;
 }
 
-void AppendRing(const Polygon& ring, Point origin, std::vector<BoundaryEdge>& boundary) {
+Coord Rounded(Coord nm, Coord unit_nm) {
+  return std::llround(static_cast<double>(nm) / static_cast<double>(unit_nm));
+}
+
+/// False for a ring that has no inside.
+bool AppendRing(Polygon ring, Boundary& boundary) {
+  for (Point& p : ring) {
+    p = p - boundary.origin;
+    if (boundary.unit_nm != 1) p = {Rounded(p.x, boundary.unit_nm), Rounded(p.y, boundary.unit_nm)};
+  }
   const Polygon points = WithoutCollinearPoints(ring);
-  const int first = static_cast<int>(boundary.size());
+  const int first = static_cast<int>(boundary.edges.size());
   const int count = static_cast<int>(points.size());
   for (int i = 0; i < count; ++i) {
     const int next = i + 1 == count ? 0 : i + 1;
-    boundary.push_back({points[i] - origin, points[next] - origin,
-                        first + (i == 0 ? count - 1 : i - 1), first + next});
+    boundary.edges.push_back(
+        {points[i], points[next], first + (i == 0 ? count - 1 : i - 1), first + next});
   }
+  return count > 0;
 }
 
 /// True if the two edges share a point that is not the end of one and the start of the other as
@@ -119,25 +141,32 @@ struct Source {
   int edge = 0;
 };
 
+int Root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
 /// Collects the inner edges of a diagram as a skeleton.
 class SkeletonBuilder {
  public:
   SkeletonBuilder(const std::vector<BoundaryEdge>& boundary, const Diagram& diagram,
-                  double tolerance_nm)
+                  double tolerance, double radius_error)
       : boundary_(boundary),
         diagram_(diagram),
-        tolerance_nm_(tolerance_nm),
+        tolerance_(tolerance),
+        radius_error_(radius_error),
         node_of_(diagram.num_vertices(), -1) {}
 
-  /// False if the diagram is wrong.
-  bool Build() {
+  /// False if the diagram is wrong: nodes are not where they should be, or edges are missing or too
+  /// many.
+  bool Build(int holes) {
     for (const Diagram::edge_type& edge : diagram_.edges()) {
       if (edge.is_secondary() || edge.is_infinite() || &edge > edge.twin()) continue;
       const Source a = SourceOf(*edge.cell()), b = SourceOf(*edge.twin()->cell());
       if (!IsInside(a, edge) || !IsInside(b, edge)) continue;
       if (!AddEdge(a, b, edge)) return false;
     }
-    return true;
+    return HasRightShape(holes);
   }
 
   std::vector<SkeletonNode> TakeNodes() { return std::move(nodes_); }
@@ -173,7 +202,7 @@ class SkeletonBuilder {
   int NodeOf(const Diagram::vertex_type& vertex, const Source& a, const Source& b) {
     const double radius = DistanceToSource(a, vertex.x(), vertex.y());
     const double other = DistanceToSource(b, vertex.x(), vertex.y());
-    if (!(std::abs(radius - other) <= kRadiusErrorNm)) return -1;
+    if (!(std::abs(radius - other) <= radius_error_)) return -1;
     int& node = node_of_[static_cast<size_t>(&vertex - diagram_.vertices().data())];
     if (node < 0) {
       node = static_cast<int>(nodes_.size());
@@ -228,22 +257,74 @@ class SkeletonBuilder {
   /// A chord over a width t of the parabola with focal height h misses it by t^2 / 8h at most.
   int ChordCount(double height, double width) const {
     if (height < 1) return 1;
-    const double chords = width / std::sqrt(8 * height * tolerance_nm_);
+    const double chords = width / std::sqrt(8 * height * tolerance_);
     return std::clamp(static_cast<int>(std::ceil(std::min<double>(chords, kMaxChords))), 1,
                       kMaxChords);
   }
 
+  /// The medial axis of a region is connected, has one cycle around each hole, and ends in each
+  /// convex corner and nowhere else.
+  bool HasRightShape(int holes) const {
+    const auto nodes = static_cast<int>(nodes_.size()), edges = static_cast<int>(edges_.size());
+    if (edges - nodes + 1 != holes) return false;
+    std::vector<int> degree(nodes_.size(), 0), parent(nodes_.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    int parts = nodes;
+    for (const SkeletonEdge& edge : edges_) {
+      ++degree[edge.a], ++degree[edge.b];
+      const int a = Root(parent, edge.a), b = Root(parent, edge.b);
+      if (a != b) parent[a] = b, --parts;
+    }
+    int corners = 0;
+    for (const BoundaryEdge& edge : boundary_)
+      corners += Orientation(boundary_[edge.previous].from, edge.from, edge.to) > 0;
+    return parts == 1 && std::count(degree.begin(), degree.end(), 1) == corners;
+  }
+
   const std::vector<BoundaryEdge>& boundary_;
   const Diagram& diagram_;
-  const double tolerance_nm_;
+  const double tolerance_;
+  const double radius_error_;
   std::vector<int> node_of_;
   std::vector<SkeletonNode> nodes_;
   std::vector<SkeletonEdge> edges_;
 };
 
-int Root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
+/// The boundary, if the Voronoi diagram can be made of it.
+std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm) {
+  const Box box = Bounds(region.outer);
+  const Coord limit = INT32_MAX * unit_nm;
+  if (box.Empty() || box.max.x - box.min.x > limit || box.max.y - box.min.y > limit)
+    return std::nullopt;
+  Boundary boundary;
+  boundary.origin = {box.min.x + (box.max.x - box.min.x) / 2,
+                     box.min.y + (box.max.y - box.min.y) / 2};
+  boundary.unit_nm = unit_nm;
+  if (!AppendRing(region.outer, boundary)) return std::nullopt;
+  for (const Polygon& hole : region.holes) boundary.holes += AppendRing(hole, boundary);
+  if (!IsSimple(boundary.edges)) return std::nullopt;
+  return boundary;
+}
+
+/// False if the diagram is wrong.
+template <typename Traits>
+bool BuildWith(const Boundary& boundary, Coord tolerance_nm, Skeleton& skeleton) {
+  boost::polygon::voronoi_builder<int32_t, Traits> voronoi;
+  for (const BoundaryEdge& edge : boundary.edges) {
+    voronoi.insert_segment(static_cast<int32_t>(edge.from.x), static_cast<int32_t>(edge.from.y),
+                           static_cast<int32_t>(edge.to.x), static_cast<int32_t>(edge.to.y));
+  }
+  Diagram diagram;
+  voronoi.construct(&diagram);
+  const auto unit = static_cast<double>(boundary.unit_nm);
+  SkeletonBuilder builder(boundary.edges, diagram, static_cast<double>(tolerance_nm) / unit,
+                          kRadiusErrorNm / unit);
+  if (!builder.Build(boundary.holes)) return false;
+  skeleton.nodes = builder.TakeNodes();
+  skeleton.edges = builder.TakeEdges();
+  for (SkeletonNode& node : skeleton.nodes)
+    node = {node.x * unit, node.y * unit, node.radius * unit};
+  return true;
 }
 
 /// Makes one of nodes that are joined by an edge shorter than kMergeNm.
@@ -268,29 +349,16 @@ void MergeShortEdges(Skeleton& skeleton) {
 }  // namespace
 
 Skeleton MakeSkeleton(const PolygonWithHoles& region, Coord tolerance_nm) {
-  const Box box = Bounds(region.outer);
-  if (box.Empty() || box.max.x - box.min.x > INT32_MAX || box.max.y - box.min.y > INT32_MAX)
-    return {};
+  std::optional<Boundary> boundary = MakeBoundary(region, kCoarseUnitNm);
+  if (!boundary) boundary = MakeBoundary(region, 1);
   Skeleton skeleton;
-  skeleton.origin = {box.min.x + (box.max.x - box.min.x) / 2,
-                     box.min.y + (box.max.y - box.min.y) / 2};
-  std::vector<BoundaryEdge> boundary;
-  AppendRing(region.outer, skeleton.origin, boundary);
-  if (boundary.empty()) return {};
-  for (const Polygon& hole : region.holes) AppendRing(hole, skeleton.origin, boundary);
-  if (!IsSimple(boundary)) return {};
-
-  boost::polygon::voronoi_builder<int32_t> voronoi;
-  for (const BoundaryEdge& edge : boundary) {
-    voronoi.insert_segment(static_cast<int32_t>(edge.from.x), static_cast<int32_t>(edge.from.y),
-                           static_cast<int32_t>(edge.to.x), static_cast<int32_t>(edge.to.y));
+  if (!boundary) return skeleton;
+  skeleton.origin = boundary->origin;
+  if (!BuildWith<UntrackedTraits>(*boundary, tolerance_nm, skeleton) &&
+      !BuildWith<boost::polygon::detail::voronoi_ctype_traits<int32_t>>(*boundary, tolerance_nm,
+                                                                        skeleton)) {
+    return {};
   }
-  Diagram diagram;
-  voronoi.construct(&diagram);
-  SkeletonBuilder builder(boundary, diagram, static_cast<double>(tolerance_nm));
-  if (!builder.Build()) return {};
-  skeleton.nodes = builder.TakeNodes();
-  skeleton.edges = builder.TakeEdges();
   MergeShortEdges(skeleton);
   return skeleton;
 }

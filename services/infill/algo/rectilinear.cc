@@ -25,10 +25,10 @@ absl::Status AppendFamily(const MultiPolygon& area, const LineFamily& family,
       .monotonic = false,
       .max_link_nm = kMaxLinkPitches * family.pitch_nm,
       .min_length_nm = kMinLengthWidths * static_cast<double>(fill.width_nm)};
-  for (Polyline& line : Serpentine(*lines, options)) {
+  for (SerpentinePath& line : Serpentine(*lines, options)) {
     Path& path = paths.emplace_back();
     path.feature = Feature::kInternalInfill;
-    path.points = std::move(line);
+    path.points = std::move(line.points);
     path.widths_nm = {fill.width_nm};
   }
   return absl::OkStatus();
@@ -39,10 +39,9 @@ absl::Status AppendFamily(const MultiPolygon& area, const LineFamily& family,
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill) {
   std::vector<Path> paths;
   if (region.empty() || fill.density <= 0) return paths;
-  const Coord inset = std::max<Coord>(0, fill.width_nm / 2 - fill.overlap_nm);
-  const MultiPolygon area = Offset(region, -inset);
-  const double pitch =
-      static_cast<double>(Spacing(fill.width_nm, fill.height_nm)) / std::min(1.0, fill.density);
+  const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
+  const MultiPolygon area = Offset(region, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
+  const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
   const bool grid = fill.pattern == SparsePattern::kGrid;
   const bool turned = !grid && fill.layer_index % 2 != 0;
   LineFamily family{fill.angle_rad + (turned ? std::numbers::pi / 2 : 0), 0,

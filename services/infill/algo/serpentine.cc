@@ -28,11 +28,12 @@ class Walker {
     if (options.monotonic) CountSupports();
   }
 
-  std::vector<Polyline> Run() {
-    std::vector<Polyline> paths;
-    while (const std::optional<int32_t> start = NextStart(paths)) {
-      Polyline path = Walk(*start);
-      if (Length(path) >= options_.min_length_nm) paths.push_back(std::move(path));
+  std::vector<SerpentinePath> Run() {
+    std::vector<SerpentinePath> paths;
+    while (const std::optional<int32_t> start = NextStart()) {
+      SerpentinePath path = Walk(*start);
+      at_ = path.points.back();
+      if (Length(path.points) >= options_.min_length_nm) paths.push_back(std::move(path));
     }
     return paths;
   }
@@ -84,37 +85,37 @@ class Walker {
   }
 
   /// The place at which the next path begins.
-  std::optional<int32_t> NextStart(const std::vector<Polyline>& paths) {
+  std::optional<int32_t> NextStart() {
     if (!options_.monotonic) {
       while (next_ < lines_.PieceCount() && done_[next_]) ++next_;
       if (next_ == lines_.PieceCount()) return std::nullopt;
       return 2 * next_;
     }
     if (ready_.empty()) return std::nullopt;
-    if (paths.empty()) return 2 * *ready_.begin();
-    const Point from = paths.back().back();
+    if (!at_) return 2 * *ready_.begin();
     double nearest = std::numeric_limits<double>::infinity();
     int32_t best = 0;
     int tried = 0;
     for (auto it = ready_.begin(); it != ready_.end() && tried < kChoices; ++it, ++tried) {
       for (const int32_t place : {2 * *it, 2 * *it + 1}) {
-        const double distance = SquaredNorm(PlaceAt(place) - from);
+        const double distance = SquaredNorm(PlaceAt(place) - *at_);
         if (distance < nearest) nearest = distance, best = place;
       }
     }
     return best;
   }
 
-  Polyline Walk(int32_t place) {
-    Polyline path;
+  SerpentinePath Walk(int32_t place) {
+    SerpentinePath path;
     while (true) {
-      path.push_back(PlaceAt(place));
-      path.push_back(PlaceAt(place ^ 1));
+      path.pieces.push_back(static_cast<int32_t>(path.points.size()));
+      path.points.push_back(PlaceAt(place));
+      path.points.push_back(PlaceAt(place ^ 1));
       Finish(place / 2);
       const int32_t from = lines_.order[place ^ 1];
       const std::optional<Link> link = BestLink(from);
       if (!link) return path;
-      AppendLink(from, *link, path);
+      AppendLink(from, *link, path.points);
       place = lines_.crossings[link->to].place;
     }
   }
@@ -161,7 +162,8 @@ class Walker {
   const ScanLines& lines_;
   const SerpentineOptions& options_;
   std::vector<bool> done_;
-  int32_t next_ = 0;  ///< not monotonic: no undone piece below this
+  std::optional<Point> at_;  ///< where the last path ended
+  int32_t next_ = 0;         ///< not monotonic: no undone piece below this
   std::vector<int32_t>
       waiting_for_;          ///< monotonic: undone pieces of the line below beside each piece
   std::set<int32_t> ready_;  ///< monotonic: undone pieces that wait for none
@@ -169,7 +171,7 @@ class Walker {
 
 }  // namespace
 
-std::vector<Polyline> Serpentine(const ScanLines& lines, const SerpentineOptions& options) {
+std::vector<SerpentinePath> Serpentine(const ScanLines& lines, const SerpentineOptions& options) {
   return Walker(lines, options).Run();
 }
 

@@ -17,12 +17,19 @@ struct SerpentineOptions {
   double min_length_nm = 0;  ///< shorter paths are left out
 };
 
+struct SerpentinePath {
+  Polyline points;
+  /// Places in `points` at which the pieces of line begin; each ends at the next point. What lies
+  /// between two pieces is their link along the boundary.
+  std::vector<int32_t> pieces;
+};
+
 /// Joins pieces of scan lines to long back-and-forth paths. Neighbouring ends are joined along the
 /// boundary, so the paths stay in the region. In the order of printing where `monotonic`; else the
 /// order says nothing.
 ///
 /// Every piece is in exactly one path, and no stretch of boundary is used twice.
 /// Cost: O(n + k), n points of the region, k pieces (O(n + k log k) if monotonic).
-std::vector<Polyline> Serpentine(const ScanLines& lines, const SerpentineOptions& options);
+std::vector<SerpentinePath> Serpentine(const ScanLines& lines, const SerpentineOptions& options);
 
 }  // namespace slicefarm::infill

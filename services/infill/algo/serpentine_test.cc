@@ -15,7 +15,11 @@ MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 std::vector<Polyline> Paths(const MultiPolygon& region, const LineFamily& family, bool monotonic,
                             double max_link_mm = 3) {
   const auto lines = CutLines(region, family);
-  return Serpentine(*lines, {.monotonic = monotonic, .max_link_nm = max_link_mm * kNmPerMm});
+  std::vector<Polyline> paths;
+  for (SerpentinePath& path :
+       Serpentine(*lines, {.monotonic = monotonic, .max_link_nm = max_link_mm * kNmPerMm}))
+    paths.push_back(std::move(path.points));
+  return paths;
 }
 
 double TotalMm(const std::vector<Polyline>& paths) {
@@ -34,6 +38,16 @@ TEST(Serpentine, ConvexRegionIsOnePath) {
     const MultiPolygon disc = P("(0 0, 4 -1, 8 0, 9 4, 8 8, 4 9, 0 8, -1 4)");
     EXPECT_EQ(Paths(disc, {0.6, 0, 0.4e6}, monotonic).size(), 1u);
   }
+}
+
+TEST(Serpentine, TellsPiecesFromLinks) {
+  const MultiPolygon region = P("(0 0, 10 0, 11 1, 10 2, 0 2)");
+  const auto lines = CutLines(region, {0, 0.5e6, 1e6});
+  const auto paths = Serpentine(*lines, {.max_link_nm = 3e6});
+  ASSERT_EQ(paths.size(), 1u);
+  ASSERT_EQ(paths[0].pieces.size(), 2u);
+  for (const int32_t i : paths[0].pieces) EXPECT_EQ(paths[0].points[i].y, paths[0].points[i + 1].y);
+  EXPECT_EQ(paths[0].pieces[1], 3);  // the link's corner lies between
 }
 
 TEST(Serpentine, LinksFollowTheBoundary) {
@@ -56,7 +70,7 @@ TEST(Serpentine, UsesEveryPieceOnce) {
   for (const bool monotonic : {false, true}) {
     for (const double angle : {0.0, 0.5, 1.5}) {
       const auto lines = CutLines(region, {angle, 0, 0.31e6});
-      std::vector<Polyline> paths = Serpentine(*lines, {.monotonic = monotonic, .max_link_nm = 0});
+      const auto paths = Paths(region, {angle, 0, 0.31e6}, monotonic, 0);
       ASSERT_EQ(paths.size(), static_cast<size_t>(lines->PieceCount()));
       double pieces = 0;
       for (int32_t i = 0; i < lines->PieceCount(); ++i)

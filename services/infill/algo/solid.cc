@@ -18,6 +18,8 @@ constexpr double kMostStretch = 1.2;
 /// Ends that lie farther apart along the edge than this many spacings are not joined.
 constexpr double kMaxLinkSpacings = 3.0;
 constexpr double kMinLengthWidths = 0.5;
+/// Links are not made thinner than this many spacings.
+constexpr double kLeastLinkSpacings = 0.3;
 
 /// Lines across a region that fill it from edge to edge, if that takes no more stretch than
 /// allowed; else as many as come nearest, in its middle.
@@ -29,28 +31,55 @@ LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
+/// Pieces of one width, joined by links of another: the width steps where two points are equal.
+Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
+  Path path;
+  if (line.pieces.size() == 1 || link_width == width) {
+    path.points = line.points;
+    path.widths_nm = {width};
+    return path;
+  }
+  const size_t count = line.points.size() + 2 * (line.pieces.size() - 1);
+  path.points.reserve(count);
+  path.widths_nm.reserve(count);
+  const auto append = [&](Point point, Coord w) {
+    path.points.push_back(point);
+    path.widths_nm.push_back(w);
+  };
+  for (size_t k = 0; k < line.pieces.size(); ++k) {
+    const int32_t first = line.pieces[k], last = first + 1;
+    append(line.points[first], width);
+    append(line.points[last], width);
+    if (k + 1 == line.pieces.size()) break;
+    for (int32_t i = last; i <= line.pieces[k + 1]; ++i) append(line.points[i], link_width);
+  }
+  return path;
+}
+
 }  // namespace
 
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
   const double angle = fill.angle_rad + (fill.layer_index % 2 != 0 ? std::numbers::pi / 2 : 0);
-  const auto spacing = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
-  const LineFamily family = FittingLines(region, angle, spacing);
-  const Coord width = WidthForSpacing(std::llround(family.pitch_nm), fill.height_nm);
-  const Coord inset = std::max<Coord>(0, width / 2 - fill.overlap_nm);
+  const LineFamily family =
+      FittingLines(region, angle, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
+  const Coord spacing = std::llround(family.pitch_nm);
+  const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = Offset({region}, -inset);
   const auto lines = CutLines(area, family);
   if (!lines.ok()) return lines.status();
+
+  const Coord width = WidthForSpacing(spacing, fill.height_nm);
+  const auto least_link = static_cast<Coord>(kLeastLinkSpacings * family.pitch_nm);
+  const Coord link_width = WidthToFill(std::clamp(2 * inset, least_link, spacing), fill.height_nm);
   FillGroup group;
   group.keep_order = fill.pattern == SolidPattern::kMonotonic;
   const SerpentineOptions options{.monotonic = group.keep_order,
                                   .max_link_nm = kMaxLinkSpacings * family.pitch_nm,
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
-  for (Polyline& line : Serpentine(*lines, options)) {
-    Path& path = group.paths.emplace_back();
+  for (const SerpentinePath& line : Serpentine(*lines, options)) {
+    Path& path = group.paths.emplace_back(MakePath(line, width, link_width));
     path.feature = fill.feature;
     path.reversible = !group.keep_order;
-    path.points = std::move(line);
-    path.widths_nm = {width};
   }
   return group;
 }

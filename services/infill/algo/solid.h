@@ -13,7 +13,7 @@ struct SolidFill {
   int32_t layer_index = 0;  ///< lines turn by a right angle from layer to layer
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
-  Coord overlap_nm = 0;  ///< how far lines end beyond half their width from the region's edge
+  Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
 };
 
 /// Covers one connected region with beads side by side. The spacing is the nearest to that of
