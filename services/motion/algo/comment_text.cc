@@ -1,0 +1,40 @@
+#include "services/motion/algo/comment_text.h"
+
+namespace slicefarm::motion {
+namespace {
+
+bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
+std::string OneLine(std::string_view text) {
+  std::string line;
+  line.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '\n':
+        line += "\\n";
+        break;
+      case '\r':
+        line += "\\r";
+        break;
+      case '\\':
+        line += "\\\\";
+        break;
+      default:
+        line += IsControl(c) ? ' ' : c;
+    }
+  }
+  return line;
+}
+
+std::string JsonString(std::string_view text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') json += '\\';
+    json += IsControl(c) ? ' ' : c;
+  }
+  return json + '"';
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,46 @@
+#include "services/motion/algo/gcode_text.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr int64_t kPowers[] = {1, 10, 100, 1'000, 10'000, 100'000};
+constexpr size_t kLongestInteger = 20;
+
+}  // namespace
+
+GcodeText& GcodeText::Integer(int64_t value) {
+  char buffer[kLongestInteger];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  text_.append(buffer, end);
+  return *this;
+}
+
+GcodeText& GcodeText::Decimal(int64_t value, int digits) {
+  char buffer[kLongestInteger + 2];
+  char* at = buffer;
+  if (value < 0) {
+    *at++ = '-';
+    value = -value;
+  }
+  const int64_t whole = value / kPowers[digits];
+  int64_t rest = value % kPowers[digits];
+  if (whole != 0 || rest == 0) at = std::to_chars(at, buffer + sizeof buffer, whole).ptr;
+  if (rest != 0) {
+    *at++ = '.';
+    for (int i = digits - 1; rest != 0; --i) {
+      *at++ = static_cast<char>('0' + rest / kPowers[i]);
+      rest %= kPowers[i];
+    }
+  }
+  text_.append(buffer, at);
+  return *this;
+}
+
+GcodeText& GcodeText::Real(double value, int digits) {
+  return Decimal(std::llround(value * static_cast<double>(kPowers[digits])), digits);
+}
+
+}  // namespace slicefarm::motion

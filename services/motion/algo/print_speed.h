@@ -1,0 +1,37 @@
+#pragma once
+
+#include "common/model/motion_options.h"
+#include "common/model/path.h"
+
+namespace slicefarm::motion {
+
+/// Loops of no more than this length count as small: a radius of 6.5 mm.
+inline constexpr double kSmallLoopMm = 40.840704496667314;
+
+/// How fast a path may be printed, in mm/s, by the settings: its own speed, the feature's, that of small loops, the first
+/// layer's; never above max_print_speed where the settings leave it open, nor above max_volumetric_speed.
+/// `section_mm2`: of its bead, flow included.
+class PrintSpeeds {
+ public:
+  PrintSpeeds(const MotionOptions& options, int32_t layer_index)
+      : options_(options), first_layer_(layer_index == 0) {}
+
+  /// Without regard to the volume.
+  double Of(const Path& path, double length_mm) const;
+  /// `speed_mm_s`, lowered until no more than the greatest volume flows.
+  double LimitedByFlow(double speed_mm_s, double section_mm2) const;
+
+ private:
+  const MotionOptions& options_;
+  bool first_layer_;
+};
+
+/// Speed of travels and of z moves, in mm/s.
+double TravelSpeed(const MotionOptions& options);
+double TravelSpeedZ(const MotionOptions& options);
+
+/// Feed rates stand in the G-code as whole mm/min, at least 1.
+int32_t FeedRate(double speed_mm_s);
+inline double SpeedOf(int32_t feed_rate) { return feed_rate / 60.0; }
+
+}  // namespace slicefarm::motion

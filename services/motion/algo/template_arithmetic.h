@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/motion/algo/template_value.h"
+
+namespace slicefarm::motion {
+
+/// The operators and functions of template expressions, see template_expression.h.
+/// Errors: InvalidArgument for operands of the wrong type, division by zero and whole numbers that overflow.
+absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
+                                    const TemplateValue& b);
+absl::StatusOr<TemplateValue> Negated(const TemplateValue& value);
+absl::StatusOr<TemplateValue> Call(std::string_view function,
+                                   const std::vector<TemplateValue>& arguments);
+
+}  // namespace slicefarm::motion

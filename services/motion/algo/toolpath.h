@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/model/path.h"
+
+namespace slicefarm::motion {
+
+enum class MoveKind : uint8_t {
+  kPrint,
+  kTravel,
+  kRetract,
+  kRestart,  ///< the filament comes back
+  kLift,     ///< z alone
+};
+
+/// A move as it will stand in the G-code: rounded to its digits already, so that plan and text agree.
+struct Move {
+  // Where it ends.
+  int32_t x_um = 0;
+  int32_t y_um = 0;
+  int32_t z_um = 0;
+  int32_t filament = 0;   ///< in 1e-5 mm, relative
+  int32_t feed_rate = 0;  ///< mm/min
+  int32_t width_um = 0;   ///< of a bead
+  int32_t height_um = 0;  ///< of a bead
+  float acceleration_mm_s2 = 0;
+  MoveKind kind = MoveKind::kTravel;
+  Feature feature = Feature::kPerimeter;  ///< of kPrint
+
+  friend bool operator==(const Move&, const Move&) = default;
+};
+
+/// The moves of a layer. It starts retracted, anywhere, at the height of the layer before.
+struct Toolpath {
+  static constexpr size_t kNone = std::numeric_limits<size_t>::max();
+
+  std::vector<Move> moves;
+  size_t approach = kNone;  ///< the travel to the entry, whose length the layer does not know
+  int32_t start_z_um = 0;   ///< of the layer before
+};
+
+}  // namespace slicefarm::motion
