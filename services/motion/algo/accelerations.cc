@@ -38,8 +38,8 @@ Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index
   if (result.told_travel) {
     result.travel = options.travel_acceleration_mm_s2;
   } else if (options.flavor == GcodeFlavor::kMarlin2) {
-    result.travel = FirstSet({limits.max_acceleration_travel_mm_s2,
-                              limits.max_acceleration_extruding_mm_s2});
+    result.travel =
+        FirstSet({limits.max_acceleration_travel_mm_s2, limits.max_acceleration_extruding_mm_s2});
   }
   result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
   return result;

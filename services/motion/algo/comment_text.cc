@@ -1,5 +1,7 @@
 #include "services/motion/algo/comment_text.h"
 
+#include <algorithm>
+
 namespace slicefarm::motion {
 namespace {
 
@@ -26,6 +28,12 @@ std::string OneLine(std::string_view text) {
     }
   }
   return line;
+}
+
+std::string CommentLine(std::string_view line) {
+  std::string safe(line);
+  std::replace_if(safe.begin(), safe.end(), IsControl, ' ');
+  return safe;
 }
 
 std::string JsonString(std::string_view text) {

@@ -52,7 +52,8 @@ double SlowDown(const CoolingOptions& cooling, LayerTiming& timing, Toolpath& pa
   if (!cooling.enabled || full_time >= wanted || full_time <= 0) return full_time;
   const std::vector<int32_t> full = FeedRates(path);
   const int32_t least = FeedRate(cooling.min_print_speed_mm_s);
-  // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it honest.
+  // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it
+  // honest.
   double low = 0;
   double high = 1;
   double share = full_time / wanted;
@@ -74,9 +75,8 @@ int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double la
   const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
   if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
   if (layer_time_s <= cooling.slowdown_below_layer_time_s) return cooling.max_fan_percent;
-  const double share =
-      (cooling.fan_below_layer_time_s - layer_time_s) /
-      (cooling.fan_below_layer_time_s - cooling.slowdown_below_layer_time_s);
+  const double share = (cooling.fan_below_layer_time_s - layer_time_s) /
+                       (cooling.fan_below_layer_time_s - cooling.slowdown_below_layer_time_s);
   const double percent =
       cooling.min_fan_percent + share * (cooling.max_fan_percent - cooling.min_fan_percent);
   return static_cast<int32_t>(std::lround(percent));

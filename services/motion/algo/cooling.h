@@ -6,13 +6,14 @@
 
 namespace slicefarm::motion {
 
-/// Slows the beads of a layer down, all by the same share, until it takes slowdown_below_layer_time as the planner
-/// reckons, accelerations included; but none below min_print_speed. Travels keep their speed.
-/// Gives the time in s of the layer as it is now. Cost: O(moves) if it is slow enough, else about ten times as much.
+/// Slows the beads of a layer down, all by the same share, until it takes slowdown_below_layer_time
+/// as the planner reckons, accelerations included; but none below min_print_speed. Travels keep
+/// their speed. Gives the time in s of the layer as it is now. Cost: O(moves) if it is slow enough,
+/// else about ten times as much.
 double SlowDown(const CoolingOptions& cooling, LayerTiming& timing, Toolpath& path);
 
-/// Fan in percent for a layer that takes `layer_time_s`: off for the first layers; else between the settings' bounds,
-/// the more the shorter the layer.
+/// Fan in percent for a layer that takes `layer_time_s`: off for the first layers; else between the
+/// settings' bounds, the more the shorter the layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
 /// The same for bridges and overhangs.

@@ -23,8 +23,8 @@ struct Condition {
 
 std::string_view FirstWord(std::string_view text) {
   size_t end = 0;
-  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
-                               text[end] == '_')) {
+  while (end < text.size() &&
+         (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_')) {
     ++end;
   }
   return text.substr(0, end);
@@ -62,7 +62,8 @@ class Expander {
 
   std::string TakeResult() { return std::move(result_); }
   size_t Line() const {
-    return 1 + static_cast<size_t>(std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(at_), '\n'));
+    return 1 + static_cast<size_t>(
+                   std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(at_), '\n'));
   }
 
  private:
@@ -108,8 +109,7 @@ class Expander {
   absl::Status Brace() {
     const auto close = ClosingBrace();
     if (!close) return absl::InvalidArgumentError("\"{\" without \"}\"");
-    const std::string_view inside =
-        Stripped(text_.substr(at_ + 1, *close - at_ - 1));
+    const std::string_view inside = Stripped(text_.substr(at_ + 1, *close - at_ - 1));
     const std::string_view word = FirstWord(inside);
     const std::string_view rest = inside.substr(word.size());
     absl::Status status;

@@ -14,8 +14,8 @@ namespace slicefarm::motion {
 ///   {expression}                 see template_expression.h
 ///   {if c}..{elsif c}..{else}..{endif}   nested as deep as one likes
 ///
-/// Errors: InvalidArgument SETTING_MALFORMED naming `setting`, the line and, if there is one, the unknown `variable`.
-/// Cost: O(length).
+/// Errors: InvalidArgument SETTING_MALFORMED naming `setting`, the line and, if there is one, the
+/// unknown `variable`. Cost: O(length).
 absl::StatusOr<std::string> ExpandTemplate(std::string_view setting, std::string_view text,
                                            const TemplateVariables& variables);
 

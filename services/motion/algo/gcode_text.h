@@ -6,12 +6,13 @@
 
 namespace slicefarm::motion {
 
-/// Units in which positions and filament stand in the text: what is planned is what is printed, to the last digit.
+/// Units in which positions and filament stand in the text: what is planned is what is printed, to
+/// the last digit.
 inline constexpr int64_t kUmPerMm = 1'000;
 inline constexpr int64_t kFilamentUnitsPerMm = 100'000;
 
-/// Text that grows, with numbers as G-code likes them: exact decimals without trailing zeros and without a zero before
-/// the point ("-.05", "12.3", "0").
+/// Text that grows, with numbers as G-code likes them: exact decimals without trailing zeros and
+/// without a zero before the point ("-.05", "12.3", "0").
 class GcodeText {
  public:
   explicit GcodeText(size_t expected_bytes = 0) { text_.reserve(expected_bytes); }

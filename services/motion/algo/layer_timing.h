@@ -10,13 +10,14 @@
 
 namespace slicefarm::motion {
 
-/// The time that a layer's moves take, by the planner of the firmware. The approach to the layer is left out: where it
-/// begins is not known.
+/// The time that a layer's moves take, by the planner of the firmware. The approach to the layer is
+/// left out: where it begins is not known.
 class LayerTiming {
  public:
   LayerTiming(GcodeFlavor flavor, const MachineLimits& limits) : planner_(flavor, limits) {}
 
-  /// Time in s of each move of `path`, 0 for the approach; valid until the next call. Cost: O(moves).
+  /// Time in s of each move of `path`, 0 for the approach; valid until the next call. Cost:
+  /// O(moves).
   std::span<const double> Times(const Toolpath& path);
 
  private:

@@ -8,9 +8,9 @@ namespace slicefarm::motion {
 /// Loops of no more than this length count as small: a radius of 6.5 mm.
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
-/// How fast a path may be printed, in mm/s, by the settings: its own speed, the feature's, that of small loops, the first
-/// layer's; never above max_print_speed where the settings leave it open, nor above max_volumetric_speed.
-/// `section_mm2`: of its bead, flow included.
+/// How fast a path may be printed, in mm/s, by the settings: its own speed, the feature's, that of
+/// small loops, the first layer's; never above max_print_speed where the settings leave it open,
+/// nor above max_volumetric_speed. `section_mm2`: of its bead, flow included.
 class PrintSpeeds {
  public:
   PrintSpeeds(const MotionOptions& options, int32_t layer_index)

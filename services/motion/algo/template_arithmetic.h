@@ -9,7 +9,8 @@
 namespace slicefarm::motion {
 
 /// The operators and functions of template expressions, see template_expression.h.
-/// Errors: InvalidArgument for operands of the wrong type, division by zero and whole numbers that overflow.
+/// Errors: InvalidArgument for operands of the wrong type, division by zero and whole numbers that
+/// overflow.
 absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
                                     const TemplateValue& b);
 absl::StatusOr<TemplateValue> Negated(const TemplateValue& value);

@@ -32,7 +32,8 @@ bool StartsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 
 bool InName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Operators by how tightly they bind, the loosest first; of one that begins another, the longer first.
+/// Operators by how tightly they bind, the loosest first; of one that begins another, the longer
+/// first.
 struct Level {
   std::span<const std::string_view> operators;
 };
@@ -73,8 +74,12 @@ class Parser {
     return !no.ok() || !*truth ? no : yes;
   }
 
-  Result Or() { return Logic("or", "||", true, [this] { return And(); }); }
-  Result And() { return Logic("and", "&&", false, [this] { return Not(); }); }
+  Result Or() {
+    return Logic("or", "||", true, [this] { return And(); });
+  }
+  Result And() {
+    return Logic("and", "&&", false, [this] { return Not(); });
+  }
 
   /// The operand on the right counts only if the left one is not `decisive`.
   template <typename Operand>

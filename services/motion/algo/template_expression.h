@@ -10,21 +10,22 @@ namespace slicefarm::motion {
 /// What an expression of a template comes to.
 ///
 ///   literals    12  0.5  "text"  true  false
-///   variables   temperature  temperature[0]  temperature[initial_extruder]; beyond a list's end: its first element
-///   operators   ?:  or ||  and &&  == != <>  < <= > >=  + -  * / %  not ! -  ( )
+///   variables   temperature  temperature[0]  temperature[initial_extruder]; beyond a list's end:
+///   its first element operators   ?:  or ||  and &&  == != <>  < <= > >=  + -  * / %  not ! -  ( )
 ///   functions   min(a,b) max(a,b) int(a) round(a) digits(a, width[, decimals]) zdigits(...)
 ///
-/// + also joins texts; / of whole numbers is whole. With `evaluate` false, only the form is checked.
-/// Errors: InvalidArgument whose message says what is wrong; for an unknown variable the error names it:
-/// UnknownVariable(). Depth and length of what is read are bounded. Cost: O(length).
-/// Source: PrusaSlicer's documentation, "Macros".
+/// + also joins texts; / of whole numbers is whole. With `evaluate` false, only the form is
+/// checked. Errors: InvalidArgument whose message says what is wrong; for an unknown variable the
+/// error names it: UnknownVariable(). Depth and length of what is read are bounded. Cost:
+/// O(length). Source: PrusaSlicer's documentation, "Macros".
 absl::StatusOr<TemplateValue> EvaluateExpression(std::string_view text,
                                                  const TemplateVariables& variables, bool evaluate);
 
 /// The truth of a condition: InvalidArgument if it is neither a truth value nor a number.
 absl::StatusOr<bool> Truth(const TemplateValue& value);
 
-/// The name of the variable that an error of EvaluateExpression is about; empty if it is about something else.
+/// The name of the variable that an error of EvaluateExpression is about; empty if it is about
+/// something else.
 std::string UnknownVariable(const absl::Status& status);
 
 }  // namespace slicefarm::motion

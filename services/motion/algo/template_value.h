@@ -12,7 +12,8 @@ namespace slicefarm::motion {
 /// A value in a G-code template: a truth value, a whole number, a number or text.
 using TemplateValue = std::variant<bool, int64_t, double, std::string>;
 
-/// What a template may name. Each variable is a list; its first element is the variable's value without an index.
+/// What a template may name. Each variable is a list; its first element is the variable's value
+/// without an index.
 using TemplateVariables = std::map<std::string, std::vector<TemplateValue>, std::less<>>;
 
 /// As it stands in the G-code: numbers without trailing zeros, up to 6 decimals.

@@ -16,7 +16,8 @@ enum class MoveKind : uint8_t {
   kLift,     ///< z alone
 };
 
-/// A move as it will stand in the G-code: rounded to its digits already, so that plan and text agree.
+/// A move as it will stand in the G-code: rounded to its digits already, so that plan and text
+/// agree.
 struct Move {
   // Where it ends.
   int32_t x_um = 0;

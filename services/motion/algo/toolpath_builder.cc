@@ -14,9 +14,7 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-int32_t ToUm(Coord nm) {
-  return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
-}
+int32_t ToUm(Coord nm) { return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000); }
 
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
@@ -118,8 +116,7 @@ void ToolpathBuilder::Travel(int32_t x_um, int32_t y_um) {
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_));
-  Push(MoveKind::kTravel,
-       accelerations_.travel > 0 ? accelerations_.travel : print_acceleration_);
+  Push(MoveKind::kTravel, accelerations_.travel > 0 ? accelerations_.travel : print_acceleration_);
   ++stats_.travels;
 }
 

@@ -8,11 +8,13 @@
 
 namespace slicefarm::motion {
 
-/// Turns paths into moves, one path after the other: travels with retraction and lift, beads with their filament.
+/// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
+/// their filament.
 ///
-/// Filament is that of the bead's section (SectionMm2) times flow and extrusion multiplier; a path of varying width has
-/// the mean of its ends on each segment. What rounding leaves is carried on, so that the sum over a layer is exact to
-/// 1e-5 mm. Segments that round to nothing are left out; their filament is not.
+/// Filament is that of the bead's section (SectionMm2) times flow and extrusion multiplier; a path
+/// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
+/// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
+/// their filament is not.
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder.
@@ -56,11 +58,11 @@ class ToolpathBuilder {
   int32_t restart_units_;
 
   Toolpath path_;
-  Move at_;                         ///< where the nozzle is, and what the next move inherits
-  double print_acceleration_ = 0;   ///< of the path being printed
+  Move at_;                        ///< where the nozzle is, and what the next move inherits
+  double print_acceleration_ = 0;  ///< of the path being printed
   bool retracted_ = true;
-  double owed_ = 0;                 ///< filament that rounding left, in 1e-5 mm
-  int64_t filament_ = 0;            ///< printed in all, in 1e-5 mm
+  double owed_ = 0;       ///< filament that rounding left, in 1e-5 mm
+  int64_t filament_ = 0;  ///< printed in all, in 1e-5 mm
   ProgramStats stats_;
 };
 

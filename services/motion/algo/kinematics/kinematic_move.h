@@ -16,8 +16,8 @@ struct KinematicMove {
   bool ExtruderOnly() const { return ratio[kX] == 0 && ratio[kY] == 0 && ratio[kZ] == 0; }
 };
 
-/// How a move runs: it speeds up from `entry`, goes on at `cruise` and slows down to `exit`, each way with the move's
-/// acceleration.
+/// How a move runs: it speeds up from `entry`, goes on at `cruise` and slows down to `exit`, each
+/// way with the move's acceleration.
 struct MoveProfile {
   double entry_mm_s = 0;
   double cruise_mm_s = 0;

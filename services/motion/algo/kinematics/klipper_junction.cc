@@ -22,7 +22,8 @@ double CornerV2(const KinematicMove& before, const KinematicMove& move, double c
   const double sin_half = std::sqrt(std::max(0.0, (1 + turn_cos) / 2));
   const double cos_half = std::sqrt(std::max(0.0, (1 - turn_cos) / 2));
   if (sin_half >= 1 || cos_half == 0) return std::numeric_limits<double>::infinity();
-  // Square corner velocity is the speed at a right angle whatever the acceleration: a jd does not depend on a.
+  // Square corner velocity is the speed at a right angle whatever the acceleration: a jd does not
+  // depend on a.
   const double deviation_v2 = corner_v2 * (std::numbers::sqrt2 - 1) * sin_half / (1 - sin_half);
   const double way = std::min(before.length_mm * before.acceleration_mm_s2,
                               move.length_mm * move.acceleration_mm_s2);

@@ -5,16 +5,17 @@
 
 namespace slicefarm::motion {
 
-/// The move with the speed and acceleration that Klipper's limits leave: the toolhead's speed and the z axis' share; the
-/// extruder alone has an acceleration of its own, whatever the toolhead's.
+/// The move with the speed and acceleration that Klipper's limits leave: the toolhead's speed and
+/// the z axis' share; the extruder alone has an acceleration of its own, whatever the toolhead's.
 KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
-/// The greatest squared speed (mm^2/s^2) at which Klipper goes from `before` to `move`, as far as their directions say:
-///   junction deviation from the square corner velocity, v^2 = a jd s / (1 - s), jd = scv^2 (sqrt(2) - 1) / a;
-///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
+/// The greatest squared speed (mm^2/s^2) at which Klipper goes from `before` to `move`, as far as
+/// their directions say:
+///   junction deviation from the square corner velocity, v^2 = a jd s / (1 - s), jd = scv^2
+///   (sqrt(2) - 1) / a; the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
 ///   the extruder's speed may change by 1 mm/s at once.
-/// Where one of the moves is the extruder's alone, the toolhead stops: 0. REQUIRES: both are limited.
-/// Source: Klipper's documentation, "Kinematics".
+/// Where one of the moves is the extruder's alone, the toolhead stops: 0. REQUIRES: both are
+/// limited. Source: Klipper's documentation, "Kinematics".
 double KlipperJunctionV2(const KinematicMove& before, const KinematicMove& move,
                          const MachineLimits& limits);
 

@@ -39,7 +39,8 @@ double LimitedByAxes(double value, const Vector& ratio, const Vector& limits) {
   return value;
 }
 
-/// Change of an axis' speed at a junction; an axis that turns round is as bad as the greater of its speeds.
+/// Change of an axis' speed at a junction; an axis that turns round is as bad as the greater of its
+/// speeds.
 double AxisJerk(double exit, double entry) {
   if (exit > entry) {
     return entry > 0 || exit < 0 ? exit - entry : std::max(exit, -entry);

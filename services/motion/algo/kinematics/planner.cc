@@ -36,8 +36,7 @@ std::span<const MoveProfile> Planner::Plan(std::span<const KinematicMove> moves)
     peak_v2_.resize(moves.size());
     for (size_t i = 0; i < moves.size(); ++i) {
       const double asked = calm * moves[i].acceleration_mm_s2;
-      calm_reach_v2_[i] =
-          2 * moves[i].length_mm * std::min(asked, moves_[i].acceleration_mm_s2);
+      calm_reach_v2_[i] = 2 * moves[i].length_mm * std::min(asked, moves_[i].acceleration_mm_s2);
     }
     PlanKlipper();
   } else {
@@ -84,8 +83,8 @@ void Planner::LimitJunctionsForward() {
   entry_v2_[0] = calm_entry_v2_[0] = 0;
   for (size_t i = 1; i < moves_.size(); ++i) {
     const KinematicMove& before = moves_[i - 1];
-    entry_v2_[i] = std::min(KlipperJunctionV2(before, moves_[i], limits_),
-                            entry_v2_[i - 1] + ReachV2(before));
+    entry_v2_[i] =
+        std::min(KlipperJunctionV2(before, moves_[i], limits_), entry_v2_[i - 1] + ReachV2(before));
     calm_entry_v2_[i] = std::min(entry_v2_[i], calm_entry_v2_[i - 1] + calm_reach_v2_[i - 1]);
   }
   entry_v2_[moves_.size()] = calm_entry_v2_[moves_.size()] = 0;

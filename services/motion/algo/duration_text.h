@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace slicefarm::motion {
+
+/// `1d 2h 3m 4s`: whole seconds, leading units of 0 left out; "0s" at least.
+std::string DurationText(double seconds);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,86 @@
+#include "services/motion/algo/input_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr Coord kMaxBeadNm = 100 * kNmPerMm;
+constexpr double kMaxFlow = 1000;
+constexpr double kMaxSetting = 1e9;
+
+struct Named {
+  const char* setting;
+  double value;
+};
+
+absl::Status OutOfRange(const Named& named) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   std::string(named.setting) + " is " + std::to_string(named.value),
+                   {{"setting", named.setting}, {"got", std::to_string(named.value)}});
+}
+
+bool InBounds(double value) { return std::isfinite(value) && std::abs(value) <= kMaxSetting; }
+
+bool InBounds(Point point) {
+  return std::abs(point.x) <= limits::kMaxCoord && std::abs(point.y) <= limits::kMaxCoord;
+}
+
+bool InBounds(const Path& path) {
+  const auto is_width = [](Coord width) { return 0 <= width && width <= kMaxBeadNm; };
+  return path.points.size() >= 2 &&
+         (path.widths_nm.size() == 1 || path.widths_nm.size() == path.points.size()) &&
+         std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
+         std::all_of(path.points.begin(), path.points.end(), [](Point p) { return InBounds(p); }) &&
+         0 <= path.height_nm && path.height_nm <= kMaxBeadNm && 0 <= path.flow &&
+         path.flow <= kMaxFlow && static_cast<int>(path.feature) < kFeatureCount &&
+         InBounds(path.speed_mm_s);
+}
+
+}  // namespace
+
+absl::Status CheckOptions(const MotionOptions& options) {
+  const RetractionOptions& retraction = options.retraction;
+  const CoolingOptions& cooling = options.cooling;
+  for (const Named& named : {Named{"filament_diameter", options.filament_diameter_mm},
+                             Named{"extrusion_multiplier", options.extrusion_multiplier}}) {
+    if (!(named.value > 0 && InBounds(named.value))) return OutOfRange(named);
+  }
+  for (const Named& named :
+       {Named{"retract_length", retraction.length_mm},
+        Named{"retract_speed", retraction.speed_mm_s},
+        Named{"deretract_speed", retraction.restart_speed_mm_s},
+        Named{"retract_lift", retraction.lift_mm},
+        Named{"retract_before_travel", retraction.min_travel_mm},
+        Named{"slowdown_below_layer_time", cooling.slowdown_below_layer_time_s},
+        Named{"fan_below_layer_time", cooling.fan_below_layer_time_s},
+        Named{"min_print_speed", cooling.min_print_speed_mm_s}}) {
+    if (!(named.value >= 0 && InBounds(named.value))) return OutOfRange(named);
+  }
+  for (const Named& named : {Named{"retract_restart_extra", retraction.restart_extra_mm},
+                             Named{"z_offset", options.z_offset_mm}}) {
+    if (!InBounds(named.value)) return OutOfRange(named);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckLayer(const OrderedLayer& layer) {
+  const LayerFrame& frame = layer.frame;
+  const bool good = std::abs(frame.print_z_nm) <= limits::kMaxCoord && 0 <= frame.height_nm &&
+                    frame.height_nm <= kMaxBeadNm &&
+                    std::all_of(layer.paths.begin(), layer.paths.end(),
+                                [](const Path& path) { return InBounds(path); });
+  if (good) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+      "layer " + std::to_string(frame.index) + ": a path or the layer itself is out of all bounds",
+      {{"layer", std::to_string(frame.index)}});
+}
+
+}  // namespace slicefarm::motion

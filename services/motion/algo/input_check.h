@@ -1,0 +1,19 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "common/model/layer.h"
+#include "common/model/motion_options.h"
+
+namespace slicefarm::motion {
+
+/// Refuses what no planner can work with: diameters and speeds that are not above 0, numbers that
+/// are not finite. Settings are checked in full where they are read; this keeps a wrong sender from
+/// doing harm. Errors: InvalidArgument SETTING_OUT_OF_RANGE naming the setting.
+absl::Status CheckOptions(const MotionOptions& options);
+
+/// Refuses paths of fewer than two points, with a wrong number of widths, or of a width, height,
+/// flow or place that no printer has. Errors: InvalidArgument REQUEST_MALFORMED naming the layer.
+/// Cost: O(points).
+absl::Status CheckLayer(const OrderedLayer& layer);
+
+}  // namespace slicefarm::motion

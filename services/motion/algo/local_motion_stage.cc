@@ -1,0 +1,43 @@
+#include "services/motion/algo/local_motion_stage.h"
+
+#include <utility>
+
+#include "services/motion/algo/input_check.h"
+#include "services/motion/algo/layer_program.h"
+#include "services/motion/algo/program_frame.h"
+
+namespace slicefarm::motion {
+namespace {
+
+class LocalMotion : public MotionStage {
+ public:
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
+                                                    std::vector<OrderedLayer> layers,
+                                                    const MotionOptions& options) const override {
+    if (absl::Status good = CheckOptions(options); !good.ok()) return good;
+    std::vector<LayerProgram> programs;
+    programs.reserve(layers.size());
+    for (OrderedLayer& layer : layers) {
+      if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+      if (absl::Status good = CheckLayer(layer); !good.ok()) return good;
+      auto program = ProgramLayer(layer, options);
+      if (!program.ok()) return program.status();
+      programs.push_back(*std::move(program));
+      layer.paths = {};  // a range may be long: its paths make room for its text
+    }
+    return programs;
+  }
+
+  absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
+                                     const MotionOptions& options) const override {
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+    if (absl::Status good = CheckOptions(options); !good.ok()) return good;
+    return FrameProgram(summary, options);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MotionStage> MakeLocalMotion() { return std::make_unique<LocalMotion>(); }
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm::motion {
+
+/// The motion stage in this process: ProgramLayer for each layer, FrameProgram. Stateless.
+std::unique_ptr<MotionStage> MakeLocalMotion();
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+
+namespace slicefarm::motion {
+
+/// First lines of a file: who made it, and what is in it. No clock: the date is that of the
+/// release.
+std::string MetadataHead(const ProgramSummary& summary);
+
+/// Last lines of a file, for printer hosts: filament used, time, layers, then the settings between
+/// "; prusaslicer_config = begin" and "end". Keys that hosts look for and the settings do not have
+/// are added from the options. Nothing in names or settings can end its line. Source: PrusaSlicer's
+/// keys, as read by Moonraker, PrusaLink and OctoPrint's plug-ins.
+std::string MetadataTail(const MotionOptions& options, const ProgramSummary& summary,
+                         double time_s);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,125 @@
+#include "services/motion/algo/program_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "services/motion/algo/accelerations.h"
+#include "services/motion/algo/gcode_template.h"
+#include "services/motion/algo/gcode_text.h"
+#include "services/motion/algo/kinematics/klipper_junction.h"
+#include "services/motion/algo/kinematics/marlin_junction.h"
+#include "services/motion/algo/kinematics/trapezoid.h"
+#include "services/motion/algo/machine_setup.h"
+#include "services/motion/algo/print_metadata.h"
+#include "services/motion/algo/print_speed.h"
+#include "services/motion/algo/template_variables.h"
+#include "services/motion/algo/thumbnails_block.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// Time in s of a travel from rest to rest.
+double TravelTime(Point from, Point to, const MotionOptions& options, int32_t layer_index) {
+  const double length = ToMm(Distance(from, to));
+  if (length == 0) return 0;
+  const Accelerations accelerations = AccelerationsFor(options, layer_index);
+  const double acceleration =
+      accelerations.travel > 0 ? accelerations.travel : accelerations.Print(Feature::kPerimeter);
+  const double x = ToMm(static_cast<double>(to.x - from.x)) / length;
+  const double y = ToMm(static_cast<double>(to.y - from.y)) / length;
+  const KinematicMove asked{length, {x, y, 0, 0}, TravelSpeed(options), acceleration};
+  const KinematicMove move = options.flavor == GcodeFlavor::kKlipper
+                                 ? LimitedByKlipper(asked, options.limits)
+                                 : LimitedByMarlin(asked, options.limits);
+  return RestToRest(move.length_mm, move.speed_mm_s, move.acceleration_mm_s2);
+}
+
+/// Walks through the layers: `start_s` of each, then the whole.
+struct Timeline {
+  std::vector<double> start_s;
+  double time_s = 0;
+  double travel_mm = 0;
+};
+
+Timeline TimelineOf(const ProgramSummary& summary, const MotionOptions& options) {
+  Timeline timeline;
+  timeline.travel_mm = summary.total.travel_mm;
+  const LayerSummary* before = nullptr;
+  for (const LayerSummary& layer : summary.layers) {
+    if (!layer.empty) {
+      if (before != nullptr) {
+        timeline.travel_mm += ToMm(Distance(before->exit, layer.entry));
+        timeline.time_s += TravelTime(before->exit, layer.entry, options, layer.frame.index);
+      }
+      before = &layer;
+    }
+    timeline.start_s.push_back(timeline.time_s);
+    timeline.time_s += layer.time_s;
+  }
+  return timeline;
+}
+
+/// M73: percent done, minutes left.
+std::string ProgressLine(double done_s, double time_s) {
+  GcodeText out;
+  const double share = time_s > 0 ? done_s / time_s : 0;
+  out << "M73 P";
+  out.Integer(std::lround(std::floor(100 * share))) << " R";
+  out.Integer(std::lround(std::ceil((time_s - done_s) / 60))) << '\n';
+  return out.Take();
+}
+
+std::string Prologue(const ProgramSummary& summary, const MotionOptions& options,
+                     std::string_view start_gcode) {
+  GcodeText out;
+  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails) << ";TYPE:Custom\n";
+  WriteMachineLimits(options, out);
+  WriteStart(options, start_gcode, out);
+  out << "G21\nG90\nM83\n";
+  const double length_mm = options.retraction.length_mm;
+  if (length_mm > 0) {
+    out << "G1 E";
+    out.Real(-length_mm, 5) << " F";
+    out.Integer(FeedRate(options.retraction.speed_mm_s)) << '\n';
+  }
+  return out.Take();
+}
+
+std::string Epilogue(const ProgramSummary& summary, const MotionOptions& options,
+                     std::string_view end_gcode, double time_s) {
+  GcodeText out;
+  if (options.progress) out << "M73 P100 R0\n";
+  out << ";TYPE:Custom\nM107\n" << end_gcode;
+  if (!out.EndsLine()) out << '\n';
+  out << MetadataTail(options, summary, time_s);
+  return out.Take();
+}
+
+}  // namespace
+
+absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
+                                          const MotionOptions& options) {
+  const TemplateVariables variables = ProgramVariables(options, summary);
+  const auto start = ExpandTemplate("start_gcode", options.start_gcode, variables);
+  if (!start.ok()) return start.status();
+  const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
+  if (!end.ok()) return end.status();
+
+  const Timeline timeline = TimelineOf(summary, options);
+  ProgramFrame frame;
+  frame.time_s = timeline.time_s;
+  frame.travel_mm = timeline.travel_mm;
+  frame.layer_prefixes.resize(summary.layers.size());
+  if (options.progress) {
+    for (size_t i = 0; i < summary.layers.size(); ++i) {
+      frame.layer_prefixes[i] = ProgressLine(timeline.start_s[i], timeline.time_s);
+    }
+  }
+  frame.prologue = Prologue(summary, options, *start);
+  frame.epilogue = Epilogue(summary, options, *end, timeline.time_s);
+  return frame;
+}
+
+}  // namespace slicefarm::motion

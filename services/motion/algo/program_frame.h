@@ -1,0 +1,20 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "common/model/layer.h"
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+
+namespace slicefarm::motion {
+
+/// What stands around the layers, and what the whole print takes.
+///
+/// The prologue heats up, runs the start G-code and leaves the canonical state that layers begin
+/// in: millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue
+/// begins in that state. Times: the layers' and, between layers that are not empty, the travel from
+/// rest to rest; heating and the start and end G-code are not counted. Errors: those of the
+/// templates (gcode_template.h). REQUIRES: CheckOptions holds.
+absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
+                                          const MotionOptions& options);
+
+}  // namespace slicefarm::motion

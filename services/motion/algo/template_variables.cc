@@ -1,0 +1,103 @@
+#include "services/motion/algo/template_variables.h"
+
+#include <string>
+#include <string_view>
+
+#include "services/motion/algo/settings_text.h"
+
+namespace slicefarm::motion {
+namespace {
+
+std::string FlavorName(GcodeFlavor flavor) {
+  switch (flavor) {
+    case GcodeFlavor::kMarlin2:
+      return "marlin2";
+    case GcodeFlavor::kMarlinLegacy:
+      return "marlin";
+    case GcodeFlavor::kKlipper:
+      return "klipper";
+  }
+  return "";
+}
+
+void AddExtruder(TemplateVariables& variables) {
+  for (const char* name : {"initial_extruder", "initial_tool", "current_extruder", "next_extruder",
+                           "previous_extruder", "toolchange_count"}) {
+    variables[name] = {int64_t{0}};
+  }
+  variables["extruder_count"] = variables["num_extruders"] = {int64_t{1}};
+  variables["is_extruder_used"] = {true};
+}
+
+TemplateVariables SettingVariables(const MotionOptions& options) {
+  TemplateVariables variables;
+  const auto whole = [&](const char* name, int64_t value) { variables[name] = {value}; };
+  const auto real = [&](const char* name, double value) { variables[name] = {value}; };
+  const auto text = [&](const char* name, const std::string& value) { variables[name] = {value}; };
+  whole("temperature", options.temperature_c);
+  whole("first_layer_temperature", options.first_layer_temperature_c);
+  whole("bed_temperature", options.bed_temperature_c);
+  whole("first_layer_bed_temperature", options.first_layer_bed_temperature_c);
+  real("nozzle_diameter", options.nozzle_diameter_mm);
+  real("filament_diameter", options.filament_diameter_mm);
+  real("filament_density", options.filament_density_g_cm3);
+  real("filament_cost", options.filament_cost_per_kg);
+  real("extrusion_multiplier", options.extrusion_multiplier);
+  text("filament_type", options.filament_type);
+  text("filament_colour", options.filament_colour);
+  text("filament_settings_id", options.filament_settings_id);
+  text("filament_preset", options.filament_settings_id);
+  text("printer_model", options.printer_model);
+  text("gcode_flavor", FlavorName(options.flavor));
+  real("z_offset", options.z_offset_mm);
+  real("travel_speed", options.travel_speed_mm_s);
+  real("retract_length", options.retraction.length_mm);
+  real("retract_lift", options.retraction.lift_mm);
+  real("retract_speed", options.retraction.speed_mm_s);
+  whole("min_fan_speed", options.cooling.min_fan_percent);
+  whole("max_fan_speed", options.cooling.max_fan_percent);
+  whole("bridge_fan_speed", options.cooling.bridge_fan_percent);
+  AddExtruder(variables);
+  return variables;
+}
+
+void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
+  variables["layer_num"] = {int64_t{frame.index}};
+  variables["layer_z"] = {ToMm(static_cast<double>(frame.print_z_nm))};
+}
+
+std::vector<TemplateValue> Pair(double x_nm, double y_nm) { return {ToMm(x_nm), ToMm(y_nm)}; }
+
+void AddBounds(const ProgramStats& total, TemplateVariables& variables) {
+  Point min = total.min;
+  Point max = total.max;
+  if (max < min) min = max = {};
+  const auto x = [](Point p) { return static_cast<double>(p.x); };
+  const auto y = [](Point p) { return static_cast<double>(p.y); };
+  variables["first_layer_print_min"] = Pair(x(min), y(min));
+  variables["first_layer_print_max"] = Pair(x(max), y(max));
+  variables["first_layer_print_size"] = Pair(x(max) - x(min), y(max) - y(min));
+}
+
+}  // namespace
+
+TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame) {
+  TemplateVariables variables = SettingVariables(options);
+  AddLayer(frame, variables);
+  return variables;
+}
+
+TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary) {
+  TemplateVariables variables = SettingVariables(options);
+  for (const auto& [key, value] : SettingLines(summary.settings_text)) {
+    if (!variables.contains(key)) variables.emplace(key, ParseSetting(UnescapeSetting(value)));
+  }
+  const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
+  AddLayer(last, variables);
+  variables["max_layer_z"] = variables["layer_z"];
+  variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
+  AddBounds(summary.total, variables);
+  return variables;
+}
+
+}  // namespace slicefarm::motion

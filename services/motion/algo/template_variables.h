@@ -1,0 +1,20 @@
+#pragma once
+
+#include "common/model/layer.h"
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+#include "services/motion/algo/template_value.h"
+
+namespace slicefarm::motion {
+
+/// What the templates of a layer may name: the settings of motion by their names in a config.ini,
+/// the extruder in use, layer_num and layer_z (mm).
+TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame);
+
+/// What start and end G-code may name: the same settings, all other settings that the summary
+/// quotes, and what is known of the whole print: total_layer_count, max_layer_z, layer_num and
+/// layer_z of the last layer, first_layer_print_min / _max / _size (of all layers, which holds the
+/// first's).
+TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary);
+
+}  // namespace slicefarm::motion
