@@ -18,7 +18,7 @@ GcodeText& GcodeText::Integer(int64_t value) {
   return *this;
 }
 
-GcodeText& GcodeText::Decimal(int64_t value, int digits) {
+GcodeText& GcodeText::Decimal(int64_t value, int digits, bool leading_zero) {
   char buffer[kLongestInteger + 2];
   char* at = buffer;
   if (value < 0) {
@@ -27,7 +27,8 @@ GcodeText& GcodeText::Decimal(int64_t value, int digits) {
   }
   const int64_t whole = value / kPowers[digits];
   int64_t rest = value % kPowers[digits];
-  if (whole != 0 || rest == 0) at = std::to_chars(at, buffer + sizeof buffer, whole).ptr;
+  if (leading_zero || whole != 0 || rest == 0)
+    at = std::to_chars(at, buffer + sizeof buffer, whole).ptr;
   if (rest != 0) {
     *at++ = '.';
     for (int i = digits - 1; rest != 0; --i) {
@@ -40,7 +41,8 @@ GcodeText& GcodeText::Decimal(int64_t value, int digits) {
 }
 
 GcodeText& GcodeText::Real(double value, int digits) {
-  return Decimal(std::llround(value * static_cast<double>(kPowers[digits])), digits);
+  return Decimal(std::llround(value * static_cast<double>(kPowers[digits])), digits,
+                 /*leading_zero=*/true);
 }
 
 }  // namespace slicefarm::motion

@@ -28,7 +28,7 @@ class GcodeText {
   GcodeText& Integer(int64_t value);
   GcodeText& Micrometers(int64_t um) { return Decimal(um, 3); }
   GcodeText& Filament(int64_t units) { return Decimal(units, 5); }
-  /// Rounded to `digits` decimals, trailing zeros cut. REQUIRES: |value| < 9e12, digits <= 5.
+  /// Rounded to `digits` decimals ("0.2"). REQUIRES: |value| < 9e12, digits <= 5.
   GcodeText& Real(double value, int digits);
 
   bool EndsLine() const { return text_.empty() || text_.back() == '\n'; }
@@ -37,7 +37,7 @@ class GcodeText {
 
  private:
   /// value / 10^digits.
-  GcodeText& Decimal(int64_t value, int digits);
+  GcodeText& Decimal(int64_t value, int digits, bool leading_zero = false);
 
   std::string text_;
 };

@@ -88,17 +88,17 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   AddTimes(path, timing.Times(path), program.stats);
 
   const int32_t index = layer.frame.index;
-  FanSpeeds fan;
-  fan.normal = FanPercent(options.cooling, index, time_s);
-  fan.bridges = BridgeFanPercent(options.cooling, index, fan.normal);
-  const Accelerations accelerations = AccelerationsFor(options, index);
-  LayerWriter writer(options.flavor, accelerations, fan);
+  LayerState state;
+  state.fan_percent = FanPercent(options.cooling, index, time_s);
+  state.bridge_fan_percent = BridgeFanPercent(options.cooling, index, state.fan_percent);
+  state.height_um = static_cast<int32_t>(layer.frame.height_nm / 1000);
+  LayerWriter writer(options.flavor, AccelerationsFor(options, index), state);
 
   GcodeText out(path.moves.size() * kBytesPerMove + kBytesAround + code->before.size() +
                 code->after.size());
   WriteHeader(layer.frame, code->before, out);
   WriteTemperatures(options, index, out);
-  WriteFan(fan.normal, out);
+  WriteFan(state.fan_percent, out);
   const size_t approach = std::min(path.approach, path.moves.size());
   writer.Write(path, 0, approach, out);
   WriteLines(code->after, out);

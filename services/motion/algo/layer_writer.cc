@@ -63,19 +63,20 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
     type_ = type;
     width_um_ = -1;
     out << ";TYPE:" << FeatureName(move.feature) << '\n';
-    const int32_t fan = NeedsBridgeFan(move.feature) ? fan_.bridges : fan_.normal;
-    if (fan != fan_percent_ && (fan_percent_ != -1 || fan != fan_.normal)) WriteFan(fan, out);
+    const int32_t fan =
+        NeedsBridgeFan(move.feature) ? state_.bridge_fan_percent : state_.fan_percent;
+    if (fan != fan_percent_) WriteFan(fan, out);
     fan_percent_ = fan;
   }
   if (width_um_ == -1 || std::abs(move.width_um - width_um_) >= kWidthStepUm) {
     width_um_ = move.width_um;
     out << ";WIDTH:";
-    out.Micrometers(move.width_um) << '\n';
+    out.Real(static_cast<double>(move.width_um) / kUmPerMm, 3) << '\n';
   }
   if (move.height_um != height_um_) {
     height_um_ = move.height_um;
     out << ";HEIGHT:";
-    out.Micrometers(move.height_um) << '\n';
+    out.Real(static_cast<double>(move.height_um) / kUmPerMm, 3) << '\n';
   }
 }
 

@@ -7,10 +7,11 @@
 
 namespace slicefarm::motion {
 
-/// Fan in percent while a layer is printed.
-struct FanSpeeds {
-  int32_t normal = 0;
-  int32_t bridges = 0;  ///< and overhangs
+/// What the head of a layer has told already, and what its fan is to be.
+struct LayerState {
+  int32_t height_um = -1;
+  int32_t fan_percent = 0;         ///< told
+  int32_t bridge_fan_percent = 0;  ///< for bridges and overhangs
 };
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
@@ -18,8 +19,12 @@ struct FanSpeeds {
 /// `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only where they change.
 class LayerWriter {
  public:
-  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, FanSpeeds fan)
-      : flavor_(flavor), accelerations_(accelerations), fan_(fan) {}
+  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)
+      : flavor_(flavor),
+        accelerations_(accelerations),
+        state_(state),
+        height_um_(state.height_um),
+        fan_percent_(state.fan_percent) {}
 
   /// Appends the moves [first, last). May be called for one stretch after the other, with other
   /// text in between: nothing is taken as known at the start of a stretch but the position.
@@ -32,14 +37,14 @@ class LayerWriter {
   void FeedRate(const Move& move, GcodeText& out);
 
   GcodeFlavor flavor_;
-  const Accelerations& accelerations_;
-  FanSpeeds fan_;
+  Accelerations accelerations_;
+  LayerState state_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;
   int32_t type_ = -1;
   int32_t width_um_ = -1;
-  int32_t height_um_ = -1;
-  int32_t fan_percent_ = -1;
+  int32_t height_um_;
+  int32_t fan_percent_;
   float acceleration_ = -1;
 };
 

@@ -17,11 +17,7 @@ namespace {
 std::string Number(double value, int digits) {
   GcodeText text;
   text.Real(value, digits);
-  // "0.2" rather than ".2": these are read by people and by regular expressions.
-  std::string number = text.Take();
-  const size_t point = number[0] == '-' ? 1 : 0;
-  if (number[point] == '.') number.insert(point, 1, '0');
-  return number;
+  return text.Take();
 }
 
 void Line(std::string_view key, const std::string& value, GcodeText& out) {

@@ -37,8 +37,8 @@ bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 struct Level {
   std::span<const std::string_view> operators;
 };
-constexpr std::string_view kEqualities[] = {"==", "!=", "<>"};
-constexpr std::string_view kComparisons[] = {"<=", ">=", "<", ">"};
+constexpr std::string_view kEqualities[] = {"==", "!="};
+constexpr std::string_view kComparisons[] = {"<>", "<=", ">=", "<", ">"};
 constexpr std::string_view kSums[] = {"+", "-"};
 constexpr std::string_view kProducts[] = {"*", "/", "%"};
 constexpr Level kLevels[] = {{kEqualities}, {kComparisons}, {kSums}, {kProducts}};

@@ -41,11 +41,11 @@ double LimitedByAxes(double value, const Vector& ratio, const Vector& limits) {
 
 /// Change of an axis' speed at a junction; an axis that turns round is as bad as the greater of its
 /// speeds.
-double AxisJerk(double exit, double entry) {
-  if (exit > entry) {
-    return entry > 0 || exit < 0 ? exit - entry : std::max(exit, -entry);
+double AxisJerk(double before, double after) {
+  if (before > after) {
+    return after > 0 || before < 0 ? before - after : std::max(before, -after);
   }
-  return entry < 0 || exit > 0 ? entry - exit : std::max(-exit, entry);
+  return after < 0 || before > 0 ? after - before : std::max(-before, after);
 }
 
 }  // namespace

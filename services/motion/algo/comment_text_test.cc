@@ -1,0 +1,26 @@
+#include "services/motion/algo/comment_text.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+TEST(OneLine, NothingEndsTheLine) {
+  EXPECT_EQ(OneLine("a\nM112\r\nb"), "a\\nM112\\r\\nb");
+  EXPECT_EQ(OneLine("C:\\x"), "C:\\\\x");
+  EXPECT_EQ(OneLine(std::string("tab\tbell\a nul") + '\0' + "\x7f\v\f"), "tab bell  nul    ");
+  EXPECT_EQ(OneLine("Schlüssel"), "Schlüssel");
+}
+
+TEST(CommentLine, LeavesEscapesAlone) {
+  EXPECT_EQ(CommentLine("a\\nb"), "a\\nb");
+  EXPECT_EQ(CommentLine("a\nG28\rb"), "a G28 b");
+}
+
+TEST(JsonString, QuotesAndEscapes) {
+  EXPECT_EQ(JsonString("a\"b\\c\nd"), "\"a\\\"b\\\\c d\"");
+  EXPECT_EQ(JsonString(""), "\"\"");
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

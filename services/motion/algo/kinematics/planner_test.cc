@@ -1,0 +1,252 @@
+#include "services/motion/algo/kinematics/planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "services/motion/algo/kinematics/klipper_junction.h"
+#include "services/motion/algo/kinematics/marlin_junction.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+KinematicMove Towards(double angle_rad, double length_mm, double speed_mm_s = 100,
+                      double acceleration_mm_s2 = 3000) {
+  return {
+      length_mm, {std::cos(angle_rad), std::sin(angle_rad), 0, 0}, speed_mm_s, acceleration_mm_s2};
+}
+
+MachineLimits Wide() {
+  MachineLimits limits;
+  limits.max_feedrate_mm_s = {1000, 1000, 1000, 1000};
+  limits.max_acceleration_mm_s2 = {1e5, 1e5, 1e5, 1e5};
+  return limits;
+}
+
+struct Firmware {
+  std::string name;
+  GcodeFlavor flavor;
+  double junction_deviation_mm;
+  double cruise_ratio;
+
+  MachineLimits Limits() const {
+    MachineLimits limits = Wide();
+    limits.junction_deviation_mm = junction_deviation_mm;
+    limits.minimum_cruise_ratio = cruise_ratio;
+    return limits;
+  }
+};
+
+std::vector<KinematicMove> RandomMoves(uint32_t seed, size_t count) {
+  std::mt19937 random(seed);
+  const auto in = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 100'000) / 100'000;
+  };
+  std::vector<KinematicMove> moves;
+  double angle = 0;
+  for (size_t i = 0; i < count; ++i) {
+    angle += random() % 5 == 0 ? in(-kPi, kPi) : in(-0.3, 0.3);
+    moves.push_back(Towards(angle, in(0.02, 6), in(20, 150), in(500, 3000)));
+    moves.back().ratio[kE] = random() % 4 == 0 ? 0 : 0.033;
+  }
+  return moves;
+}
+
+double Total(std::span<const MoveProfile> profiles) {
+  double time = 0;
+  for (const MoveProfile& profile : profiles) time += profile.time_s;
+  return time;
+}
+
+TEST(Planner, NoMoves) {
+  Planner planner(GcodeFlavor::kMarlin2, Wide());
+  EXPECT_TRUE(planner.Plan({}).empty());
+}
+
+TEST(Planner, KlipperLine) {
+  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const std::vector<KinematicMove> line = {Towards(0, 100)};
+  EXPECT_NEAR(Total(planner.Plan(line)), 1.033333333333, 1e-12);
+}
+
+TEST(Planner, KlipperCorner) {
+  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const std::vector<KinematicMove> corner = {Towards(0, 100), Towards(kPi / 2, 100)};
+  const auto profiles = planner.Plan(corner);
+  EXPECT_NEAR(profiles[0].time_s, 1.031708333333, 1e-9);
+  EXPECT_NEAR(profiles[1].time_s, 1.031708333333, 1e-9);
+  EXPECT_NEAR(profiles[0].exit_mm_s, 5, 1e-9);
+}
+
+TEST(Planner, KlipperSavesShortZigzagsTheirPeaks) {
+  // A move from rest to rest that cannot cruise for half its length peaks where half the
+  // acceleration would bring it.
+  MachineLimits limits = Wide();
+  limits.minimum_cruise_ratio = 0.5;
+  Planner planner(GcodeFlavor::kKlipper, limits);
+  const std::vector<KinematicMove> zigzag = {Towards(0, 1), Towards(kPi, 1), Towards(0, 1)};
+  for (const MoveProfile& profile : planner.Plan(zigzag)) {
+    EXPECT_NEAR(profile.cruise_mm_s, std::sqrt(0.5 * 3000 * 1), 1e-6);
+  }
+  limits.minimum_cruise_ratio = 0;
+  Planner free(GcodeFlavor::kKlipper, limits);
+  EXPECT_NEAR(free.Plan(zigzag)[1].cruise_mm_s, std::sqrt(3000 * 1), 1e-6);
+}
+
+TEST(Planner, MarlinJerkStartsAtTheSafeSpeed) {
+  MachineLimits limits = Wide();
+  limits.max_jerk_mm_s = {8, 8, 0.4, 2.5};
+  Planner planner(GcodeFlavor::kMarlin2, limits);
+  const std::vector<KinematicMove> line = {Towards(0, 100)};
+  const auto profiles = planner.Plan(line);
+  EXPECT_DOUBLE_EQ(profiles[0].entry_mm_s, 8);
+  EXPECT_NEAR(profiles[0].exit_mm_s, kMarlinRestMmS, 1e-12);
+}
+
+TEST(Planner, LooksAhead) {
+  // Ten short straight moves are one long one.
+  MachineLimits limits = Wide();
+  limits.junction_deviation_mm = 0.02;
+  for (const GcodeFlavor flavor : {GcodeFlavor::kMarlin2, GcodeFlavor::kKlipper}) {
+    Planner planner(flavor, limits);
+    const std::vector<KinematicMove> whole = {Towards(0, 10)};
+    const std::vector<KinematicMove> parts(10, Towards(0, 1));
+    const double time = Total(planner.Plan(whole));
+    EXPECT_NEAR(Total(planner.Plan(parts)), time, 1e-6);
+  }
+}
+
+TEST(Planner, ForgetsTheRunBefore) {
+  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const auto moves = RandomMoves(1, 50);
+  const double time = Total(planner.Plan(moves));
+  planner.Plan(RandomMoves(2, 200));
+  EXPECT_EQ(Total(planner.Plan(moves)), time);
+}
+
+class FirmwareTest : public testing::TestWithParam<Firmware> {};
+
+TEST_P(FirmwareTest, SpeedsAreContinuousAndWithinLimits) {
+  const Firmware& firmware = GetParam();
+  const MachineLimits limits = firmware.Limits();
+  Planner planner(firmware.flavor, limits);
+  for (uint32_t seed = 0; seed < 20; ++seed) {
+    const auto moves = RandomMoves(seed, 200);
+    const auto profiles = planner.Plan(moves);
+    for (size_t i = 0; i < moves.size(); ++i) {
+      const MoveProfile& p = profiles[i];
+      const double reach = 2 * moves[i].length_mm * moves[i].acceleration_mm_s2 * (1 + 1e-9);
+      ASSERT_LE(p.cruise_mm_s, moves[i].speed_mm_s + 1e-9);
+      ASSERT_LE(p.cruise_mm_s * p.cruise_mm_s * 2 - p.entry_mm_s * p.entry_mm_s -
+                    p.exit_mm_s * p.exit_mm_s,
+                reach + 1e-6);
+      ASSERT_GE(p.time_s, moves[i].length_mm / moves[i].speed_mm_s * (1 - 1e-9));
+      if (i == 0) continue;
+      ASSERT_NEAR(p.entry_mm_s, profiles[i - 1].exit_mm_s, 1e-6) << i;
+      const double junction = firmware.flavor == GcodeFlavor::kKlipper
+                                  ? std::sqrt(KlipperJunctionV2(moves[i - 1], moves[i], limits))
+                              : firmware.junction_deviation_mm > 0
+                                  ? std::sqrt(JunctionDeviationV2(moves[i - 1], moves[i], limits))
+                                  : ClassicJerkSpeed(moves[i - 1], moves[i], limits);
+      ASSERT_LE(p.entry_mm_s, junction + 1e-6);
+    }
+  }
+}
+
+/// The fastest way along the moves under the junction limits, found on a fine grid: speed limits
+/// from both sides, then the time of each small step.
+double FineTime(const std::vector<KinematicMove>& moves, const std::vector<double>& junction_v2) {
+  constexpr int kSteps = 2000;
+  std::vector<double> v2 = {junction_v2[0]};
+  std::vector<double> step_mm;
+  std::vector<double> acceleration;
+  for (size_t i = 0; i < moves.size(); ++i) {
+    for (int k = 0; k < kSteps; ++k) {
+      step_mm.push_back(moves[i].length_mm / kSteps);
+      acceleration.push_back(moves[i].acceleration_mm_s2);
+      const double top = moves[i].speed_mm_s * moves[i].speed_mm_s;
+      v2.push_back(k + 1 < kSteps ? top : junction_v2[i + 1]);
+    }
+  }
+  for (size_t k = 0; k < step_mm.size(); ++k) {
+    v2[k + 1] = std::min(v2[k + 1], v2[k] + 2 * acceleration[k] * step_mm[k]);
+  }
+  double time = 0;
+  for (size_t k = step_mm.size(); k-- > 0;) {
+    v2[k] = std::min(v2[k], v2[k + 1] + 2 * acceleration[k] * step_mm[k]);
+    time += 2 * step_mm[k] / (std::sqrt(v2[k]) + std::sqrt(v2[k + 1]));
+  }
+  return time;
+}
+
+TEST_P(FirmwareTest, AgreesWithAFineSimulation) {
+  const Firmware& firmware = GetParam();
+  if (firmware.cruise_ratio > 0) GTEST_SKIP() << "peaks are lowered on purpose";
+  const MachineLimits limits = firmware.Limits();
+  Planner planner(firmware.flavor, limits);
+  for (uint32_t seed = 0; seed < 5; ++seed) {
+    const auto moves = RandomMoves(seed + 100, 40);
+    std::vector<double> junction_v2(moves.size() + 1, 0);
+    for (size_t i = 1; i < moves.size(); ++i) {
+      if (firmware.flavor == GcodeFlavor::kKlipper) {
+        junction_v2[i] = KlipperJunctionV2(moves[i - 1], moves[i], limits);
+      } else if (firmware.junction_deviation_mm > 0) {
+        junction_v2[i] = JunctionDeviationV2(moves[i - 1], moves[i], limits);
+      } else {
+        junction_v2[i] = std::pow(ClassicJerkSpeed(moves[i - 1], moves[i], limits), 2);
+      }
+    }
+    if (firmware.flavor != GcodeFlavor::kKlipper) {
+      if (firmware.junction_deviation_mm == 0) {
+        junction_v2[0] = std::pow(SafeSpeed(moves[0], limits), 2);
+      }
+      junction_v2.back() = kMarlinRestMmS * kMarlinRestMmS;
+    }
+    const double want = FineTime(moves, junction_v2);
+    EXPECT_NEAR(Total(planner.Plan(moves)), want, 2e-3 * want);
+  }
+}
+
+TEST_P(FirmwareTest, FasterSettingsAreNeverSlower) {
+  const Firmware& firmware = GetParam();
+  Planner planner(firmware.flavor, firmware.Limits());
+  for (uint32_t seed = 0; seed < 10; ++seed) {
+    auto moves = RandomMoves(seed, 100);
+    const double time = Total(planner.Plan(moves));
+    for (KinematicMove& move : moves) move.acceleration_mm_s2 *= 2;
+    EXPECT_LE(Total(planner.Plan(moves)), time * (1 + 1e-9));
+  }
+}
+
+TEST_P(FirmwareTest, TurningThePathChangesNothing) {
+  const Firmware& firmware = GetParam();
+  if (firmware.flavor != GcodeFlavor::kKlipper && firmware.junction_deviation_mm == 0) {
+    GTEST_SKIP() << "jerk is a matter of axes";
+  }
+  Planner planner(firmware.flavor, firmware.Limits());
+  auto moves = RandomMoves(7, 100);
+  const double time = Total(planner.Plan(moves));
+  for (KinematicMove& move : moves) {
+    std::swap(move.ratio[kX], move.ratio[kY]);
+    move.ratio[kX] = -move.ratio[kX];
+  }
+  EXPECT_NEAR(Total(planner.Plan(moves)), time, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Planner, FirmwareTest,
+    testing::Values(Firmware{"MarlinJerk", GcodeFlavor::kMarlin2, 0, 0},
+                    Firmware{"MarlinDeviation", GcodeFlavor::kMarlin2, 0.02, 0},
+                    Firmware{"MarlinLegacy", GcodeFlavor::kMarlinLegacy, 0, 0},
+                    Firmware{"Klipper", GcodeFlavor::kKlipper, 0, 0.5},
+                    Firmware{"KlipperWithoutCruiseRatio", GcodeFlavor::kKlipper, 0, 0}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace slicefarm::motion

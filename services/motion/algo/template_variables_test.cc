@@ -1,0 +1,53 @@
+#include "services/motion/algo/template_variables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(LayerVariables, SettingsAndPlace) {
+  MotionOptions options;
+  options.first_layer_temperature_c = 215;
+  options.filament_type = "PETG";
+  const TemplateVariables variables = LayerVariables(options, {3, 800'000, 200'000});
+  EXPECT_THAT(variables.at("first_layer_temperature"), ElementsAre(TemplateValue(int64_t{215})));
+  EXPECT_THAT(variables.at("filament_type"), ElementsAre(TemplateValue(std::string("PETG"))));
+  EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{3})));
+  EXPECT_THAT(variables.at("layer_z"), ElementsAre(TemplateValue(0.8)));
+  EXPECT_THAT(variables.at("initial_extruder"), ElementsAre(TemplateValue(int64_t{0})));
+}
+
+TEST(ProgramVariables, WholePrintAndAllSettings) {
+  ProgramSummary summary;
+  summary.layers.resize(2);
+  summary.layers[1].frame = {1, 400'000, 200'000};
+  summary.total.min = {FromMm(10), FromMm(20)};
+  summary.total.max = {FromMm(40), FromMm(25)};
+  summary.settings_text =
+      "fill_density = 20%\nperimeters = 3\ntemperature = 999\nnotes = \"a\\nb\"\n";
+  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary);
+  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{2})));
+  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.4)));
+  EXPECT_THAT(variables.at("first_layer_print_min"),
+              ElementsAre(TemplateValue(10.0), TemplateValue(20.0)));
+  EXPECT_THAT(variables.at("first_layer_print_size"),
+              ElementsAre(TemplateValue(30.0), TemplateValue(5.0)));
+  EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));
+  EXPECT_THAT(variables.at("perimeters"), ElementsAre(TemplateValue(int64_t{3})));
+  EXPECT_THAT(variables.at("notes"), ElementsAre(TemplateValue(std::string("a\nb"))));
+  // What the stage works with counts, not what is quoted.
+  EXPECT_THAT(variables.at("temperature"), ElementsAre(TemplateValue(int64_t{200})));
+}
+
+TEST(ProgramVariables, NothingPrinted) {
+  const TemplateVariables variables = ProgramVariables(MotionOptions{}, {});
+  EXPECT_THAT(variables.at("first_layer_print_size"),
+              ElementsAre(TemplateValue(0.0), TemplateValue(0.0)));
+  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{0})));
+}
+
+}  // namespace
+}  // namespace slicefarm::motion
