@@ -123,7 +123,7 @@ void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
   greeting->delay.Set(system_clock::now() + delay,
                       [this, member, weak = std::weak_ptr(greeting)](bool in_time) {
                         const std::shared_ptr<Greeting> current = weak.lock();
-                        in_time && current != nullptr ? Ask(member, current) : EndGreeting();
+                        in_time&& current != nullptr ? Ask(member, current) : EndGreeting();
                       });
 }
 

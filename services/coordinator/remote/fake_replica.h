@@ -1,0 +1,88 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "common/model/build_info.h"
+#include "common/rpc/channel.h"
+#include "common/rpc/metrics.h"
+#include "common/rpc/server.h"
+#include "services/coordinator/remote/address_watch.h"
+#include "slicefarm/v1/worker.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// For tests: a worker's server that can be killed and started again on its port.
+class FakeReplica final : public v1::Worker::Service {
+ public:
+  FakeReplica() { Start("127.0.0.1:0"); }
+
+  const std::string& address() const { return address_; }
+  int calls() const { return calls_; }
+
+  void OnCall(std::function<grpc::Status()> answer) { answer_ = std::move(answer); }
+  void SetInfo(std::string build_id, int slots) {
+    build_id_ = std::move(build_id);
+    slots_ = slots;
+  }
+
+  void Kill() { server_.reset(); }
+  void Restart() { Start(address_); }
+
+  grpc::Status GetWorkerInfo(grpc::ServerContext* /*context*/,
+                             const v1::GetWorkerInfoRequest* /*request*/,
+                             v1::WorkerInfo* info) override {
+    ++calls_;
+    info->set_build_id(build_id_);
+    info->set_slots(slots_);
+    return answer_();
+  }
+
+ private:
+  void Start(const std::string& listen) {
+    rpc::ServerOptions options;
+    options.listen = listen;
+    server_ = *rpc::Server::Start(options, {this}, call_metrics_);
+    address_ = "127.0.0.1:" + std::to_string(server_->port());
+  }
+
+  std::function<grpc::Status()> answer_ = [] { return grpc::Status::OK; };
+  std::string build_id_ = std::string(BuildId());
+  int slots_ = 2;
+  std::atomic<int> calls_ = 0;
+  rpc::Metrics metrics_;
+  rpc::CallMetrics call_metrics_{metrics_.registry()};
+  std::string address_;
+  std::unique_ptr<rpc::Server> server_;
+};
+
+/// For tests: a name whose addresses the test sets. Thread-safe.
+class FakeName {
+ public:
+  void Set(std::vector<std::string> addresses) {
+    const std::lock_guard lock(mutex_);
+    addresses_ = std::move(addresses);
+  }
+  AddressWatchOptions Options() {
+    AddressWatchOptions options;
+    options.every = std::chrono::milliseconds(20);
+    options.least_pause = std::chrono::milliseconds(1);
+    options.resolve = [this](const std::string&) -> absl::StatusOr<std::vector<std::string>> {
+      const std::lock_guard lock(mutex_);
+      return addresses_;
+    };
+    return options;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> addresses_;
+};
+
+}  // namespace slicefarm::coordinator

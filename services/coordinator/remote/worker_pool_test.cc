@@ -1,0 +1,150 @@
+#include "services/coordinator/remote/worker_pool.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spdlog/sinks/null_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <thread>
+
+#include "services/coordinator/remote/fake_replica.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+
+rpc::JsonLog NoLog() {
+  return rpc::JsonLog("test", std::make_shared<spdlog::logger>(
+                                  "test", std::make_shared<spdlog::sinks::null_sink_mt>()));
+}
+
+/// Notes who is there.
+class FakeRunnerSet : public RunnerSet {
+ public:
+  RunnerId Join(Runner runner) override {
+    const std::lock_guard lock(mutex_);
+    runners_[next_] = std::move(runner);
+    return next_++;
+  }
+  void Leave(RunnerId id) override {
+    const std::lock_guard lock(mutex_);
+    EXPECT_EQ(runners_.erase(id), 1);
+  }
+  std::vector<Runner> Current() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Runner> current;
+    for (const auto& [id, runner] : runners_) current.push_back(runner);
+    return current;
+  }
+  std::vector<Runner> Await(size_t count) const {
+    while (Current().size() != count) std::this_thread::yield();
+    return Current();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<RunnerId, Runner> runners_;
+  RunnerId next_ = 1;
+};
+
+class WorkerPoolTest : public testing::Test {
+ protected:
+  void Start(std::vector<std::string> addresses) {
+    name_.Set(std::move(addresses));
+    pool_ = std::make_unique<WorkerPool>(runners_, std::vector<std::string>{"name:1"}, NoLog(),
+                                         RemoteOptions{}, name_.Options());
+  }
+
+  FakeName name_;
+  FakeRunnerSet runners_;
+  std::unique_ptr<WorkerPool> pool_;
+};
+
+TEST_F(WorkerPoolTest, WorkersJoinWithTheirSlots) {
+  FakeReplica a, b;
+  a.SetInfo(std::string(BuildId()), 3);
+  b.SetInfo(std::string(BuildId()), 5);
+  Start({a.address(), b.address()});
+  std::map<std::string, int> slots;
+  for (const Runner& runner : runners_.Await(2)) slots[runner.name] = runner.slots;
+  EXPECT_EQ(slots, (std::map<std::string, int>{{a.address(), 3}, {b.address(), 5}}));
+}
+
+TEST_F(WorkerPoolTest, WorkersComeAndGoWithTheirAddresses) {
+  FakeReplica a, b;
+  Start({a.address()});
+  runners_.Await(1);
+  name_.Set({a.address(), b.address()});
+  runners_.Await(2);
+  name_.Set({b.address()});
+  EXPECT_EQ(runners_.Await(1)[0].name, b.address());
+  name_.Set({});
+  runners_.Await(0);
+}
+
+TEST_F(WorkerPoolTest, AllLeaveWhenThePoolGoes) {
+  FakeReplica a;
+  Start({a.address()});
+  runners_.Await(1);
+  pool_.reset();
+  EXPECT_THAT(runners_.Current(), IsEmpty());
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatIsNotThereYetJoinsWhenItIs) {
+  FakeReplica a;
+  a.Kill();
+  Start({a.address()});
+  EXPECT_THAT(runners_.Current(), IsEmpty());
+  a.Restart();
+  EXPECT_THAT(runners_.Await(1), SizeIs(1));
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatIsDownForAWhileCanBeAwaited) {
+  FakeReplica a;
+  Start({a.address()});
+  const Runner runner = runners_.Await(1)[0];
+  EXPECT_TRUE(runner.await_ready(seconds(60)));
+  a.Kill();
+  while (runner.await_ready(milliseconds(1))) std::this_thread::yield();
+  a.Restart();
+  EXPECT_TRUE(runner.await_ready(seconds(60)));
+  EXPECT_THAT(pool_->Joined(), UnorderedElementsAre(a.address()));
+}
+
+TEST_F(WorkerPoolTest, AWorkerOfAnotherBuildDoesNotJoin) {
+  FakeReplica old, fit;
+  old.SetInfo("0123456789abcdef", 2);
+  Start({old.address(), fit.address()});
+  runners_.Await(1);
+  while (old.calls() == 0) std::this_thread::yield();
+  pool_.reset();  // all that was heard has been acted on
+  EXPECT_THAT(runners_.Current(), IsEmpty());
+}
+
+TEST_F(WorkerPoolTest, EndsWhileAWorkerIsBeingGreeted) {
+  FakeReplica a;
+  a.Kill();
+  for (int round = 0; round < 20; ++round) {
+    Start({a.address()});
+    pool_.reset();
+  }
+  EXPECT_THAT(runners_.Current(), IsEmpty());
+}
+
+TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
+  FakeReplica a;
+  Start({a.address()});
+  const Runner runner = runners_.Await(1)[0];
+  pool_.reset();
+  const JobSettings settings;
+  const RangeTask task{{0, 1}, 1, {}, {}, &settings};
+  EXPECT_FALSE(runner.ranges->Run({}, task).ok());  // the fake implements no WorkRange
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,381 @@
+#include "services/coordinator/remote/remote_stages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "common/model/build_info.h"
+#include "common/model/error.h"
+#include "common/rpc/channel.h"
+#include "common/rpc/status_mapping.h"
+#include "services/coordinator/remote/remote_worker.h"
+#include "slicefarm/v1/beading.grpc.pb.h"
+#include "tests/integration/event.h"
+#include "tests/integration/fake_stages.h"
+#include "tests/integration/stage_host.h"
+
+namespace slicefarm {
+namespace {
+
+using coordinator::RemoteOptions;
+using coordinator::SingleReplica;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+/// Clients of fakes that sit behind a socket.
+struct Farm {
+  explicit Farm(const rpc::CallGateOptions& gate = {4, 0}, const rpc::ServerOptions& options = {},
+                milliseconds deadline = seconds(60))
+      : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner},
+             gate, options),
+        replica(rpc::MakeChannel(host.Address())),
+        slicing(replica, RemoteOptions{deadline}),
+        beading(replica, RemoteOptions{deadline}),
+        infill(replica, RemoteOptions{deadline}),
+        ordering(replica, RemoteOptions{deadline}),
+        motion(replica, RemoteOptions{deadline}),
+        worker(replica, RemoteOptions{deadline}) {}
+
+  FakeStages fakes;
+  FakeSlicing fake_slicing{fakes};
+  FakeBeading fake_beading{fakes};
+  FakeInfill fake_infill{fakes};
+  FakeOrdering fake_ordering{fakes};
+  FakeMotion fake_motion{fakes};
+  FakeRunner fake_runner{fakes};
+  StageHost host;
+  SingleReplica replica;
+  coordinator::RemoteSlicing slicing;
+  coordinator::RemoteBeading beading;
+  coordinator::RemoteInfill infill;
+  coordinator::RemoteOrdering ordering;
+  coordinator::RemoteMotion motion;
+  coordinator::RemoteWorker worker;
+};
+
+StageCall NewCall() {
+  StageCall call;
+  call.job_id = "job-42";
+  return call;
+}
+
+Neighbourhood TheNeighbourhood() {
+  return {Sample::kRange, Sample::kLayerCount, TheSample().outlines};
+}
+
+RangeTask TheTask() {
+  const Sample& sample = TheSample();
+  return {Sample::kRange, Sample::kLayerCount, sample.outlines, sample.plans, &sample.settings};
+}
+
+TEST(RemoteStages, SlicingGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto job = farm.slicing.Slice(NewCall(), sample.input, sample.settings.slicing);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->layers, sample.job.layers);
+  EXPECT_EQ(job->object_names, sample.job.object_names);
+  EXPECT_EQ(job->meshes, sample.job.meshes);
+  EXPECT_EQ(job->thumbnails, sample.job.thumbnails);
+  ASSERT_EQ(farm.fakes.slice_input.files.size(), 3);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(farm.fakes.slice_input.files[i].name, sample.input.files[i].name);
+    EXPECT_EQ(farm.fakes.slice_input.files[i].format, sample.input.files[i].format);
+    EXPECT_EQ(farm.fakes.slice_input.files[i].bytes, sample.input.files[i].bytes);
+  }
+  EXPECT_EQ(farm.fakes.slice_input.placements, sample.input.placements);
+  EXPECT_EQ(farm.fakes.slicing_options, sample.settings.slicing);
+  EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, BeadingGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto walled = farm.beading.Bead(NewCall(), TheNeighbourhood(), sample.settings.beading);
+  ASSERT_TRUE(walled.ok()) << walled.status();
+  EXPECT_EQ(*walled, sample.walled);
+  EXPECT_EQ(farm.fakes.range, Sample::kRange);
+  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
+  EXPECT_EQ(farm.fakes.layers, sample.outlines);
+  EXPECT_EQ(farm.fakes.beading_options, sample.settings.beading);
+  EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, InfillGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto filled =
+      farm.infill.Fill(NewCall(), sample.walled, TheNeighbourhood(), sample.settings.infill);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_EQ(*filled, sample.filled);
+  EXPECT_EQ(farm.fakes.range, Sample::kRange);
+  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
+  EXPECT_EQ(farm.fakes.layers, sample.outlines);
+  EXPECT_EQ(farm.fakes.walled, sample.walled);
+  EXPECT_EQ(farm.fakes.infill_options, sample.settings.infill);
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, OrderingGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto ordered =
+      farm.ordering.Order(NewCall(), sample.filled, sample.plans, sample.settings.ordering);
+  ASSERT_TRUE(ordered.ok()) << ordered.status();
+  EXPECT_EQ(*ordered, sample.ordered);
+  EXPECT_EQ(farm.fakes.filled, sample.filled);
+  EXPECT_EQ(farm.fakes.plans, sample.plans);
+  EXPECT_EQ(farm.fakes.ordering_options, sample.settings.ordering);
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, MotionGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto programs = farm.motion.Program(NewCall(), sample.ordered, sample.settings.motion);
+  ASSERT_TRUE(programs.ok()) << programs.status();
+  EXPECT_EQ(*programs, sample.programs);
+  EXPECT_EQ(farm.fakes.ordered, sample.ordered);
+  EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, FrameGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto frame = farm.motion.Frame(NewCall(), sample.summary, sample.settings.motion);
+  ASSERT_TRUE(frame.ok()) << frame.status();
+  EXPECT_EQ(*frame, sample.frame);
+  EXPECT_EQ(farm.fakes.summary, sample.summary);
+  EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
+  EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+}
+
+TEST(RemoteStages, WorkerGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto result = farm.worker.Run(NewCall(), TheTask());
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_EQ(result->programs, sample.programs);
+  EXPECT_EQ(result->times.beading_s, sample.times.beading_s);
+  EXPECT_EQ(result->times.motion_s, sample.times.motion_s);
+  EXPECT_EQ(farm.fakes.range, Sample::kRange);
+  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
+  EXPECT_EQ(farm.fakes.layers, sample.outlines);
+  EXPECT_EQ(farm.fakes.plans, sample.plans);
+  EXPECT_EQ(farm.fakes.settings, sample.settings);
+  EXPECT_EQ(farm.fakes.call.job_id, "job-42");
+  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+/// What holds for every call of every stage.
+struct AnyCall {
+  std::string name;
+  std::function<absl::Status(const Farm&, const StageCall&)> make;
+  bool answers_layers = true;
+};
+
+class EveryRemoteCall : public testing::TestWithParam<AnyCall> {
+ protected:
+  static absl::Status Make(const Farm& farm, const StageCall& call = NewCall()) {
+    return GetParam().make(farm, call);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Stages, EveryRemoteCall,
+    testing::Values(
+        AnyCall{"Slice",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.slicing.Slice(call, TheSample().input, {}).status();
+                },
+                false},
+        AnyCall{"Bead",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.beading.Bead(call, TheNeighbourhood(), {}).status();
+                }},
+        AnyCall{
+            "Fill",
+            [](const Farm& farm, const StageCall& call) {
+              return farm.infill.Fill(call, TheSample().walled, TheNeighbourhood(), {}).status();
+            }},
+        AnyCall{"Order",
+                [](const Farm& farm, const StageCall& call) {
+                  const Sample& sample = TheSample();
+                  return farm.ordering.Order(call, sample.filled, sample.plans, {}).status();
+                }},
+        AnyCall{"Program",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.motion.Program(call, TheSample().ordered, {}).status();
+                }},
+        AnyCall{"Frame",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.motion.Frame(call, TheSample().summary, {}).status();
+                },
+                false},
+        AnyCall{"Work",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.worker.Run(call, TheTask()).status();
+                }}),
+    [](const auto& info) { return info.param.name; });
+
+TEST_P(EveryRemoteCall, BringsTheStagesErrorWithItsReason) {
+  Farm farm;
+  farm.fakes.before = [](const StageCall&) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange, "too wide",
+                     {{"setting", "perimeter_extrusion_width"}});
+  };
+  const absl::Status status = Make(farm);
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(status.message(), "too wide");
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata["setting"], "perimeter_extrusion_width");
+}
+
+TEST_P(EveryRemoteCall, CancellationReachesTheAlgorithm) {
+  Farm farm;
+  Event begun;
+  Event stopped;
+  farm.fakes.before = [&](const StageCall& call) {
+    begun.Happen();
+    while (!call.cancel.Cancelled()) std::this_thread::yield();
+    stopped.Happen();
+    return call.cancel.Check();
+  };
+  StageCall call = NewCall();
+  call.cancel = CancelToken([&] { return begun.Happened(); });
+  const absl::Status status = Make(farm, call);
+  EXPECT_TRUE(absl::IsCancelled(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kCancelled);
+  stopped.Await();
+}
+
+TEST_P(EveryRemoteCall, EndsAtItsDeadlineAndSoDoesTheAlgorithm) {
+  Farm farm({4, 0}, {}, milliseconds(100));
+  Event stopped;
+  farm.fakes.before = [&](const StageCall& call) {
+    while (!call.cancel.Cancelled()) std::this_thread::yield();
+    stopped.Happen();
+    return call.cancel.Check();
+  };
+  const absl::Status status = Make(farm);
+  EXPECT_TRUE(absl::IsDeadlineExceeded(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kDeadlineExceeded);
+  stopped.Await();
+}
+
+TEST_P(EveryRemoteCall, AServerThatGoesAwayIsUnavailable) {
+  Farm farm;
+  Event begun;
+  farm.fakes.before = [&](const StageCall& call) {
+    begun.Happen();
+    while (!call.cancel.Cancelled()) std::this_thread::yield();
+    return call.cancel.Check();
+  };
+  std::thread stop([&] {
+    begun.Await();
+    farm.host.server().Drain(milliseconds(0));
+  });
+  const absl::Status status = Make(farm);
+  stop.join();
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kUnavailable);
+}
+
+TEST_P(EveryRemoteCall, AnAnswerThatLacksALayerIsNotTheInputsFault) {
+  if (!GetParam().answers_layers) return;
+  Farm farm;
+  farm.fakes.lose_a_layer = true;
+  EXPECT_EQ(Make(farm).code(), absl::StatusCode::kInternal);
+}
+
+TEST_P(EveryRemoteCall, MessagesBeyondTheLimitNameIt) {
+  rpc::ServerOptions options;
+  options.max_message_bytes = 100;
+  Farm farm({4, 0}, options);
+  const absl::Status status = Make(farm);
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("100"));
+}
+
+TEST_P(EveryRemoteCall, WaitsForAServerThatIsFull) {
+  Farm farm({1, 0});
+  Event begun;
+  Event go_on;
+  farm.fakes.before = [&](const StageCall&) {
+    begun.Happen();
+    go_on.Await();
+    return absl::OkStatus();
+  };
+  std::thread first([&] { EXPECT_TRUE(Make(farm).ok()); });
+  begun.Await();
+  int polls = 0;  // of the second call's token, while it is refused
+  StageCall call = NewCall();
+  call.cancel = CancelToken([&] {
+    if (++polls == 20) go_on.Happen();
+    return false;
+  });
+  EXPECT_TRUE(Make(farm, call).ok());
+  first.join();
+}
+
+// A coordinator of another build would put layers together that do not belong together.
+TEST(StageServices, RefuseCallersOfAnotherBuild) {
+  Farm farm;
+  const auto stub = v1::Beading::NewStub(farm.replica.channel());
+  grpc::ClientContext context;
+  const auto stream = stub->BeadLayers(&context);
+  v1::BeadRequest request;
+  request.mutable_start()->mutable_call()->set_build_id("0123456789abcdef");
+  stream->Write(request);
+  stream->WritesDone();
+  const absl::Status status = rpc::FromGrpc(stream->Finish());
+  EXPECT_EQ(status.code(), absl::StatusCode::kFailedPrecondition);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kBuildMismatch);
+  EXPECT_EQ(DetailOf(status).metadata["callee"], BuildId());
+}
+
+TEST(StageServices, RefuseStreamsThatDoNotBeginWithStart) {
+  Farm farm;
+  const auto stub = v1::Beading::NewStub(farm.replica.channel());
+  for (const bool layer_first : {false, true}) {
+    grpc::ClientContext context;
+    const auto stream = stub->BeadLayers(&context);
+    v1::BeadRequest request;
+    request.mutable_layer();
+    if (layer_first) stream->Write(request);
+    stream->WritesDone();
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
+    EXPECT_EQ(DetailOf(status).metadata["field"], "start");
+  }
+}
+
+TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
+  Farm farm;
+  std::vector<SlicedLayer> outlines = TheSample().outlines;
+  outlines[2].frame.height_nm = 0;
+  const absl::Status status =
+      farm.beading.Bead(NewCall(), {Sample::kRange, Sample::kLayerCount, outlines}, {}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
+}
+
+TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
+  Farm farm;
+  std::vector<SlicedLayer> outlines = TheSample().outlines;
+  outlines[1].objects[0].outlines[0].outer[0].x = Coord{1} << 31;
+  const absl::Status status =
+      farm.beading.Bead(NewCall(), {Sample::kRange, Sample::kLayerCount, outlines}, {}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange) << status;
+}
+
+}  // namespace
+}  // namespace slicefarm

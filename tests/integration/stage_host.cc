@@ -1,0 +1,35 @@
+#include "tests/integration/stage_host.h"
+
+#include <spdlog/sinks/null_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace slicefarm {
+
+rpc::JsonLog NoLog() {
+  return rpc::JsonLog("test", std::make_shared<spdlog::logger>(
+                                  "test", std::make_shared<spdlog::sinks::null_sink_mt>()));
+}
+
+StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate,
+                     const rpc::ServerOptions& options)
+    : gate_(gate, NoLog()),
+      slicing_(stages.slicing, gate_, kThreads),
+      beading_(stages.beading, gate_, kThreads),
+      infill_(stages.infill, gate_, kThreads),
+      ordering_(stages.ordering, gate_, kThreads),
+      motion_(stages.motion, gate_, kThreads),
+      worker_(stages.runner, gate_, kThreads) {
+  auto server = rpc::Server::Start(
+      options, {&slicing_, &beading_, &infill_, &ordering_, &motion_, &worker_}, call_metrics_);
+  if (!server.ok()) {
+    std::fprintf(stderr, "%s\n", server.status().ToString().c_str());
+    std::abort();
+  }
+  server_ = *std::move(server);
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/rpc/call_gate.h"
+#include "common/rpc/metrics.h"
+#include "common/rpc/server.h"
+#include "common/stage/stages.h"
+#include "services/beading/server/beading_service.h"
+#include "services/infill/server/infill_service.h"
+#include "services/motion/server/motion_service.h"
+#include "services/ordering/server/ordering_service.h"
+#include "services/slicing/server/slicing_service.h"
+#include "services/worker/server/worker_service.h"
+
+namespace slicefarm {
+
+/// The stages that a host serves; all must outlive it.
+struct HostedStages {
+  const SlicingStage& slicing;
+  const BeadingStage& beading;
+  const InfillStage& infill;
+  const OrderingStage& ordering;
+  const MotionStage& motion;
+  const RangeRunner& runner;
+};
+
+/// All services of the stages and the worker behind one real socket.
+class StageHost {
+ public:
+  static constexpr int kThreads = 3;  ///< StageCall.threads as the stages see it
+
+  explicit StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate = {4, 0},
+                     const rpc::ServerOptions& options = {});
+
+  std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }
+  rpc::Server& server() { return *server_; }
+  rpc::CallGate& gate() { return gate_; }
+
+ private:
+  rpc::Metrics metrics_;
+  rpc::CallMetrics call_metrics_{metrics_.registry()};
+  rpc::CallGate gate_;
+  slicing::SlicingService slicing_;
+  beading::BeadingService beading_;
+  infill::InfillService infill_;
+  ordering::OrderingService ordering_;
+  motion::MotionService motion_;
+  worker::WorkerService worker_;
+  std::unique_ptr<rpc::Server> server_;
+};
+
+/// A log that nobody reads.
+rpc::JsonLog NoLog();
+
+}  // namespace slicefarm
