@@ -1,0 +1,78 @@
+#include "tests/integration/child_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+
+extern char** environ;
+
+namespace slicefarm {
+namespace {
+
+[[noreturn]] void Die(const char* what) {
+  std::perror(what);
+  std::abort();
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments) {
+  const std::string path = std::string(SLICEFARM_BIN) + "/" + program;
+  std::vector<char*> argv = {const_cast<char*>(path.c_str())};
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+
+  std::array<int, 2> ends = {};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) Die("pipe2");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  errno = posix_spawn(&pid_, path.c_str(), &actions, nullptr, argv.data(), environ);
+  if (errno != 0) Die(path.c_str());
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  stdout_ = ends[0];
+}
+
+ChildProcess::~ChildProcess() {
+  if (!ended_) {
+    Signal(SIGKILL);
+    Wait();
+  }
+  close(stdout_);
+}
+
+std::string ChildProcess::AwaitLine(std::string_view prefix) {
+  for (;;) {
+    for (size_t end = 0; (end = unread_.find('\n')) != std::string::npos;) {
+      const std::string line = unread_.substr(0, end);
+      unread_.erase(0, end + 1);
+      if (line.starts_with(prefix)) return line.substr(prefix.size());
+    }
+    std::array<char, 4096> buffer = {};
+    const ssize_t size = read(stdout_, buffer.data(), buffer.size());
+    if (size <= 0) return "";
+    unread_.append(buffer.data(), static_cast<size_t>(size));
+  }
+}
+
+void ChildProcess::Signal(int signal) const { kill(pid_, signal); }
+
+int ChildProcess::Wait() {
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0) {
+    if (errno != EINTR) Die("waitpid");
+  }
+  ended_ = true;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+}  // namespace slicefarm

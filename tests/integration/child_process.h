@@ -1,0 +1,38 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slicefarm {
+
+/// A program of this build as a process of its own. Killed when it goes out of scope.
+class ChildProcess {
+ public:
+  /// `program`: a name in build/bin. Dies if it cannot be started.
+  ChildProcess(const std::string& program, std::vector<std::string> arguments);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Reads its stdout up to a line that begins with `prefix`, and returns the rest of that line;
+  /// empty if it ended before.
+  std::string AwaitLine(std::string_view prefix);
+
+  void Signal(int signal) const;
+
+  /// Waits for its end; the exit code, or minus the signal that ended it.
+  int Wait();
+
+  pid_t pid() const { return pid_; }
+
+ private:
+  pid_t pid_ = -1;
+  int stdout_ = -1;
+  std::string unread_;
+  bool ended_ = false;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/model/settings.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/algo/dispatcher.h"
+
+namespace slicefarm {
+
+/// A job of the corpus: a box with letters on it, 150 layers or so.
+SliceInput TextBox();
+JobSettings JobSettingsOfTest();
+
+/// The way of a whole job, from the text box to its G-code.
+absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const MotionStage& motion,
+                                    coordinator::Dispatcher& dispatcher,
+                                    const std::function<void(int32_t)>& layers_done = {});
+
+/// The same in this process, by one runner with one slot: what every other way must give.
+const std::string& GcodeOfThisProcess();
+
+}  // namespace slicefarm
