@@ -15,10 +15,10 @@ Polygon SimplifiedLoop(const Polygon& loop, Coord resolution_nm) {
   return CleanedRing(resolution_nm > 0 ? SimplifyRing(loop, resolution_nm) : loop);
 }
 
-MultiPolygon Cleaned(MultiPolygon region) {
+MultiPolygon Cleaned(const MultiPolygon& region) {
   MultiPolygon clean;
   clean.reserve(region.size());
-  for (PolygonWithHoles& island : region) {
+  for (const PolygonWithHoles& island : region) {
     PolygonWithHoles kept{CleanedRing(island.outer), {}};
     if (kept.outer.empty()) continue;
     for (const Polygon& hole : island.holes) {

@@ -97,7 +97,7 @@ Point Sweep::Crossing(uint32_t half_edge, Coord z_nm) const {
 
 void Sweep::PrefetchFace(uint32_t face, SweepScratch& scratch) const {
   __builtin_prefetch(&mesh_->mesh.triangles[face]);
-  __builtin_prefetch(&mesh_->twins[3 * face]);
+  __builtin_prefetch(&mesh_->twins[size_t{3} * face]);
   __builtin_prefetch(&scratch.segment_of_face[face], 1);
 }
 

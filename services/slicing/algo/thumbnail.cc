@@ -14,6 +14,7 @@ namespace {
 
 constexpr int32_t kMaxSizePx = 2048;
 constexpr double kMarginOfSize = 0.04;
+constexpr double kHalfSample = 0.5;
 constexpr size_t kTrianglesPerPoll = 1 << 16;
 constexpr std::array<double, 3> kColor = {237, 122, 44};
 
@@ -82,7 +83,7 @@ struct Facet {
 
 /// Samples have their centres at halves. For values from 0 on, this is the first sample at or after
 /// `low`, and one past the last sample before `high`.
-int32_t SampleFrom(double low) { return static_cast<int32_t>(low + 0.5); }
+int32_t SampleFrom(double low) { return static_cast<int32_t>(low + kHalfSample); }
 
 /// A picture with `fine` times more samples on either axis.
 class DepthBuffer {
@@ -134,7 +135,7 @@ class DepthBuffer {
     if (covered == 0) return {0, 0, 0, 0};
     Rgba pixel;
     for (int i = 0; i < 3; ++i)
-      pixel[i] = static_cast<uint8_t>(kColor[i] * shade / (255.0 * covered) + 0.5);
+      pixel[i] = static_cast<uint8_t>(std::lround(kColor[i] * shade / (255.0 * covered)));
     pixel[3] = static_cast<uint8_t>((255 * covered + fine * fine / 2) / (fine * fine));
     return pixel;
   }
