@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "services/cli/exit_code.h"
+#include "services/cli/interrupt.h"
+
+namespace slicefarm::cli {
+
+/// What a command needs besides its options, and where the one that was asked for leaves its work:
+/// options are parsed first, then `run` does it.
+struct CommandContext {
+  Interrupt* interrupt = nullptr;
+  std::function<ExitCode()> run;
+};
+
+/// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
+void AddSlice(CLI::App& app, CommandContext& context);   ///< slice_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);  ///< submit_command.cc
+void AddWatch(CLI::App& app, CommandContext& context);   ///< job_commands.cc, as the next four
+void AddList(CLI::App& app, CommandContext& context);
+void AddGet(CLI::App& app, CommandContext& context);
+void AddCancel(CLI::App& app, CommandContext& context);
+void AddDelete(CLI::App& app, CommandContext& context);
+void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc
+void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc
+void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
+void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,89 @@
+#include "services/cli/console.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "common/model/error.h"
+
+namespace slicefarm::cli {
+
+std::string Advice(const absl::Status& status) {
+  switch (DetailOf(status).reason) {
+    case Reason::kSettingUnknown:
+    case Reason::kSettingMalformed:
+    case Reason::kSettingOutOfRange:
+      return "`slicefarm settings` lists every setting with its range";
+    case Reason::kMeshFormatUnknown:
+      return "give an STL (binary or ASCII) or an OBJ file";
+    case Reason::kMeshTruncated:
+      return "the file was cut off: export or download it again";
+    case Reason::kOutOfRange:
+    case Reason::kOutOfBuildVolume:
+      return "use --scale or --rotate, or another bed_shape and max_print_height; --units if the "
+             "file is not in mm";
+    case Reason::kNothingToPrint:
+      return "is the model empty, or much smaller than a layer? --units says what its numbers mean";
+    case Reason::kUnavailable:
+      return "is the coordinator running there? `slicefarm health HOST:PORT` asks it";
+    case Reason::kDeadlineExceeded:
+      return "the server is too busy, or the network too slow: try again";
+    case Reason::kJobNotFound:
+      return "`slicefarm list` shows the jobs there are";
+    case Reason::kJobNotFinished:
+      return "`slicefarm watch JOB` waits for its end";
+    case Reason::kInternal:
+      return absl::IsDataLoss(status) ? "" : "this is a fault of slicefarm's; please report it";
+    default:
+      return "";
+  }
+}
+
+ExitCode Fail(const absl::Status& status) {
+  fmt::print(stderr, "error: {}\n", std::string(status.message()));
+  const std::string advice = Advice(status);
+  if (!advice.empty()) fmt::print(stderr, "       {}\n", advice);
+  return ExitCodeOf(status);
+}
+
+void Warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+void Print(std::string_view text, bool to_stderr) {
+  std::FILE* out = to_stderr ? stderr : stdout;
+  std::fwrite(text.data(), 1, text.size(), out);
+  std::fflush(out);
+}
+
+ProgressBar::ProgressBar(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO) != 0) {}
+
+void ProgressBar::Show(std::string_view what, int done, int total) {
+  if (!enabled_) return;
+  constexpr int kWidth = 30;
+  std::string line;
+  if (total > 0) {
+    const int filled = kWidth * std::clamp(done, 0, total) / total;
+    line = fmt::format("{:<12} [{}{}] {}/{}", what, std::string(filled, '#'),
+                       std::string(kWidth - filled, ' '), done, total);
+  } else {
+    line = fmt::format("{} ...", what);
+  }
+  if (line == line_) return;
+  line_ = std::move(line);
+  shown_ = true;
+  fmt::print(stderr, "\r\x1b[K{}", line_);
+  std::fflush(stderr);
+}
+
+void ProgressBar::Clear() {
+  if (!shown_) return;
+  shown_ = false;
+  line_.clear();
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "services/cli/exit_code.h"
+
+namespace slicefarm::cli {
+
+/// Prints `error: ...` to stderr, with what to do about it where that can be said, and gives the
+/// exit code.
+ExitCode Fail(const absl::Status& status);
+
+/// What a user can do about an error; empty where the message says it all.
+std::string Advice(const absl::Status& status);
+
+/// One line each to stderr: `warning: ...`.
+void Warn(const std::vector<std::string>& warnings);
+
+/// Text to stdout, or to stderr where stdout carries the result.
+void Print(std::string_view text, bool to_stderr = false);
+
+/// A bar on stderr while something lasts; nothing at all where stderr is no terminal.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool wanted);
+  ~ProgressBar() { Clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// `total` 0: how much there is to do is not known yet. Prints only when the picture changes.
+  void Show(std::string_view what, int done, int total);
+  void Clear();
+
+ private:
+  bool shown_ = false;
+  bool enabled_;
+  std::string line_;
+};
+
+}  // namespace slicefarm::cli

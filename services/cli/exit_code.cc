@@ -1,0 +1,47 @@
+#include "services/cli/exit_code.h"
+
+#include "common/model/error.h"
+
+namespace slicefarm::cli {
+
+ExitCode ExitCodeOf(const absl::Status& status) {
+  if (status.ok()) return ExitCode::kOk;
+  switch (DetailOf(status).reason) {
+    case Reason::kSettingUnknown:
+    case Reason::kSettingMalformed:
+    case Reason::kSettingOutOfRange:
+      return ExitCode::kBadSettings;
+    case Reason::kMeshFormatUnknown:
+    case Reason::kMeshTruncated:
+    case Reason::kMeshMalformed:
+    case Reason::kMeshNotFinite:
+    case Reason::kMeshEmpty:
+    case Reason::kMeshTooLarge:
+    case Reason::kOutOfRange:
+    case Reason::kOutOfBuildVolume:
+    case Reason::kNothingToPrint:
+      return ExitCode::kBadMesh;
+    case Reason::kUnavailable:
+    case Reason::kDeadlineExceeded:
+      return ExitCode::kServerUnavailable;
+    case Reason::kRangePoisoned:
+    case Reason::kStoreFailed:
+    case Reason::kDiskFull:
+      return ExitCode::kJobFailed;
+    case Reason::kCancelled:
+      return ExitCode::kCancelled;
+    case Reason::kJobNotFound:
+    case Reason::kJobNotFinished:
+    case Reason::kBlobNotFound:
+      return ExitCode::kNotFound;
+    case Reason::kRequestMalformed:
+    case Reason::kRequestTooLarge:
+    case Reason::kRequestIdReused:
+      return ExitCode::kUsage;
+    default:
+      // files.h: what cannot be written is lost.
+      return absl::IsDataLoss(status) ? ExitCode::kOutputFailed : ExitCode::kInternal;
+  }
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,74 @@
+#include "services/cli/exit_code.h"
+
+#include <gtest/gtest.h>
+
+#include "common/model/error.h"
+#include "services/cli/console.h"
+#include "services/cli/server_options.h"
+#include "services/cli/summary.h"
+
+namespace slicefarm::cli {
+namespace {
+
+absl::Status ErrorOf(Reason reason) {
+  return MakeError(absl::StatusCode::kInternal, reason, "message");
+}
+
+TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
+  EXPECT_EQ(ExitCodeOf(absl::OkStatus()), ExitCode::kOk);
+  const std::pair<Reason, ExitCode> kCases[] = {
+      {Reason::kInternal, ExitCode::kInternal},
+      {Reason::kRequestMalformed, ExitCode::kUsage},
+      {Reason::kSettingUnknown, ExitCode::kBadSettings},
+      {Reason::kSettingOutOfRange, ExitCode::kBadSettings},
+      {Reason::kMeshTruncated, ExitCode::kBadMesh},
+      {Reason::kOutOfBuildVolume, ExitCode::kBadMesh},
+      {Reason::kNothingToPrint, ExitCode::kBadMesh},
+      {Reason::kUnavailable, ExitCode::kServerUnavailable},
+      {Reason::kDeadlineExceeded, ExitCode::kServerUnavailable},
+      {Reason::kRangePoisoned, ExitCode::kJobFailed},
+      {Reason::kCancelled, ExitCode::kCancelled},
+      {Reason::kJobNotFound, ExitCode::kNotFound},
+  };
+  for (const auto& [reason, code] : kCases) {
+    EXPECT_EQ(ExitCodeOf(ErrorOf(reason)), code) << ReasonName(reason);
+  }
+  EXPECT_EQ(ExitCodeOf(absl::DataLossError("cannot write")), ExitCode::kOutputFailed);
+}
+
+TEST(JobExitCode, IsJobFailedUnlessTheInputIsToBlame) {
+  EXPECT_EQ(JobExitCode(ErrorOf(Reason::kInternal)), ExitCode::kJobFailed);
+  EXPECT_EQ(JobExitCode(ErrorOf(Reason::kUnavailable)), ExitCode::kJobFailed);
+  EXPECT_EQ(JobExitCode(ErrorOf(Reason::kMeshTruncated)), ExitCode::kBadMesh);
+  EXPECT_EQ(JobExitCode(ErrorOf(Reason::kSettingUnknown)), ExitCode::kBadSettings);
+  EXPECT_EQ(JobExitCode(ErrorOf(Reason::kCancelled)), ExitCode::kCancelled);
+}
+
+TEST(Advice, SaysWhatToDo) {
+  EXPECT_NE(Advice(ErrorOf(Reason::kSettingUnknown)), "");
+  EXPECT_NE(Advice(ErrorOf(Reason::kOutOfBuildVolume)), "");
+  EXPECT_EQ(Advice(absl::DataLossError("cannot write")), "");
+}
+
+TEST(SummaryText, SaysWhatMatters) {
+  EXPECT_EQ(SummaryText({.output = "a.gcode",
+                         .layers = 240,
+                         .print_time_s = 3957,
+                         .filament_mm = 4530,
+                         .filament_g = 13.51}),
+            "a.gcode: 240 layers, 1h 5m 57s to print, 4.53 m of filament (13.5 g)\n");
+  EXPECT_EQ(SummaryText({.layers = 1,
+                         .print_time_s = 5,
+                         .filament_mm = 10,
+                         .cached = true,
+                         .settings_without_effect = 3}),
+            "1 layer, 5s to print, 0.01 m of filament; found by content, not made anew\n"
+            "3 of the given settings have no effect; --report FILE.json lists them\n");
+  EXPECT_EQ(
+      SummaryText({.output = "a", .layers = 2, .settings_without_effect = 1, .report = "r.json"}),
+      "a: 2 layers, 0s to print, 0.00 m of filament\n"
+      "1 of the given settings has no effect; listed in r.json\n");
+}
+
+}  // namespace
+}  // namespace slicefarm::cli

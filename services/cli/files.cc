@@ -1,0 +1,143 @@
+#include "services/cli/files.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "common/model/error.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr mode_t kMode = 0666;  // less the umask
+
+struct Descriptor {
+  explicit Descriptor(int n) : number(n) {}
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  const int number;
+};
+
+absl::Status ReadError(const std::string& path, int error_number) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("cannot read {}: {}", path, std::strerror(error_number)));
+}
+
+absl::Status WriteError(const std::string& path, int error_number) {
+  return absl::DataLossError(fmt::format("cannot write {}: {}", path, std::strerror(error_number)));
+}
+
+absl::Status TooLarge(const std::string& path, int64_t limit, int64_t got) {
+  return LimitError(Reason::kRequestTooLarge, path + ": bytes", limit, got);
+}
+
+/// True if a new file can take the place of what `path` names.
+bool Replaceable(const std::string& path) {
+  struct stat info = {};
+  if (stat(path.c_str(), &info) != 0) return true;
+  return S_ISREG(info.st_mode);
+}
+
+/// The file itself where `path` is a symbolic link, so that the link stays.
+std::string Target(const std::string& path) {
+  char* real = realpath(path.c_str(), nullptr);
+  if (real == nullptr) return path;
+  std::string target = real;
+  std::free(real);
+  return target;
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number < 0) return ReadError(path, errno);
+  struct stat info = {};
+  if (fstat(file.number, &info) != 0) return ReadError(path, errno);
+  const bool regular = S_ISREG(info.st_mode);
+  if (regular && info.st_size > max_bytes) return TooLarge(path, max_bytes, info.st_size);
+
+  constexpr size_t kBlock = 1 << 20;
+  std::string bytes(regular ? info.st_size + 1 : kBlock, '\0');  // + 1: room to see the end
+  size_t size = 0;
+  for (;;) {
+    if (size == bytes.size()) bytes.resize(size + kBlock);
+    const ssize_t got = read(file.number, bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return ReadError(path, errno);
+    if (got == 0) break;
+    size += got;
+    if (static_cast<int64_t>(size) > max_bytes) return TooLarge(path, max_bytes, size);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+absl::Status InFile(const std::string& path, const absl::Status& status) {
+  const ErrorDetail detail = DetailOf(status);
+  return MakeError(status.code(), detail.reason,
+                   fmt::format("{}: {}", path, std::string(status.message())), detail.metadata);
+}
+
+absl::StatusOr<OutputFile> OutputFile::Create(const std::string& path) {
+  if (path == "-") return OutputFile("standard output", "", dup(STDOUT_FILENO));
+  const std::string target = Target(path);
+  const bool replaceable = Replaceable(target);
+  const std::string temporary = replaceable ? fmt::format("{}.{}.part", target, getpid()) : "";
+  const int descriptor =
+      replaceable ? open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode)
+                  : open(target.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return WriteError(path, errno);
+  }
+  return OutputFile(target, temporary, descriptor);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, "")),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+absl::Status OutputFile::Error(int error_number) const { return WriteError(path_, error_number); }
+
+absl::Status OutputFile::Write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return Error(errno);
+    bytes.remove_prefix(written);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status OutputFile::Commit() {
+  if (close(std::exchange(descriptor_, -1)) != 0) return Error(errno);
+  if (temporary_.empty()) return absl::OkStatus();
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) return Error(errno);
+  temporary_.clear();
+  return absl::OkStatus();
+}
+
+absl::Status WriteFile(const std::string& path, std::string_view bytes) {
+  auto file = OutputFile::Create(path);
+  if (!file.ok()) return file.status();
+  if (absl::Status status = file->Write(bytes); !status.ok()) return status;
+  return file->Commit();
+}
+
+}  // namespace slicefarm::cli

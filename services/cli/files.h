@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace slicefarm::cli {
+
+/// All bytes of a regular file or a pipe. Errors: REQUEST_MALFORMED with the system's words;
+/// REQUEST_TOO_LARGE past `max_bytes`, before they are read if the file tells its size.
+absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);
+
+/// The error with the file's name in front of its message.
+absl::Status InFile(const std::string& path, const absl::Status& status);
+
+/// A file that is there as a whole or not at all: its bytes go to a file beside it, which takes its
+/// name in the end. Mode and owner are those of a new file. `-` is the standard output, written as
+/// it comes. An output that is no regular file
+/// (/dev/null, a pipe) is written in place.
+class OutputFile {
+ public:
+  static absl::StatusOr<OutputFile> Create(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();  ///< without Commit, nothing is left
+
+  /// Errors: DataLoss with the system's words, such as "No space left on device".
+  absl::Status Write(std::string_view bytes);
+  absl::Status Commit();
+
+ private:
+  OutputFile(std::string path, std::string temporary, int descriptor)
+      : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+  absl::Status Error(int error_number) const;
+
+  std::string path_;
+  std::string temporary_;  ///< empty: written in place
+  int descriptor_;
+};
+
+/// Create, Write, Commit.
+absl::Status WriteFile(const std::string& path, std::string_view bytes);
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,123 @@
+#include "services/cli/files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+
+#include "common/model/error.h"
+
+namespace slicefarm::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+class Files : public testing::Test {
+ protected:
+  Files() {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~Files() override { std::filesystem::remove_all(folder_); }
+
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::vector<std::string> Names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Files, ComeBackAsTheyWere) {
+  for (const size_t size : {0, 1, 4096, (1 << 20) - 1, 1 << 20, (1 << 20) + 1, 3'000'000}) {
+    std::string bytes(size, 'x');
+    if (size > 2) bytes[1] = '\0';
+    ASSERT_TRUE(WriteFile(Path("a"), bytes).ok());
+    const auto read = ReadFile(Path("a"), 1 << 30);
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(*read, bytes);
+  }
+}
+
+TEST_F(Files, AreReadUpToTheLimit) {
+  ASSERT_TRUE(WriteFile(Path("a"), "12345").ok());
+  EXPECT_TRUE(ReadFile(Path("a"), 5).ok());
+  const auto read = ReadFile(Path("a"), 4);
+  EXPECT_EQ(DetailOf(read.status()).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(read.status()).metadata.at("limit"), "4");
+}
+
+TEST_F(Files, SayWhyTheyCannotBeRead) {
+  EXPECT_THAT(std::string(ReadFile(Path("none"), 10).status().message()),
+              HasSubstr("No such file or directory"));
+  EXPECT_THAT(std::string(ReadFile(folder_.string(), 10).status().message()),
+              HasSubstr("Is a directory"));
+}
+
+TEST_F(Files, AreNotThereBeforeTheyAreComplete) {
+  {
+    auto file = OutputFile::Create(Path("a"));
+    ASSERT_TRUE(file.ok());
+    ASSERT_TRUE(file->Write("half").ok());
+    EXPECT_FALSE(std::filesystem::exists(Path("a")));
+  }
+  EXPECT_THAT(Names(), IsEmpty());
+}
+
+TEST_F(Files, KeepTheOldContentUntilTheNewOneIsComplete) {
+  ASSERT_TRUE(WriteFile(Path("a"), "old").ok());
+  {
+    auto file = OutputFile::Create(Path("a"));
+    ASSERT_TRUE(file->Write("new").ok());
+    EXPECT_EQ(*ReadFile(Path("a"), 10), "old");
+  }
+  EXPECT_EQ(*ReadFile(Path("a"), 10), "old");
+  ASSERT_TRUE(WriteFile(Path("a"), "new").ok());
+  EXPECT_EQ(*ReadFile(Path("a"), 10), "new");
+  EXPECT_THAT(Names(), UnorderedElementsAre("a"));
+}
+
+TEST_F(Files, StayBehindTheirLinks) {
+  ASSERT_TRUE(WriteFile(Path("real"), "old").ok());
+  std::filesystem::create_symlink(Path("real"), Path("link"));
+  ASSERT_TRUE(WriteFile(Path("link"), "new").ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(Path("link")));
+  EXPECT_EQ(*ReadFile(Path("real"), 10), "new");
+}
+
+TEST_F(Files, HaveTheUsualMode) {
+  ASSERT_TRUE(WriteFile(Path("a"), "").ok());
+  struct stat info = {};
+  ASSERT_EQ(stat(Path("a").c_str(), &info), 0);
+  const mode_t mask = umask(0);
+  umask(mask);
+  EXPECT_EQ(info.st_mode & 0777, 0666 & ~mask);
+}
+
+TEST_F(Files, WriteToDevicesInPlace) {
+  EXPECT_TRUE(WriteFile("/dev/null", "bytes").ok());
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(Files, SayWhyTheyCannotBeWritten) {
+  const absl::Status missing = WriteFile(Path("none/a"), "");
+  EXPECT_TRUE(absl::IsDataLoss(missing));
+  EXPECT_THAT(std::string(missing.message()), HasSubstr("No such file or directory"));
+  EXPECT_THAT(std::string(WriteFile(folder_.string(), "").message()), HasSubstr("directory"));
+  EXPECT_THAT(std::string(WriteFile("/dev/full", std::string(1 << 20, 'x')).message()),
+              HasSubstr("No space left on device"));
+}
+
+}  // namespace
+}  // namespace slicefarm::cli

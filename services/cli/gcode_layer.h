@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+namespace slicefarm::cli {
+
+struct PointMm {
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const PointMm&, const PointMm&) = default;
+};
+
+/// Consecutive extruding moves of one feature and width.
+struct BeadRun {
+  std::string feature;  ///< the words of `;TYPE:`
+  double width_mm = 0;
+  std::vector<PointMm> points;  ///< at least two
+
+  friend bool operator==(const BeadRun&, const BeadRun&) = default;
+};
+
+/// One layer of a G-code file, as its moves and comments tell.
+struct GcodeLayer {
+  int index = 0;  ///< from 0
+  int layer_count = 0;
+  double z_mm = 0;
+  double height_mm = 0;
+  std::vector<BeadRun> beads = {};
+  std::vector<std::vector<PointMm>> travels = {};
+};
+
+/// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
+/// ;WIDTH:), which is what slicefarm writes. Follows G0 to G3 (arcs as their chords), G90, G91,
+/// G92, M82 and M83. Errors: OutOfRange naming the last layer; InvalidArgument if there is no
+/// ;LAYER_CHANGE at all. Cost: one pass over the file.
+absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index);
+
+}  // namespace slicefarm::cli

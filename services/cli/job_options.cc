@@ -1,0 +1,156 @@
+#include "services/cli/job_options.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+
+#include "common/config/ini.h"
+#include "common/config/text.h"
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "services/cli/files.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
+
+absl::Status Malformed(const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+/// `count` numbers between commas.
+absl::StatusOr<std::vector<double>> Numbers(std::string_view option, std::string_view text,
+                                            size_t count) {
+  std::vector<double> numbers;
+  for (const std::string_view item : config::Split(text, ",")) {
+    const auto number = config::ToNumber(config::Trim(item));
+    if (!number.has_value()) break;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count || config::Split(text, ",").size() != count) {
+    return Malformed(
+        fmt::format("{} {}: {} numbers between commas are needed", option, text, count));
+  }
+  return numbers;
+}
+
+absl::StatusOr<std::array<double, 3>> ScaleOf(const std::string& text) {
+  if (text.empty()) return std::array<double, 3>{1, 1, 1};
+  const bool uniform = text.find(',') == std::string::npos;
+  const auto numbers = Numbers("--scale", text, uniform ? 1 : 3);
+  if (!numbers.ok()) return numbers.status();
+  const auto at = [&](size_t i) { return (*numbers)[uniform ? 0 : i]; };
+  const std::array<double, 3> scale = {at(0), at(1), at(2)};
+  for (const double factor : scale) {
+    if (factor <= 0) return Malformed(fmt::format("--scale {}: it must be more than 0", text));
+  }
+  return scale;
+}
+
+double UnitOf(const std::string& name) {
+  if (name == "inch") return 25.4;
+  if (name == "m") return 1000;
+  if (name == "cm") return 10;
+  return 1;
+}
+
+absl::StatusOr<config::Setting> ParseSet(const std::string& text) {
+  const size_t equals = text.find('=');
+  const std::string key(config::Trim(std::string_view(text).substr(0, equals)));
+  if (equals == std::string::npos || key.empty()) {
+    return Malformed(fmt::format("--set {}: key=value is needed", text));
+  }
+  return config::Setting{key, text.substr(equals + 1), config::Source::kRequest};
+}
+
+}  // namespace
+
+void AddJobOptions(CLI::App& app, JobOptions& options) {
+  app.add_option("MODEL", options.model, "STL (binary or ASCII) or OBJ file")->required();
+  app.add_option("-c,--config", options.config_files,
+                 "PrusaSlicer config.ini, or a G-code file that quotes its settings; of several, "
+                 "later ones win")
+      ->type_name("FILE.ini")
+      ->allow_extra_args(false);
+  app.add_option("-s,--set", options.sets, "One setting; wins over --config. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--units", options.units, "What a unit of the model means")
+      ->check(CLI::IsMember({"mm", "cm", "m", "inch"}))
+      ->capture_default_str();
+  app.add_option("--scale", options.scale, "Factor, or one for each axis")->type_name("S|X,Y,Z");
+  auto* rotate_z = app.add_option("--rotate-z", options.rotate_z_deg,
+                                  "Turn about the vertical, counter-clockwise")
+                       ->type_name("DEG");
+  app.add_option("--rotate", options.rotate, "Turn about x, then y, then z")
+      ->type_name("X,Y,Z")
+      ->excludes(rotate_z);
+  app.add_option("--center", options.centers,
+                 "Where the middle of the part lies, mm; repeated: a copy at each. Default: the "
+                 "middle of the bed")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
+  app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
+      ->type_name("REPORT.json");
+  app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
+}
+
+absl::StatusOr<std::vector<config::Setting>> GivenSettings(const JobOptions& options) {
+  std::vector<config::Setting> settings;
+  for (const std::string& path : options.config_files) {
+    const auto text = ReadFile(path, kMaxConfigBytes);
+    if (!text.ok()) return text.status();
+    auto read = config::ReadIni(*text);
+    if (!read.ok()) return InFile(path, read.status());
+    settings.insert(settings.end(), read->begin(), read->end());
+  }
+  for (const std::string& text : options.sets) {
+    auto setting = ParseSet(text);
+    if (!setting.ok()) return setting.status();
+    settings.push_back(*std::move(setting));
+  }
+  return settings;
+}
+
+absl::StatusOr<Placement> GivenPlacement(const JobOptions& options) {
+  Placement placement;
+  placement.unit_mm = UnitOf(options.units);
+  const auto scale = ScaleOf(options.scale);
+  if (!scale.ok()) return scale.status();
+  placement.scale = *scale;
+  placement.rotate_deg = {0, 0, options.rotate_z_deg};
+  if (!std::isfinite(options.rotate_z_deg)) return Malformed("--rotate-z: not a number");
+  if (!options.rotate.empty()) {
+    const auto angles = Numbers("--rotate", options.rotate, 3);
+    if (!angles.ok()) return angles.status();
+    placement.rotate_deg = {(*angles)[0], (*angles)[1], (*angles)[2]};
+  }
+  for (const std::string& text : options.centers) {
+    const auto center = Numbers("--center", text, 2);
+    if (!center.ok()) return center.status();
+    const double limit = ToMm(limits::kMaxCoord);
+    if (std::abs((*center)[0]) > limit || std::abs((*center)[1]) > limit) {
+      return Malformed(fmt::format("--center {}: more than {} mm from the origin", text, limit));
+    }
+    placement.centers.push_back({FromMm((*center)[0]), FromMm((*center)[1])});
+  }
+  return placement;
+}
+
+absl::StatusOr<MeshFile> ReadModel(const JobOptions& options) {
+  auto bytes = ReadFile(options.model, limits::kMaxMeshBytes);
+  if (!bytes.ok()) {
+    const ErrorDetail detail = DetailOf(bytes.status());
+    if (detail.reason != Reason::kRequestTooLarge) return bytes.status();
+    return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
+                     std::string(bytes.status().message()), detail.metadata);
+  }
+  const size_t slash = options.model.rfind('/');
+  return MeshFile{
+      .name = slash == std::string::npos ? options.model : options.model.substr(slash + 1),
+      .bytes = *std::move(bytes)};
+}
+
+}  // namespace slicefarm::cli

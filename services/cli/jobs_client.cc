@@ -1,0 +1,284 @@
+#include "services/cli/jobs_client.h"
+
+#include <fmt/core.h>
+#include <grpcpp/support/async_stream.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <thread>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/model/sha256.h"
+#include "common/rpc/channel.h"
+#include "common/rpc/client_call.h"
+
+namespace slicefarm::cli {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kUnaryDeadline{20'000};
+constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
+constexpr milliseconds kWatchDeadline{3'600'000};
+constexpr milliseconds kMinRest{100};
+constexpr milliseconds kMaxRest{1'000};
+
+bool OutOfReach(const absl::Status& status) {
+  const Reason reason = DetailOf(status).reason;
+  return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded;
+}
+
+/// A UUID, version 4.
+std::string NewRequestId() {
+  std::random_device random;
+  const auto bits = [&](uint32_t mask) { return random() & mask; };
+  return fmt::format("{:08x}-{:04x}-{:04x}-{:04x}-{:08x}{:04x}", bits(0xffffffff), bits(0xffff),
+                     0x4000 | bits(0x0fff), 0x8000 | bits(0x3fff), bits(0xffffffff), bits(0xffff));
+}
+
+/// Hands each message of a stream to `take`, until the stream ends or `take` returns an error.
+template <typename Response, typename Start>
+absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& start,
+                        const std::function<absl::Status(const Response&)>& take) {
+  rpc::ClientCall call(options);
+  const std::unique_ptr<grpc::ClientAsyncReader<Response>> reader =
+      start(call.context(), call.queue());
+  reader->StartCall(nullptr);
+  absl::Status taken;
+  Response response;
+  for (bool alive = call.Await(); alive;) {
+    reader->Read(&response, nullptr);
+    alive = call.Await();
+    if (!alive) break;
+    taken = take(response);
+    if (taken.ok()) continue;
+    call.context()->TryCancel();
+    alive = false;
+  }
+  grpc::Status status;
+  reader->Finish(&status, nullptr);
+  call.Await();
+  return taken.ok() ? call.Outcome(status) : taken;
+}
+
+}  // namespace
+
+JobsClient::JobsClient(JobsClientOptions options)
+    : options_(std::move(options)),
+      channel_(
+          rpc::MakeChannel(options_.server, {.max_message_bytes = limits::kMaxPublicMessageBytes})),
+      meshes_(v1::Meshes::NewStub(channel_)),
+      jobs_(v1::Jobs::NewStub(channel_)) {}
+
+absl::Status JobsClient::Rest(milliseconds time) const {
+  constexpr milliseconds kStep{20};
+  for (milliseconds rested{0}; rested < time; rested += kStep) {
+    if (absl::Status status = options_.cancel.Check(); !status.ok()) return status;
+    std::this_thread::sleep_for(kStep);
+  }
+  return absl::OkStatus();
+}
+
+/// Makes the attempt until it ends otherwise than with the server out of reach. An attempt that
+/// gets on a way sets last_answer_s_, and patience begins anew.
+absl::Status JobsClient::Persist(const Attempt& attempt) {
+  last_answer_s_ = clock_.Seconds();
+  const double patience_s = std::chrono::duration<double>(options_.patience).count();
+  for (milliseconds rest = kMinRest;; rest = std::min(rest * 2, kMaxRest)) {
+    const double answered_s = last_answer_s_;
+    absl::Status status = attempt();
+    if (status.ok() || !OutOfReach(status)) return status;
+    if (last_answer_s_ > answered_s) rest = kMinRest;
+    if (clock_.Seconds() - last_answer_s_ >= patience_s) {
+      const ErrorDetail detail = DetailOf(status);
+      return MakeError(status.code(), detail.reason,
+                       fmt::format("{}: {}", options_.server, std::string(status.message())),
+                       detail.metadata);
+    }
+    if (absl::Status rested = Rest(rest); !rested.ok()) return rested;
+  }
+}
+
+template <typename Response, typename Request, typename Start>
+absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start) {
+  Response response;
+  const absl::Status status = Persist([&] {
+    return rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &response, start);
+  });
+  if (!status.ok()) return status;
+  return response;
+}
+
+absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
+                                                   const std::function<void(int64_t)>& sent) {
+  const std::string sha256 = Sha256Hex(bytes);
+  v1::GetUploadRequest request;
+  request.set_sha256(sha256);
+  const absl::Status status = Persist([&]() -> absl::Status {
+    v1::Upload upload;
+    const absl::Status got =
+        rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &upload,
+                       [&](auto... arguments) { return meshes_->AsyncGetUpload(arguments...); });
+    if (!got.ok()) return got;
+    last_answer_s_ = clock_.Seconds();
+    if (upload.committed_size() < 0 ||
+        upload.committed_size() > static_cast<int64_t>(bytes.size())) {
+      return MakeError(absl::StatusCode::kInternal, Reason::kBlobDigestMismatch,
+                       fmt::format("the server has {} bytes of a mesh of {}",
+                                   upload.committed_size(), bytes.size()));
+    }
+    sent(upload.committed_size());
+    return upload.complete() ? absl::OkStatus()
+                             : SendFrom(upload.committed_size(), sha256, bytes, sent);
+  });
+  if (!status.ok()) return status;
+  return sha256;
+}
+
+absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
+                                  const std::function<void(int64_t)>& sent) {
+  rpc::ClientCall call({kTransferDeadline, options_.cancel});
+  v1::Upload upload;
+  const auto writer = meshes_->PrepareAsyncUploadMesh(call.context(), &upload, call.queue());
+  writer->StartCall(nullptr);
+  bool alive = call.Await();
+  v1::UploadMeshRequest chunk;
+  chunk.set_sha256(sha256);
+  chunk.set_size(static_cast<int64_t>(bytes.size()));
+  chunk.set_write_offset(offset);
+  do {  // at least once: the first message says what is sent
+    const std::string_view piece = bytes.substr(offset, limits::kUploadChunkBytes);
+    chunk.set_data(piece.data(), piece.size());
+    if (alive) {
+      writer->Write(chunk, nullptr);
+      alive = call.Await();
+    }
+    if (!alive) break;
+    offset += static_cast<int64_t>(piece.size());
+    last_answer_s_ = clock_.Seconds();
+    sent(offset);
+    chunk.Clear();
+  } while (offset < static_cast<int64_t>(bytes.size()));
+  if (alive) {
+    writer->WritesDone(nullptr);
+    call.Await();
+  }
+  grpc::Status status;
+  writer->Finish(&status, nullptr);
+  call.Await();
+  if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
+    // Another client may have sent the same mesh meanwhile: then the server is further than we
+    // thought.
+    if (DetailOf(outcome).reason != Reason::kUploadOffset) return outcome;
+    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                     std::string(outcome.message()));
+  }
+  if (upload.complete()) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kUnavailable, Reason::kUnavailable,
+      fmt::format("the server has {} of {} bytes", upload.committed_size(), bytes.size()));
+}
+
+absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::JobSpec spec,
+                                              const std::map<std::string, std::string>& labels) {
+  v1::CreateJobRequest request;
+  request.set_request_id(NewRequestId());
+  *request.mutable_spec() = std::move(spec);
+  request.mutable_labels()->insert(labels.begin(), labels.end());
+  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncCreateJob(a...); });
+}
+
+absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
+  v1::GetJobRequest request;
+  request.set_id(id);
+  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncGetJob(a...); });
+}
+
+absl::StatusOr<v1::Job> JobsClient::CancelJob(const std::string& id) {
+  v1::CancelJobRequest request;
+  request.set_id(id);
+  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncCancelJob(a...); });
+}
+
+absl::Status JobsClient::DeleteJob(const std::string& id) {
+  v1::DeleteJobRequest request;
+  request.set_id(id);
+  return Call<google::protobuf::Empty>(request,
+                                       [&](auto... a) { return jobs_->AsyncDeleteJob(a...); })
+      .status();
+}
+
+absl::StatusOr<v1::ListJobsResponse> JobsClient::ListJobs(const v1::ListJobsRequest& request) {
+  return Call<v1::ListJobsResponse>(request, [&](auto... a) { return jobs_->AsyncListJobs(a...); });
+}
+
+absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
+                                             const std::function<void(const v1::Job&)>& changed) {
+  v1::WatchJobRequest request;
+  request.set_id(id);
+  v1::Job last;
+  const absl::Status status = Persist([&]() -> absl::Status {
+    const absl::Status end = ReadStream<v1::JobEvent>(
+        {kWatchDeadline, options_.cancel},
+        [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
+          return jobs_->PrepareAsyncWatchJob(context, request, queue);
+        },
+        [&](const v1::JobEvent& event) {
+          last_answer_s_ = clock_.Seconds();
+          request.set_after_sequence(event.sequence());
+          last = event.job();
+          changed(last);
+          return absl::OkStatus();
+        });
+    if (!end.ok() || HasEnded(last)) return end;
+    return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                     "the server stopped telling of the job before its end");
+  });
+  if (!status.ok()) return status;
+  return last;
+}
+
+absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, OutputFile& file) {
+  v1::DownloadRequest request;
+  request.set_id(id);
+  request.set_artifact(artifact);
+  return Persist([&] {
+    return ReadStream<v1::DownloadResponse>(
+        {kTransferDeadline, options_.cancel},
+        [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
+          return jobs_->PrepareAsyncDownload(context, request, queue);
+        },
+        [&](const v1::DownloadResponse& response) {
+          last_answer_s_ = clock_.Seconds();
+          request.set_offset(request.offset() + static_cast<int64_t>(response.data().size()));
+          return file.Write(response.data());
+        });
+  });
+}
+
+bool HasEnded(const v1::Job& job) {
+  return job.state() == v1::JOB_STATE_SUCCEEDED || job.state() == v1::JOB_STATE_FAILED ||
+         job.state() == v1::JOB_STATE_CANCELLED;
+}
+
+absl::Status OutcomeOf(const v1::Job& job) {
+  if (job.state() == v1::JOB_STATE_SUCCEEDED) return absl::OkStatus();
+  if (job.state() == v1::JOB_STATE_CANCELLED) {
+    return MakeError(absl::StatusCode::kCancelled, Reason::kCancelled,
+                     fmt::format("job {} was cancelled", job.id()));
+  }
+  if (job.state() != v1::JOB_STATE_FAILED) {
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
+                     fmt::format("job {} is not finished", job.id()));
+  }
+  const v1::JobError& error = job.error();
+  const int code = error.code() == 0 ? static_cast<int>(absl::StatusCode::kUnknown) : error.code();
+  return MakeError(static_cast<absl::StatusCode>(code),
+                   ReasonFromName(error.reason()).value_or(Reason::kInternal), error.message(),
+                   {error.metadata().begin(), error.metadata().end()});
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <grpcpp/channel.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/model/cancel_token.h"
+#include "common/stage/stopwatch.h"
+#include "services/cli/files.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+
+namespace slicefarm::cli {
+
+struct JobsClientOptions {
+  std::string server = "127.0.0.1:50050";
+  /// How long the server may be out of reach at a stretch before that is an error.
+  std::chrono::milliseconds patience{30'000};
+  CancelToken cancel = {};  ///< ends calls as Cancelled
+};
+
+/// Meshes and Jobs of a coordinator. Every call has a deadline and is made again while the server
+/// is out of reach; uploads, downloads and watches go on where they broke off. Errors: the
+/// server's, with their reason; UNAVAILABLE naming the server after `patience`; Cancelled after an
+/// interrupt.
+class JobsClient {
+ public:
+  explicit JobsClient(JobsClientOptions options);
+
+  /// Sends what the server lacks of the bytes; nothing if it has them. `sent` is told how many
+  /// bytes are there. Returns the SHA-256 by which the mesh goes.
+  absl::StatusOr<std::string> UploadMesh(std::string_view bytes,
+                                         const std::function<void(int64_t)>& sent);
+
+  /// With a request id, so that a repeated call makes no second job.
+  absl::StatusOr<v1::Job> CreateJob(v1::JobSpec spec,
+                                    const std::map<std::string, std::string>& labels);
+  absl::StatusOr<v1::Job> GetJob(const std::string& id);
+  absl::StatusOr<v1::Job> CancelJob(const std::string& id);
+  absl::Status DeleteJob(const std::string& id);
+  absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
+
+  /// Tells each event of the job, those of the past too, and returns the job as it ended.
+  absl::StatusOr<v1::Job> WatchJob(const std::string& id,
+                                   const std::function<void(const v1::Job&)>& changed);
+
+  /// Writes a result to `file`, as a whole or with an error.
+  absl::Status Download(const std::string& id, v1::Artifact artifact, OutputFile& file);
+
+ private:
+  using Attempt = std::function<absl::Status()>;
+  absl::Status Persist(const Attempt& attempt);
+  template <typename Response, typename Request, typename Start>
+  absl::StatusOr<Response> Call(const Request& request, const Start& start);
+  absl::Status Rest(std::chrono::milliseconds time) const;
+  absl::Status SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
+                        const std::function<void(int64_t)>& sent);
+
+  const JobsClientOptions options_;
+  std::shared_ptr<grpc::Channel> channel_;
+  std::unique_ptr<v1::Meshes::Stub> meshes_;
+  std::unique_ptr<v1::Jobs::Stub> jobs_;
+  Stopwatch clock_;
+  double last_answer_s_ = 0;  ///< when the server was last in reach
+};
+
+/// True for states after which nothing changes any more.
+bool HasEnded(const v1::Job& job);
+
+/// OK for a job that succeeded; else why there is no result, with the server's reason.
+absl::Status OutcomeOf(const v1::Job& job);
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/layer_chain.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/algo/job_pipeline.h"
+
+namespace slicefarm::cli {
+
+/// The whole pipeline in this process: the stages' algorithms, called directly by `threads`
+/// threads.
+class LocalPipeline {
+ public:
+  explicit LocalPipeline(int threads);
+
+  const coordinator::JobPipeline& pipeline() const { return pipeline_; }
+
+ private:
+  // In this order: the pipeline refers to the stages and the dispatcher, whose threads run the
+  // chain.
+  std::unique_ptr<SlicingStage> slicing_;
+  std::unique_ptr<BeadingStage> beading_;
+  std::unique_ptr<InfillStage> infill_;
+  std::unique_ptr<OrderingStage> ordering_;
+  std::unique_ptr<MotionStage> motion_;
+  coordinator::Dispatcher dispatcher_;
+  coordinator::JobPipeline pipeline_;
+};
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,85 @@
+#include "services/cli/server_options.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "services/cli/files.h"
+
+namespace slicefarm::cli {
+
+void AddServerOptions(CLI::App& app, ServerOptions& options) {
+  app.add_option("--server", options.server, "The coordinator")
+      ->envname("SLICEFARM_SERVER")
+      ->capture_default_str()
+      ->type_name("HOST:PORT");
+  app.add_option("--patience", options.patience_s,
+                 "Seconds that the server may be out of reach before that is an error")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str()
+      ->type_name("S");
+}
+
+JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt) {
+  return {.server = options.server,
+          .patience = std::chrono::milliseconds(static_cast<int64_t>(options.patience_s * 1000)),
+          .cancel = interrupt == nullptr ? CancelToken() : interrupt->Token()};
+}
+
+absl::Status FetchResults(JobsClient& client, const std::string& id, const ResultFiles& files) {
+  std::vector<OutputFile> complete;
+  for (const auto& [path, artifact] :
+       {std::pair{files.gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT}}) {
+    if (path.empty()) continue;
+    auto file = OutputFile::Create(path);
+    if (!file.ok()) return file.status();
+    if (absl::Status status = client.Download(id, artifact, *file); !status.ok()) return status;
+    complete.push_back(*std::move(file));
+  }
+  for (OutputFile& file : complete) {
+    if (absl::Status status = file.Commit(); !status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+void ShowProgress(ProgressBar& bar, const v1::Job& job) {
+  if (job.progress().layers_total() > 0) {
+    bar.Show("layers", job.progress().layers_done(), job.progress().layers_total());
+  } else {
+    bar.Show(job.state() == v1::JOB_STATE_RUNNING ? "slicing" : StateName(job.state()), 0, 0);
+  }
+}
+
+std::string StateName(v1::JobState state) {
+  switch (state) {
+    case v1::JOB_STATE_QUEUED:
+      return "queued";
+    case v1::JOB_STATE_RUNNING:
+      return "running";
+    case v1::JOB_STATE_SUCCEEDED:
+      return "succeeded";
+    case v1::JOB_STATE_FAILED:
+      return "failed";
+    case v1::JOB_STATE_CANCELLED:
+      return "cancelled";
+    default:
+      return "unknown";
+  }
+}
+
+ExitCode JobExitCode(const absl::Status& outcome) {
+  const ExitCode code = ExitCodeOf(outcome);
+  const bool tells = code == ExitCode::kOk || code == ExitCode::kBadSettings ||
+                     code == ExitCode::kBadMesh || code == ExitCode::kCancelled ||
+                     code == ExitCode::kNotFound;
+  return tells ? code : ExitCode::kJobFailed;
+}
+
+ExitCode FailJob(const v1::Job& job, const std::string& model) {
+  const absl::Status outcome = OutcomeOf(job);
+  const ExitCode code = JobExitCode(outcome);
+  Fail(code == ExitCode::kBadMesh && !model.empty() ? InFile(model, outcome) : outcome);
+  return code;
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "services/cli/console.h"
+#include "services/cli/interrupt.h"
+#include "services/cli/jobs_client.h"
+
+namespace slicefarm::cli {
+
+/// Which coordinator to speak with.
+struct ServerOptions {
+  std::string server = "127.0.0.1:50050";
+  double patience_s = 30;
+};
+
+void AddServerOptions(CLI::App& app, ServerOptions& options);
+
+/// `interrupt` null: the calls are not ended by Ctrl-C.
+JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt);
+
+/// Where the results of a job go; empty: not wanted.
+struct ResultFiles {
+  std::string gcode;
+  std::string report;
+};
+
+/// Fetches what is wanted of a job that succeeded. Both files appear when both are complete.
+absl::Status FetchResults(JobsClient& client, const std::string& id, const ResultFiles& files);
+
+/// Shows how far a job is.
+void ShowProgress(ProgressBar& bar, const v1::Job& job);
+
+/// "queued", "running", ...
+std::string StateName(v1::JobState state);
+
+/// The exit code of a job that ended: as its error says for bad settings and bad meshes, kJobFailed
+/// for other failures.
+ExitCode JobExitCode(const absl::Status& outcome);
+
+/// Prints why a job ended without result, and gives JobExitCode. `model`: whose fault a bad mesh
+/// is, if that is known.
+ExitCode FailJob(const v1::Job& job, const std::string& model = "");
+
+}  // namespace slicefarm::cli

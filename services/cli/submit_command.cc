@@ -1,0 +1,173 @@
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/model/error.h"
+#include "common/wire/mesh_wire.h"
+#include "services/cli/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/job_options.h"
+#include "services/cli/jobs_client.h"
+#include "services/cli/server_options.h"
+#include "services/cli/summary.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct SubmitOptions {
+  JobOptions job;
+  ServerOptions server;
+  std::string output;
+  std::vector<std::string> labels;
+  bool detach = false;
+};
+
+absl::Status Malformed(const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+absl::StatusOr<std::map<std::string, std::string>> LabelsOf(const SubmitOptions& options) {
+  std::map<std::string, std::string> labels;
+  for (const std::string& text : options.labels) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return Malformed(fmt::format("--label {}: key=value is needed", text));
+    }
+    labels[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return labels;
+}
+
+/// All of the spec but the mesh's digest.
+absl::StatusOr<v1::JobSpec> SpecOf(const JobOptions& options, const MeshFile& model) {
+  const auto settings = GivenSettings(options);
+  if (!settings.ok()) return settings.status();
+  const auto placement = GivenPlacement(options);
+  if (!placement.ok()) return placement.status();
+  v1::JobSpec spec;
+  for (const config::Setting& setting : *settings) {
+    v1::Setting* proto = spec.add_settings();
+    proto->set_key(setting.key);
+    proto->set_value(setting.value);
+    proto->set_from_profile(setting.source == config::Source::kProfile);
+  }
+  v1::Object* object = spec.add_objects();
+  object->set_name(model.name);
+  object->set_format(ToProto(model.format));
+  if (absl::Status status = ToProto(*placement, object->mutable_placement()); !status.ok()) {
+    return status;
+  }
+  return spec;
+}
+
+absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
+  const auto labels = LabelsOf(options);
+  if (!labels.ok()) return labels.status();
+  const auto model = ReadModel(options.job);
+  if (!model.ok()) return model.status();
+  auto spec = SpecOf(options.job, *model);
+  if (!spec.ok()) return spec.status();
+
+  constexpr int64_t kKib = 1024;
+  const int total_kib = static_cast<int>(model->bytes.size() / kKib);
+  const auto sha256 = client.UploadMesh(model->bytes, [&](int64_t sent) {
+    bar.Show("upload, KiB", static_cast<int>(sent / kKib), total_kib);
+  });
+  if (!sha256.ok()) return sha256.status();
+  spec->mutable_objects(0)->set_mesh_sha256(*sha256);
+  return client.CreateJob(*std::move(spec), *labels);
+}
+
+/// Ctrl-C while we wait for a job means that nobody wants it any more.
+ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& id) {
+  JobsClient client(ClientOptions(options.server, nullptr));
+  const auto job = client.CancelJob(id);
+  if (!job.ok()) {
+    fmt::print(stderr, "job {} may go on: it could not be cancelled\n", id);
+    Fail(job.status());
+    return ExitCode::kCancelled;
+  }
+  return FailJob(*job);
+}
+
+void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
+  Warn({job.warnings().begin(), job.warnings().end()});
+  if (options.job.quiet) return;
+  const v1::JobResult& result = job.result();
+  Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+                     .layers = result.layers(),
+                     .print_time_s = result.print_time_s(),
+                     .filament_mm = result.filament_mm(),
+                     .filament_g = result.filament_g(),
+                     .cached = result.cached(),
+                     .report = options.job.report}),
+        options.output == "-" || options.job.report == "-");
+}
+
+ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
+  if (options.output.empty() && !options.detach) {
+    return Fail(Malformed("say where the G-code goes (-o OUT.gcode), or --detach"));
+  }
+  if (options.detach && !(options.output.empty() && options.job.report.empty())) {
+    return Fail(Malformed("--detach does not wait for results: fetch them with `slicefarm get`"));
+  }
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  ProgressBar bar(!options.job.quiet);
+  const auto created = Upload(options, client, bar);
+  if (!created.ok()) {
+    bar.Clear();
+    return Fail(created.status());
+  }
+  if (options.detach) {
+    bar.Clear();
+    Print(created->id() + "\n");
+    return ExitCode::kOk;
+  }
+  const auto job =
+      client.WatchJob(created->id(), [&](const v1::Job& event) { ShowProgress(bar, event); });
+  bar.Clear();
+  if (interrupt.Requested()) return CancelAfterInterrupt(options, created->id());
+  if (!job.ok()) {
+    fmt::print(stderr, "job {} goes on; `slicefarm watch {}` follows it\n", created->id(),
+               created->id());
+    return Fail(job.status());
+  }
+  if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.model);
+  const absl::Status fetched =
+      FetchResults(client, job->id(), {.gcode = options.output, .report = options.job.report});
+  if (!fetched.ok()) return Fail(fetched);
+  PrintSummary(options, *job);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSubmit(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("submit", "Have a farm make the G-code, and fetch it when it is done");
+  const auto options = std::make_shared<SubmitOptions>();
+  AddJobOptions(*command, options->job);
+  command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
+      ->type_name("OUT.gcode");
+  command->add_flag("--detach", options->detach, "Do not wait; print the job's id");
+  command->add_option("--label", options->labels, "Kept with the job. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  AddServerOptions(*command, options->server);
+  command->footer(
+      "A broken connection is taken up again, the upload where it broke off. Ctrl-C cancels the "
+      "job\n"
+      "(exit code 7); a job submitted with --detach goes on without this program.\n"
+      "Examples:\n"
+      "  slicefarm submit part.stl -o part.gcode --config prusa.ini --server farm:50050\n"
+      "  job=$(slicefarm submit part.stl --detach) && slicefarm watch $job");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Submit(*options, *context.interrupt); };
+  });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,26 @@
+#include "services/cli/summary.h"
+
+#include <fmt/core.h>
+
+#include "services/coordinator/algo/report_json.h"
+
+namespace slicefarm::cli {
+
+std::string SummaryText(const Summary& summary) {
+  std::string text = summary.output.empty() ? "" : summary.output + ": ";
+  text += fmt::format("{} {}, {} to print, {:.2f} m of filament", summary.layers,
+                      summary.layers == 1 ? "layer" : "layers",
+                      coordinator::DurationText(summary.print_time_s), summary.filament_mm / 1000);
+  if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);
+  if (summary.cached) text += "; found by content, not made anew";
+  text += '\n';
+  if (summary.settings_without_effect > 0) {
+    text += fmt::format(
+        "{} of the given settings {} no effect; {}\n", summary.settings_without_effect,
+        summary.settings_without_effect == 1 ? "has" : "have",
+        summary.report.empty() ? "--report FILE.json lists them" : "listed in " + summary.report);
+  }
+  return text;
+}
+
+}  // namespace slicefarm::cli

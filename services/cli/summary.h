@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slicefarm::cli {
+
+/// What a user wants to know of a result at a glance.
+struct Summary {
+  std::string output = {};  ///< where the G-code is; empty: nowhere yet
+  int layers = 0;
+  double print_time_s = 0;
+  double filament_mm = 0;
+  double filament_g = 0;  ///< 0: the density is not known
+  bool cached = false;
+  int64_t settings_without_effect = 0;
+  std::string report = {};  ///< where the report is; empty: nowhere
+};
+
+/// A few lines of text.
+std::string SummaryText(const Summary& summary);
+
+}  // namespace slicefarm::cli

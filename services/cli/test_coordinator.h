@@ -1,0 +1,182 @@
+#pragma once
+
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/model/error.h"
+#include "common/model/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+
+namespace slicefarm::cli {
+
+/// For tests: a coordinator as the client sees it, which breaks calls when told to.
+class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
+ public:
+  TestCoordinator() {
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::ServerBuilder builder;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
+    builder.RegisterService(static_cast<v1::Meshes::Service*>(this));
+    builder.RegisterService(static_cast<v1::Jobs::Service*>(this));
+    server_ = builder.BuildAndStart();
+  }
+  ~TestCoordinator() override { server_->Shutdown(std::chrono::system_clock::now()); }
+
+  std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+
+  // What the tests set before, and look at afterwards.
+  std::atomic<int> break_upload_after = -1;  ///< chunks; then never again
+  std::atomic<int> break_watch_after = -1;   ///< events; then never again
+  std::atomic<int> break_download_after = -1;
+  std::atomic<bool> hang_watch = false;
+  bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
+  std::string mesh;
+  std::vector<int64_t> upload_offsets;
+  std::vector<int64_t> watch_sequences;
+  std::vector<int64_t> download_offsets;
+  std::set<std::string> request_ids;
+  std::string result = std::string(300'000, 'g');
+  v1::JobState end_state = v1::JOB_STATE_SUCCEEDED;
+  v1::JobError end_error;
+  v1::CreateJobRequest created;
+  std::string cancelled;
+  std::atomic<int> watches = 0;
+  int listed_jobs = 0;
+
+  grpc::Status GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
+                         v1::Upload* response) override {
+    response->set_sha256(request->sha256());
+    response->set_committed_size(static_cast<int64_t>(mesh.size()));
+    response->set_complete(!forget_completion && Sha256Hex(mesh) == request->sha256());
+    return grpc::Status::OK;
+  }
+
+  grpc::Status UploadMesh(grpc::ServerContext*, grpc::ServerReader<v1::UploadMeshRequest>* reader,
+                          v1::Upload* response) override {
+    v1::UploadMeshRequest chunk;
+    int64_t size = 0;
+    for (int i = 0; reader->Read(&chunk); ++i) {
+      if (i == 0) {
+        upload_offsets.push_back(chunk.write_offset());
+        size = chunk.size();
+      }
+      if (break_upload_after == i) {
+        break_upload_after = -1;
+        return Broken();
+      }
+      mesh += chunk.data();
+    }
+    response->set_committed_size(static_cast<int64_t>(mesh.size()));
+    response->set_complete(static_cast<int64_t>(mesh.size()) == size);
+    return grpc::Status::OK;
+  }
+
+  grpc::Status CreateJob(grpc::ServerContext*, const v1::CreateJobRequest* request,
+                         v1::Job* response) override {
+    request_ids.insert(request->request_id());
+    created = *request;
+    response->set_id("job-1");
+    response->set_state(v1::JOB_STATE_QUEUED);
+    *response->mutable_spec() = request->spec();
+    *response->mutable_labels() = request->labels();
+    return grpc::Status::OK;
+  }
+
+  grpc::Status GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,
+                      v1::Job* response) override {
+    response->set_id("job-1");
+    return Find(request->id());
+  }
+
+  grpc::Status CancelJob(grpc::ServerContext*, const v1::CancelJobRequest* request,
+                         v1::Job* response) override {
+    cancelled = request->id();
+    response->set_id("job-1");
+    response->set_state(v1::JOB_STATE_CANCELLED);
+    return Find(request->id());
+  }
+
+  grpc::Status DeleteJob(grpc::ServerContext*, const v1::DeleteJobRequest* request,
+                         google::protobuf::Empty*) override {
+    return Find(request->id());
+  }
+
+  grpc::Status ListJobs(grpc::ServerContext*, const v1::ListJobsRequest* request,
+                        v1::ListJobsResponse* response) override {
+    int next = request->page_token().empty() ? 0 : std::stoi(request->page_token());
+    const int end = std::min(next + request->page_size(), listed_jobs);
+    for (; next < end; ++next) response->add_jobs()->set_id("job-" + std::to_string(next));
+    if (next < listed_jobs) response->set_next_page_token(std::to_string(next));
+    return grpc::Status::OK;
+  }
+
+  grpc::Status WatchJob(grpc::ServerContext* context, const v1::WatchJobRequest* request,
+                        grpc::ServerWriter<v1::JobEvent>* writer) override {
+    watch_sequences.push_back(request->after_sequence());
+    ++watches;
+    while (hang_watch && !context->IsCancelled()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    constexpr int kEvents = 5;
+    int written = 0;
+    for (int64_t sequence = request->after_sequence() + 1; sequence <= kEvents; ++sequence) {
+      if (break_watch_after == written++) {
+        break_watch_after = -1;
+        return Broken();
+      }
+      v1::JobEvent event;
+      event.set_sequence(sequence);
+      event.mutable_job()->set_id(request->id());
+      event.mutable_job()->set_state(sequence < kEvents ? v1::JOB_STATE_RUNNING : end_state);
+      event.mutable_job()->mutable_progress()->set_layers_done(static_cast<int>(sequence));
+      if (event.job().state() == v1::JOB_STATE_FAILED)
+        *event.mutable_job()->mutable_error() = end_error;
+      writer->Write(event);
+    }
+    return grpc::Status::OK;
+  }
+
+  grpc::Status Download(grpc::ServerContext*, const v1::DownloadRequest* request,
+                        grpc::ServerWriter<v1::DownloadResponse>* writer) override {
+    download_offsets.push_back(request->offset());
+    constexpr size_t kChunk = 64 << 10;
+    int written = 0;
+    for (size_t at = request->offset(); at < result.size(); at += kChunk) {
+      if (break_download_after == written++) {
+        break_download_after = -1;
+        return Broken();
+      }
+      v1::DownloadResponse response;
+      response.set_data(result.substr(at, kChunk));
+      writer->Write(response);
+    }
+    return grpc::Status::OK;
+  }
+
+ private:
+  static grpc::Status Broken() { return {grpc::StatusCode::UNAVAILABLE, "the connection broke"}; }
+
+  static grpc::Status Find(const std::string& id) {
+    if (id == "job-1") return grpc::Status::OK;
+    return rpc::ToGrpc(
+        MakeError(absl::StatusCode::kNotFound, Reason::kJobNotFound, "there is no job " + id));
+  }
+
+  int port_ = 0;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+}  // namespace slicefarm::cli
