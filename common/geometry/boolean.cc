@@ -1,6 +1,8 @@
 #include "common/geometry/boolean.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "common/geometry/clipper_convert.h"
 #include "common/geometry/measure.h"
@@ -39,6 +41,48 @@ MultiPolygon Execute(ClipperLib::ClipType type, const MultiPolygon& a, const Mul
   return Execute(type, subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
 }
 
+/// A region with the boxes of its islands and rings, to take from it what can matter near a box.
+class Surroundings {
+ public:
+  explicit Surroundings(const MultiPolygon& region) : region_(region) {
+    for (const PolygonWithHoles& island : region) {
+      std::vector<Box> boxes = {Bounds(island.outer)};
+      for (const Polygon& hole : island.holes) boxes.push_back(Bounds(hole));
+      boxes_.push_back(std::move(boxes));
+    }
+  }
+
+  /// Equal to the region inside `box`: islands that meet it, with the holes that meet it.
+  MultiPolygon Near(const Box& box) const {
+    MultiPolygon near;
+    for (size_t i = 0; i < region_.size(); ++i) {
+      if (!boxes_[i][0].Intersects(box)) continue;
+      PolygonWithHoles& island = near.emplace_back(PolygonWithHoles{region_[i].outer, {}});
+      for (size_t k = 0; k < region_[i].holes.size(); ++k)
+        if (boxes_[i][k + 1].Intersects(box)) island.holes.push_back(region_[i].holes[k]);
+    }
+    return near;
+  }
+
+ private:
+  const MultiPolygon& region_;
+  std::vector<std::vector<Box>> boxes_;
+};
+
+/// Adds up what `one(island, box)` makes of each island of `subject` on its own. A sweep's cost
+/// grows with all edges that a scan line meets, so many small sweeps beat one over a whole layer.
+template <typename One>
+MultiPolygon ByIsland(const MultiPolygon& subject, const One& one) {
+  if (subject.size() == 1) return one(subject, Bounds(subject));
+  MultiPolygon all;
+  for (const PolygonWithHoles& island : subject) {
+    MultiPolygon part = one({island}, Bounds(island.outer));
+    std::move(part.begin(), part.end(), std::back_inserter(all));
+  }
+  Canonicalize(all);
+  return all;
+}
+
 /// Rings whose winding number is positive exactly where at least `count` of the regions lie: all of
 /// them, less one around everything for each region that may be missing.
 Paths CountingRings(std::span<const MultiPolygon* const> regions, int count) {
@@ -71,13 +115,19 @@ MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b) {
 }
 
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b) {
-  if (!Bounds(a).Intersects(Bounds(b))) return a;
-  return Execute(ClipperLib::ctDifference, a, b);
+  const Surroundings surroundings(b);
+  return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
+    const MultiPolygon near = surroundings.Near(box);
+    return near.empty() ? island : Execute(ClipperLib::ctDifference, island, near);
+  });
 }
 
 MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b) {
-  if (!Bounds(a).Intersects(Bounds(b))) return {};
-  return Execute(ClipperLib::ctIntersection, a, b);
+  const Surroundings surroundings(b);
+  return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
+    const MultiPolygon near = surroundings.Near(box);
+    return near.empty() ? MultiPolygon() : Execute(ClipperLib::ctIntersection, island, near);
+  });
 }
 
 MultiPolygon CoveredAtLeast(std::span<const MultiPolygon* const> regions, int count) {
@@ -88,11 +138,23 @@ MultiPolygon CoveredAtLeast(std::span<const MultiPolygon* const> regions, int co
 
 MultiPolygon DifferenceCovered(const MultiPolygon& subject,
                                std::span<const MultiPolygon* const> regions, int count) {
-  if (subject.empty() || count > static_cast<int>(regions.size())) return subject;
-  Paths paths;
-  internal::AppendRings(subject, paths);
-  return Execute(ClipperLib::ctDifference, paths, CountingRings(regions, count),
-                 ClipperLib::pftNonZero, ClipperLib::pftPositive);
+  if (count > static_cast<int>(regions.size())) return subject;
+  std::vector<Surroundings> surroundings;
+  for (const MultiPolygon* region : regions) surroundings.emplace_back(*region);
+  return ByIsland(subject, [&](const MultiPolygon& island, const Box& box) {
+    std::vector<MultiPolygon> near;
+    for (const Surroundings& around : surroundings) {
+      MultiPolygon part = around.Near(box);
+      if (!part.empty()) near.push_back(std::move(part));
+    }
+    if (count > static_cast<int>(near.size())) return island;
+    std::vector<const MultiPolygon*> covers;
+    for (const MultiPolygon& part : near) covers.push_back(&part);
+    Paths paths;
+    internal::AppendRings(island, paths);
+    return Execute(ClipperLib::ctDifference, paths, CountingRings(covers, count),
+                   ClipperLib::pftNonZero, ClipperLib::pftPositive);
+  });
 }
 
 std::vector<Polyline> ClipLines(std::span<const Polyline> lines, const MultiPolygon& clip) {
