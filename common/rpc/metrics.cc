@@ -11,9 +11,8 @@
 
 namespace slicefarm::rpc {
 
-Metrics::Metrics()
-    : registry_(std::make_shared<prometheus::Registry>()),
-      process_(std::make_shared<ProcessMetrics>()) {
+Metrics::Metrics() : registry_(std::make_shared<prometheus::Registry>()) {
+  Show(std::make_shared<ProcessMetrics>());
   prometheus::BuildGauge()
       .Name("slicefarm_build_info")
       .Help("1, with the build as labels")
@@ -28,7 +27,7 @@ absl::StatusOr<int> Metrics::Serve(const std::string& address) {
   try {  // the library reports what goes wrong by throwing
     exposer_ = std::make_unique<prometheus::Exposer>(address, /*num_threads=*/1);
     exposer_->RegisterCollectable(registry_);
-    exposer_->RegisterCollectable(process_);
+    for (const auto& values : shown_) exposer_->RegisterCollectable(values);
     return exposer_->GetListeningPorts().at(0);
   } catch (const std::exception& error) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,

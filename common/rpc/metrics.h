@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "prometheus/registry.h"
@@ -25,6 +26,11 @@ class Metrics {
   /// For families of one's own. Units stand in the name, base units, no label of free text.
   prometheus::Registry& registry() { return *registry_; }
 
+  /// Shows values that are looked up when Prometheus asks. Before Serve.
+  void Show(std::shared_ptr<prometheus::Collectable> values) {
+    shown_.push_back(std::move(values));
+  }
+
   /// Serves on `address` (host:port, port 0: any); returns the port. Errors: Unavailable if it
   /// cannot listen there.
   absl::StatusOr<int> Serve(const std::string& address);
@@ -32,7 +38,7 @@ class Metrics {
  private:
   // Shared with the exposer, which holds them weakly.
   std::shared_ptr<prometheus::Registry> registry_;
-  std::shared_ptr<prometheus::Collectable> process_;
+  std::vector<std::shared_ptr<prometheus::Collectable>> shown_;
   std::unique_ptr<prometheus::Exposer> exposer_;
 };
 

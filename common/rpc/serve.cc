@@ -58,7 +58,8 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
   return options;
 }
 
-int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services) {
+int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
+                       const std::function<void()>& on_signal) {
   ServerOptions options = flags.server;
   const CallGateOptions gate = GateOptions(flags);
   options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);
@@ -83,6 +84,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
 
   const int signal = signal_.Wait();
   log_.Info("draining", {{"signal", int64_t{signal}}});
+  if (on_signal) on_signal();
   (*server)->Drain(std::chrono::seconds(flags.drain_s));
   log_.Info("stopped");
   return 0;

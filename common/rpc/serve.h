@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,11 @@ class ServerProgram {
   /// The gate for heavy calls that the flags ask for.
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
-  /// Serves `services` until a signal comes. Returns the exit code of the program: 0, or 1 if it
-  /// cannot listen.
-  int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services);
+  /// Serves `services` until a signal comes; then calls `on_signal`, which ends what would
+  /// otherwise keep calls in flight. Returns the exit code of the program: 0, or 1 if it cannot
+  /// listen.
+  int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
+          const std::function<void()>& on_signal = {});
 
  private:
   ShutdownSignal signal_;

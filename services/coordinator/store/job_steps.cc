@@ -60,6 +60,11 @@ absl::Status JobNotFinished(const std::string& id) {
                    absl::StrCat("job ", id, " has not ended"), {{"job", id}});
 }
 
+absl::Status CachedResultGone(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   absl::StrCat("the cached result for job ", id, " was deleted meanwhile"));
+}
+
 absl::Status RequestIdReused(const std::string& request_id) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestIdReused,
                    absl::StrCat("request_id ", request_id, " was used for another job"),

@@ -20,6 +20,7 @@ bool ApplyCancel(JobRecord& job, int64_t now_us);
 
 absl::Status JobNotFound(const std::string& id);
 absl::Status JobNotFinished(const std::string& id);
+absl::Status CachedResultGone(const std::string& id);
 absl::Status RequestIdReused(const std::string& request_id);
 
 }  // namespace slicefarm::coordinator

@@ -426,7 +426,7 @@ TEST_P(JobStoreTest, ACachedResultMustStillBeThere) {
   cached.cached = true;
 
   ASSERT_TRUE(store_->Delete("a").ok());
-  EXPECT_TRUE(absl::IsAborted(Succeed(lease, cached).status()));
+  EXPECT_EQ(DetailOf(Succeed(lease, cached).status()).reason, Reason::kBlobNotFound);
   EXPECT_EQ(store_->Get("b")->state, kQueued);
   EXPECT_TRUE(Succeed(lease, ResultOf("g", "r")).ok()) << "computed anew, it may end";
 }

@@ -58,7 +58,7 @@ absl::Status IndexResult(SqliteConnection& db, const JobRecord& job) {
     SqliteQuery query(db, "SELECT 1 FROM results WHERE action_digest = ? AND gcode_sha256 = ?");
     query.Bind(job.action_digest, result.gcode_sha256);
     if (query.Next()) return absl::OkStatus();
-    return query.status().ok() ? absl::AbortedError("the cached result is gone") : query.status();
+    return query.status().ok() ? CachedResultGone(job.id) : query.status();
   }
   SqliteQuery insert(db,
                      "INSERT OR REPLACE INTO results (action_digest, result, gcode_sha256,"

@@ -1,0 +1,549 @@
+// The coordinator over a real server and real stores, with fake stages.
+#include "services/coordinator/server/coordinator.h"
+
+#include <gmock/gmock.h>
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+#include "common/model/sha256.h"
+#include "common/rpc/server.h"
+#include "common/rpc/status_mapping.h"
+#include "nlohmann/json.hpp"
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/fake_stages_test.h"
+#include "services/coordinator/store/temp_directory_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::AnyOf;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+class CoordinatorTest : public testing::Test {
+ protected:
+  CoordinatorTest() {
+    dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
+    Open();
+  }
+
+  ~CoordinatorTest() override {
+    ranges_->LetGo();
+    Close();
+  }
+
+  void Open() {
+    CoordinatorOptions options;
+    options.state_dir = directory_.path();
+    options.build_id = "test-build";
+    options.runner.owner = "coordinator";
+    options.runner.jobs = 2;
+    options.runner.poll = std::chrono::milliseconds(20);
+    auto coordinator =
+        Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+    ASSERT_TRUE(coordinator.ok()) << coordinator.status();
+    coordinator_ = *std::move(coordinator);
+    auto server = rpc::Server::Start({}, coordinator_->services(), metrics_);
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+    const auto channel = grpc::CreateChannel(absl::StrCat("127.0.0.1:", server_->port()),
+                                             grpc::InsecureChannelCredentials());
+    jobs_ = v1::Jobs::NewStub(channel);
+    meshes_ = v1::Meshes::NewStub(channel);
+    ASSERT_TRUE(coordinator_->Start().ok());
+  }
+
+  /// As SIGTERM does it.
+  void Close() {
+    if (!coordinator_) return;
+    coordinator_->Stop();
+    server_->Drain(std::chrono::seconds(10));
+    server_.reset();
+    coordinator_.reset();
+  }
+
+  absl::Status Upload(const std::string& bytes, int64_t offset = 0, int64_t until = -1,
+                      std::string digest = "") {
+    if (digest.empty()) digest = Sha256Hex(bytes);
+    grpc::ClientContext context;
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    const int64_t end = until < 0 ? std::ssize(bytes) : until;
+    bool first = true;
+    for (int64_t at = offset; first || at < end; at += 65'536) {
+      v1::UploadMeshRequest request;
+      if (first) {
+        request.set_sha256(digest);
+        request.set_size(std::ssize(bytes));
+        request.set_write_offset(offset);
+      }
+      first = false;
+      request.set_data(bytes.substr(at, std::min<int64_t>(65'536, end - at)));
+      if (!stream->Write(request)) break;
+    }
+    stream->WritesDone();
+    return rpc::FromGrpc(stream->Finish());
+  }
+
+  v1::Upload GetUpload(const std::string& digest) {
+    grpc::ClientContext context;
+    v1::GetUploadRequest request;
+    request.set_sha256(digest);
+    v1::Upload upload;
+    EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
+    return upload;
+  }
+
+  static v1::CreateJobRequest RequestFor(const std::string& mesh) {
+    v1::CreateJobRequest request;
+    v1::Object* object = request.mutable_spec()->add_objects();
+    object->set_mesh_sha256(Sha256Hex(mesh));
+    object->set_name("part.stl");
+    return request;
+  }
+
+  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request) {
+    grpc::ClientContext context;
+    v1::Job job;
+    const absl::Status status = rpc::FromGrpc(jobs_->CreateJob(&context, request, &job));
+    if (!status.ok()) return status;
+    return job;
+  }
+
+  /// Uploads the mesh and makes a job of it.
+  std::string Submit(const std::string& mesh) {
+    EXPECT_TRUE(Upload(mesh).ok());
+    const auto job = Create(RequestFor(mesh));
+    EXPECT_TRUE(job.ok()) << job.status();
+    return job.ok() ? job->id() : "";
+  }
+
+  v1::Job Get(const std::string& id) {
+    grpc::ClientContext context;
+    v1::GetJobRequest request;
+    request.set_id(id);
+    v1::Job job;
+    EXPECT_TRUE(jobs_->GetJob(&context, request, &job).ok());
+    return job;
+  }
+
+  /// The events after `after`, to the end of the stream.
+  std::vector<v1::JobEvent> Watch(const std::string& id, int64_t after = 0,
+                                  absl::Status* end = nullptr) {
+    grpc::ClientContext context;
+    v1::WatchJobRequest request;
+    request.set_id(id);
+    request.set_after_sequence(after);
+    const auto stream = jobs_->WatchJob(&context, request);
+    std::vector<v1::JobEvent> events;
+    v1::JobEvent event;
+    while (stream->Read(&event)) events.push_back(event);
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    if (end != nullptr) *end = status;
+    return events;
+  }
+
+  v1::Job AwaitEnd(const std::string& id) {
+    Watch(id);
+    return Get(id);
+  }
+
+  absl::StatusOr<std::string> Download(const std::string& id, v1::Artifact artifact,
+                                       int64_t offset = 0) {
+    grpc::ClientContext context;
+    v1::DownloadRequest request;
+    request.set_id(id);
+    request.set_artifact(artifact);
+    request.set_offset(offset);
+    const auto stream = jobs_->Download(&context, request);
+    std::string bytes;
+    v1::DownloadResponse response;
+    while (stream->Read(&response)) {
+      EXPECT_LE(response.data().size(), 65'536u);
+      bytes += response.data();
+    }
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    if (!status.ok()) return status;
+    return bytes;
+  }
+
+  absl::Status Cancel(const std::string& id) {
+    grpc::ClientContext context;
+    v1::CancelJobRequest request;
+    request.set_id(id);
+    v1::Job job;
+    return rpc::FromGrpc(jobs_->CancelJob(&context, request, &job));
+  }
+
+  absl::Status Delete(const std::string& id) {
+    grpc::ClientContext context;
+    v1::DeleteJobRequest request;
+    request.set_id(id);
+    google::protobuf::Empty empty;
+    return rpc::FromGrpc(jobs_->DeleteJob(&context, request, &empty));
+  }
+
+  TempDirectory directory_;
+  FakeSlicing slicing_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  prometheus::Registry registry_;
+  rpc::CallMetrics metrics_{registry_};
+  std::unique_ptr<Coordinator> coordinator_;
+  std::unique_ptr<rpc::Server> server_;
+  std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Meshes::Stub> meshes_;
+};
+
+TEST_F(CoordinatorTest, AMeshGoesInAndGcodeComesOut) {
+  const std::string id = Submit("xxx");
+  const v1::Job job = AwaitEnd(id);
+  ASSERT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error().message();
+  EXPECT_EQ(job.result().layers(), 3);
+  EXPECT_EQ(job.spec().objects(0).name(), "part.stl");
+  EXPECT_EQ(job.build_id(), "test-build");
+  EXPECT_GT(job.end_time().seconds(), 0);
+  const auto gcode = Download(id, v1::ARTIFACT_GCODE);
+  ASSERT_TRUE(gcode.ok()) << gcode.status();
+  EXPECT_EQ(*gcode, "; part.stl\nG1 X0\nG1 X1\nG1 X2\n; end\n");
+  EXPECT_EQ(job.result().gcode_sha256(), Sha256Hex(*gcode));
+  const auto report = Download(id, v1::ARTIFACT_REPORT);
+  EXPECT_EQ(nlohmann::json::parse(*report)["layers"], 3);
+}
+
+TEST_F(CoordinatorTest, UploadsGoOnWhereTheyEnded) {
+  const std::string mesh(300'000, 'x');
+  const std::string digest = Sha256Hex(mesh);
+  ASSERT_TRUE(Upload(mesh, 0, 131'072).ok());
+  EXPECT_EQ(GetUpload(digest).committed_size(), 131'072);
+  EXPECT_FALSE(GetUpload(digest).complete());
+  EXPECT_EQ(DetailOf(Create(RequestFor(mesh)).status()).reason, Reason::kBlobNotFound);
+  const absl::Status hole = Upload(mesh, 200'000);
+  EXPECT_EQ(DetailOf(hole).reason, Reason::kUploadOffset);
+  EXPECT_EQ(DetailOf(hole).metadata.at("committed_size"), "131072");
+  ASSERT_TRUE(Upload(mesh, 131'072).ok());
+  EXPECT_TRUE(GetUpload(digest).complete());
+  EXPECT_TRUE(Upload(mesh).ok()) << "what is there is not needed again";
+}
+
+TEST_F(CoordinatorTest, UploadsAreChecked) {
+  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, Sha256Hex("other"))).reason, Reason::kBlobDigestMismatch);
+  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, "../../passwd")).reason, Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, RequestsAreCheckedBeforeAnythingIsKept) {
+  const auto reason = [&](const std::function<void(v1::CreateJobRequest&)>& change) {
+    v1::CreateJobRequest request = RequestFor("xxx");
+    change(request);
+    return DetailOf(Create(request).status()).reason;
+  };
+  EXPECT_EQ(reason([](auto&) {}), Reason::kBlobNotFound);
+  EXPECT_EQ(reason([](auto& r) { r.mutable_spec()->clear_objects(); }), Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) { r.mutable_spec()->mutable_objects(0)->set_name("a\nM104 S300"); }),
+            Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) {
+              r.mutable_spec()->mutable_objects(0)->set_name(std::string(300, 'n'));
+            }),
+            Reason::kRequestTooLarge);
+  EXPECT_EQ(reason([](auto& r) {
+              r.mutable_spec()->mutable_objects(0)->mutable_placement()->set_unit_mm(-1);
+            }),
+            Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) {
+              v1::Setting* setting = r.mutable_spec()->add_settings();
+              setting->set_key("layer_height");
+              setting->set_value("-1");
+            }),
+            Reason::kSettingOutOfRange);
+  EXPECT_EQ(reason([](auto& r) {
+              for (int i = 0; i < 100; ++i) (*r.mutable_labels())[absl::StrCat(i)] = "x";
+            }),
+            Reason::kRequestTooLarge);
+  EXPECT_EQ(reason([](auto& r) { r.set_request_id(std::string(300, 'r')); }),
+            Reason::kRequestTooLarge);
+  grpc::ClientContext context;
+  v1::ListJobsResponse list;
+  ASSERT_TRUE(jobs_->ListJobs(&context, {}, &list).ok());
+  EXPECT_EQ(list.jobs_size(), 0);
+}
+
+TEST_F(CoordinatorTest, AnUnknownKeyIsRefusedInARequestAndReportedInAProfile) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  v1::Setting* setting = request.mutable_spec()->add_settings();
+  setting->set_key("flux_capacitor");
+  setting->set_value("1.21");
+  EXPECT_EQ(DetailOf(Create(request).status()).reason, Reason::kSettingUnknown);
+  setting->set_from_profile(true);
+  const auto job = Create(request);
+  ASSERT_TRUE(job.ok()) << job.status();
+  ASSERT_EQ(AwaitEnd(job->id()).state(), v1::JOB_STATE_SUCCEEDED);
+  const auto report = nlohmann::json::parse(*Download(job->id(), v1::ARTIFACT_REPORT));
+  EXPECT_EQ(report["settings_without_effect"].size(), 1u);
+}
+
+TEST_F(CoordinatorTest, ABadMeshFailsTheJobWithTheStagesOwnError) {
+  const v1::Job job = AwaitEnd(Submit("x!"));
+  EXPECT_EQ(job.state(), v1::JOB_STATE_FAILED);
+  EXPECT_EQ(job.error().reason(), "MESH_MALFORMED");
+  EXPECT_EQ(job.error().code(), 3);
+  EXPECT_EQ(job.error().metadata().at("line"), "7");
+  EXPECT_EQ(DetailOf(Download(job.id(), v1::ARTIFACT_GCODE).status()).reason,
+            Reason::kJobNotFinished);
+}
+
+TEST_F(CoordinatorTest, AJobOutlivesAStageThatIsNotThere) {
+  slicing_.unavailable_ = 1;
+  EXPECT_EQ(AwaitEnd(Submit("x~")).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(slicing_.runs(), 2);
+}
+
+TEST_F(CoordinatorTest, TheSameWorkIsDoneOnce) {
+  const v1::Job first = AwaitEnd(Submit("xx"));
+  const v1::Job second = AwaitEnd(Submit("xx"));
+  EXPECT_FALSE(first.result().cached());
+  EXPECT_TRUE(second.result().cached());
+  EXPECT_EQ(second.result().gcode_sha256(), first.result().gcode_sha256());
+  EXPECT_EQ(slicing_.runs(), 1);
+
+  v1::CreateJobRequest other = RequestFor("xx");
+  v1::Setting* setting = other.mutable_spec()->add_settings();
+  setting->set_key("layer_height");
+  setting->set_value("0.15");
+  const auto third = Create(other);
+  ASSERT_TRUE(third.ok()) << third.status();
+  EXPECT_FALSE(AwaitEnd(third->id()).result().cached());
+}
+
+TEST_F(CoordinatorTest, TheSameWorkAtTheSameTimeIsDoneOnce) {
+  ranges_->Hold();
+  const std::string first = Submit("xxxx");
+  ranges_->AwaitCall();
+  const std::string second = Submit("xxxx");
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(first).result().cached());
+  EXPECT_TRUE(AwaitEnd(second).result().cached());
+  EXPECT_EQ(slicing_.runs(), 1);
+}
+
+TEST_F(CoordinatorTest, DeletedResultsAreComputedAgain) {
+  const std::string first = Submit("xx");
+  AwaitEnd(first);
+  ASSERT_TRUE(Delete(first).ok());
+  EXPECT_EQ(DetailOf(Download(first, v1::ARTIFACT_GCODE).status()).reason, Reason::kJobNotFound);
+  const std::string second = Submit("xx");
+  EXPECT_FALSE(AwaitEnd(second).result().cached());
+  EXPECT_TRUE(Download(second, v1::ARTIFACT_GCODE).ok());
+}
+
+TEST_F(CoordinatorTest, ADamagedResultIsComputedAgain) {
+  const v1::Job first = AwaitEnd(Submit("xx"));
+  const std::string digest = first.result().gcode_sha256();
+  std::filesystem::resize_file(directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest,
+                               3);
+  EXPECT_TRUE(absl::IsDataLoss(Download(first.id(), v1::ARTIFACT_GCODE).status()));
+  const v1::Job second = AwaitEnd(Submit("xx"));
+  EXPECT_FALSE(second.result().cached());
+  EXPECT_TRUE(Download(first.id(), v1::ARTIFACT_GCODE).ok()) << "which mends the first one's too";
+}
+
+TEST_F(CoordinatorTest, ADamagedMeshFailsTheJob) {
+  ranges_->Hold();
+  const std::string holds = Submit("x"), holds_too = Submit("xx");  // both threads are busy
+  const std::string id = Submit("xxx");
+  const std::string digest = Sha256Hex("xxx");
+  std::filesystem::resize_file(directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest,
+                               1);
+  ranges_->LetGo();
+  const v1::Job job = AwaitEnd(id);
+  EXPECT_EQ(job.state(), v1::JOB_STATE_FAILED);
+  EXPECT_EQ(job.error().reason(), "BLOB_DIGEST_MISMATCH");
+  AwaitEnd(holds);
+  AwaitEnd(holds_too);
+}
+
+TEST_F(CoordinatorTest, RequestIdsMakeCreateIdempotent) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  request.set_request_id("11111111-2222-3333-4444-555555555555");
+  std::vector<std::string> ids(16);
+  std::vector<std::thread> threads;
+  for (std::string& id : ids) {
+    threads.emplace_back([&] {
+      const auto job = Create(request);
+      EXPECT_TRUE(job.ok()) << job.status();
+      if (job.ok()) id = job->id();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_THAT(std::set<std::string>(ids.begin(), ids.end()), SizeIs(1));
+
+  request.mutable_spec()->mutable_objects(0)->set_name("other.stl");
+  EXPECT_EQ(DetailOf(Create(request).status()).reason, Reason::kRequestIdReused);
+}
+
+TEST_F(CoordinatorTest, CancelReachesTheWorkers) {
+  ranges_->Hold();
+  const std::string id = Submit("xxxx");
+  ranges_->AwaitCall();
+  ASSERT_TRUE(Cancel(id).ok());
+  const v1::Job job = AwaitEnd(id);
+  EXPECT_EQ(job.state(), v1::JOB_STATE_CANCELLED);
+  EXPECT_GT(ranges_->cancelled(), 0);
+  EXPECT_TRUE(Cancel(id).ok()) << "once more changes nothing";
+  EXPECT_TRUE(Delete(id).ok());
+}
+
+TEST_F(CoordinatorTest, CancelOfAWaitingJobEndsItAtOnce) {
+  ranges_->Hold();
+  const std::string a = Submit("x"), b = Submit("xx");
+  ranges_->AwaitCall();
+  const std::string waits = Submit("xxx");
+  ASSERT_TRUE(Cancel(waits).ok());
+  EXPECT_EQ(AwaitEnd(waits).state(), v1::JOB_STATE_CANCELLED);
+  EXPECT_EQ(DetailOf(Delete(a)).reason, Reason::kJobNotFinished);
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(a).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(AwaitEnd(b).state(), v1::JOB_STATE_SUCCEEDED);
+}
+
+TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
+  ranges_->Hold();
+  const std::string id = Submit("xxxx");
+  std::vector<v1::JobEvent> live;
+  std::thread watcher([&] { live = Watch(id); });
+  ranges_->AwaitCall();
+  ranges_->LetGo();
+  watcher.join();
+  ASSERT_GE(live.size(), 3u);
+  for (size_t i = 0; i < live.size(); ++i) {
+    EXPECT_EQ(live[i].sequence(), static_cast<int64_t>(i) + 1);
+    EXPECT_FALSE(live[i].job().has_spec());
+  }
+  EXPECT_EQ(live.front().job().state(), v1::JOB_STATE_QUEUED);
+  EXPECT_FALSE(live.front().job().has_result());
+  EXPECT_EQ(live.back().job().state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_TRUE(live.back().job().has_result());
+
+  const auto again = Watch(id);
+  ASSERT_EQ(again.size(), live.size());
+  for (size_t after = 0; after <= live.size(); ++after) {
+    EXPECT_EQ(Watch(id, after).size(), live.size() - after);
+  }
+}
+
+TEST_F(CoordinatorTest, WatchOfNoJobIsAnError) {
+  absl::Status end;
+  EXPECT_THAT(Watch("nonsense", 0, &end), SizeIs(0));
+  EXPECT_EQ(DetailOf(end).reason, Reason::kJobNotFound);
+}
+
+TEST_F(CoordinatorTest, AWatcherMayLeave) {
+  ranges_->Hold();
+  const std::string id = Submit("xxxx");
+  {
+    grpc::ClientContext context;
+    v1::WatchJobRequest request;
+    request.set_id(id);
+    const auto stream = jobs_->WatchJob(&context, request);
+    v1::JobEvent event;
+    ASSERT_TRUE(stream->Read(&event));
+    context.TryCancel();
+    while (stream->Read(&event)) {
+    }
+    EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  }
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_SUCCEEDED);
+}
+
+TEST_F(CoordinatorTest, ListsByPages) {
+  std::vector<std::string> ids;
+  for (int i = 1; i <= 5; ++i) ids.push_back(Submit(std::string(i, 'x')));
+  std::vector<std::string> listed;
+  v1::ListJobsRequest request;
+  request.set_page_size(2);
+  do {
+    grpc::ClientContext context;
+    v1::ListJobsResponse page;
+    ASSERT_TRUE(jobs_->ListJobs(&context, request, &page).ok());
+    for (const v1::Job& job : page.jobs()) listed.push_back(job.id());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  std::reverse(ids.begin(), ids.end());
+  EXPECT_EQ(listed, ids);
+
+  for (const std::string& id : ids) AwaitEnd(id);
+  grpc::ClientContext context;
+  v1::ListJobsRequest failed;
+  failed.add_states(v1::JOB_STATE_FAILED);
+  v1::ListJobsResponse none;
+  ASSERT_TRUE(jobs_->ListJobs(&context, failed, &none).ok());
+  EXPECT_EQ(none.jobs_size(), 0);
+}
+
+TEST_F(CoordinatorTest, ListRequestsAreChecked) {
+  const auto reason = [&](const std::function<void(v1::ListJobsRequest&)>& change) {
+    v1::ListJobsRequest request;
+    change(request);
+    grpc::ClientContext context;
+    v1::ListJobsResponse page;
+    return DetailOf(rpc::FromGrpc(jobs_->ListJobs(&context, request, &page))).reason;
+  };
+  EXPECT_EQ(reason([](auto& r) { r.set_page_size(-1); }), Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) { r.set_page_token("x"); }), Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) { r.set_page_token("-3"); }), Reason::kRequestMalformed);
+  EXPECT_EQ(reason([](auto& r) { r.add_states(v1::JOB_STATE_UNSPECIFIED); }),
+            Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, DownloadsStartAnywhere) {
+  const std::string id = Submit(std::string(20'000, 'x'));
+  ASSERT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_SUCCEEDED);
+  const auto whole = Download(id, v1::ARTIFACT_GCODE);
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  ASSERT_GT(whole->size(), 150'000u);
+  for (const int64_t offset :
+       {int64_t{1}, int64_t{65'536}, int64_t{100'000}, static_cast<int64_t>(whole->size())}) {
+    EXPECT_EQ(*Download(id, v1::ARTIFACT_GCODE, offset), whole->substr(offset)) << offset;
+  }
+  EXPECT_FALSE(Download(id, v1::ARTIFACT_GCODE, whole->size() + 1).ok());
+  EXPECT_FALSE(Download(id, v1::ARTIFACT_GCODE, -1).ok());
+  EXPECT_EQ(DetailOf(Download(id, v1::ARTIFACT_UNSPECIFIED).status()).reason,
+            Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, AStopHandsJobsBackAndTheNextLifeGoesOn) {
+  ranges_->Hold();
+  const std::string id = Submit("xxxx");
+  ranges_->AwaitCall();
+  absl::Status end;
+  std::vector<v1::JobEvent> before;
+  std::thread watcher([&] { before = Watch(id, 0, &end); });
+  Close();
+  watcher.join();
+  EXPECT_TRUE(absl::IsUnavailable(end)) << end;
+  ranges_->LetGo();
+  Open();
+  const auto after = Watch(id, before.empty() ? 0 : before.back().sequence());
+  ASSERT_FALSE(after.empty());
+  EXPECT_EQ(after.back().job().state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(*Download(id, v1::ARTIFACT_GCODE), "; part.stl\nG1 X0\nG1 X1\nG1 X2\nG1 X3\n; end\n");
+}
+
+TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
+  CoordinatorOptions options;
+  options.state_dir = directory_.path();
+  const auto second =
+      Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+  EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,62 @@
+#include "services/coordinator/server/job_intake.h"
+
+#include <fmt/format.h>
+#include <openssl/rand.h>
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/model/sha256.h"
+
+namespace slicefarm::coordinator {
+
+std::string NewJobId() {
+  std::array<unsigned char, 16> bytes;
+  if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();
+  std::string id;
+  for (const unsigned char byte : bytes) fmt::format_to(std::back_inserter(id), "{:02x}", byte);
+  return id;
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  const auto id_bytes = static_cast<int64_t>(submission.request_id.size());
+  if (id_bytes > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
+                      id_bytes);
+  }
+  if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
+  const auto resolved = ResolveJob(std::move(submission.request), build_id_);
+  if (!resolved.ok()) return resolved.status();
+  if (absl::Status ok = CheckMeshes(resolved->request); !ok.ok()) return ok;
+  NewJob job;
+  job.id = NewJobId();
+  job.request_id = std::move(submission.request_id);
+  job.spec_digest = Sha256Hex(submission.spec);
+  job.spec = std::move(submission.spec);
+  job.labels = std::move(submission.labels);
+  job.settings_digest = resolved->settings_digest;
+  job.action_digest = resolved->action_digest;
+  job.build_id = build_id_;
+  return jobs_.Create(job, now_us_());
+}
+
+absl::Status JobIntake::CheckMeshes(const JobRequest& request) {
+  int64_t bytes = 0;
+  for (const ObjectRequest& object : request.objects) {
+    const auto status = blobs_.Status(object.mesh_sha256);
+    if (!status.ok()) return status.status();
+    if (!status->complete) {
+      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,
+                       fmt::format("mesh {} was not uploaded", object.mesh_sha256),
+                       {{"sha256", object.mesh_sha256}});
+    }
+    bytes += status->committed_size;
+  }
+  if (bytes <= limits::kMaxMeshBytes) return absl::OkStatus();
+  return LimitError(Reason::kMeshTooLarge, "bytes of a job's meshes", limits::kMaxMeshBytes, bytes);
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "services/coordinator/server/job_request.h"
+#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/job_store.h"
+
+namespace slicefarm::coordinator {
+
+struct Submission {
+  std::string request_id;
+  std::string spec;  ///< the request as it will be kept
+  JobRequest request;
+  std::map<std::string, std::string> labels;
+};
+
+/// The edge where requests become jobs: what comes behind it has been checked.
+class JobIntake {
+ public:
+  JobIntake(JobStore& jobs, BlobStore& blobs, std::string build_id, std::function<int64_t()> now_us)
+      : jobs_(jobs), blobs_(blobs), build_id_(std::move(build_id)), now_us_(std::move(now_us)) {}
+
+  /// Returns once the job is on disk. Errors: those of ResolveJob and JobStore::Create;
+  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that was not uploaded.
+  absl::StatusOr<Created> Create(Submission submission);
+
+ private:
+  absl::Status CheckMeshes(const JobRequest& request);
+
+  JobStore& jobs_;
+  BlobStore& blobs_;
+  const std::string build_id_;
+  const std::function<int64_t()> now_us_;
+};
+
+/// 32 hex digits that nobody can guess. Dies without a source of randomness.
+std::string NewJobId();
+
+}  // namespace slicefarm::coordinator

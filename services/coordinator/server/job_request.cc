@@ -1,0 +1,107 @@
+#include "services/coordinator/server/job_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/model/sha256.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status Malformed(const std::string& message, const std::string& field) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message,
+                   {{"field", field}});
+}
+
+bool HasControlCharacter(std::string_view text) {
+  return std::any_of(text.begin(), text.end(),
+                     [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
+absl::Status CheckObject(const ObjectRequest& object, size_t index) {
+  const auto field = [index](const char* name) {
+    return fmt::format("objects[{}].{}", index, name);
+  };
+  if (!IsSha256Hex(object.mesh_sha256)) {
+    return Malformed("a mesh is named by its SHA-256, 64 lower-case hex digits",
+                     field("mesh_sha256"));
+  }
+  const auto name_bytes = static_cast<int64_t>(object.name.size());
+  if (name_bytes > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of an object's name", limits::kMaxNameBytes,
+                      name_bytes);
+  }
+  // Names end up in G-code comments, where a line end would begin a command.
+  if (HasControlCharacter(object.name)) {
+    return Malformed("an object's name has no control characters", field("name"));
+  }
+  return absl::OkStatus();
+}
+
+/// The text of all that decides the result. Texts that may hold anything come with their length.
+std::string ActionText(const JobRequest& request, const config::ResolvedSettings& settings,
+                       std::string_view build_id) {
+  std::string text = fmt::format("build {}\n", build_id);
+  auto out = std::back_inserter(text);
+  for (const ObjectRequest& object : request.objects) {
+    const Placement& p = object.placement;
+    fmt::format_to(out, "object {} {} {}:{}\n", object.mesh_sha256, static_cast<int>(object.format),
+                   object.name.size(), object.name);
+    fmt::format_to(out, "placed {:a} {:a} {:a} {:a} {:a} {:a} {:a}", p.unit_mm, p.scale[0],
+                   p.scale[1], p.scale[2], p.rotate_deg[0], p.rotate_deg[1], p.rotate_deg[2]);
+    for (const Point center : p.centers) fmt::format_to(out, " {} {}", center.x, center.y);
+    text += '\n';
+  }
+  text += settings.effective_text;
+  // The report names these, so they belong to the result as well.
+  for (const std::string& line : settings.no_effect) {
+    fmt::format_to(out, "unused {}:{}\n", line.size(), line);
+  }
+  return text;
+}
+
+}  // namespace
+
+absl::Status CheckRequest(const JobRequest& request) {
+  if (request.objects.empty()) return Malformed("a job has at least one object", "objects");
+  int64_t copies = 0;
+  for (size_t i = 0; i < request.objects.size(); ++i) {
+    if (absl::Status ok = CheckObject(request.objects[i], i); !ok.ok()) return ok;
+    copies += std::max<int64_t>(1, std::ssize(request.objects[i].placement.centers));
+  }
+  if (copies <= limits::kMaxObjects) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
+                    copies);
+}
+
+absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
+  if (std::ssize(labels) > limits::kMaxLabels) {
+    return LimitError(Reason::kRequestTooLarge, "labels", limits::kMaxLabels, std::ssize(labels));
+  }
+  for (const auto& [key, value] : labels) {
+    const auto bytes = static_cast<int64_t>(key.size() + value.size());
+    if (bytes > limits::kMaxLabelBytes) {
+      return LimitError(Reason::kRequestTooLarge, "bytes of a label", limits::kMaxLabelBytes,
+                        bytes);
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id) {
+  if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
+  auto settings = config::Resolve(request.settings);
+  if (!settings.ok()) return settings.status();
+  ResolvedJob job;
+  job.settings_digest = Sha256Hex(settings->effective_text);
+  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id));
+  job.request = std::move(request);
+  job.settings = *std::move(settings);
+  return job;
+}
+
+}  // namespace slicefarm::coordinator

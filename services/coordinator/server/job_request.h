@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/config/resolve.h"
+#include "common/model/mesh.h"
+
+namespace slicefarm::coordinator {
+
+struct ObjectRequest {
+  std::string mesh_sha256;
+  std::string name;
+  MeshFormat format = MeshFormat::kUnknown;
+  Placement placement;
+};
+
+/// What a client asks for: objects, and settings as text.
+struct JobRequest {
+  std::vector<ObjectRequest> objects;
+  std::vector<config::Setting> settings;
+};
+
+/// A request that can be worked on.
+struct ResolvedJob {
+  JobRequest request;
+  config::ResolvedSettings settings;
+  std::string settings_digest;  ///< of the effective settings
+  std::string action_digest;    ///< of all that the result depends on, the build included
+};
+
+/// Objects, names and copies within their bounds. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
+absl::Status CheckRequest(const JobRequest& request);
+absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
+
+/// CheckRequest, and the settings resolved. Errors also: those of config::Resolve.
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id);
+
+}  // namespace slicefarm::coordinator

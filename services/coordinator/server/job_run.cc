@@ -1,0 +1,174 @@
+#include "services/coordinator/server/job_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "common/model/error.h"
+#include "services/coordinator/algo/report_json.h"
+#include "services/coordinator/server/jobs_wire.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int32_t kMaxRetries = 5;
+constexpr int64_t kFirstRetryUs = 500'000;
+constexpr int64_t kDiskFullRetryUs = 10'000'000;
+constexpr std::chrono::milliseconds kWriteRetry{200};
+/// Progress is told at most this often, and a hundred times a job.
+constexpr double kProgressEveryS = 0.2;
+constexpr int32_t kProgressSteps = 100;
+
+RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
+  JobReport& report = output.report;
+  report.warnings.insert(report.warnings.begin(), job.settings.warnings.begin(),
+                         job.settings.warnings.end());
+  RunOutput run;
+  run.report_json = ReportJson(report, {.settings_without_effect = job.settings.no_effect,
+                                        .settings_digest = job.settings_digest,
+                                        .build_id = std::string(build_id)});
+  run.gcode = std::move(output.gcode);
+  run.result.print_time_s = report.print_time_s;
+  run.result.filament_mm = report.filament_mm;
+  run.result.filament_g = report.filament_g;
+  run.result.layers = report.layer_count;
+  run.result.warnings = std::move(report.warnings);
+  return run;
+}
+
+}  // namespace
+
+JobRun::JobRun(RunEnvironment& environment, JobRecord job)
+    : environment_(environment),
+      job_(std::move(job)),
+      lease_{job_.id, job_.owner_epoch},
+      cancelled_(job_.cancel_requested) {}
+
+void JobRun::Run() {
+  const absl::Status status = Work();
+  if (status.ok()) {
+    environment_.log.Info("job done", {{"job", job_.id}, {"seconds", clock_.Seconds()}});
+  } else {
+    Conclude(status);
+  }
+}
+
+/// OK: the job has ended as SUCCEEDED.
+absl::Status JobRun::Work() {
+  auto request = ReadSpec(job_.spec);
+  if (!request.ok()) return request.status();
+  auto resolved = ResolveJob(*std::move(request), environment_.build_id);
+  if (!resolved.ok()) return resolved.status();
+  if (!environment_.in_flight.Enter(resolved->action_digest, [this] { return GivenUp(); })) {
+    return absl::CancelledError("given up");
+  }
+  const InFlight::Turn turn(environment_.in_flight, resolved->action_digest);
+
+  const auto cached =
+      environment_.results.SucceedFromCache(lease_, resolved->action_digest, environment_.now_us());
+  if (!cached.ok()) return Written(cached.status());
+  if (*cached) return Written(absl::OkStatus());
+  if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
+  return Compute(*std::move(resolved));
+}
+
+absl::Status JobRun::Compute(ResolvedJob job) {
+  auto meshes = LoadMeshes(job.request);
+  if (!meshes.ok()) return meshes.status();
+  StageCall call;
+  call.job_id = job_.id;
+  call.cancel = CancelToken([this] { return GivenUp(); });
+  JobInput input{*std::move(meshes), job.settings.settings, job.settings.effective_text};
+  auto output = environment_.pipeline.Run(call, std::move(input),
+                                          [this](PipelineProgress p) { Progress(p); });
+  if (!output.ok()) return output.status();
+  if (lost_) return absl::AbortedError("fenced");
+  return Written(environment_.results
+                     .Succeed(lease_, OutputOf(*std::move(output), job, environment_.build_id),
+                              environment_.now_us())
+                     .status());
+}
+
+absl::StatusOr<SliceInput> JobRun::LoadMeshes(const JobRequest& request) {
+  SliceInput input;
+  for (const ObjectRequest& object : request.objects) {
+    auto bytes = environment_.blobs.Get(object.mesh_sha256);
+    if (!bytes.ok()) return bytes.status();
+    input.files.push_back({object.name, object.format, *std::move(bytes)});
+    input.placements.push_back(object.placement);
+  }
+  return input;
+}
+
+void JobRun::Progress(PipelineProgress progress) {
+  const double now_s = clock_.Seconds();
+  const int32_t step = progress.layers_total / kProgressSteps + 1;
+  const bool first = told_.layers_total == 0;
+  if (!first &&
+      (now_s - told_at_s_ < kProgressEveryS || progress.layers_done - told_.layers_done < step)) {
+    return;
+  }
+  told_ = progress;
+  told_at_s_ = now_s;
+  // Progress that cannot be written is not worth ending the job for.
+  Write({.state = JobState::kRunning,
+         .layers_total = progress.layers_total,
+         .layers_done = progress.layers_done})
+      .IgnoreError();
+}
+
+/// Writes how the job goes on. A store that fails is asked again, until the coordinator stops; then
+/// the lease runs out and the job is claimed again.
+void JobRun::Conclude(const absl::Status& status) {
+  const JobUpdate update = Conclusion(status);
+  environment_.log.Warn(lost_ ? "job lost to another coordinator" : "job not done",
+                        {{"job", job_.id},
+                         {"state", std::string(JobStateName(update.state))},
+                         {"seconds", clock_.Seconds()},
+                         {"code", absl::StatusCodeToString(status.code())},
+                         {"reason", std::string(ReasonName(DetailOf(status).reason))},
+                         {"error", std::string(status.message())}});
+  while (!lost_) {
+    const absl::Status written = Write(update);
+    if (written.ok() || handed_back_) return;
+    std::this_thread::sleep_for(kWriteRetry);
+  }
+}
+
+JobUpdate JobRun::Conclusion(const absl::Status& status) const {
+  JobUpdate update;
+  update.state = JobState::kQueued;
+  update.layers_total = told_.layers_total;
+  const int64_t now_us = environment_.now_us();
+  if (cancelled_) {
+    update.state = JobState::kCancelled;
+    update.layers_done = told_.layers_done;
+  } else if (handed_back_) {
+    update.claimable_from_us = now_us;
+  } else if (DetailOf(status).reason == Reason::kDiskFull) {
+    update.claimable_from_us = now_us + kDiskFullRetryUs;
+  } else if (absl::IsUnavailable(status) && job_.retries < kMaxRetries) {
+    update.claimable_from_us = now_us + (kFirstRetryUs << job_.retries);
+    update.retry = true;
+  } else {
+    update.state = JobState::kFailed;
+    update.layers_done = told_.layers_done;
+    update.error = JobErrorOf(status);
+  }
+  return update;
+}
+
+absl::Status JobRun::Write(const JobUpdate& update) {
+  if (lost_) return absl::AbortedError("fenced");
+  return Written(environment_.jobs.Update(lease_, update, environment_.now_us()).status());
+}
+
+/// What follows a write to the record.
+absl::Status JobRun::Written(const absl::Status& status) {
+  if (absl::IsAborted(status)) lost_ = true;
+  if (status.ok()) environment_.feed.Changed(job_.id);
+  return status;
+}
+
+}  // namespace slicefarm::coordinator

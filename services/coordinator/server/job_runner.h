@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "services/coordinator/server/job_run.h"
+
+namespace slicefarm::coordinator {
+
+struct JobRunnerOptions {
+  std::string owner;  ///< names this coordinator; the same again after a restart
+  int jobs = 2;       ///< at the same time
+  std::chrono::milliseconds lease{
+      10'000};  ///< a coordinator that is silent this long loses its jobs
+  std::chrono::milliseconds renew{3'000};
+  std::chrono::milliseconds poll{
+      1'000};  ///< how often to look for jobs that other coordinators left
+};
+
+/// Claims jobs and runs them, a bounded number at a time, and holds their leases.
+class JobRunner {
+ public:
+  JobRunner(RunEnvironment environment, JobRunnerOptions options);
+  ~JobRunner();
+
+  /// Takes over what an earlier life of this coordinator left, and begins. Errors: the store's.
+  absl::Status Start();
+
+  /// There is a new job.
+  void Wake();
+
+  /// Ends the job's run, if it runs here. The request itself stands in the store.
+  void Cancel(const std::string& job_id);
+
+  /// Hands the running jobs back to the queue, and returns when that is written.
+  void Stop();
+
+ private:
+  void Serve();
+  void Keep();
+  void RenewLeases();
+  std::shared_ptr<JobRun> Claim();
+  int64_t NowUs() const { return environment_.now_us(); }
+  int64_t LeaseEndUs() const;
+
+  RunEnvironment environment_;
+  const JobRunnerOptions options_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::map<std::string, std::shared_ptr<JobRun>>
+      runs_;  // shared by the thread that runs it and those that stop it
+  bool stopping_ = false;
+  int64_t wakes_ = 0;
+  Stopwatch since_renewal_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace slicefarm::coordinator

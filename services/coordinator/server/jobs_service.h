@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+
+#include "common/rpc/json_log.h"
+#include "services/coordinator/server/job_feed.h"
+#include "services/coordinator/server/job_intake.h"
+#include "services/coordinator/server/job_results.h"
+#include "services/coordinator/server/job_runner.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// What the service speaks for. Everything outlives it.
+struct JobsBackend {
+  JobStore& jobs;
+  BlobStore& blobs;
+  JobResults& results;
+  JobIntake& intake;
+  JobRunner& runner;
+  JobFeed& feed;
+  std::function<int64_t()> now_us;
+  rpc::JsonLog log;
+};
+
+/// Translates slicefarm.v1.Jobs.
+class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
+ public:
+  explicit JobsService(JobsBackend backend) : backend_(std::move(backend)) {}
+
+  grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
+                         v1::Job* response) override;
+  grpc::Status GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
+                      v1::Job* response) override;
+  grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
+                        v1::ListJobsResponse* response) override;
+  grpc::ServerWriteReactor<v1::JobEvent>* WatchJob(grpc::CallbackServerContext* context,
+                                                   const v1::WatchJobRequest* request) override;
+  grpc::Status CancelJob(grpc::ServerContext* context, const v1::CancelJobRequest* request,
+                         v1::Job* response) override;
+  grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
+                         google::protobuf::Empty* response) override;
+  grpc::Status Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
+                        grpc::ServerWriter<v1::DownloadResponse>* stream) override;
+
+ private:
+  absl::StatusOr<Created> Create(const v1::CreateJobRequest& request);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
+
+  JobsBackend backend_;
+};
+
+}  // namespace slicefarm::coordinator

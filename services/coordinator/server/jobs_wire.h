@@ -1,0 +1,32 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/server/job_request.h"
+#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/job_store.h"
+#include "slicefarm/v1/jobs.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// jobs.proto <-> what the coordinator keeps. Errors: REQUEST_MALFORMED naming the field; those of
+/// common/wire/mesh_wire.h.
+
+absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
+
+/// What JobRecord.spec holds, and back. Equal specs give equal bytes.
+std::string SpecBytes(const v1::JobSpec& spec);
+absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes);
+
+v1::JobState ToProto(JobState state);
+
+/// A page of a list. The token holds the last job of the page before; it is opaque to clients.
+absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
+v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
+
+v1::Job ToProto(const JobRecord& job);
+/// The job as of then, without its spec.
+v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
+
+v1::Upload ToProto(const std::string& digest, const BlobStatus& status);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,67 @@
+#include "services/coordinator/server/meshes_service.h"
+
+#include "common/model/error.h"
+#include "common/model/limits.h"
+#include "common/model/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "common/wire/wire_error.h"
+#include "services/coordinator/server/jobs_wire.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status CheckFirst(const v1::UploadMeshRequest& first) {
+  if (!IsSha256Hex(first.sha256())) return Malformed("sha256", "is not 64 lower-case hex digits");
+  if (first.size() < 0) return Malformed("size", "is negative");
+  if (first.size() <= limits::kMaxMeshBytes) return absl::OkStatus();
+  return LimitError(Reason::kMeshTooLarge, "bytes of a mesh", limits::kMaxMeshBytes, first.size());
+}
+
+absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
+  const auto bytes = static_cast<int64_t>(data.size());
+  if (bytes > limits::kUploadChunkBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a chunk", limits::kUploadChunkBytes,
+                      bytes);
+  }
+  if (offset + bytes <= size) return absl::OkStatus();
+  return Malformed("data", "holds more bytes than `size` says");
+}
+
+}  // namespace
+
+grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
+                                      v1::Upload* response) {
+  const auto status = blobs_.Status(request->sha256());
+  if (status.ok()) *response = ToProto(request->sha256(), *status);
+  return rpc::ToGrpc(status.status());
+}
+
+grpc::Status MeshesService::UploadMesh(grpc::ServerContext*,
+                                       grpc::ServerReader<v1::UploadMeshRequest>* stream,
+                                       v1::Upload* response) {
+  v1::UploadMeshRequest first;
+  if (!stream->Read(&first)) return rpc::ToGrpc(Malformed("sha256", "is missing"));
+  const auto status = Receive(*stream, first);
+  if (status.ok()) *response = ToProto(first.sha256(), *status);
+  return rpc::ToGrpc(status.status());
+}
+
+/// Keeps chunk after chunk; a call that breaks leaves what it brought.
+absl::StatusOr<BlobStatus> MeshesService::Receive(grpc::ServerReader<v1::UploadMeshRequest>& stream,
+                                                  v1::UploadMeshRequest& first) {
+  if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
+  const std::string digest = first.sha256();
+  const int64_t size = first.size();
+  int64_t offset = first.write_offset();
+  v1::UploadMeshRequest chunk = first;
+  do {
+    if (absl::Status ok = CheckChunk(chunk.data(), offset, size); !ok.ok()) return ok;
+    const auto status = blobs_.Append(digest, offset, chunk.data());
+    if (!status.ok() || status->complete) return status;
+    offset += static_cast<int64_t>(chunk.data().size());
+  } while (stream.Read(&chunk));
+  if (offset < size) return blobs_.Status(digest);
+  return blobs_.Finish(digest, size);
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+
+namespace slicefarm::coordinator {
+
+/// Keeps a second coordinator from using the same state directory. The lock goes with the process,
+/// however it ends.
+class StateLock {
+ public:
+  /// Errors: Unavailable if another process has it; STORE_FAILED.
+  static absl::StatusOr<std::unique_ptr<StateLock>> Take(const std::string& directory);
+  ~StateLock();
+  StateLock(const StateLock&) = delete;
+  StateLock& operator=(const StateLock&) = delete;
+
+ private:
+  explicit StateLock(int fd) : fd_(fd) {}
+  const int fd_;
+};
+
+}  // namespace slicefarm::coordinator
