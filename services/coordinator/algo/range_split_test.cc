@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"FewLayers", 10, 4, 8, {8, 2}},
                     Case{"Shrinking", 64, 4, 2, {16, 12, 9, 8, 8, 8, 3}},
                     Case{"Capped", 600, 4, 1, {128, 128, 128, 108, 54, 27, 13, 8, 6}},
-                    Case{"NoSlotsCountAsOne", 32, 4, 0, {16, 8, 8}},
+                    Case{"NoSlotsYet", 32, 4, 0, {8, 8, 8, 8}},
                     Case{"HugeLayersGoAlone", 3, 200'000, 1, {1, 1, 1}}),
     [](const auto& info) { return info.param.name; });
 

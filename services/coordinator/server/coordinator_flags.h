@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "common/rpc/serve.h"
+#include "services/coordinator/server/job_runner.h"
+#include "services/coordinator/server/split_stages.h"
+
+namespace slicefarm::coordinator {
+
+/// What slicefarm-coordinator can be told. Addresses are host:port, with commas between several;
+/// each name may stand for any number of replicas.
+struct CoordinatorFlags {
+  rpc::ServeFlags serve;
+  std::string state_dir;
+  std::string slicing;
+  std::string motion;
+  std::string workers;  ///< fused; or the three below
+  std::string beading;
+  std::string infill;
+  std::string ordering;
+  int split_slots = 8;  ///< ranges in flight over the split stages
+  JobRunnerOptions runner;
+
+  bool split() const { return !beading.empty(); }
+  SplitStages::Names split_names() const;
+};
+
+/// Also checks that either workers or all split stages are given.
+void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags);
+
+}  // namespace slicefarm::coordinator

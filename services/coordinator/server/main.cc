@@ -1,0 +1,61 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/model/build_info.h"
+#include "common/rpc/serve.h"
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/stage_pool.h"
+#include "services/coordinator/remote/worker_pool.h"
+#include "services/coordinator/server/coordinator.h"
+#include "services/coordinator/server/coordinator_flags.h"
+#include "services/coordinator/server/coordinator_metrics.h"
+#include "services/coordinator/server/split_stages.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
+  // Made in the order of use, and so ended in the reverse one.
+  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log());
+  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log());
+  const RemoteSlicing slicing(slicing_pool);
+  const RemoteMotion motion(motion_pool);
+  std::optional<SplitStages> split;
+  if (flags.split()) split.emplace(flags.split_names(), motion_pool, program.log());
+  Dispatcher dispatcher;
+  std::optional<WorkerPool> workers;
+  if (!flags.workers.empty()) {
+    workers.emplace(dispatcher, SplitAddresses(flags.workers), program.log());
+  }
+  if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
+
+  CoordinatorOptions options{flags.state_dir, flags.runner, std::string(BuildId())};
+  auto coordinator =
+      Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
+  if (!coordinator.ok()) {
+    program.log().Error("cannot open the state",
+                        {{"error", std::string(coordinator.status().message())}});
+    return 1;
+  }
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>((*coordinator)->jobs(), dispatcher));
+  if (absl::Status started = (*coordinator)->Start(); !started.ok()) {
+    program.log().Error("cannot start", {{"error", std::string(started.message())}});
+    return 1;
+  }
+  return program.Run(flags.serve, (*coordinator)->services(), [&] { (*coordinator)->Stop(); });
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator
+
+int main(int argc, char** argv) {
+  slicefarm::rpc::ServerProgram program("coordinator");
+  CLI::App app("slicefarm-coordinator: jobs, fan-out over workers or stages, durable state");
+  slicefarm::coordinator::CoordinatorFlags flags;
+  AddCoordinatorFlags(app, &flags);
+  CLI11_PARSE(app, argc, argv);
+  return slicefarm::coordinator::Run(program, flags);
+}

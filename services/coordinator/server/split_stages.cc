@@ -1,0 +1,28 @@
+#include "services/coordinator/server/split_stages.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slicefarm::coordinator {
+
+SplitStages::SplitStages(const Names& names, StagePool& motion, const rpc::JsonLog& log)
+    : beading_pool_("beading", names.beading, log),
+      infill_pool_("infill", names.infill, log),
+      ordering_pool_("ordering", names.ordering, log),
+      motion_pool_(motion) {}
+
+Runner SplitStages::AsRunner(int slots) {
+  Runner runner;
+  runner.name = "split stages";
+  runner.ranges = std::make_shared<LayerChain>(beading_, infill_, ordering_, motion_);
+  runner.slots = slots;
+  runner.await_ready = [this](std::chrono::milliseconds patience) { return AwaitReady(patience); };
+  return runner;
+}
+
+bool SplitStages::AwaitReady(std::chrono::milliseconds patience) {
+  const auto pools = {&beading_pool_, &infill_pool_, &ordering_pool_, &motion_pool_};
+  return std::ranges::all_of(pools, [&](StagePool* pool) { return pool->AwaitReady(patience); });
+}
+
+}  // namespace slicefarm::coordinator

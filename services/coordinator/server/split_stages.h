@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/stage/layer_chain.h"
+#include "services/coordinator/algo/runner_set.h"
+#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/stage_pool.h"
+
+namespace slicefarm::coordinator {
+
+/// The layer stages as services of their own: a chain whose calls go to whichever replicas there
+/// are. All ranges in flight share it, as one runner.
+class SplitStages {
+ public:
+  struct Names {
+    std::vector<std::string> beading;
+    std::vector<std::string> infill;
+    std::vector<std::string> ordering;
+  };
+
+  /// `motion` must outlive it.
+  SplitStages(const Names& names, StagePool& motion, const rpc::JsonLog& log);
+
+  /// The chain as a runner of `slots` ranges at a time; it can be reached when all its stages can.
+  /// The object must outlive the runner's calls.
+  Runner AsRunner(int slots);
+
+ private:
+  bool AwaitReady(std::chrono::milliseconds patience);
+
+  StagePool beading_pool_;
+  StagePool infill_pool_;
+  StagePool ordering_pool_;
+  StagePool& motion_pool_;
+  RemoteBeading beading_{beading_pool_};
+  RemoteInfill infill_{infill_pool_};
+  RemoteOrdering ordering_{ordering_pool_};
+  RemoteMotion motion_{motion_pool_};
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,285 @@
+// The coordinator as a process among processes, under real signals. Workers are stopped (SIGSTOP)
+// where a job must not end before something happens to it, so that nothing depends on timing.
+#include <gmock/gmock.h>
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/model/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "services/coordinator/store/temp_directory_test.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+#include "tests/integration/child_process.h"
+
+namespace slicefarm {
+namespace {
+
+std::string ReadModel(const std::string& name) {
+  std::ifstream file(std::string(SLICEFARM_CORPUS) + "/models/" + name, std::ios::binary);
+  std::stringstream bytes;
+  bytes << file.rdbuf();
+  EXPECT_FALSE(bytes.str().empty()) << name;
+  return bytes.str();
+}
+
+/// A server program, and where it serves.
+struct Server {
+  Server(const std::string& program, std::vector<std::string> arguments = {})
+      : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {}
+
+  ChildProcess process;
+  const std::string address;
+};
+
+/// A client of the coordinator.
+class Client {
+ public:
+  explicit Client(const std::string& address) {
+    const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
+    jobs_ = v1::Jobs::NewStub(channel);
+    meshes_ = v1::Meshes::NewStub(channel);
+  }
+
+  /// Sends the bytes of [from, to) of a mesh.
+  v1::Upload Upload(const std::string& bytes, size_t from, size_t to) {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    for (size_t at = from; at < to; at += 65'536) {
+      v1::UploadMeshRequest request;
+      if (at == from) {
+        request.set_sha256(Sha256Hex(bytes));
+        request.set_size(static_cast<int64_t>(bytes.size()));
+        request.set_write_offset(static_cast<int64_t>(from));
+      }
+      request.set_data(bytes.substr(at, std::min<size_t>(65'536, to - at)));
+      if (!stream->Write(request)) break;
+    }
+    stream->WritesDone();
+    const grpc::Status status = stream->Finish();
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return upload;
+  }
+
+  v1::Upload GetUpload(const std::string& digest) {
+    grpc::ClientContext context;
+    v1::GetUploadRequest request;
+    request.set_sha256(digest);
+    v1::Upload upload;
+    EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
+    return upload;
+  }
+
+  v1::Job Create(const std::string& mesh, const std::string& request_id = "") {
+    grpc::ClientContext context;
+    v1::CreateJobRequest request;
+    request.set_request_id(request_id);
+    v1::Object* object = request.mutable_spec()->add_objects();
+    object->set_mesh_sha256(Sha256Hex(mesh));
+    object->set_name("part.stl");
+    v1::Job job;
+    const grpc::Status status = jobs_->CreateJob(&context, request, &job);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    return job;
+  }
+
+  /// Watches until `enough` says so, or the stream ends; the last event.
+  v1::JobEvent Watch(const std::string& id, int64_t after,
+                     const std::function<bool(const v1::Job&)>& enough = {}) {
+    grpc::ClientContext context;
+    v1::WatchJobRequest request;
+    request.set_id(id);
+    request.set_after_sequence(after);
+    const auto stream = jobs_->WatchJob(&context, request);
+    v1::JobEvent event;
+    while (stream->Read(&event)) {
+      EXPECT_GT(event.sequence(), after);
+      after = event.sequence();
+      if (enough && enough(event.job())) break;
+    }
+    context.TryCancel();
+    (void)stream->Finish();
+    return event;
+  }
+
+ private:
+  std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Meshes::Stub> meshes_;
+};
+
+class CoordinatorProcessesTest : public testing::Test {
+ protected:
+  void StartCoordinator(const coordinator::TempDirectory& state) {
+    server_.emplace("slicefarm-coordinator",
+                    std::vector<std::string>{"--state-dir", state.path(), "--slicing",
+                                             slicing_.address, "--motion", motion_.address,
+                                             "--workers", first_.address + "," + second_.address});
+    ASSERT_NE(server_->address, "");
+    client_.emplace(server_->address);
+  }
+
+  void KillCoordinator() {
+    server_->process.Signal(SIGKILL);
+    EXPECT_EQ(server_->process.Wait(), -SIGKILL);
+  }
+
+  void StopWorkers() {
+    first_.process.Signal(SIGSTOP);
+    second_.process.Signal(SIGSTOP);
+  }
+  void ContinueWorkers() {
+    first_.process.Signal(SIGCONT);
+    second_.process.Signal(SIGCONT);
+  }
+
+  std::string Submit(const std::string& request_id = "") {
+    client_->Upload(mesh_, 0, mesh_.size());
+    return client_->Create(mesh_, request_id).id();
+  }
+
+  static bool IsSliced(const v1::Job& job) { return job.progress().layers_total() > 0; }
+
+  /// The digest of the G-code that comes out when nothing goes wrong.
+  std::string QuietDigest() {
+    const coordinator::TempDirectory state;
+    StartCoordinator(state);
+    const v1::JobEvent end = client_->Watch(Submit(), 0);
+    EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
+    server_.reset();
+    return end.job().result().gcode_sha256();
+  }
+
+  void ExpectTheSame(const v1::JobEvent& end) {
+    EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
+    EXPECT_FALSE(end.job().result().cached());
+    EXPECT_EQ(end.job().result().gcode_sha256(), quiet_);
+  }
+
+  const std::string mesh_ = ReadModel("textbox.stl");
+  Server slicing_{"slicefarm-slicing"};
+  Server motion_{"slicefarm-motion"};
+  Server first_{"slicefarm-worker", {"--slots", "1"}};
+  Server second_{"slicefarm-worker", {"--slots", "1"}};
+  std::optional<Server> server_;
+  std::optional<Client> client_;
+  const std::string quiet_ = QuietDigest();
+  coordinator::TempDirectory state_;
+};
+
+TEST_F(CoordinatorProcessesTest, AnAcknowledgedJobOutlivesTheCoordinator) {
+  StopWorkers();
+  StartCoordinator(state_);
+  const std::string id = Submit();
+  KillCoordinator();
+  ContinueWorkers();
+  StartCoordinator(state_);
+  ExpectTheSame(client_->Watch(id, 0));
+}
+
+TEST_F(CoordinatorProcessesTest, AHalfDoneJobOutlivesTheCoordinator) {
+  StopWorkers();
+  StartCoordinator(state_);
+  const std::string id = Submit();
+  const v1::JobEvent last = client_->Watch(id, 0, IsSliced);
+  ASSERT_EQ(last.job().state(), v1::JOB_STATE_RUNNING);
+  KillCoordinator();
+  ContinueWorkers();
+  StartCoordinator(state_);
+  ExpectTheSame(client_->Watch(id, last.sequence()));
+}
+
+TEST_F(CoordinatorProcessesTest, ManyKillsLoseNothing) {
+  StartCoordinator(state_);
+  const std::string id = Submit();
+  int64_t seen = 0;
+  // Each life is allowed one more event than the one before.
+  for (int life = 1;; ++life) {
+    int events = 0;
+    const v1::JobEvent last =
+        client_->Watch(id, seen, [&](const v1::Job&) { return ++events >= life; });
+    seen = std::max(seen, last.sequence());
+    if (last.job().state() == v1::JOB_STATE_SUCCEEDED) break;
+    KillCoordinator();
+    StartCoordinator(state_);
+  }
+  ExpectTheSame(client_->Watch(id, 0));
+}
+
+TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
+  StopWorkers();
+  StartCoordinator(state_);
+  const std::string id = Submit();
+  const v1::JobEvent last = client_->Watch(id, 0, IsSliced);
+  server_->process.Signal(SIGTERM);
+  EXPECT_EQ(server_->process.Wait(), 0);
+  ContinueWorkers();
+  StartCoordinator(state_);
+  ExpectTheSame(client_->Watch(id, last.sequence()));
+}
+
+TEST_F(CoordinatorProcessesTest, AKilledWorkerLosesNothing) {
+  first_.process.Signal(SIGSTOP);
+  StartCoordinator(state_);
+  const std::string id = Submit();
+  client_->Watch(id, 0, IsSliced);
+  first_.process.Signal(SIGKILL);
+  ExpectTheSame(client_->Watch(id, 0));
+}
+
+TEST_F(CoordinatorProcessesTest, AStoppedWorkerHoldsNothingUp) {
+  StartCoordinator(state_);
+  first_.process.Signal(SIGSTOP);
+  ExpectTheSame(client_->Watch(Submit(), 0));
+}
+
+TEST_F(CoordinatorProcessesTest, AnUploadGoesOnAfterAKill) {
+  StartCoordinator(state_);
+  const std::string digest = Sha256Hex(mesh_);
+  EXPECT_EQ(client_->Upload(mesh_, 0, 65'536).committed_size(), 65'536);
+  KillCoordinator();
+  StartCoordinator(state_);
+  EXPECT_EQ(client_->GetUpload(digest).committed_size(), 65'536);
+  EXPECT_TRUE(client_->Upload(mesh_, 65'536, mesh_.size()).complete());
+  ExpectTheSame(client_->Watch(client_->Create(mesh_).id(), 0));
+}
+
+TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
+  StartCoordinator(state_);
+  const std::string id = Submit("one-and-only");
+  KillCoordinator();
+  StartCoordinator(state_);
+  EXPECT_EQ(client_->Create(mesh_, "one-and-only").id(), id);
+}
+
+TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
+  const Server beading("slicefarm-beading"), infill("slicefarm-infill");
+  const Server ordering("slicefarm-ordering");
+  server_.emplace(
+      "slicefarm-coordinator",
+      std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
+                               "--motion", motion_.address, "--beading", beading.address,
+                               "--infill", infill.address, "--ordering", ordering.address});
+  client_.emplace(server_->address);
+  ExpectTheSame(client_->Watch(Submit(), 0));
+}
+
+TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
+  const std::vector<std::string> some = {"--state-dir", "/nowhere", "--slicing",
+                                         "a:1",         "--motion", "a:1"};
+  auto half = some;
+  half.insert(half.end(), {"--beading", "a:1"});
+  for (const auto& arguments : {some, half, {}}) {
+    ChildProcess process("slicefarm-coordinator", arguments);
+    EXPECT_NE(process.Wait(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm
