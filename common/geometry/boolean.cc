@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/geometry/clipper_convert.h"
+#include "common/geometry/fast_boolean.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm {
@@ -34,11 +35,24 @@ MultiPolygon Execute(ClipperLib::ClipType type, const Paths& subject, const Path
   return internal::FromTree(tree);
 }
 
-MultiPolygon Execute(ClipperLib::ClipType type, const MultiPolygon& a, const MultiPolygon& b) {
+ClipperLib::ClipType ToClipper(Operation op) {
+  switch (op) {
+    case Operation::kUnion:
+      return ClipperLib::ctUnion;
+    case Operation::kIntersection:
+      return ClipperLib::ctIntersection;
+    case Operation::kDifference:
+      return ClipperLib::ctDifference;
+  }
+  return ClipperLib::ctUnion;
+}
+
+MultiPolygon Execute(Operation op, const MultiPolygon& a, const MultiPolygon& b) {
+  if (auto fast = TryBoolean(a, b, op)) return *std::move(fast);
   Paths subject, clip;
   internal::AppendRings(a, subject);
   internal::AppendRings(b, clip);
-  return Execute(type, subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return Execute(ToClipper(op), subject, clip, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
 }
 
 /// A region with the boxes of its islands and rings, to take from it what can matter near a box.
@@ -111,14 +125,14 @@ MultiPolygon Union(std::span<const Polygon> rings, FillRule rule) {
 MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
-  return Execute(ClipperLib::ctUnion, a, b);
+  return Execute(Operation::kUnion, a, b);
 }
 
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b) {
   const Surroundings surroundings(b);
   return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
     const MultiPolygon near = surroundings.Near(box);
-    return near.empty() ? island : Execute(ClipperLib::ctDifference, island, near);
+    return near.empty() ? island : Execute(Operation::kDifference, island, near);
   });
 }
 
@@ -126,7 +140,7 @@ MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b) {
   const Surroundings surroundings(b);
   return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
     const MultiPolygon near = surroundings.Near(box);
-    return near.empty() ? MultiPolygon() : Execute(ClipperLib::ctIntersection, island, near);
+    return near.empty() ? MultiPolygon() : Execute(Operation::kIntersection, island, near);
   });
 }
 

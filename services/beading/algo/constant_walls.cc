@@ -1,9 +1,11 @@
 #include "services/beading/algo/constant_walls.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/geometry/boolean.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/clean_offset.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::beading {
@@ -21,12 +23,26 @@ void AppendGaps(const MultiPolygon& regions, bool along_outline, std::vector<Gap
   for (const PolygonWithHoles& region : regions) gaps.push_back({region, along_outline});
 }
 
-/// The part of `region` that an opening by `radius_nm` leaves: where a disc of that radius fits,
-/// with sharp corners kept.
-MultiPolygon Opened(const MultiPolygon& region, Coord radius_nm) {
-  const MultiPolygon core = Offset(region, -radius_nm);
+/// True if the region is nowhere narrower than twice the distance and has no tips: opening it by
+/// that changes nothing.
+bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
+  return std::all_of(region.begin(), region.end(), [&](const PolygonWithHoles& island) {
+    const auto inset = TryOffset({island}, -distance_nm);
+    return inset && !inset->has_tips;
+  });
+}
+
+/// Where `region` is wide enough that discs of `radius_nm` fit, with sharp corners kept; `core` is
+/// where their middles are.
+MultiPolygon Opened(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
   if (core.empty()) return {};
-  return Intersection(region, Offset(core, radius_nm + kRoundingNm));
+  return Intersection(region, FastOffset(core, radius_nm + kRoundingNm));
+}
+
+/// What discs of `radius_nm` around `core` leave of `region`.
+MultiPolygon Residue(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
+  if (core.empty()) return region;
+  return Difference(region, FastOffset(core, radius_nm + kSafetyNm));
 }
 
 }  // namespace
@@ -49,18 +65,21 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
     const Coord spacing = inset == 0 ? plan.external_spacing_nm : plan.inner_spacing_nm;
     const Coord to_centre = (inset == 0 ? plan.external_width_nm : spacing) / 2;
     const Coord fit = std::llround(static_cast<double>(spacing) / 2 * (1 - kFitTolerance));
-    MultiPolygon centre = Opened(Offset(region, -to_centre), fit);
-    if (plan.gap_fill) {
-      AppendGaps(Difference(region, Offset(centre, to_centre + kSafetyNm)), inset == 0, walls.gaps);
+    MultiPolygon centre = FastOffset(region, -to_centre);
+    if (!IsWideThroughout(region, to_centre + fit)) {
+      const MultiPolygon core = FastOffset(centre, -fit);
+      centre = Opened(centre, core, fit);
+      if (plan.gap_fill) AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
     }
-    region = Offset(centre, -spacing / 2);
+    region = FastOffset(centre, -spacing / 2);
     walls.centre_lines.push_back(std::move(centre));
   }
-  if (plan.gap_fill && plan.perimeters > 0) {
-    walls.fill_area = Opened(region, plan.max_gap_width_nm / 2);
-    AppendGaps(Difference(region, Offset(walls.fill_area, kSafetyNm)), false, walls.gaps);
-  } else {
-    walls.fill_area = std::move(region);
+  walls.fill_area = std::move(region);
+  const Coord half_gap = plan.max_gap_width_nm / 2;
+  if (plan.gap_fill && plan.perimeters > 0 && !IsWideThroughout(walls.fill_area, half_gap)) {
+    const MultiPolygon core = FastOffset(walls.fill_area, -half_gap);
+    AppendGaps(Residue(walls.fill_area, core, half_gap), false, walls.gaps);
+    walls.fill_area = Opened(walls.fill_area, core, half_gap);
   }
   return walls;
 }

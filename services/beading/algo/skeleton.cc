@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
+#include "common/geometry/simple_rings.h"
 #include "services/beading/algo/voronoi_traits.h"
 
 namespace slicefarm::beading {
@@ -38,8 +40,10 @@ struct BoundaryEdge {
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;
-  int holes = 0;
+  std::vector<Polygon> rings;
   std::vector<BoundaryEdge> edges;
+
+  int Holes() const { return static_cast<int>(rings.size()) - 1; }
 };
 
 Polygon WithoutCollinearPoints(const Polygon& ring) {
@@ -69,7 +73,8 @@ bool AppendRing(Polygon ring, Boundary& boundary) {
     p = p - boundary.origin;
     if (boundary.unit_nm != 1) p = {Rounded(p.x, boundary.unit_nm), Rounded(p.y, boundary.unit_nm)};
   }
-  const Polygon points = WithoutCollinearPoints(ring);
+  Polygon points = WithoutCollinearPoints(ring);
+  if (points.empty()) return false;
   const int first = static_cast<int>(boundary.edges.size());
   const int count = static_cast<int>(points.size());
   for (int i = 0; i < count; ++i) {
@@ -77,43 +82,7 @@ bool AppendRing(Polygon ring, Boundary& boundary) {
     boundary.edges.push_back(
         {points[i], points[next], first + (i == 0 ? count - 1 : i - 1), first + next});
   }
-  return count > 0;
-}
-
-/// True if the two edges share a point that is not the end of one and the start of the other as
-/// neighbours.
-bool Collide(const std::vector<BoundaryEdge>& boundary, int i, int j) {
-  const BoundaryEdge &e = boundary[i], &f = boundary[j];
-  const int from = Orientation(e.from, e.to, f.from), to = Orientation(e.from, e.to, f.to);
-  // Neighbours are never collinear, so they share just the one point, unless a ring of two edges.
-  if (e.next == j || e.previous == j) return e.next == j && e.previous == j;
-  if (from * to > 0) return false;
-  const int back_from = Orientation(f.from, f.to, e.from),
-            back_to = Orientation(f.from, f.to, e.to);
-  if (back_from * back_to > 0) return false;
-  if (from != 0 || to != 0 || back_from != 0 || back_to != 0) return true;
-  return OnSegment(f.from, e.from, e.to) || OnSegment(f.to, e.from, e.to) ||
-         OnSegment(e.from, f.from, f.to);
-}
-
-/// True if no two edges cross or touch but at the corners of their ring. Cost: O(n log n) and the
-/// pairs of edges that overlap in x.
-bool IsSimple(const std::vector<BoundaryEdge>& boundary) {
-  std::vector<int> order(boundary.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto left = [&](int i) { return std::min(boundary[i].from.x, boundary[i].to.x); };
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return left(i) != left(j) ? left(i) < left(j) : i < j; });
-  for (size_t i = 0; i < order.size(); ++i) {
-    const BoundaryEdge& e = boundary[order[i]];
-    const Coord right = std::max(e.from.x, e.to.x);
-    const auto [low, high] = std::minmax(e.from.y, e.to.y);
-    for (size_t j = i + 1; j < order.size() && left(order[j]) <= right; ++j) {
-      const BoundaryEdge& f = boundary[order[j]];
-      if (std::max(f.from.y, f.to.y) < low || std::min(f.from.y, f.to.y) > high) continue;
-      if (Collide(boundary, order[i], order[j])) return false;
-    }
-  }
+  boundary.rings.push_back(std::move(points));
   return true;
 }
 
@@ -301,8 +270,10 @@ std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_
                      box.min.y + (box.max.y - box.min.y) / 2};
   boundary.unit_nm = unit_nm;
   if (!AppendRing(region.outer, boundary)) return std::nullopt;
-  for (const Polygon& hole : region.holes) boundary.holes += AppendRing(hole, boundary);
-  if (!IsSimple(boundary.edges)) return std::nullopt;
+  for (const Polygon& hole : region.holes) AppendRing(hole, boundary);
+  std::vector<const Polygon*> rings;
+  for (const Polygon& ring : boundary.rings) rings.push_back(&ring);
+  if (!AreSimple(rings)) return std::nullopt;
   return boundary;
 }
 
@@ -319,7 +290,7 @@ bool BuildWith(const Boundary& boundary, Coord tolerance_nm, Skeleton& skeleton)
   const auto unit = static_cast<double>(boundary.unit_nm);
   SkeletonBuilder builder(boundary.edges, diagram, static_cast<double>(tolerance_nm) / unit,
                           kRadiusErrorNm / unit);
-  if (!builder.Build(boundary.holes)) return false;
+  if (!builder.Build(boundary.Holes())) return false;
   skeleton.nodes = builder.TakeNodes();
   skeleton.edges = builder.TakeEdges();
   for (SkeletonNode& node : skeleton.nodes)
