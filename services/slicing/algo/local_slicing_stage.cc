@@ -147,13 +147,18 @@ class SlicingRun {
     }
   }
 
+  /// Every edge has two faces: its sections need no closing of cracks. Parts that touch along edges
+  /// are not manifold: what little keeps them apart is taken for the crack that it is.
+  bool IsManifold(size_t mesh) const {
+    return meshes_[mesh].connected.closed && meshes_[mesh].report.non_manifold_edges == 0;
+  }
+
   MultiPolygon Outlines(size_t mesh, size_t layer, SweepScratch& scratch) {
     Section section = sweeps_[mesh].Cut(layer, scratch);
     ClosedChains closed = CloseChains(std::move(section.chains), options_.max_gap_nm);
     counts_[layer][mesh] = closed.counts;
     std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(section.loops));
-    const RegionEdits edits =
-        EditsFor(static_cast<int32_t>(layer), meshes_[mesh].connected.closed, options_);
+    const RegionEdits edits = EditsFor(static_cast<int32_t>(layer), IsManifold(mesh), options_);
     return Edited(RegionOf(section.loops, options_.fill_rule, options_.resolution_nm), edits,
                   options_.resolution_nm);
   }
