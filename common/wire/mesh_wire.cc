@@ -59,6 +59,9 @@ absl::Status CheckReport(const v1::MeshReport& proto) {
   if (!std::isfinite(proto.dropped_length_mm())) {
     return Malformed("dropped_length_mm", "is not finite");
   }
+  if (!std::isfinite(proto.cracks_closed_mm())) {
+    return Malformed("cracks_closed_mm", "is not finite");
+  }
   return absl::OkStatus();
 }
 
@@ -111,6 +114,7 @@ v1::MeshReport ToProto(const MeshReport& report) {
   proto.set_open_loops_dropped(report.open_loops_dropped);
   proto.set_largest_gap_closed_mm(report.largest_gap_closed_mm);
   proto.set_dropped_length_mm(report.dropped_length_mm);
+  proto.set_cracks_closed_mm(report.cracks_closed_mm);
   return proto;
 }
 
@@ -132,6 +136,7 @@ absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto) {
   report.open_loops_dropped = proto.open_loops_dropped();
   report.largest_gap_closed_mm = proto.largest_gap_closed_mm();
   report.dropped_length_mm = proto.dropped_length_mm();
+  report.cracks_closed_mm = proto.cracks_closed_mm();
   return report;
 }
 

@@ -40,6 +40,10 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
     warn(absl::StrFormat("%s of %.1f mm together could not be closed and are not printed",
                          Count(mesh.open_loops_dropped, "open outline"), mesh.dropped_length_mm));
   }
+  if (mesh.cracks_closed_mm > 0) {
+    warn(absl::StrFormat("cracks of up to %.3f mm were closed (slice_closing_radius)",
+                         mesh.cracks_closed_mm));
+  }
   return warnings;
 }
 

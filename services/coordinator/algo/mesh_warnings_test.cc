@@ -25,6 +25,7 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
   mesh.largest_gap_closed_mm = 0.25;
   mesh.open_loops_dropped = 1;
   mesh.dropped_length_mm = 12.34;
+  mesh.cracks_closed_mm = 0.098;
   EXPECT_THAT(
       MeshWarnings(mesh),
       ElementsAre(
@@ -32,7 +33,8 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
           "a.stl: 2 edges with more than two faces", "a.stl: 3 faces turned the wrong way round",
           "a.stl: 4 faces without area left out", "a.stl: the whole mesh is inside out",
           "a.stl: 5 open outlines closed over gaps of up to 0.250 mm",
-          "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed"));
+          "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed",
+          "a.stl: cracks of up to 0.098 mm were closed (slice_closing_radius)"));
 }
 
 TEST(MeshWarnings, NeedsNoName) {

@@ -26,7 +26,8 @@ Json ToJson(const MeshReport& mesh) {
           {"open_loops_closed", mesh.open_loops_closed},
           {"open_loops_dropped", mesh.open_loops_dropped},
           {"largest_gap_closed_mm", mesh.largest_gap_closed_mm},
-          {"dropped_length_mm", mesh.dropped_length_mm}};
+          {"dropped_length_mm", mesh.dropped_length_mm},
+          {"cracks_closed_mm", mesh.cracks_closed_mm}};
 }
 
 Json Features(const ProgramStats& stats) {

@@ -172,6 +172,7 @@ class SlicingRun {
       report.open_loops_dropped = total.dropped;
       report.largest_gap_closed_mm = ToMm(total.largest_gap_nm);
       report.dropped_length_mm = ToMm(total.dropped_length_nm);
+      if (!IsManifold(i)) report.cracks_closed_mm = ToMm(2 * options_.closing_radius_nm);
       job_.object_names.insert(job_.object_names.end(), meshes_[i].centers.size(), report.name);
       job_.meshes.push_back(std::move(report));
     }

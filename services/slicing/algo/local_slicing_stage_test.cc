@@ -165,11 +165,18 @@ TEST(LocalSlicing, OpenMeshesAreClosedAsFarAsAllowedAndReported) {
   EXPECT_EQ(DetailOf(strict.status()).reason, Reason::kNothingToPrint);
 }
 
-TEST(LocalSlicing, ClosesCracksInOpenMeshesOnly) {
+TEST(LocalSlicing, ClosesCracksOfMeshesThatAreNotManifoldOnly) {
   const RawMesh near = Joined(Cube(0, 0, 0), Cube(10.05, 0, 0));
   const auto closed = Slice(Input(near));
   ASSERT_TRUE(closed.ok());
   EXPECT_THAT(closed->layers[10].objects[0].outlines, SizeIs(2));
+  EXPECT_EQ(closed->meshes[0].cracks_closed_mm, 0);
+  // A third cube that shares an edge with the first.
+  const auto touching = Slice(Input(Joined(near, Cube(-10, 10, 0))));
+  ASSERT_TRUE(touching.ok());
+  EXPECT_EQ(touching->meshes[0].non_manifold_edges, 1);
+  EXPECT_EQ(touching->meshes[0].cracks_closed_mm, 0.098);
+  EXPECT_NEAR(Area(touching->layers[10].objects[0].outlines) * 1e-12, 300 + 10 * 0.05, 0.01);
   SlicingOptions options;
   options.max_gap_nm = 20 * kMm;
   const auto open = Slice(Input(WithoutTriangle(near, 23)), options);
