@@ -73,24 +73,34 @@ class Expander {
     if (Active()) result_.append(text);
   }
 
-  /// [key] or [key_0].
+  /// [key], [key_0] or [key[expression]].
   absl::Status Bracket() {
-    const size_t close = text_.find(']', at_);
-    if (close == std::string_view::npos) return absl::InvalidArgumentError("\"[\" without \"]\"");
-    const std::string_view name = Stripped(text_.substr(at_ + 1, close - at_ - 1));
-    if (!IsName(name)) {
-      return absl::InvalidArgumentError("\"[" + std::string(name) + "]\" is not a variable");
+    const auto close = ClosingBracket();
+    if (!close) return absl::InvalidArgumentError("\"[\" without \"]\"");
+    const std::string_view inside = Stripped(text_.substr(at_ + 1, *close - at_ - 1));
+    const std::string_view name = FirstWord(inside);
+    const std::string_view index = inside.substr(name.size());
+    if (!IsName(name) || (!index.empty() && (index.front() != '[' || index.back() != ']'))) {
+      return absl::InvalidArgumentError("\"[" + std::string(inside) + "]\" is not a variable");
     }
-    if (Active()) {
-      auto value = EvaluateExpression(name, variables_, true);
-      if (!value.ok()) {
-        if (const auto element = Element(name)) value = *element;
-      }
-      if (!value.ok()) return value.status();
-      Print(ToText(*value));
+    auto value = EvaluateExpression(inside, variables_, Active());
+    if (!value.ok()) {
+      if (const auto element = Element(inside)) value = *element;
     }
-    at_ = close + 1;
+    if (!value.ok()) return value.status();
+    Print(ToText(*value));
+    at_ = *close + 1;
     return absl::OkStatus();
+  }
+
+  /// Position of the bracket that closes the one at at_.
+  std::optional<size_t> ClosingBracket() const {
+    int depth = 0;
+    for (size_t i = at_; i < text_.size() && text_[i] != '\n'; ++i) {
+      if (text_[i] == '[') ++depth;
+      if (text_[i] == ']' && --depth == 0) return i;
+    }
+    return {};
   }
 
   /// temperature_1 is temperature[1].

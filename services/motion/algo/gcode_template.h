@@ -10,7 +10,7 @@ namespace slicefarm::motion {
 
 /// The text of a template with its placeholders filled in:
 ///
-///   [key]  [key_0]               a variable, or an element of one
+///   [key]  [key_0]  [key[0]]     a variable, or an element of one
 ///   {expression}                 see template_expression.h
 ///   {if c}..{elsif c}..{else}..{endif}   nested as deep as one likes
 ///

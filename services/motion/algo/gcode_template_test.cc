@@ -40,6 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Empty", "", ""}, Case{"Plain", "G28 ; home\nG1 Z5", "G28 ; home\nG1 Z5"},
         Case{"Bracket", "M104 S[first_layer_temperature]", "M104 S215"},
         Case{"BracketElement", "M104 S[temperature_1] [temperature_7]", "M104 S205 210"},
+        Case{"BracketIndex", "M104 S[temperature[current_extruder]]", "M104 S210"},
         Case{"Brace", "M104 S{first_layer_temperature[0]}", "M104 S215"},
         Case{"BraceIndex", "{temperature[current_extruder] - 10}", "200"},
         Case{"Layer", ";[layer_num] {layer_z}", ";2 0.6"},

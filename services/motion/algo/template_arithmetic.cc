@@ -6,6 +6,7 @@
 #include <string>
 
 #include "absl/strings/str_format.h"
+#include "services/motion/algo/text_pattern.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -94,6 +95,12 @@ absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
                                     const TemplateValue& b) {
   const auto* text_a = std::get_if<std::string>(&a);
   const auto* text_b = std::get_if<std::string>(&b);
+  if (op == "=~" || op == "!~") {
+    if (text_a == nullptr || text_b == nullptr) return WrongType(op);
+    const auto matches = MatchesPattern(*text_a, *text_b);
+    if (!matches.ok()) return matches.status();
+    return TemplateValue(*matches == (op == "=~"));
+  }
   if (text_a != nullptr || text_b != nullptr) {
     if (op == "+") return TemplateValue(ToText(a) + ToText(b));
     if (!IsComparison(op)) return WrongType(op);

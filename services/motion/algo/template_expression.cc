@@ -37,7 +37,7 @@ bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 struct Level {
   std::span<const std::string_view> operators;
 };
-constexpr std::string_view kEqualities[] = {"==", "!="};
+constexpr std::string_view kEqualities[] = {"==", "!=", "=~", "!~"};
 constexpr std::string_view kComparisons[] = {"<>", "<=", ">=", "<", ">"};
 constexpr std::string_view kSums[] = {"+", "-"};
 constexpr std::string_view kProducts[] = {"*", "/", "%"};
@@ -119,7 +119,7 @@ class Parser {
     while (left.ok()) {
       const std::string_view op = TakeOneOf(kLevels[level].operators);
       if (op.empty()) break;
-      const Result right = Binary(level + 1);
+      const Result right = op.back() == '~' ? Pattern() : Binary(level + 1);
       if (!right.ok()) return right;
       if (evaluate_) left = Apply(op, *left, *right);
     }
@@ -167,6 +167,21 @@ class Parser {
     if (at_ == text_.size()) return Wrong("text without end");
     ++at_;
     return TemplateValue(std::move(text));
+  }
+
+  /// A regular expression between slashes, as text.
+  Result Pattern() {
+    if (!Take("/")) return Wrong("\"/\" expected");
+    std::string pattern;
+    for (; at_ < text_.size() && text_[at_] != '/'; ++at_) {
+      const bool escaped = text_[at_] == '\\' && at_ + 1 < text_.size();
+      if (escaped && text_[at_ + 1] != '/') pattern += text_[at_];
+      if (escaped) ++at_;
+      pattern += text_[at_];
+    }
+    if (at_ == text_.size()) return Wrong("regular expression without end");
+    ++at_;
+    return TemplateValue(std::move(pattern));
   }
 
   Result Number() {

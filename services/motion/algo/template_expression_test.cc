@@ -45,7 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"filament_type == \"PETG\" ? 80 : 60", "80"},
         Case{"layer_num > 5 ? 1 : layer_num > 1 ? 2 : 3", "2"}, Case{"min(3, max(1, 2))", "2"},
         Case{"int(2.9) + round(2.5)", "5"}, Case{"zdigits(layer_num, 3)", "002"},
-        Case{"\"T\" + layer_num", "T2"},
+        Case{"\"T\" + layer_num", "T2"}, Case{"filament_type =~ /PET.*/", "true"},
+        Case{"filament_type !~ /PET/", "true"},
+        Case{"\"a/b\" =~ /a\\/b/ and \"a.\" =~ /a\\./", "true"},
         // What is not chosen is not looked at.
         Case{"true or unknown", "true"}, Case{"false and 1 / 0", "false"},
         Case{"true ? 1 : unknown", "1"}, Case{"false ? 1 / 0 : 2", "2"}));
@@ -61,7 +63,8 @@ TEST_P(BadExpressionTest, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(Bad, BadExpressionTest,
                          testing::Values("", "1 +", "(1", "1 2", "\"open", "temperature[", "min(1",
                                          "1 ? 2", "\"a\" and true", "temperature[\"x\"]", "$x",
-                                         "1 = 2", "9999999999999999999999e999",
+                                         "1 = 2", "1 =~ /1/", "\"a\" =~ \"a\"", "\"a\" =~ /a",
+                                         "\"a\" =~ /(/", "9999999999999999999999e999",
                                          "temperature temperature", std::string(200, '('),
                                          std::string(5'000, '-') + "1",
                                          std::string(5'000, '!') + "1"));

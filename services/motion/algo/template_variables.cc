@@ -1,12 +1,19 @@
 #include "services/motion/algo/template_variables.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
+#include "absl/strings/numbers.h"
+#include "common/geometry/measure.h"
 #include "services/motion/algo/settings_text.h"
 
 namespace slicefarm::motion {
 namespace {
+
+/// Corners of a bed beyond this are none.
+constexpr double kFarthestMm = 10'000;
 
 std::string FlavorName(GcodeFlavor flavor) {
   switch (flavor) {
@@ -27,6 +34,8 @@ void AddExtruder(TemplateVariables& variables) {
   }
   variables["extruder_count"] = variables["num_extruders"] = {int64_t{1}};
   variables["is_extruder_used"] = {true};
+  variables["has_wipe_tower"] = {false};
+  variables["has_single_extruder_multi_material_priming"] = {false};
 }
 
 TemplateVariables SettingVariables(const MotionOptions& options) {
@@ -68,15 +77,49 @@ void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
 
 std::vector<TemplateValue> Pair(double x_nm, double y_nm) { return {ToMm(x_nm), ToMm(y_nm)}; }
 
-void AddBounds(const ProgramStats& total, TemplateVariables& variables) {
-  Point min = total.min;
-  Point max = total.max;
-  if (max < min) min = max = {};
+/// name_min, name_max and name_size, in mm.
+void AddBox(const std::string& name, const Box& box, TemplateVariables& variables) {
+  const Point min = box.Empty() ? Point{} : box.min;
+  const Point max = box.Empty() ? Point{} : box.max;
   const auto x = [](Point p) { return static_cast<double>(p.x); };
   const auto y = [](Point p) { return static_cast<double>(p.y); };
-  variables["first_layer_print_min"] = Pair(x(min), y(min));
-  variables["first_layer_print_max"] = Pair(x(max), y(max));
-  variables["first_layer_print_size"] = Pair(x(max) - x(min), y(max) - y(min));
+  variables[name + "_min"] = Pair(x(min), y(min));
+  variables[name + "_max"] = Pair(x(max), y(max));
+  variables[name + "_size"] = Pair(x(max) - x(min), y(max) - y(min));
+}
+
+/// The bounds of "0x0,250x0,250x210".
+Box BedBox(std::string_view bed_shape) {
+  Box box;
+  while (!bed_shape.empty()) {
+    const size_t end = std::min(bed_shape.find(','), bed_shape.size());
+    const std::string_view corner = bed_shape.substr(0, end);
+    bed_shape.remove_prefix(std::min(end + 1, bed_shape.size()));
+    const size_t cross = std::min(corner.find('x'), corner.size());
+    double x = 0;
+    double y = 0;
+    const bool read =
+        absl::SimpleAtod(std::string(corner.substr(0, cross)), &x) &&
+        absl::SimpleAtod(std::string(corner.substr(std::min(cross + 1, corner.size()))), &y);
+    if (!read || !(std::abs(x) < kFarthestMm) || !(std::abs(y) < kFarthestMm)) continue;
+    box.Add(Point{FromMm(x), FromMm(y)});
+  }
+  return box;
+}
+
+void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
+  const double grams = total.VolumeMm3() / 1000 * options.filament_density_g_cm3;
+  variables["used_filament"] = {total.FilamentMm() / 1000};
+  variables["extruded_volume"] = {total.VolumeMm3()};
+  variables["total_weight"] = {grams};
+  variables["total_cost"] = {grams / 1000 * options.filament_cost_per_kg};
+}
+
+void AddObjects(const std::vector<std::string>& names, TemplateVariables& variables) {
+  const std::string name = names.empty() ? "" : names.front();
+  variables["num_objects"] = variables["num_instances"] = {static_cast<int64_t>(names.size())};
+  variables["input_filename"] = {name};
+  variables["input_filename_base"] = {name.substr(0, name.rfind('.'))};
 }
 
 }  // namespace
@@ -90,13 +133,16 @@ TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame&
 TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary) {
   TemplateVariables variables = SettingVariables(options);
   for (const auto& [key, value] : SettingLines(summary.settings_text)) {
+    if (key == "bed_shape") AddBox("print_bed", BedBox(value), variables);
     if (!variables.contains(key)) variables.emplace(key, ParseSetting(UnescapeSetting(value)));
   }
   const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
   AddLayer(last, variables);
   variables["max_layer_z"] = variables["layer_z"];
   variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
-  AddBounds(summary.total, variables);
+  AddBox("first_layer_print", {summary.total.min, summary.total.max}, variables);
+  AddUse(options, summary.total, variables);
+  AddObjects(summary.object_names, variables);
   return variables;
 }
 

@@ -12,9 +12,12 @@ namespace slicefarm::motion {
 TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame);
 
 /// What start and end G-code may name: the same settings, all other settings that the summary
-/// quotes, and what is known of the whole print: total_layer_count, max_layer_z, layer_num and
-/// layer_z of the last layer, first_layer_print_min / _max / _size (of all layers, which holds the
-/// first's).
+/// quotes, and what is known of the whole print:
+///   total_layer_count, max_layer_z, layer_num and layer_z of the last layer
+///   print_bed_min / _max / _size, of the setting bed_shape if the summary quotes it
+///   first_layer_print_min / _max / _size, of all layers, which hold the first
+///   used_filament (m), extruded_volume (mm^3), total_weight (g), total_cost
+///   num_objects, input_filename, input_filename_base
 TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary);
 
 }  // namespace slicefarm::motion

@@ -26,7 +26,10 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
   summary.layers[1].frame = {1, 400'000, 200'000};
   summary.total.min = {FromMm(10), FromMm(20)};
   summary.total.max = {FromMm(40), FromMm(25)};
+  summary.total.features[0].filament_mm = 1'500;
+  summary.object_names = {"a.b.stl"};
   summary.settings_text =
+      "bed_shape = -10x0,200x0,200x180.5,oops,1x,x\n"
       "fill_density = 20%\nperimeters = 3\ntemperature = 999\nnotes = \"a\\nb\"\n";
   const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary);
   EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{2})));
@@ -35,6 +38,10 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
               ElementsAre(TemplateValue(10.0), TemplateValue(20.0)));
   EXPECT_THAT(variables.at("first_layer_print_size"),
               ElementsAre(TemplateValue(30.0), TemplateValue(5.0)));
+  EXPECT_THAT(variables.at("print_bed_max"),
+              ElementsAre(TemplateValue(200.0), TemplateValue(180.5)));
+  EXPECT_THAT(variables.at("used_filament"), ElementsAre(TemplateValue(1.5)));
+  EXPECT_THAT(variables.at("input_filename_base"), ElementsAre(TemplateValue(std::string("a.b"))));
   EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));
   EXPECT_THAT(variables.at("perimeters"), ElementsAre(TemplateValue(int64_t{3})));
   EXPECT_THAT(variables.at("notes"), ElementsAre(TemplateValue(std::string("a\nb"))));
