@@ -13,6 +13,8 @@ struct KinematicMove {
   double speed_mm_s = 0;             ///< > 0: at most
   double acceleration_mm_s2 = 0;     ///< > 0: at most
 
+  double acceleration_share = 1;  ///< what the limits have left of the acceleration asked for
+
   bool ExtruderOnly() const { return ratio[kX] == 0 && ratio[kY] == 0 && ratio[kZ] == 0; }
 };
 

@@ -22,9 +22,10 @@ double CornerV2(const KinematicMove& before, const KinematicMove& move, double c
   const double sin_half = std::sqrt(std::max(0.0, (1 + turn_cos) / 2));
   const double cos_half = std::sqrt(std::max(0.0, (1 - turn_cos) / 2));
   if (sin_half >= 1 || cos_half == 0) return std::numeric_limits<double>::infinity();
-  // Square corner velocity is the speed at a right angle whatever the acceleration: a jd does not
-  // depend on a.
-  const double deviation_v2 = corner_v2 * (std::numbers::sqrt2 - 1) * sin_half / (1 - sin_half);
+  // Square corner velocity is the speed at a right angle whatever the acceleration asked for; what
+  // the z axis takes from the acceleration, it takes from the corner.
+  const double deviation_v2 = std::min(before.acceleration_share, move.acceleration_share) *
+                              corner_v2 * (std::numbers::sqrt2 - 1) * sin_half / (1 - sin_half);
   const double way = std::min(before.length_mm * before.acceleration_mm_s2,
                               move.length_mm * move.acceleration_mm_s2);
   return std::min(deviation_v2, way * sin_half / cos_half / 2);
@@ -45,7 +46,9 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits) 
   Limit(move.speed_mm_s, limits.max_feedrate_mm_s[kY]);
   if (const double z = std::abs(move.ratio[kZ]); z > 0) {
     Limit(move.speed_mm_s, limits.max_feedrate_mm_s[kZ] / z);
+    const double asked = move.acceleration_mm_s2;
     Limit(move.acceleration_mm_s2, limits.max_acceleration_mm_s2[kZ] / z);
+    move.acceleration_share = move.acceleration_mm_s2 / asked;
   }
   return move;
 }

@@ -52,6 +52,12 @@ TEST(KlipperJunction, ExtruderCornersAtOneMillimetrePerSecond) {
   EXPECT_NEAR(V(Towards(0, 100, 0.05), Towards(0, 100, 0.04)), 100, 1e-9);
 }
 
+TEST(KlipperJunction, TheZAxisLowersTheCorner) {
+  const MachineLimits limits;  // z: 500 mm/s^2
+  const KinematicMove up = LimitedByKlipper({100, {0, 0, 1, 0}, 20, 3000}, limits);
+  EXPECT_NEAR(KlipperJunctionV2(up, LimitedByKlipper(Towards(0), limits), limits), 25.0 / 6, 1e-9);
+}
+
 TEST(KlipperJunction, TheExtruderAloneStops) {
   const KinematicMove retract{0.8, {0, 0, 0, -1}, 35, 1500};
   EXPECT_EQ(V(Towards(0), retract), 0);
