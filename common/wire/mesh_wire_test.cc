@@ -33,7 +33,7 @@ Placement DistinctPlacement() {
 MeshReport DistinctReport() {
   MeshReport report;
   auto& [name, triangles, vertices, bodies, open_edges, non_manifold_edges, flipped_faces,
-         degenerate_faces, volume, min, max, closed, dropped, gap, length] = report;
+         degenerate_faces, volume, min, max, closed, dropped, gap, length, cracks] = report;
   name = "part";
   triangles = 1;
   vertices = 2;
@@ -49,6 +49,7 @@ MeshReport DistinctReport() {
   dropped = 16;
   gap = 17;
   length = 18;
+  cracks = 19;
   return report;
 }
 
