@@ -217,6 +217,7 @@ TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
   StartCoordinator(state_);
   const std::string id = Submit();
   const v1::JobEvent last = client_->Watch(id, 0, IsSliced);
+  client_.reset();  // an idle channel looks for GOAWAY only every 5 s, and the server would wait
   server_->process.Signal(SIGTERM);
   EXPECT_EQ(server_->process.Wait(), 0);
   ContinueWorkers();

@@ -1,0 +1,188 @@
+// Runs of jobs over real stores and fake stages, without a server between.
+#include "services/coordinator/server/job_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/sha256.h"
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/fake_stages_test.h"
+#include "services/coordinator/server/job_intake.h"
+#include "services/coordinator/server/jobs_wire.h"
+#include "services/coordinator/store/directory_blob_store.h"
+#include "services/coordinator/store/sqlite_job_store.h"
+#include "services/coordinator/store/temp_directory_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+int64_t NowUs() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+class JobRunnerTest : public testing::Test {
+ protected:
+  JobRunnerTest() { dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2}); }
+
+  ~JobRunnerTest() override { ranges_->LetGo(); }
+
+  std::unique_ptr<JobRunner> Runner(const std::string& owner = "me") {
+    JobRunnerOptions options;
+    options.owner = owner;
+    options.poll = options.renew = std::chrono::milliseconds(10);
+    auto runner = std::make_unique<JobRunner>(
+        RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, in_flight_, NowUs, "build",
+                       rpc::JsonLog("test")},
+        options);
+    EXPECT_TRUE(runner->Start().ok());
+    return runner;
+  }
+
+  std::string Submit(const std::string& mesh) {
+    v1::JobSpec spec;
+    v1::Object* object = spec.add_objects();
+    object->set_mesh_sha256(*blobs_->Put(mesh));
+    object->set_name("part");
+    const auto created = JobIntake(*jobs_, *blobs_, "build", NowUs)
+                             .Create({.request_id = {},
+                                      .spec = SpecBytes(spec),
+                                      .request = *FromProto(spec),
+                                      .labels = {}});
+    EXPECT_TRUE(created.ok()) << created.status();
+    return created->job.id;
+  }
+
+  JobRecord AwaitEnd(const std::string& id) {
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool news = true;
+    const int64_t ticket = feed_.Listen(id, [&] {
+      std::lock_guard lock(mutex);
+      news = true;
+      changed.notify_all();
+    });
+    JobRecord job;
+    do {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return news; });
+      news = false;
+      lock.unlock();
+      job = *jobs_->Get(id);
+    } while (!IsTerminal(job.state));
+    feed_.Forget(ticket);
+    return job;
+  }
+
+  TempDirectory directory_;
+  std::unique_ptr<JobStore> jobs_ = *SqliteJobStore::Open(directory_.path() + "/jobs.db");
+  std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
+  FakeSlicing slicing_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  JobPipeline pipeline_{slicing_, motion_, dispatcher_};
+  JobResults results_{*jobs_, *blobs_};
+  JobFeed feed_;
+  InFlight in_flight_;
+};
+
+TEST_F(JobRunnerTest, RunsManyJobs) {
+  const auto runner = Runner();
+  std::vector<std::string> ids;
+  for (int i = 1; i <= 20; ++i) {
+    ids.push_back(Submit(std::string(i, 'x')));
+    runner->Wake();
+  }
+  for (int i = 1; i <= 20; ++i) {
+    const JobRecord job = AwaitEnd(ids[i - 1]);
+    EXPECT_EQ(job.state, JobState::kSucceeded);
+    EXPECT_EQ(job.result->layers, i);
+  }
+}
+
+TEST_F(JobRunnerTest, ProgressIsNotToldLayerByLayer) {
+  const auto runner = Runner();
+  const std::string id = Submit(std::string(20'000, 'x'));
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_LE(jobs_->Events(id, 0, 10'000)->size(), 105u);
+}
+
+TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
+  const auto runner = Runner();
+  ranges_->Hold();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());  // as another coordinator's client would
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
+  ranges_->Hold();
+  const auto runner = Runner("me");
+  const std::string id = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  // Another coordinator takes the job over, as if ours had been silent too long.
+  ASSERT_TRUE(jobs_->Release("me").ok());
+  const auto taken = jobs_->Claim("you", 1, NowUs(), NowUs() + 60'000'000);
+  ASSERT_EQ(taken->size(), 1u);
+  ranges_->LetGo();
+  runner->Stop();
+  const JobRecord job = *jobs_->Get(id);
+  EXPECT_EQ(job.state, JobState::kRunning);
+  EXPECT_EQ(job.owner, "you");
+  EXPECT_EQ(job.last_sequence, taken->front().last_sequence);
+}
+
+TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {
+  const std::string id = Submit("xxx");
+  const auto claimed = jobs_->Claim("me", 1, NowUs(), NowUs() + 3'600'000'000);
+  ASSERT_TRUE(
+      jobs_->Update({id, claimed->front().owner_epoch}, {.state = JobState::kRunning}, NowUs())
+          .ok());
+  const auto runner = Runner("me");
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, StopHandsBack) {
+  ranges_->Hold();
+  auto runner = Runner();
+  const std::string id = Submit("xxx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  runner->Stop();
+  const JobRecord job = *jobs_->Get(id);
+  EXPECT_EQ(job.state, JobState::kQueued);
+  EXPECT_EQ(job.owner, "");
+  EXPECT_EQ(job.retries, 0);
+  ranges_->LetGo();
+  runner = Runner();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {
+  slicing_.unavailable_ = 1000;
+  const std::string id = Submit("x~");
+  // As if it had been tried before.
+  for (int i = 0; i < 5; ++i) {
+    const auto claimed = jobs_->Claim("past", 1, NowUs(), NowUs() + 1'000'000);
+    ASSERT_TRUE(
+        jobs_->Update({id, claimed->front().owner_epoch}, {.state = JobState::kRunning}, NowUs())
+            .ok());
+    JobUpdate back{.state = JobState::kQueued};
+    back.retry = true;
+    ASSERT_TRUE(jobs_->Update({id, claimed->front().owner_epoch}, back, NowUs()).ok());
+  }
+  const auto runner = Runner();
+  const JobRecord job = AwaitEnd(id);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "UNAVAILABLE");
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator
