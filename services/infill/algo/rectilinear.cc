@@ -4,34 +4,27 @@
 #include <numbers>
 #include <utility>
 
-#include "common/geometry/offset.h"
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "services/infill/algo/edge_links.h"
 #include "services/infill/algo/scan_lines.h"
-#include "services/infill/algo/serpentine.h"
 
 namespace slicefarm::infill {
 namespace {
 
 /// Ends that lie farther apart along the edge than this many pitches are not joined.
-constexpr double kMaxLinkPitches = 1.6;
+constexpr double kMaxLinkPitches = 3;
+/// Joints may bring a region's length this far over what its density asks for.
+constexpr double kMostExcess = 0.028;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinLengthWidths = 1.0;
 
-absl::Status AppendFamily(const MultiPolygon& area, const LineFamily& family,
-                          const SparseFill& fill, std::vector<Path>& paths) {
-  const auto lines = CutLines(area, family);
-  if (!lines.ok()) return lines.status();
-  const SerpentineOptions options{
-      .monotonic = false,
-      .max_link_nm = kMaxLinkPitches * family.pitch_nm,
-      .min_length_nm = kMinLengthWidths * static_cast<double>(fill.width_nm)};
-  for (SerpentinePath& line : Serpentine(*lines, options)) {
-    Path& path = paths.emplace_back();
-    path.feature = Feature::kInternalInfill;
-    path.points = std::move(line.points);
-    path.widths_nm = {fill.width_nm};
-  }
-  return absl::OkStatus();
+double TotalLength(const ScanLines& lines) {
+  double length = 0;
+  for (size_t i = 0; i < lines.order.size(); i += 2)
+    length += lines.crossings[lines.order[i + 1]].u - lines.crossings[lines.order[i]].u;
+  return length;
 }
 
 }  // namespace
@@ -40,16 +33,34 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   std::vector<Path> paths;
   if (region.empty() || fill.density <= 0) return paths;
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
-  const MultiPolygon area = Offset(region, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
+  const MultiPolygon area = FastOffset(region, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
   const bool grid = fill.pattern == SparsePattern::kGrid;
   const bool turned = !grid && fill.layer_index % 2 != 0;
   LineFamily family{fill.angle_rad + (turned ? std::numbers::pi / 2 : 0), 0,
                     grid ? 2 * pitch : pitch};
-  if (absl::Status status = AppendFamily(area, family, fill, paths); !status.ok()) return status;
-  if (!grid) return paths;
-  family.angle_rad += std::numbers::pi / 2;
-  if (absl::Status status = AppendFamily(area, family, fill, paths); !status.ok()) return status;
+  std::vector<ScanLines> families;
+  double length = 0;
+  for (int i = 0; i < (grid ? 2 : 1); ++i) {
+    auto lines = CutLines(area, family);
+    if (!lines.ok()) return lines.status();
+    length += TotalLength(*lines);
+    families.push_back(*std::move(lines));
+    family.angle_rad += std::numbers::pi / 2;
+  }
+  // Where lines are few, chance may make them fewer than the area says; joints are not to make up
+  // for that.
+  const double expected = std::max(length, Area(area) / pitch);
+  const EdgeLinkOptions options{
+      .max_link_nm = kMaxLinkPitches * pitch,
+      .link_budget_nm = (1 + kMostExcess) * Area(region) / pitch - expected,
+      .min_length_nm = kMinLengthWidths * static_cast<double>(fill.width_nm)};
+  for (Polyline& line : LinkAlongEdge(families, options)) {
+    Path& path = paths.emplace_back();
+    path.feature = Feature::kInternalInfill;
+    path.points = std::move(line);
+    path.widths_nm = {fill.width_nm};
+  }
   return paths;
 }
 

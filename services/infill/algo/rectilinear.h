@@ -22,10 +22,9 @@ struct SparseFill {
 /// spacing, exactly. So the pitch is spacing / density, and twice that for each of the two
 /// directions of a grid.
 ///
-/// Lines lie on one grid through the origin, the same for all layers, islands and regions.
-/// Neighbouring ends are joined along the edge where that is not farther than the lines are apart;
-/// these joints are what the region has in excess of the density: about half the pitch per length
-/// of edge.
+/// Lines lie on one grid through the origin, the same for all layers, islands and regions. Ends
+/// that are neighbours along the edge are joined, the nearest first, as long as that does not bring
+/// the region's length more than 3 % over what the density asks for.
 ///
 /// Errors: as CutLines. Cost: O(n log n) for the inset, O(n + k) for the lines.
 /// Source: the spacing law is that of every slicer; see also "density" in tests.

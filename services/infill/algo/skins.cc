@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "services/infill/algo/region_mask.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -16,29 +17,63 @@ constexpr Coord kRoundingNm = 10;
 
 /// The part of `region` that is at least `width_nm` wide.
 MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
-  const MultiPolygon core = Offset(region, -width_nm / 2);
+  const MultiPolygon core = FastOffset(region, -width_nm / 2);
   if (core.empty()) return {};
-  return Intersection(region, Offset(core, width_nm / 2 + kRoundingNm));
+  return Intersection(region, FastOffset(core, width_nm / 2 + kRoundingNm));
 }
+
+bool IsAir(const MultiPolygon* layer) { return layer == nullptr || layer->empty(); }
 
 bool HasAir(const std::vector<const MultiPolygon*>& layers) {
-  return std::any_of(layers.begin(), layers.end(),
-                     [](const MultiPolygon* layer) { return layer == nullptr || layer->empty(); });
+  return std::any_of(layers.begin(), layers.end(), IsAir);
 }
 
-/// The outlines that decide: those equal to this layer's cover all of it, and equal neighbours say
-/// the same.
-std::vector<const MultiPolygon*> Deciding(const MultiPolygon& outline, const Cover& cover) {
-  std::vector<const MultiPolygon*> deciding;
-  for (const auto* side : {&cover.above, &cover.below}) {
-    const MultiPolygon* previous = &outline;
-    for (const MultiPolygon* layer : *side) {
-      if (*layer != *previous && *layer != outline) deciding.push_back(layer);
-      previous = layer;
-    }
-  }
-  return deciding;
+bool Covers(const MultiPolygon& layer, Point p) {
+  return std::any_of(layer.begin(), layer.end(), [p](const PolygonWithHoles& island) {
+    return Locate(p, island) != Side::kOutside;
+  });
 }
+
+/// The islands of `area` that lie under `layer`, of which no edge meets `area`; or with `covered`
+/// false the others.
+MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, bool covered) {
+  MultiPolygon islands;
+  for (const PolygonWithHoles& island : area)
+    if (Covers(layer, island.outer[0]) == covered) islands.push_back(island);
+  return islands;
+}
+
+/// Takes from a fill area what its skins need.
+class SparseRegion {
+ public:
+  SparseRegion(const MultiPolygon& fill_area, Coord width_nm)
+      : region_(fill_area), mask_(fill_area), width_nm_(width_nm) {}
+
+  /// Takes the parts over (or under) which `layer` is missing, if they are at least a bead wide,
+  /// and an anchor around them.
+  void TakeBareParts(const MultiPolygon& layer) {
+    if (!mask_.MayMeet(layer)) {
+      MultiPolygon covered = IslandsUnder(region_, layer, true);
+      if (covered.size() != region_.size()) Set(std::move(covered));
+      return;
+    }
+    const MultiPolygon core = FastOffset(Difference(region_, layer), -width_nm_ / 2);
+    if (core.empty()) return;
+    Set(Difference(region_, FastOffset(core, width_nm_ / 2 + kAnchorBeads * width_nm_)));
+  }
+
+  const MultiPolygon& region() const { return region_; }
+
+ private:
+  void Set(MultiPolygon region) {
+    region_ = std::move(region);
+    mask_ = RegionMask(region_);
+  }
+
+  MultiPolygon region_;
+  RegionMask mask_;
+  Coord width_nm_;
+};
 
 MultiPolygon SmallOnes(const MultiPolygon& regions, double area_mm2) {
   MultiPolygon small;
@@ -51,22 +86,26 @@ MultiPolygon SmallOnes(const MultiPolygon& regions, double area_mm2) {
 MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPolygon*>& side,
                      const MultiPolygon& outline, Coord width_nm) {
   if (side.empty() || area.empty()) return {};
-  if (side[0] == nullptr || side[0]->empty()) return area;
+  if (IsAir(side[0])) return area;
   if (*side[0] == outline) return {};
+  if (!RegionMask(area).MayMeet(*side[0])) return IslandsUnder(area, *side[0], false);
   return WithoutSlivers(Difference(area, *side[0]), width_nm);
 }
 
+/// From far to near: what a far layer leaves bare is most often all that nearer ones do.
 MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                         const Cover& cover, const SkinOptions& options) {
   if (options.all_solid || HasAir(cover.above) || HasAir(cover.below)) return {};
-  const std::vector<const MultiPolygon*> deciding = Deciding(outline, cover);
-  if (deciding.empty()) return fill_area;
-  const MultiPolygon bare =
-      DifferenceCovered(fill_area, deciding, static_cast<int>(deciding.size()));
-  const MultiPolygon skin = WithoutSlivers(bare, options.width_nm);
-  if (skin.empty()) return fill_area;
-  const MultiPolygon sparse = Difference(fill_area, Offset(skin, kAnchorBeads * options.width_nm));
-  return WithoutSlivers(sparse, 2 * options.width_nm);
+  SparseRegion sparse(fill_area, options.width_nm);
+  for (const auto* side : {&cover.above, &cover.below}) {
+    for (size_t i = side->size(); i-- > 0 && !sparse.region().empty();) {
+      const MultiPolygon& layer = *(*side)[i];
+      const bool seen = i + 1 < side->size() && layer == *(*side)[i + 1];
+      if (!seen && layer != outline) sparse.TakeBareParts(layer);
+    }
+  }
+  if (sparse.region() == fill_area) return fill_area;
+  return WithoutSlivers(sparse.region(), 2 * options.width_nm);
 }
 
 }  // namespace

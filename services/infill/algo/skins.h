@@ -29,13 +29,15 @@ struct Skins {
   MultiPolygon sparse;
 };
 
-/// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; skins
-/// grow by two beads into the sparse region, so that they end on something, and regions too narrow
-/// for a bead go to their neighbour.
+/// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; parts
+/// that an outline leaves bare count if they are at least a bead wide, and grow by two beads into
+/// the sparse region, so that their lines end on something. Regions too narrow for a bead go to
+/// their neighbour.
 ///
 /// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
-/// Cost: nothing for outlines equal to `outline` (that of this layer); one sweep over the others;
-/// one more for each kind of skin there is.
+/// Cost: next to nothing for outlines that equal `outline` (that of this layer) or do not come near
+/// the fill area; two boolean operations for each other one, and one more for each kind of skin
+/// there is.
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
                    const SkinOptions& options);
 

@@ -82,6 +82,30 @@ TEST(Skins, OverhangingStepHasABridge) {
   ExpectPartition(skins, kFill);
 }
 
+// A slope over five layers: what the farthest leaves bare is solid, whatever the nearer ones do.
+TEST(Skins, SlopeTakesTheFarthestLayer) {
+  std::vector<MultiPolygon> slope;
+  for (int i = 1; i <= 5; ++i) {
+    const Coord x = FromMm(20 - 2.5 * i);
+    slope.push_back({{{{0, 0}, {x, 0}, {x, FromMm(20)}, {0, FromMm(20)}}, {}}});
+  }
+  Cover cover;
+  for (const MultiPolygon& layer : slope) cover.above.push_back(&layer);
+  cover.below = {&kWhole};
+  const Skins skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_NEAR(Mm2(skins.top), 1.5 * 18, 0.01);                 // beyond 17.5
+  EXPECT_NEAR(Mm2(skins.sparse), (7.5 - 1 - 0.9) * 18, 0.01);  // up to 7.5, less the anchor
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, IslandsNotUnderALayerAreBare) {
+  const MultiPolygon fill = P("(1 1, 4 1, 4 4, 1 4) ; (6 1, 9 1, 9 4, 6 4)");
+  const MultiPolygon outline = P("(0 0, 10 0, 10 5, 0 5)"), left = P("(0 0, 5 0, 5 5, 0 5)");
+  const Skins skins = PartFillArea(fill, outline, {{&left}, {&outline}, false}, {});
+  EXPECT_NEAR(Mm2(skins.sparse), 9, 1e-6);
+  EXPECT_NEAR(Mm2(skins.top), 9, 1e-6);
+}
+
 TEST(Skins, NoSkinsAskedForIsAllSparse) {
   EXPECT_EQ(PartFillArea(kFill, kWhole, {{}, {}, false}, {}).sparse, kFill);
 }

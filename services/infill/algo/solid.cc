@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "common/geometry/offset.h"
+#include "common/geometry/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/scan_lines.h"
 #include "services/infill/algo/serpentine.h"
@@ -64,7 +64,7 @@ absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidF
       FittingLines(region, angle, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
   const Coord spacing = std::llround(family.pitch_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
-  const MultiPolygon area = Offset({region}, -inset);
+  const MultiPolygon area = FastOffset({region}, -inset);
   const auto lines = CutLines(area, family);
   if (!lines.ok()) return lines.status();
 
