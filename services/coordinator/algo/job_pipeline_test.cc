@@ -27,7 +27,7 @@ class FakeSlicing : public SlicingStage {
       SlicedLayer layer;
       layer.frame = {static_cast<int32_t>(job.layers.size()), FromMm(0.2 * (job.layers.size() + 1)),
                      FromMm(0.2)};
-      if (c != '0') layer.objects = {{0, MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)")}};
+      if (c != '0') layer.objects = {{0, MakePolygonsOrDie("(1 1, 9 1, 9 9, 1 9)")}};
       job.layers.push_back(layer);
     }
     job.object_names = {"thing"};
@@ -115,7 +115,7 @@ TEST_F(JobPipelineTest, PutsTheProgramTogether) {
             "begin thing 1\n"
             "2: layer 0 at 0 0\n"
             "empty 0: "
-            "2: layer 2 at 9 9\n"
+            "2: layer 2 at 1 1\n"
             "end layer_height = 0.2");
 }
 

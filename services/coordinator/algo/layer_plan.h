@@ -14,9 +14,8 @@ namespace slicefarm::coordinator {
 /// outlines alone:
 ///
 ///   entry  where the layer before ends, as far as outlines tell: its islands are visited by
-///   nearest neighbour, and the
-///          last one is left at its far side. So islands are printed to and fro from layer to
-///          layer.
+///   nearest
+///          neighbour. So islands are printed to and fro from layer to layer.
 ///   seams  `rear`: the rear-most vertex of each ring. `aligned`: a chain up the part, see
 ///   seam_chain.h.
 ///          `nearest`: none, each layer decides.
