@@ -84,11 +84,13 @@ class StreamCall {
     (void)Finish();
   }
 
+  // Writes gather in gRPC's write buffer; WritesDone sends what is left. See server_stream.h.
+
   /// False once an operation found the call to be over: Finish says why.
   bool alive() const { return alive_; }
 
   bool Write(const Request& request) {
-    return Step([&] { stream_->Write(request, nullptr); });
+    return Step([&] { stream_->Write(request, grpc::WriteOptions().set_buffer_hint(), nullptr); });
   }
   bool WritesDone() {
     return Step([&] { stream_->WritesDone(nullptr); });

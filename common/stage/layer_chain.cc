@@ -14,13 +14,27 @@ void StageTimes::Add(const StageTimes& other) {
   motion_s += other.motion_s;
 }
 
+namespace {
+
+/// `all` with a halo of at most `halo` layers: a stage elsewhere is sent no outlines that it does
+/// not look at.
+Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
+  const LayerRange kept = all.range.Grown(halo, all.layer_count);
+  const int32_t sent_from = all.layers.front().frame.index;
+  return {all.range, all.layer_count, all.layers.subspan(kept.first - sent_from, kept.size())};
+}
+
+}  // namespace
+
 absl::StatusOr<RangeResult> LayerChain::Run(const StageCall& call, const RangeTask& task) const {
   RangeResult result;
   const Neighbourhood neighbourhood{task.range, task.layer_count, task.layers};
   const JobSettings& settings = *task.settings;
 
-  auto walled = Timed(result.times.beading_s,
-                      [&] { return beading_.Bead(call, neighbourhood, settings.beading); });
+  auto walled = Timed(result.times.beading_s, [&] {
+    return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),
+                         settings.beading);
+  });
   if (!walled.ok()) return walled.status();
   auto filled = Timed(result.times.infill_s, [&] {
     return infill_.Fill(call, *std::move(walled), neighbourhood, settings.infill);

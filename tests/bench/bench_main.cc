@@ -16,6 +16,8 @@ struct Benchmark {
 constexpr std::array kBenchmarks = {
     Benchmark{"slice", "1,000,000 triangles into 400 layers on one thread",
               slicefarm::bench::BenchSlice},
+    Benchmark{"hop", "bytes and time per layer between processes, fused and split",
+              slicefarm::bench::BenchHop},
 };
 
 }  // namespace

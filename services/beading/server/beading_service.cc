@@ -9,8 +9,11 @@
 
 namespace slicefarm::beading {
 
-grpc::Status BeadingService::BeadLayers(grpc::ServerContext* context, Stream* stream) {
-  return gate_.Run(*context, "BeadLayers", [&](rpc::Call& call) { return Bead(call, *stream); });
+grpc::Status BeadingService::BeadLayers(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::WalledLayer, v1::BeadRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "BeadLayers", [&](rpc::Call& call) { return Bead(call, buffered); });
 }
 
 absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
 
@@ -13,10 +14,12 @@ class BeadingService final : public v1::Beading::Service {
   BeadingService(const BeadingStage& stage, rpc::CallGate& gate, int threads)
       : stage_(stage), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::WalledLayer, v1::BeadRequest>;
-  grpc::Status BeadLayers(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status BeadLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::WalledLayer, v1::BeadRequest>* stream) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::WalledLayer, v1::BeadRequest>;
   absl::Status Bead(rpc::Call& call, Stream& stream) const;
 
   const BeadingStage& stage_;

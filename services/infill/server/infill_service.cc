@@ -9,8 +9,11 @@
 
 namespace slicefarm::infill {
 
-grpc::Status InfillService::FillLayers(grpc::ServerContext* context, Stream* stream) {
-  return gate_.Run(*context, "FillLayers", [&](rpc::Call& call) { return Fill(call, *stream); });
+grpc::Status InfillService::FillLayers(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "FillLayers", [&](rpc::Call& call) { return Fill(call, buffered); });
 }
 
 absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/infill.grpc.pb.h"
 
@@ -13,10 +14,12 @@ class InfillService final : public v1::Infill::Service {
   InfillService(const InfillStage& stage, rpc::CallGate& gate, int threads)
       : stage_(stage), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>;
-  grpc::Status FillLayers(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status FillLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>* stream) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::FilledLayer, v1::FillRequest>;
   absl::Status Fill(rpc::Call& call, Stream& stream) const;
 
   const InfillStage& stage_;

@@ -12,9 +12,12 @@
 
 namespace slicefarm::motion {
 
-grpc::Status MotionService::ProgramLayers(grpc::ServerContext* context, Stream* stream) {
+grpc::Status MotionService::ProgramLayers(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::LayerProgram, v1::ProgramRequest>* stream) {
+  Stream buffered(*stream);
   return gate_.Run(*context, "ProgramLayers",
-                   [&](rpc::Call& call) { return Program(call, *stream); });
+                   [&](rpc::Call& call) { return Program(call, buffered); });
 }
 
 absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 
@@ -13,13 +14,15 @@ class MotionService final : public v1::Motion::Service {
   MotionService(const MotionStage& stage, rpc::CallGate& gate, int threads)
       : stage_(stage), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::LayerProgram, v1::ProgramRequest>;
-  grpc::Status ProgramLayers(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status ProgramLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::LayerProgram, v1::ProgramRequest>* stream) override;
 
   grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* request,
                             v1::ProgramFrame* response) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::LayerProgram, v1::ProgramRequest>;
   absl::Status Program(rpc::Call& call, Stream& stream) const;
   absl::Status Frame(rpc::Call& call, const v1::FrameRequest& request,
                      v1::ProgramFrame* response) const;

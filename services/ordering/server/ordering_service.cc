@@ -9,8 +9,11 @@
 
 namespace slicefarm::ordering {
 
-grpc::Status OrderingService::OrderLayers(grpc::ServerContext* context, Stream* stream) {
-  return gate_.Run(*context, "OrderLayers", [&](rpc::Call& call) { return Order(call, *stream); });
+grpc::Status OrderingService::OrderLayers(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "OrderLayers", [&](rpc::Call& call) { return Order(call, buffered); });
 }
 
 absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/ordering.grpc.pb.h"
 
@@ -13,10 +14,12 @@ class OrderingService final : public v1::Ordering::Service {
   OrderingService(const OrderingStage& stage, rpc::CallGate& gate, int threads)
       : stage_(stage), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>;
-  grpc::Status OrderLayers(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status OrderLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>* stream) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::OrderedLayer, v1::OrderRequest>;
   absl::Status Order(rpc::Call& call, Stream& stream) const;
 
   const OrderingStage& stage_;

@@ -9,8 +9,11 @@
 
 namespace slicefarm::slicing {
 
-grpc::Status SlicingService::Slice(grpc::ServerContext* context, Stream* stream) {
-  return gate_.Run(*context, "Slice", [&](rpc::Call& call) { return SliceFiles(call, *stream); });
+grpc::Status SlicingService::Slice(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "Slice", [&](rpc::Call& call) { return SliceFiles(call, buffered); });
 }
 
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/slicing.grpc.pb.h"
 
@@ -13,10 +14,12 @@ class SlicingService final : public v1::Slicing::Service {
   SlicingService(const SlicingStage& stage, rpc::CallGate& gate, int threads)
       : stage_(stage), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>;
-  grpc::Status Slice(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status Slice(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
   absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
   static absl::Status Answer(const SlicedJob& job, Stream& stream);
 

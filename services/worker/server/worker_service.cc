@@ -11,8 +11,11 @@
 
 namespace slicefarm::worker {
 
-grpc::Status WorkerService::WorkRange(grpc::ServerContext* context, Stream* stream) {
-  return gate_.Run(*context, "WorkRange", [&](rpc::Call& call) { return Work(call, *stream); });
+grpc::Status WorkerService::WorkRange(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "WorkRange", [&](rpc::Call& call) { return Work(call, buffered); });
 }
 
 grpc::Status WorkerService::GetWorkerInfo(grpc::ServerContext* /*context*/,

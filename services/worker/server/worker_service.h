@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/worker.grpc.pb.h"
 
@@ -13,12 +14,14 @@ class WorkerService final : public v1::Worker::Service {
   WorkerService(const RangeRunner& runner, rpc::CallGate& gate, int threads)
       : runner_(runner), gate_(gate), threads_(threads) {}
 
-  using Stream = grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>;
-  grpc::Status WorkRange(grpc::ServerContext* context, Stream* stream) override;
+  grpc::Status WorkRange(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>* stream) override;
   grpc::Status GetWorkerInfo(grpc::ServerContext* context, const v1::GetWorkerInfoRequest* request,
                              v1::WorkerInfo* response) override;
 
  private:
+  using Stream = rpc::ServerStream<v1::WorkResponse, v1::WorkRequest>;
   absl::Status Work(rpc::Call& call, Stream& stream) const;
   static absl::Status Answer(RangeResult result, Stream& stream);
 

@@ -1,0 +1,288 @@
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/rpc/channel.h"
+#include "common/stage/layer_chain.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/program_wire.h"
+#include "services/beading/algo/local_beading_stage.h"
+#include "services/coordinator/algo/layer_plan.h"
+#include "services/coordinator/algo/range_split.h"
+#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/remote_worker.h"
+#include "services/infill/algo/local_infill_stage.h"
+#include "services/motion/algo/local_motion_stage.h"
+#include "services/ordering/algo/local_ordering_stage.h"
+#include "services/slicing/algo/local_slicing_stage.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/integration/stage_host.h"
+
+namespace slicefarm::bench {
+namespace {
+
+constexpr int kRuns = 7;
+constexpr int kSlots = 4;  // as for a farm of four workers: decides how long the ranges are
+
+struct Cost {
+  double wall_s = 0;
+  double cpu_s = 0;  ///< of this process: client, server and gRPC's threads
+};
+
+double CpuSeconds() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) { return t.tv_sec + t.tv_usec / 1e6; };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// The least of a few runs.
+Cost Measure(const std::function<void()>& work) {
+  using Clock = std::chrono::steady_clock;
+  Cost best{1e9, 1e9};
+  for (int run = 0; run < kRuns; ++run) {
+    const double cpu = CpuSeconds();
+    const auto wall = Clock::now();
+    work();
+    best.wall_s = std::min(best.wall_s, std::chrono::duration<double>(Clock::now() - wall).count());
+    best.cpu_s = std::min(best.cpu_s, CpuSeconds() - cpu);
+  }
+  return best;
+}
+
+template <typename Layer>
+std::vector<Layer> Part(const std::vector<Layer>& layers, LayerRange range) {
+  return {layers.begin() + range.first, layers.begin() + range.last};
+}
+
+/// A job in every state of its way.
+struct Job {
+  SliceInput input;
+  JobSettings settings;
+  SlicedJob sliced;
+  std::vector<LayerPlan> plans;
+  std::vector<WalledLayer> walled;
+  std::vector<FilledLayer> filled;
+  std::vector<OrderedLayer> ordered;
+  std::vector<LayerProgram> programs;
+  std::vector<LayerRange> ranges;
+
+  int32_t layer_count() const { return static_cast<int32_t>(sliced.layers.size()); }
+  LayerRange Halo(LayerRange range) const {
+    return range.Grown(HaloLayers(settings), layer_count());
+  }
+  Neighbourhood Around(LayerRange range) const {
+    const LayerRange halo = Halo(range);
+    return {range, layer_count(), std::span(sliced.layers).subspan(halo.first, halo.size())};
+  }
+  std::span<const LayerPlan> Plans(LayerRange range) const {
+    return std::span(plans).subspan(range.first, range.size());
+  }
+};
+
+/// Stages that have their answers ready: what is left of a call's cost is the hop's.
+class CannedSlicing : public SlicingStage {
+ public:
+  explicit CannedSlicing(const Job& job) : job_(job) {}
+  absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput,
+                                  const SlicingOptions&) const override {
+    return job_.sliced;
+  }
+
+ private:
+  const Job& job_;
+};
+
+class CannedStages : public BeadingStage,
+                     public InfillStage,
+                     public OrderingStage,
+                     public MotionStage,
+                     public RangeRunner {
+ public:
+  explicit CannedStages(const Job& job) : job_(job) {}
+  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& n,
+                                                const BeadingOptions&) const override {
+    return Part(job_.walled, n.range);
+  }
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
+                                                const Neighbourhood& n,
+                                                const InfillOptions&) const override {
+    return Part(job_.filled, n.range);
+  }
+  absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
+                                                  std::span<const LayerPlan>,
+                                                  const OrderingOptions&) const override {
+    return Part(job_.ordered, RangeOf(layers));
+  }
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&,
+                                                    std::vector<OrderedLayer> layers,
+                                                    const MotionOptions&) const override {
+    return Part(job_.programs, RangeOf(layers));
+  }
+  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,
+                                     const MotionOptions&) const override {
+    return ProgramFrame{};
+  }
+  absl::StatusOr<RangeResult> Run(const StageCall&, const RangeTask& task) const override {
+    return RangeResult{Part(job_.programs, task.range), {}};
+  }
+
+ private:
+  const Job& job_;
+};
+
+SliceInput Benchy() {
+  std::ifstream file(SLICEFARM_CORPUS "/models/benchy.stl", std::ios::binary);
+  SliceInput input;
+  input.files = {{"benchy.stl",
+                  MeshFormat::kStl,
+                  {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}}};
+  input.placements.resize(1);
+  return input;
+}
+
+/// The job by the stages of this process, and what it costs.
+absl::StatusOr<Cost> Compute(Job* job) {
+  const auto slicing = slicing::MakeLocalSlicing();
+  const auto beading = beading::MakeLocalBeading();
+  const auto infill = infill::MakeLocalInfill();
+  const auto ordering = ordering::MakeLocalOrdering();
+  const auto motion = motion::MakeLocalMotion();
+  absl::Status status;
+  const auto keep = [&status](auto result, auto* value) {
+    status.Update(result.status());
+    if (result.ok()) *value = *std::move(result);
+  };
+  const Cost cost = Measure([&] {
+    const SeamPosition seam = job->settings.ordering.seam;
+    keep(slicing->Slice({}, job->input, job->settings.slicing), &job->sliced);
+    keep(coordinator::PlanLayers(job->sliced.layers, seam, {}), &job->plans);
+    const Neighbourhood all = job->Around({0, job->layer_count()});
+    keep(beading->Bead({}, all, job->settings.beading), &job->walled);
+    keep(infill->Fill({}, job->walled, all, job->settings.infill), &job->filled);
+    keep(ordering->Order({}, job->filled, job->plans, job->settings.ordering), &job->ordered);
+    keep(motion->Program({}, job->ordered, job->settings.motion), &job->programs);
+  });
+  if (!status.ok()) return status;
+  job->ranges = coordinator::SplitIntoRanges(job->sliced.layers, kSlots);
+  return cost;
+}
+
+template <typename Proto, typename Layer>
+double Bytes(const std::vector<Layer>& layers) {
+  double bytes = 0;
+  for (const Layer& layer : layers) {
+    Proto proto;
+    (void)ToProto(layer, &proto);
+    bytes += static_cast<double>(proto.ByteSizeLong());
+  }
+  return bytes;
+}
+
+/// Bytes of the layer messages there and back, all calls of a job together.
+struct Traffic {
+  double sliced = 0;  ///< outlines with the ranges' halos, once
+  double walled = 0;
+  double filled = 0;
+  double ordered = 0;
+  double programs = 0;
+
+  double fused() const { return sliced + programs; }
+  double split() const { return 2 * (sliced + walled + filled + ordered) + programs; }
+};
+
+Traffic Count(const Job& job) {
+  Traffic traffic;
+  for (const LayerRange range : job.ranges) {
+    traffic.sliced += Bytes<v1::SlicedLayer>(Part(job.sliced.layers, job.Halo(range)));
+  }
+  traffic.walled = Bytes<v1::WalledLayer>(job.walled);
+  traffic.filled = Bytes<v1::FilledLayer>(job.filled);
+  traffic.ordered = Bytes<v1::OrderedLayer>(job.ordered);
+  traffic.programs = Bytes<v1::LayerProgram>(job.programs);
+  return traffic;
+}
+
+/// Clients of canned stages over a real socket.
+class Farm {
+ public:
+  explicit Farm(const Job& job) : job_(job), canned_slicing_(job), canned_(job) {}
+
+  /// Each returns false if a call failed.
+  bool Slice() const { return slicing_.Slice({}, job_.input, job_.settings.slicing).ok(); }
+  bool Fused() const {
+    return std::ranges::all_of(job_.ranges, [this](LayerRange range) {
+      const Neighbourhood n = job_.Around(range);
+      return worker_.Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
+          .ok();
+    });
+  }
+  bool Split() const {
+    const LayerChain chain(beading_, infill_, ordering_, motion_);
+    return std::ranges::all_of(job_.ranges, [&](LayerRange range) {
+      const Neighbourhood n = job_.Around(range);
+      return chain.Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
+          .ok();
+    });
+  }
+
+ private:
+  const Job& job_;
+  const CannedSlicing canned_slicing_;
+  const CannedStages canned_;
+  StageHost host_{{canned_slicing_, canned_, canned_, canned_, canned_, canned_}};
+  coordinator::SingleReplica replica_{rpc::MakeChannel(host_.Address())};
+  const coordinator::RemoteSlicing slicing_{replica_};
+  const coordinator::RemoteBeading beading_{replica_};
+  const coordinator::RemoteInfill infill_{replica_};
+  const coordinator::RemoteOrdering ordering_{replica_};
+  const coordinator::RemoteMotion motion_{replica_};
+  const coordinator::RemoteWorker worker_{replica_};
+};
+
+void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing, double job_cpu_s,
+           int32_t layers) {
+  const double transport_s = hops.cpu_s + slicing.cpu_s;
+  std::printf("%s_kbytes_per_layer %.2f\n", way, bytes / 1000 / layers);
+  std::printf("%s_wall_ms_per_layer %.4f\n", way, hops.wall_s * 1000 / layers);
+  std::printf("%s_cpu_ms_per_layer %.4f\n", way, hops.cpu_s * 1000 / layers);
+  std::printf("%s_transport_share %.4f\n", way, transport_s / (transport_s + job_cpu_s));
+}
+
+}  // namespace
+
+/// What the way between processes costs, on the benchy: bytes, time and CPU time per layer for
+/// fused workers (one hop) and for split stages (four), and their share of a job's CPU time, the
+/// hop of the mesh included.
+int BenchHop() {
+  Job job;
+  job.input = Benchy();
+  const absl::StatusOr<Cost> local = Compute(&job);
+  if (!local.ok()) {
+    std::fprintf(stderr, "%s\n", local.status().ToString().c_str());
+    return 1;
+  }
+  const Farm farm(job);
+  bool sound = true;
+  const Cost slicing = Measure([&] { sound &= farm.Slice(); });
+  const Cost fused = Measure([&] { sound &= farm.Fused(); });
+  const Cost split = Measure([&] { sound &= farm.Split(); });
+  const Traffic traffic = Count(job);
+  std::printf("layers %d\nranges %zu\n", job.layer_count(), job.ranges.size());
+  std::printf("job_cpu_s %.4f\n", local->cpu_s);
+  std::printf("slicing_hop_cpu_s %.4f\n", slicing.cpu_s);
+  Print("fused", traffic.fused(), fused, slicing, local->cpu_s, job.layer_count());
+  Print("split", traffic.split(), split, slicing, local->cpu_s, job.layer_count());
+  return sound ? 0 : 1;
+}
+
+}  // namespace slicefarm::bench
