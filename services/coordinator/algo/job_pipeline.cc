@@ -56,6 +56,19 @@ absl::Status CheckPrograms(const std::vector<RangeResult>& results, size_t layer
                    absl::StrCat(index, " of ", layer_count, " layers came back"));
 }
 
+/// A part that ends between two planes may leave outlines at its top that no bead fits into. Printing
+/// ends with the last layer that has beads; empty layers below it stay. Errors: InvalidArgument
+/// (NOTHING_TO_PRINT) if there is none.
+absl::Status DropEmptyTop(std::vector<RangeResult>& results) {
+  for (auto result = results.rbegin(); result != results.rend(); ++result) {
+    std::vector<LayerProgram>& programs = result->programs;
+    while (!programs.empty() && programs.back().stats.ExtrudedMm() == 0) programs.pop_back();
+    if (!programs.empty()) return absl::OkStatus();
+  }
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                   "the outlines of all layers are too thin for a bead");
+}
+
 LayerSummary Summarize(const LayerProgram& program) {
   return {.frame = program.frame,
           .entry = program.entry,
@@ -154,6 +167,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
 
   auto results = RunRanges(call, std::move(sliced->layers), settings, executor_, progress);
   if (!results.ok()) return results.status();
+  if (absl::Status printable = DropEmptyTop(*results); !printable.ok()) return printable;
 
   ProgramSummary summary = Summarize(*results, report.stage_times);
   summary.thumbnails = std::move(sliced->thumbnails);

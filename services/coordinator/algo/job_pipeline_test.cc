@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "absl/strings/str_cat.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "common/model/error.h"
 #include "services/coordinator/algo/dispatcher.h"
@@ -16,7 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Squares, as many layers as the file has bytes; '0' bytes are empty layers.
+/// Squares, as many layers as the file has bytes; '0' bytes are empty layers, '-' bytes outlines that
+/// no bead fits into.
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
@@ -27,7 +29,8 @@ class FakeSlicing : public SlicingStage {
       SlicedLayer layer;
       layer.frame = {static_cast<int32_t>(job.layers.size()), FromMm(0.2 * (job.layers.size() + 1)),
                      FromMm(0.2)};
-      if (c != '0') layer.objects = {{0, MakePolygonsOrDie("(1 1, 9 1, 9 9, 1 9)")}};
+      if (c == '-') layer.objects = {{0, MakePolygonsOrDie("(1 1, 9 1, 9 1.01)")}};
+      if (c == 'x') layer.objects = {{0, MakePolygonsOrDie("(1 1, 9 1, 9 9, 1 9)")}};
       job.layers.push_back(layer);
     }
     job.object_names = {"thing"};
@@ -52,8 +55,8 @@ class FakeRanges : public RangeRunner {
       LayerProgram program;
       program.frame = task.layers[i - task.layers.front().frame.index].frame;
       const LayerPlan& plan = task.plans[i - task.range.first];
-      const bool empty = task.layers[i - task.layers.front().frame.index].objects.empty();
-      if (!empty) {
+      const auto& objects = task.layers[i - task.layers.front().frame.index].objects;
+      if (!objects.empty() && Area(objects[0].outlines) > 1e12) {
         program.gcode = absl::StrCat("layer ", i, " at ", ToText(plan.entry), "\n");
         program.stats.features[0] = {2, 3, 4, 5};
       }
@@ -108,6 +111,25 @@ class JobPipelineTest : public testing::Test {
   std::vector<PipelineProgress> progress_;
 };
 
+TEST_F(JobPipelineTest, PrintingEndsWithTheLastLayerThatHasBeads) {
+  const std::string expected = Run("x-x")->gcode;
+  EXPECT_THAT(expected, HasSubstr("empty"));
+  for (const char* bytes : {"x-x-", "x-x0", "x-x-0-", "x-x---------------"}) {
+    for (const int slots : {1, 2, 4}) {
+      const auto output = Run(bytes, slots);
+      ASSERT_TRUE(output.ok()) << output.status();
+      EXPECT_EQ(output->gcode, expected) << bytes;
+      EXPECT_EQ(output->report.layer_count, 3) << bytes;
+    }
+  }
+}
+
+TEST_F(JobPipelineTest, OutlinesThatNoBeadFitsIntoAreAnError) {
+  const auto output = Run("---");
+  EXPECT_EQ(output.status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(DetailOf(output.status()).reason, Reason::kNothingToPrint);
+}
+
 TEST_F(JobPipelineTest, PutsTheProgramTogether) {
   const auto output = Run("x0x");
   ASSERT_TRUE(output.ok()) << output.status();
@@ -123,7 +145,7 @@ TEST_F(JobPipelineTest, ReportsWhatItCameTo) {
   const auto output = Run("xxx0");
   ASSERT_TRUE(output.ok()) << output.status();
   const JobReport& report = output->report;
-  EXPECT_EQ(report.layer_count, 4);
+  EXPECT_EQ(report.layer_count, 3);
   EXPECT_DOUBLE_EQ(report.object_height_mm, 0.6);
   EXPECT_DOUBLE_EQ(report.print_time_s, 106);
   EXPECT_DOUBLE_EQ(report.travel_mm, 50);

@@ -103,16 +103,17 @@ void RegionMask::MarkInside(const MultiPolygon& region) {
       const double ax = static_cast<double>(a.x - box_.min.x) * squares_per_nm_;
       const double bx = static_cast<double>(b.x - box_.min.x) * squares_per_nm_;
       const double low = std::min(ay, by), high = std::max(ay, by);
-      for (auto row = static_cast<int32_t>(std::ceil(low)); row < rows_ && row < high; ++row)
+      for (auto row = static_cast<int32_t>(std::ceil(std::max(0.0, low))); row < rows_ && row < high;
+           ++row)
         crossings[row].push_back(ax + (row - ay) / (by - ay) * (bx - ax));
     }
   }
   for (int32_t row = 0; row < rows_; ++row) {
     std::sort(crossings[row].begin(), crossings[row].end());
     for (size_t k = 0; k + 1 < crossings[row].size(); k += 2) {
-      const auto first = static_cast<int32_t>(std::ceil(crossings[row][k] - 0.5));
-      const auto last = static_cast<int32_t>(std::floor(crossings[row][k + 1] - 0.5));
-      if (first <= last) MarkSpan(row, first, last);
+      const double from = std::max(0.0, std::ceil(crossings[row][k] - 0.5));
+      const double to = std::min(columns_ - 1.0, std::floor(crossings[row][k + 1] - 0.5));
+      if (from <= to) MarkSpan(row, static_cast<int32_t>(from), static_cast<int32_t>(to));
     }
   }
 }

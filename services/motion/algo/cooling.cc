@@ -46,10 +46,12 @@ std::vector<int32_t> FeedRates(const Toolpath& path) {
 
 }  // namespace
 
-double SlowDown(const CoolingOptions& cooling, LayerTiming& timing, Toolpath& path) {
-  const double full_time = Sum(timing.Times(path));
+std::span<const double> SlowDown(const CoolingOptions& cooling, LayerTiming& timing,
+                                 Toolpath& path) {
+  std::span<const double> times = timing.Times(path);
+  const double full_time = Sum(times);
   const double wanted = cooling.slowdown_below_layer_time_s;
-  if (!cooling.enabled || full_time >= wanted || full_time <= 0) return full_time;
+  if (!cooling.enabled || full_time >= wanted || full_time <= 0) return times;
   const std::vector<int32_t> full = FeedRates(path);
   const int32_t least = FeedRate(cooling.min_print_speed_mm_s);
   // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it
@@ -57,17 +59,17 @@ double SlowDown(const CoolingOptions& cooling, LayerTiming& timing, Toolpath& pa
   double low = 0;
   double high = 1;
   double share = full_time / wanted;
-  double time = full_time;
   for (int i = 0; i < kMaxTrials; ++i) {
     SetSpeeds(full, share, least, path);
-    time = Sum(timing.Times(path));
+    times = timing.Times(path);
+    const double time = Sum(times);
     if (std::abs(time - wanted) <= kTolerance * wanted) break;
     if (time < wanted && FastestBead(path) <= least) break;
     (time > wanted ? low : high) = share;
     const double next = share * time / wanted;
     share = next > low && next < high ? next : (low + high) / 2;
   }
-  return time;
+  return times;
 }
 
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s) {

@@ -8,9 +8,10 @@ namespace slicefarm::motion {
 
 /// Slows the beads of a layer down, all by the same share, until it takes slowdown_below_layer_time
 /// as the planner reckons, accelerations included; but none below min_print_speed. Travels keep
-/// their speed. Gives the time in s of the layer as it is now. Cost: O(moves) if it is slow enough,
-/// else about ten times as much.
-double SlowDown(const CoolingOptions& cooling, LayerTiming& timing, Toolpath& path);
+/// their speed. Gives the times of the moves as they are now, valid as long as those of `timing`.
+/// Cost: O(moves) if the layer is slow enough, else about ten times as much.
+std::span<const double> SlowDown(const CoolingOptions& cooling, LayerTiming& timing,
+                                 Toolpath& path);
 
 /// Fan in percent for a layer that takes `layer_time_s`: off for the first layers; else between the
 /// settings' bounds, the more the shorter the layer.

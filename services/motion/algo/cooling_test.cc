@@ -27,15 +27,19 @@ Toolpath Squares(int count) {
   return builder.Finish();
 }
 
-double Time(const Toolpath& path) {
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
-  const auto times = timing.Times(path);
+double Sum(std::span<const double> times) {
   return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
-double SlowDown(CoolingOptions cooling, Toolpath& path) {
+double Time(const Toolpath& path) {
   LayerTiming timing(GcodeFlavor::kMarlin2, {});
-  return motion::SlowDown(cooling, timing, path);
+  return Sum(timing.Times(path));
+}
+
+/// Slows `path` down and gives the time it takes then.
+double Slowed(const CoolingOptions& cooling, Toolpath& path) {
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  return Sum(SlowDown(cooling, timing, path));
 }
 
 TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
@@ -45,7 +49,7 @@ TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
     cooling.slowdown_below_layer_time_s = wanted;
     Toolpath path = Squares(1);
     ASSERT_LT(Time(path), wanted);
-    const double time = SlowDown(cooling, path);
+    const double time = Slowed(cooling, path);
     EXPECT_NEAR(time, wanted, 0.003 * wanted);
     EXPECT_DOUBLE_EQ(Time(path), time);
   }
@@ -55,11 +59,11 @@ TEST(SlowDown, LongLayersAndSwitchedOffCoolingStayAsTheyAre) {
   CoolingOptions cooling;
   Toolpath path = Squares(20);
   const Toolpath before = path;
-  EXPECT_DOUBLE_EQ(SlowDown(cooling, path), Time(before));
+  EXPECT_DOUBLE_EQ(Slowed(cooling, path), Time(before));
   EXPECT_EQ(path.moves, before.moves);
   cooling.enabled = false;
   Toolpath small = Squares(1);
-  SlowDown(cooling, small);
+  Slowed(cooling, small);
   EXPECT_EQ(small.moves, Squares(1).moves);
 }
 
@@ -68,7 +72,7 @@ TEST(SlowDown, NotBelowTheLeastSpeed) {
   cooling.slowdown_below_layer_time_s = 1'000;
   cooling.min_print_speed_mm_s = 12;
   Toolpath path = Squares(1);
-  EXPECT_LT(SlowDown(cooling, path), 1'000);
+  EXPECT_LT(Slowed(cooling, path), 1'000);
   for (const Move& move : path.moves) {
     if (move.kind != MoveKind::kPrint) continue;
     EXPECT_EQ(move.feed_rate, FeedRate(12));
@@ -80,7 +84,7 @@ TEST(SlowDown, BeadsThatAreSlowerAlreadyAreNotSpedUp) {
   cooling.slowdown_below_layer_time_s = 1'000;
   cooling.min_print_speed_mm_s = 50;  // above the squares' 30
   Toolpath path = Squares(1);
-  SlowDown(cooling, path);
+  Slowed(cooling, path);
   EXPECT_EQ(path.moves, Squares(1).moves);
 }
 
@@ -89,7 +93,7 @@ TEST(SlowDown, TravelsKeepTheirSpeed) {
   cooling.slowdown_below_layer_time_s = 60;
   Toolpath path = Squares(2);
   const Toolpath before = path;
-  SlowDown(cooling, path);
+  Slowed(cooling, path);
   for (size_t i = 0; i < path.moves.size(); ++i) {
     if (path.moves[i].kind == MoveKind::kPrint) continue;
     EXPECT_EQ(path.moves[i], before.moves[i]);
@@ -98,7 +102,7 @@ TEST(SlowDown, TravelsKeepTheirSpeed) {
 
 TEST(SlowDown, EmptyLayer) {
   Toolpath path;
-  EXPECT_EQ(SlowDown({}, path), 0);
+  EXPECT_EQ(Slowed({}, path), 0);
 }
 
 TEST(FanPercent, GoesWithTheLayersTime) {

@@ -84,12 +84,11 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   program.frame = layer.frame;
   program.stats = builder.stats();
   LayerTiming timing(options.flavor, options.limits);
-  const double time_s = SlowDown(options.cooling, timing, path);
-  AddTimes(path, timing.Times(path), program.stats);
+  AddTimes(path, SlowDown(options.cooling, timing, path), program.stats);
 
   const int32_t index = layer.frame.index;
   LayerState state;
-  state.fan_percent = FanPercent(options.cooling, index, time_s);
+  state.fan_percent = FanPercent(options.cooling, index, program.stats.TimeS());
   state.bridge_fan_percent = BridgeFanPercent(options.cooling, index, state.fan_percent);
   state.height_um = static_cast<int32_t>(layer.frame.height_nm / 1000);
   LayerWriter writer(options.flavor, AccelerationsFor(options, index), state);

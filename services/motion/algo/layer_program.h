@@ -7,8 +7,10 @@
 namespace slicefarm::motion {
 
 /// The G-code of a layer, and what it takes:
-///   1 moves (toolpath_builder.h)   2 slow-down and fan (cooling.h)   3 times (layer_timing.h)   4
-///   text (layer_writer.h)
+///   1 moves (toolpath_builder.h)
+///   2 slow-down and fan (cooling.h)
+///   3 times (layer_timing.h)
+///   4 text (layer_writer.h)
 ///
 /// It starts retracted, anywhere at the height of the layer below or above it, with relative E and
 /// absolute coordinates, and ends so. It depends on nothing but its arguments: programs are joined

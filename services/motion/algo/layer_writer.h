@@ -15,8 +15,8 @@ struct LayerState {
 };
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
-/// `;TYPE:`, `;WIDTH:` and
-/// `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only where they change.
+/// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
+/// where they change.
 class LayerWriter {
  public:
   LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)

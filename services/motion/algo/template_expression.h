@@ -10,14 +10,16 @@ namespace slicefarm::motion {
 /// What an expression of a template comes to.
 ///
 ///   literals    12  0.5  "text"  true  false
-///   variables   temperature  temperature[0]  temperature[initial_extruder]; beyond a list's end:
-///   its first element operators   ?:  or ||  and &&  == != <>  < <= > >=  + -  * / %  not ! -  ( )
+///   variables   temperature  temperature[0]  temperature[initial_extruder]
+///   operators   ?:  or ||  and &&  == !=  < <= > >= <>  + -  * / %  not ! -  ( )
+///   patterns    text =~ /regular expression/  text !~ /.../  (text_pattern.h)
 ///   functions   min(a,b) max(a,b) int(a) round(a) digits(a, width[, decimals]) zdigits(...)
 ///
-/// + also joins texts; / of whole numbers is whole. With `evaluate` false, only the form is
-/// checked. Errors: InvalidArgument whose message says what is wrong; for an unknown variable the
-/// error names it: UnknownVariable(). Depth and length of what is read are bounded. Cost:
-/// O(length). Source: PrusaSlicer's documentation, "Macros".
+/// An index past a list's end gives its first element. + also joins texts; / of whole numbers is
+/// whole. With `evaluate` false, only the form is checked.
+/// Errors: InvalidArgument whose message says what is wrong; UnknownVariable() gives the variable,
+/// if it is about one. Depth and length of what is read are bounded.
+/// Cost: O(length). Source: PrusaSlicer's documentation, "Macros".
 absl::StatusOr<TemplateValue> EvaluateExpression(std::string_view text,
                                                  const TemplateVariables& variables, bool evaluate);
 

@@ -10,8 +10,7 @@ namespace slicefarm::motion {
 ///   .  [a-z] [^a-z]  \d \w \s (and capitals)  \. and the like   one character
 ///   ( )  (?: )  |                                               groups and alternatives
 ///   * + ?                                                       repetition
-///   ^ $                                                         the ends, of no effect: the whole
-///   has to match
+///   ^ $                                                         of no effect: all has to match
 ///
 /// By simulation of an automaton and without backtracking: strangers write both. Cost: O(text *
 /// pattern). Errors: InvalidArgument for patterns that cannot be read or are longer than 1000

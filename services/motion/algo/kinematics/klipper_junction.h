@@ -11,8 +11,9 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
 /// The greatest squared speed (mm^2/s^2) at which Klipper goes from `before` to `move`, as far as
 /// their directions say:
-///   junction deviation from the square corner velocity, v^2 = a jd s / (1 - s), jd = scv^2
-///   (sqrt(2) - 1) / a; the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
+///   junction deviation by the square corner velocity, v^2 = scv^2 (sqrt(2) - 1) s / (1 - s),
+///   s the sine of half the angle between the moves;
+///   the arc that fits in half of either move, v^2 <= a L tan(theta / 2) / 2;
 ///   the extruder's speed may change by 1 mm/s at once.
 /// Where one of the moves is the extruder's alone, the toolhead stops: 0. REQUIRES: both are
 /// limited. Source: Klipper's documentation, "Kinematics".
