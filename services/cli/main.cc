@@ -12,12 +12,19 @@
 #include "services/cli/interrupt.h"
 
 namespace slicefarm::cli {
+namespace {
+
+std::string VersionLine() {
+  return fmt::format("slicefarm {} ({}), build {}", Version(), ReleaseDate(), BuildId());
+}
+
+}  // namespace
 
 void AddVersion(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("version", "Print version and build");
   command->callback([&context] {
     context.run = [] {
-      Print(fmt::format("slicefarm {} ({}), build {}\n", Version(), ReleaseDate(), BuildId()));
+      Print(VersionLine() + "\n");
       return ExitCode::kOk;
     };
   });
@@ -49,6 +56,15 @@ constexpr char kFooter[] =
 ExitCode Parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    // Of a word that is no command, CLI11 only says that a command is missing.
+    if (app.get_subcommands().empty() && !app.remaining().empty()) {
+      fmt::print(stderr, "error: there is no command '{}'\nRun with --help for the commands.\n",
+                 app.remaining().front());
+      return ExitCode::kUsage;
+    }
+    app.exit(error);
+    return ExitCode::kUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::kOk : ExitCode::kUsage;
   }
@@ -61,6 +77,7 @@ ExitCode Main(int argc, char** argv) {
   CommandContext context = {.interrupt = &interrupt, .run = {}};
   CLI::App app(kDescription, "slicefarm");
   app.footer(kFooter);
+  app.set_version_flag("--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add : {AddSlice, AddSubmit, AddWatch, AddList, AddGet, AddCancel, AddDelete,
                          AddRender, AddSettings, AddHealth, AddVersion}) {

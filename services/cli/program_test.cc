@@ -240,6 +240,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--banana"},
                     ExitCode::kUsage,
                     "--banana"},
+        FailureCase{"NoSuchCommand", {"frobnicate"}, ExitCode::kUsage, "no command 'frobnicate'"},
         FailureCase{"NoOutput", {"slice", "@cube.obj"}, ExitCode::kUsage, "--output is required"},
         FailureCase{"NoModelFile",
                     {"slice", "@none.stl", "-o", "@out.gcode"},
@@ -469,6 +470,7 @@ TEST_F(Program, AsksForHealth) {
 
 TEST_F(Program, TellsItsVersion) {
   const Outcome outcome = Run({"version"});
+  EXPECT_EQ(Run({"--version"}).out, outcome.out);
   EXPECT_EQ(outcome.code, ExitCode::kOk);
   EXPECT_THAT(outcome.out,
               testing::MatchesRegex("slicefarm [0-9.]+ \\([0-9-]+\\), build [0-9a-f]+\n"));

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "common/geometry/point.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
 
@@ -25,7 +26,8 @@ absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const SlicingO
   if (first / 2 >= top_nm)
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-        fmt::format("the part is {} nm high, which is less than half of the first layer", top_nm),
+        fmt::format("the part is {} mm high, which is less than half of the first layer",
+                    ToMm(top_nm)),
         {{"limit", std::to_string(first / 2)}, {"got", std::to_string(top_nm)}});
   // Layer k >= 1 is cut at first + (k - 1) height + height / 2 < top.
   const Coord room = top_nm - first - height / 2;
