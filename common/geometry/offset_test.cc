@@ -47,6 +47,69 @@ INSTANTIATE_TEST_SUITE_P(Angles, MiterTest,
                          testing::Values(MiterCase{30, 3.8637033}, MiterCase{60, 2},
                                          MiterCase{90, 1.4142136}, MiterCase{120, 1.1547005}));
 
+class NotchTest : public testing::TestWithParam<MiterCase> {};
+
+// errata 10.1.2: the same inwards, where the corner is reflex: 1 / |sin(theta / 2)|.
+TEST_P(NotchTest, InwardMiterIsAsLongAsTheAngleAsks) {
+  const auto [degrees, factor] = GetParam();
+  const double half = (360 - degrees) / 2 * std::numbers::pi / 180;  // of the notch's opening
+  const double deep = 300, wide = deep * std::tan(half);
+  // A wide plate with a notch from above, its tip at the origin.
+  const Polygon plate = {{FromMm(-wide - 400), FromMm(-400)},
+                         {FromMm(wide + 400), FromMm(-400)},
+                         {FromMm(wide + 400), FromMm(deep)},
+                         {FromMm(wide), FromMm(deep)},
+                         {0, 0},
+                         {FromMm(-wide), FromMm(deep)},
+                         {FromMm(-wide - 400), FromMm(deep)}};
+  const MultiPolygon inset = Offset({{plate, {}}}, -FromMm(1), {.miter_limit = 200});
+  double lowest = 0;
+  for (const Point p : inset[0].outer)
+    if (std::abs(p.x) < FromMm(0.01)) lowest = std::min(lowest, static_cast<double>(p.y));
+  EXPECT_NEAR(-lowest / 1e6, factor, factor * 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, NotchTest,
+                         testing::Values(MiterCase{240, 1.1547005}, MiterCase{300, 2},
+                                         MiterCase{359, 114.593}));
+
+// errata 10.1.2: a miter limit m keeps corners down to 2 asin(1 / m).
+TEST(Offset, MiterLimitIsAnAngle) {
+  const auto reach = [](double degrees, double limit) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Polygon corner = {
+        {0, 0}, {FromMm(100), 0}, {FromMm(100 * std::cos(angle)), FromMm(100 * std::sin(angle))}};
+    double far = 0;
+    for (const Point p : Offset({{corner, {}}}, FromMm(1), {.miter_limit = limit})[0].outer)
+      if (Norm(p) < 10e6) far = std::max(far, Norm(p));
+    return far / 1e6;
+  };
+  EXPECT_NEAR(reach(60.1, 2), 1 / std::sin(60.1 * std::numbers::pi / 360), 1e-4);
+  EXPECT_LT(reach(59.9, 2), 1.9);
+  EXPECT_NEAR(reach(28.97, 4), 1 / std::sin(28.97 * std::numbers::pi / 360), 1e-4);
+  EXPECT_LT(reach(28.94, 4), 3.9);
+}
+
+// errata 10.1.2: an arc of radius d within the tolerance takes pi / acos(1 - tolerance / d) steps a
+// turn, 49.66 for 5 mm and 0.01 mm; and it sweeps the turn between the edges, not the way around.
+TEST(Offset, RoundJoinsTakeTheStepsTheToleranceAsks) {
+  const Polygon dot = {{0, 0}, {1'000, 0}, {1'000, 1'000}, {0, 1'000}};
+  const MultiPolygon disc =
+      Offset({{dot, {}}}, FromMm(5), {.join = Join::kRound, .arc_tolerance_nm = FromMm(0.01)});
+  EXPECT_GE(disc[0].outer.size(), 49u);
+  EXPECT_LE(disc[0].outer.size(), 58u);  // rounded up at each of four corners
+  // Edges at 170 and at -170 degrees: 20 degrees of an arc lie between them, not 340.
+  const double a = 20 * std::numbers::pi / 180;
+  const Polygon bend = {{FromMm(50), FromMm(-50)},
+                        {FromMm(50), FromMm(50)},
+                        {FromMm(50 - 100 * std::sin(a)), FromMm(50 + 100 * std::cos(a))},
+                        {FromMm(-100), FromMm(-50)}};
+  const MultiPolygon sharp = Offset({{bend, {}}}, FromMm(5));
+  const MultiPolygon round = Offset({{bend, {}}}, FromMm(5), {.join = Join::kRound});
+  EXPECT_LT(Area(round), Area(sharp));
+  EXPECT_GT(Area(round), Area({bend, {}}));
+}
+
 TEST(Offset, LongMitersAreCutAtTheLimit) {
   const Polygon sharp = MakeLineOrDie("(0 0, 100 -1, 100 1)");
   const MultiPolygon limited = Offset({{sharp, {}}}, FromMm(1), {.miter_limit = 2});

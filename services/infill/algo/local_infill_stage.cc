@@ -1,9 +1,12 @@
 #include "services/infill/algo/local_infill_stage.h"
 
 #include <algorithm>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "services/infill/algo/bridge_angle.h"
 #include "services/infill/algo/rectilinear.h"
 #include "services/infill/algo/skins.h"
 #include "services/infill/algo/solid.h"
@@ -62,9 +65,7 @@ class LayerFill {
     const SolidPattern inner = cover.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, filled.fills);
-    if (status.ok())
-      status = AppendSolid(skins.bridge, Feature::kBridgeInfill, options_.bottom_pattern,
-                           options_.solid_width_nm, filled.fills);
+    if (status.ok()) status = AppendBridges(skins.bridge, cover, filled.fills);
     if (status.ok())
       status = AppendSolid(skins.solid, Feature::kSolidInfill, inner, options_.solid_width_nm,
                            filled.fills);
@@ -80,19 +81,47 @@ class LayerFill {
     return frame_.index == 0 ? options_.first_layer_width_nm : width_nm;
   }
 
+  /// Solid lines turn by a right angle from layer to layer.
+  double SolidAngle() const {
+    return options_.angle_rad + (frame_.index % 2 != 0 ? std::numbers::pi / 2 : 0);
+  }
+
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, SolidPattern pattern,
                            Coord width_nm, std::vector<FillGroup>& fills) const {
     for (const PolygonWithHoles& region : regions) {
-      auto group = FillSolid(region, {.feature = feature,
-                                      .pattern = pattern,
-                                      .angle_rad = options_.angle_rad,
-                                      .layer_index = frame_.index,
-                                      .width_nm = Width(width_nm),
-                                      .height_nm = frame_.height_nm,
-                                      .overlap_nm = options_.overlap_nm});
-      if (!group.ok()) return group.status();
-      if (!group->paths.empty()) fills.push_back(*std::move(group));
+      const absl::Status status =
+          AppendSolidRegion(region, feature, pattern, SolidAngle(), width_nm, fills);
+      if (!status.ok()) return status;
     }
+    return absl::OkStatus();
+  }
+
+  /// Each bridge in the direction in which it is borne best.
+  absl::Status AppendBridges(const MultiPolygon& regions, const Cover& cover,
+                             std::vector<FillGroup>& fills) const {
+    const MultiPolygon* below = cover.below.empty() ? nullptr : cover.below[0];
+    for (const PolygonWithHoles& region : regions) {
+      const auto angle =
+          below == nullptr ? std::nullopt : BridgeAngle(region, *below, options_.solid_width_nm);
+      const absl::Status status =
+          AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
+                            angle.value_or(SolidAngle()), options_.solid_width_nm, fills);
+      if (!status.ok()) return status;
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status AppendSolidRegion(const PolygonWithHoles& region, Feature feature,
+                                 SolidPattern pattern, double angle_rad, Coord width_nm,
+                                 std::vector<FillGroup>& fills) const {
+    auto group = FillSolid(region, {.feature = feature,
+                                    .pattern = pattern,
+                                    .angle_rad = angle_rad,
+                                    .width_nm = Width(width_nm),
+                                    .height_nm = frame_.height_nm,
+                                    .overlap_nm = options_.overlap_nm});
+    if (!group.ok()) return group.status();
+    if (!group->paths.empty()) fills.push_back(*std::move(group));
     return absl::OkStatus();
   }
 

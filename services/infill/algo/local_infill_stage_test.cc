@@ -83,6 +83,47 @@ TEST(LocalInfill, OverhangIsABridge) {
   EXPECT_FALSE(FeaturesOf((*filled)[11]).contains(Feature::kBridgeInfill));
 }
 
+TEST(LocalInfill, SolidLinesTurnFromLayerToLayer) {
+  InfillOptions options;
+  options.angle_rad = 0;
+  const auto filled = Fill(Steps(2, 2), {0, 2}, 5, options);
+  ASSERT_TRUE(filled.ok());
+  const auto line = [&](int layer) { return (*filled)[layer].islands[0].fills[0].paths[0].points; };
+  EXPECT_EQ(line(0)[0].y, line(0)[1].y);
+  EXPECT_EQ(line(1)[0].x, line(1)[1].x);
+}
+
+// A slab on two legs: lines reach from leg to leg and onto them, whatever the layer's angle.
+TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
+  std::vector<SlicedLayer> layers(8);
+  for (int i = 0; i < 8; ++i) {
+    layers[i].frame = {i, 200'000 * (i + 1), 200'000};
+    layers[i].objects.push_back({3, P("(0 0, 40 0, 40 20, 0 20)")});
+  }
+  for (int i = 0; i < 4; ++i)
+    layers[i].objects[0].outlines = P("(0 0, 10 0, 10 20, 0 20) ; (30 0, 40 0, 40 20, 30 20)");
+  for (const int first : {3, 4}) {  // the slab on an even layer and on an odd one
+    const auto shifted = std::vector<SlicedLayer>(layers.begin() + 4 - first, layers.end());
+    std::vector<SlicedLayer> numbered = shifted;
+    for (size_t i = 0; i < numbered.size(); ++i) numbered[i].frame.index = static_cast<int>(i);
+    std::vector<SlicedLayer> slab(numbered.begin() + first, numbered.begin() + first + 1);
+    const auto walled = Walled(slab, {first, first + 1});
+    const auto filled = MakeLocalInfill()->Fill(
+        {}, walled, {{first, first + 1}, static_cast<int>(numbered.size()), numbered}, {});
+    ASSERT_TRUE(filled.ok()) << filled.status();
+    Coord left = INT64_MAX, right = INT64_MIN;
+    for (const FillGroup& group : (*filled)[0].islands[0].fills) {
+      for (const Path& path : group.paths) {
+        if (path.feature != Feature::kBridgeInfill) continue;
+        for (const Point p : path.points) left = std::min(left, p.x), right = std::max(right, p.x);
+        EXPECT_EQ(path.points[0].y, path.points[1].y);
+      }
+    }
+    EXPECT_LT(left, FromMm(9.4));
+    EXPECT_GT(right, FromMm(30.6));
+  }
+}
+
 TEST(LocalInfill, RangesDoNotMatter) {
   const auto layers = Steps(16, 8);
   const auto all = Fill(layers, {0, 16}, 5);

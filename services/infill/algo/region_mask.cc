@@ -103,8 +103,8 @@ void RegionMask::MarkInside(const MultiPolygon& region) {
       const double ax = static_cast<double>(a.x - box_.min.x) * squares_per_nm_;
       const double bx = static_cast<double>(b.x - box_.min.x) * squares_per_nm_;
       const double low = std::min(ay, by), high = std::max(ay, by);
-      for (auto row = static_cast<int32_t>(std::ceil(std::max(0.0, low))); row < rows_ && row < high;
-           ++row)
+      for (auto row = static_cast<int32_t>(std::ceil(std::max(0.0, low)));
+           row < rows_ && row < high; ++row)
         crossings[row].push_back(ax + (row - ay) / (by - ay) * (bx - ax));
     }
   }

@@ -11,7 +11,7 @@
 namespace slicefarm::infill {
 namespace {
 
-/// How far skins reach into the sparse region, in beads.
+/// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
 constexpr Coord kAnchorBeads = 2;
 constexpr Coord kRoundingNm = 10;
 
@@ -108,6 +108,16 @@ MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outli
   return WithoutSlivers(sparse.region(), 2 * options.width_nm);
 }
 
+/// Moves what lies over air from the solid region to the bridges, with as much around it as their
+/// lines need to lie on something at both ends.
+void TakeBridges(const MultiPolygon& over_air, Coord width_nm, Skins& skins) {
+  if (over_air.empty()) return;
+  const MultiPolygon anchored = FastOffset(over_air, kAnchorBeads * width_nm);
+  MultiPolygon rest = WithoutSlivers(Difference(skins.solid, anchored), width_nm);
+  skins.bridge = Difference(skins.solid, rest);
+  skins.solid = std::move(rest);
+}
+
 }  // namespace
 
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
@@ -123,10 +133,9 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
   skins.top = Exposed(skins.solid, cover.above, outline, options.width_nm);
   if (!skins.top.empty()) skins.solid = Difference(skins.solid, skins.top);
-  if (!cover.on_bed) {
-    skins.bridge = Exposed(skins.solid, cover.below, outline, options.width_nm);
-    if (!skins.bridge.empty()) skins.solid = Difference(skins.solid, skins.bridge);
-  }
+  if (!cover.on_bed)
+    TakeBridges(Exposed(skins.solid, cover.below, outline, options.width_nm), options.width_nm,
+                skins);
   return skins;
 }
 

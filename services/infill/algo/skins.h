@@ -24,7 +24,7 @@ struct SkinOptions {
 /// A partition of a fill area by what its infill is for.
 struct Skins {
   MultiPolygon top;     ///< nothing above: the surface that is seen
-  MultiPolygon bridge;  ///< nothing below, and no bed: laid over air
+  MultiPolygon bridge;  ///< over air, and two beads of what bears it around that
   MultiPolygon solid;   ///< the rest of the skins, or what is solid for other reasons
   MultiPolygon sparse;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "common/geometry/clean_offset.h"
@@ -59,9 +58,8 @@ Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
 }  // namespace
 
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
-  const double angle = fill.angle_rad + (fill.layer_index % 2 != 0 ? std::numbers::pi / 2 : 0);
-  const LineFamily family =
-      FittingLines(region, angle, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
+  const LineFamily family = FittingLines(
+      region, fill.angle_rad, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
   const Coord spacing = std::llround(family.pitch_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);

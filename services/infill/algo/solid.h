@@ -10,7 +10,6 @@ struct SolidFill {
   Feature feature = Feature::kSolidInfill;
   SolidPattern pattern = SolidPattern::kMonotonic;
   double angle_rad = 0;
-  int32_t layer_index = 0;  ///< lines turn by a right angle from layer to layer
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
   Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge

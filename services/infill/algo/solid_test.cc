@@ -78,12 +78,12 @@ TEST(SolidGroup, MonotonicKeepsItsOrder) {
   EXPECT_FALSE(FillSolid(region, {.pattern = SolidPattern::kRectilinear})->keep_order);
 }
 
-TEST(SolidGroup, TurnsWithTheLayer) {
+TEST(SolidGroup, LinesRunAtTheAngle) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20)");
-  const auto even = FillSolid(region, {.layer_index = 2});
-  const auto odd = FillSolid(region, {.layer_index = 3});
-  EXPECT_EQ(even->paths[0].points[0].y, even->paths[0].points[1].y);
-  EXPECT_EQ(odd->paths[0].points[0].x, odd->paths[0].points[1].x);
+  const auto along = FillSolid(region, {.angle_rad = 0});
+  const auto across = FillSolid(region, {.angle_rad = std::numbers::pi / 2});
+  EXPECT_EQ(along->paths[0].points[0].y, along->paths[0].points[1].y);
+  EXPECT_EQ(across->paths[0].points[0].x, across->paths[0].points[1].x);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
 #include "common/geometry/predicates.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
@@ -44,11 +45,15 @@ Polygon ConvexHull(std::vector<Point> points) {
   return hull;
 }
 
-Polygon HullOf(const IndexedMesh& mesh) {
+/// What the mesh's outlines lie in once they are grown by `grow_nm`.
+Polygon HullOf(const IndexedMesh& mesh, Coord grow_nm) {
   std::vector<Point> points;
   points.reserve(mesh.vertices.size());
   for (const Vertex& v : mesh.vertices) points.push_back({v.x, v.y});
-  return ConvexHull(std::move(points));
+  Polygon hull = ConvexHull(std::move(points));
+  if (grow_nm == 0) return hull;
+  const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);
+  return grown.empty() ? hull : grown[0].outer;
 }
 
 double DistanceToRing(Point p, const Polygon& ring) {
@@ -113,7 +118,9 @@ Point BedCenter(const Polygon& bed) {
 absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
                               const std::vector<Point>& centers, const SlicingOptions& options) {
   const Extent extent = ExtentOf(mesh);
-  const Box box{{extent.min.x, extent.min.y}, {extent.max.x, extent.max.y}};
+  const Coord grow = std::max<Coord>(0, options.xy_compensation_nm);
+  const Box box{{extent.min.x - grow, extent.min.y - grow},
+                {extent.max.x + grow, extent.max.y + grow}};
   const Polygon corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
   if (options.max_print_height_nm > 0 && extent.max.z > options.max_print_height_nm)
     return HeightError(name, extent.max.z, options.max_print_height_nm);
@@ -124,7 +131,7 @@ absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
     const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
     if (!near || !InRange(box, center)) return CentersError(name);
     if (options.bed.size() < 3 || ExcessNm(corners, center, options.bed) == 0) continue;
-    if (hull.empty()) hull = HullOf(mesh);
+    if (hull.empty()) hull = HullOf(mesh, grow);
     const double excess = ExcessNm(hull, center, options.bed);
     if (excess > 0) return BedError(name, box, options.bed, excess);
   }

@@ -12,7 +12,7 @@ namespace slicefarm::slicing {
 /// The middle of the bed's box; the origin for a bed without points.
 Point BedCenter(const Polygon& bed);
 
-/// Whether the mesh, moved to each of `centers`, stays within the bed, under max_print_height and
+/// Whether the mesh, grown by xy_compensation and moved to each of `centers`, stays within the bed, under max_print_height and
 /// within 32-bit nanometres. A bed of less than three points is unlimited.
 ///
 /// A part fits if all corners of its convex hull lie in the bed or on its edge; exact for convex

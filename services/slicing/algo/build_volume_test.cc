@@ -34,6 +34,17 @@ TEST(CheckBuildVolume, AcceptsExactFits) {
       CheckBuildVolume(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
 }
 
+TEST(CheckBuildVolume, CountsWhatOutlinesAreGrownBy) {
+  SlicingOptions options = Bed(100, 50, 30);
+  const std::vector<Point> centre = {{50 * kMm, 25 * kMm}};
+  options.xy_compensation_nm = 2 * kMm;
+  EXPECT_TRUE(CheckBuildVolume(Box(96, 46, 30), "a", centre, options).ok());
+  const ErrorDetail detail = DetailOf(CheckBuildVolume(Box(98, 46, 30), "a", centre, options));
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  options.xy_compensation_nm = -2 * kMm;
+  EXPECT_FALSE(CheckBuildVolume(Box(102, 46, 30), "a", centre, options).ok());
+}
+
 TEST(CheckBuildVolume, SaysHowFarAPartReachesOut) {
   const absl::Status status = CheckBuildVolume(
       Box(100, 50, 30), "a\n.stl", {{50 * kMm, 25 * kMm}, {53 * kMm, 25 * kMm}}, Bed(100, 50));

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::infill {
+
+/// The direction, in radians in [0, pi), in which lines over `region` had best span what `below`
+/// does not bear: that with the least span for nine tenths of the lines, where spans that end in
+/// air count tenfold. Nothing if no part of the region is borne, or all of it: any direction will
+/// do.
+///
+/// Tries 36 directions. Cost: two boolean operations, and O(n) a direction.
+/// Source: the idea is Slic3r's bridge detector (lines with both ends on an anchor).
+std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
+                                  Coord width_nm);
+
+}  // namespace slicefarm::infill
