@@ -11,7 +11,7 @@ for preset in "$@"; do
   cmake --preset "$preset"
   cmake --build --preset "$preset"
   case "$preset" in
-    asan) ctest --preset asan -j "$(nproc)" -LE slow ;;
+    asan) LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0" ctest --preset asan -j "$(nproc)" -LE slow ;;
     tsan) TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp" ctest --preset tsan -j "$(nproc)" -LE slow ;;
     fuzz)
       for target in build-fuzz/bin/fuzz_*; do

@@ -20,15 +20,18 @@ int NextValue(const EnumDescriptor& type, int value) {
   return value + 1 < type.value_count() ? value + 1 : 1;
 }
 
+/// The next number; after the greatest one the least.
+int32_t Another(int32_t value) { return static_cast<int32_t>(static_cast<uint32_t>(value) + 1); }
+int64_t Another(int64_t value) { return static_cast<int64_t>(static_cast<uint64_t>(value) + 1); }
 double Another(double value) { return value / 2 + 0.125; }
 
 void ChangeSingular(Message& message, const FieldDescriptor* field) {
   const Reflection& reflection = *message.GetReflection();
   switch (field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_INT32:
-      return reflection.SetInt32(&message, field, reflection.GetInt32(message, field) + 1);
+      return reflection.SetInt32(&message, field, Another(reflection.GetInt32(message, field)));
     case FieldDescriptor::CPPTYPE_INT64:
-      return reflection.SetInt64(&message, field, reflection.GetInt64(message, field) + 1);
+      return reflection.SetInt64(&message, field, Another(reflection.GetInt64(message, field)));
     case FieldDescriptor::CPPTYPE_DOUBLE:
       return reflection.SetDouble(&message, field, Another(reflection.GetDouble(message, field)));
     case FieldDescriptor::CPPTYPE_BOOL:
@@ -48,7 +51,7 @@ void ChangeElement(Message& message, const FieldDescriptor* field, int i) {
   switch (field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_INT32:
       return reflection.SetRepeatedInt32(&message, field, i,
-                                         reflection.GetRepeatedInt32(message, field, i) + 1);
+                                         Another(reflection.GetRepeatedInt32(message, field, i)));
     case FieldDescriptor::CPPTYPE_UINT32:
       return reflection.SetRepeatedUInt32(&message, field, i,
                                           reflection.GetRepeatedUInt32(message, field, i) + 1);

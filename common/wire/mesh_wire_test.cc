@@ -33,7 +33,8 @@ Placement DistinctPlacement() {
 MeshReport DistinctReport() {
   MeshReport report;
   auto& [name, triangles, vertices, bodies, open_edges, non_manifold_edges, flipped_faces,
-         degenerate_faces, volume, min, max, closed, dropped, gap, length, cracks] = report;
+         degenerate_faces, volume, min, max, closed, dropped, gap, length, overlapping, cracks] =
+      report;
   name = "part";
   triangles = 1;
   vertices = 2;
@@ -49,7 +50,8 @@ MeshReport DistinctReport() {
   dropped = 16;
   gap = 17;
   length = 18;
-  cracks = 19;
+  overlapping = 19;
+  cracks = 20;
   return report;
 }
 

@@ -44,6 +44,11 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
     warn(absl::StrFormat("cracks of up to %.3f mm were closed (slice_closing_radius)",
                          mesh.cracks_closed_mm));
   }
+  if (mesh.overlapping_copies > 0) {
+    warn(absl::StrCat(mesh.overlapping_copies,
+                      mesh.overlapping_copies == 1 ? " copy stands" : " copies stand",
+                      " on the footprint of others and may be printed through them"));
+  }
   return warnings;
 }
 

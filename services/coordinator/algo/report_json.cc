@@ -27,7 +27,8 @@ Json ToJson(const MeshReport& mesh) {
           {"open_loops_dropped", mesh.open_loops_dropped},
           {"largest_gap_closed_mm", mesh.largest_gap_closed_mm},
           {"dropped_length_mm", mesh.dropped_length_mm},
-          {"cracks_closed_mm", mesh.cracks_closed_mm}};
+          {"cracks_closed_mm", mesh.cracks_closed_mm},
+          {"overlapping_copies", mesh.overlapping_copies}};
 }
 
 Json Features(const ProgramStats& stats) {

@@ -89,10 +89,11 @@ void EndpointTree::SearchNearest(size_t first, size_t last, double x, double y,
 
 void EndpointTree::NearestFew(Point to, uint32_t except, size_t count,
                               std::vector<uint32_t>& found) const {
+  found.clear();
+  if (count == 0) return;
   FewQuery query{static_cast<double>(to.x), static_cast<double>(to.y), except / 2, count, {}};
   query.best.reserve(count + 1);
   SearchFew(0, nodes_.size(), query);
-  found.clear();
   for (const Candidate& candidate : query.best) found.push_back(candidate.number);
 }
 

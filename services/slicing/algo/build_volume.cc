@@ -8,9 +8,9 @@
 #include "absl/strings/escaping.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
-#include "common/geometry/predicates.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/footprint.h"
 #include "services/slicing/algo/placement.h"
 
 namespace slicefarm::slicing {
@@ -25,32 +25,9 @@ std::string Quoted(std::string_view name) {
   return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
 }
 
-/// Andrew's monotone chain.
-Polygon ConvexHull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  Polygon hull;
-  const auto add_chain = [&hull](auto begin, auto end) {
-    const size_t base = hull.size();
-    for (auto it = begin; it != end; ++it) {
-      while (hull.size() >= base + 2 && Orientation(hull.end()[-2], hull.back(), *it) <= 0)
-        hull.pop_back();
-      hull.push_back(*it);
-    }
-    hull.pop_back();
-  };
-  if (points.size() < 3) return points;
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
-}
-
 /// What the mesh's outlines lie in once they are grown by `grow_nm`.
 Polygon HullOf(const IndexedMesh& mesh, Coord grow_nm) {
-  std::vector<Point> points;
-  points.reserve(mesh.vertices.size());
-  for (const Vertex& v : mesh.vertices) points.push_back({v.x, v.y});
-  Polygon hull = ConvexHull(std::move(points));
+  Polygon hull = Footprint(mesh);
   if (grow_nm == 0) return hull;
   const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);
   return grown.empty() ? hull : grown[0].outer;

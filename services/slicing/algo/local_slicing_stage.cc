@@ -7,6 +7,7 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/footprint.h"
 #include "services/slicing/algo/layer_heights.h"
 #include "services/slicing/algo/open_loops.h"
 #include "services/slicing/algo/parallel.h"
@@ -163,7 +164,20 @@ class SlicingRun {
                   options_.resolution_nm);
   }
 
+  void ReportOverlaps() {
+    std::vector<Polygon> footprints;
+    for (const PreparedMesh& mesh : meshes_) footprints.push_back(Footprint(mesh.connected.mesh));
+    std::vector<Copies> parts;
+    for (size_t i = 0; i < meshes_.size(); ++i)
+      parts.push_back({&footprints[i], meshes_[i].centers});
+    const std::vector<int64_t> overlapping = CountOverlapping(parts);
+    for (size_t i = 0; i < meshes_.size(); ++i)
+      meshes_[i].report.overlapping_copies = overlapping[i];
+  }
+
   SlicedJob Result() {
+    const bool one = meshes_.size() == 1 && meshes_[0].centers.size() == 1;
+    if (!one) ReportOverlaps();
     for (size_t i = 0; i < meshes_.size(); ++i) {
       GapCounts total;
       for (const auto& by_mesh : counts_) total.Add(by_mesh[i]);
