@@ -122,7 +122,7 @@ void JobRun::Progress(PipelineProgress progress) {
 /// the lease runs out and the job is claimed again.
 void JobRun::Conclude(const absl::Status& status) {
   const JobUpdate update = Conclusion(status);
-  environment_.log.Warn(lost_ ? "job lost to another coordinator" : "job not done",
+  environment_.log.Warn(lost_ ? "job lost" : "job not done",
                         {{"job", job_.id},
                          {"state", std::string(JobStateName(update.state))},
                          {"seconds", clock_.Seconds()},

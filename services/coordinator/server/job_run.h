@@ -42,9 +42,10 @@ class JobRun {
   // From any thread.
   void Cancel() { cancelled_ = true; }      ///< its client wants it to end
   void HandBack() { handed_back_ = true; }  ///< the coordinator stops
-  void Lose() { lost_ = true; }             ///< another coordinator may have claimed it
+  void Lose() { lost_ = true; }             ///< it may have been claimed again
 
   const Lease& lease() const { return lease_; }
+  bool lost() const { return lost_; }
 
  private:
   absl::Status Work();

@@ -1,6 +1,5 @@
 #include "services/coordinator/server/job_runner.h"
 
-#include <set>
 #include <utility>
 
 namespace slicefarm::coordinator {
@@ -32,22 +31,20 @@ void JobRunner::Wake() {
 
 void JobRunner::Cancel(const std::string& job_id) {
   std::lock_guard lock(mutex_);
-  if (const auto run = runs_.find(job_id); run != runs_.end()) run->second->Cancel();
+  for (const auto& [lease, held] : runs_) {
+    if (lease.job_id == job_id) held.run->Cancel();
+  }
 }
 
 void JobRunner::Stop() {
   {
     std::lock_guard lock(mutex_);
     stopping_ = true;
-    for (const auto& [id, run] : runs_) run->HandBack();
+    for (const auto& [lease, held] : runs_) held.run->HandBack();
     wake_.notify_all();
   }
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
-}
-
-int64_t JobRunner::LeaseEndUs() const {
-  return NowUs() + std::chrono::microseconds(options_.lease).count();
 }
 
 /// The life of one of the threads that run jobs.
@@ -62,7 +59,7 @@ void JobRunner::Serve() {
     if (const auto run = Claim()) {
       run->Run();
       std::lock_guard lock(mutex_);
-      runs_.erase(run->lease().job_id);
+      runs_.erase(run->lease());
       continue;
     }
     std::unique_lock lock(mutex_);
@@ -71,12 +68,13 @@ void JobRunner::Serve() {
 }
 
 std::shared_ptr<JobRun> JobRunner::Claim() {
-  auto jobs = environment_.jobs.Claim(options_.owner, 1, NowUs(), LeaseEndUs());
+  const int64_t now_us = NowUs();
+  auto jobs = environment_.jobs.Claim(options_.owner, 1, now_us, now_us + LeaseUs());
   if (!jobs.ok() || jobs->empty()) return nullptr;  // a store that fails is asked again soon
   auto run = std::make_shared<JobRun>(environment_, std::move(jobs->front()));
   std::lock_guard lock(mutex_);
   if (stopping_) run->HandBack();
-  runs_[run->lease().job_id] = run;
+  runs_[run->lease()] = {run, now_us + LeaseUs()};
   return run;
 }
 
@@ -97,26 +95,51 @@ void JobRunner::Keep() {
 }
 
 void JobRunner::RenewLeases() {
-  std::vector<std::shared_ptr<JobRun>> runs;
-  {
-    std::lock_guard lock(mutex_);
-    for (const auto& [id, run] : runs_) runs.push_back(run);
+  const std::vector<Lease> leases = Leases();
+  const int64_t until_us = NowUs() + LeaseUs();
+  const auto held = environment_.jobs.Renew(leases, until_us);
+  if (held.ok()) {
+    Renewed(leases, *held, until_us);
+  } else {
+    GiveUpLate();
   }
-  const auto held = environment_.jobs.Renew(options_.owner, LeaseEndUs());
-  if (!held.ok()) {
-    // Rather stop too early than work beside another coordinator.
-    const double lease_s = std::chrono::duration<double>(options_.lease).count();
-    if (since_renewal_.Seconds() < 0.8 * lease_s) return;
-    for (const auto& run : runs) run->Lose();
-    return;
+}
+
+/// Of the runs that go on. One that was given up writes nothing any more, so its job has to run
+/// out, to be claimed again.
+std::vector<Lease> JobRunner::Leases() {
+  std::lock_guard lock(mutex_);
+  std::vector<Lease> leases;
+  for (const auto& [lease, held] : runs_) {
+    if (!held.run->lost()) leases.push_back(lease);
   }
-  since_renewal_ = Stopwatch();
+  return leases;
+}
+
+void JobRunner::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held,
+                        int64_t until_us) {
   std::map<Lease, bool> cancel_requested;
-  for (const HeldJob& job : *held) cancel_requested[job.lease] = job.cancel_requested;
-  for (const auto& run : runs) {
-    const auto found = cancel_requested.find(run->lease());
-    if (found != cancel_requested.end() && found->second) run->Cancel();
-    // A run that is missing has ended, or was claimed by another: its next write tells.
+  for (const HeldJob& job : held) cancel_requested[job.lease] = job.cancel_requested;
+  std::lock_guard lock(mutex_);
+  for (const Lease& lease : asked) {
+    const auto found = runs_.find(lease);
+    if (found == runs_.end()) continue;  // has ended meanwhile
+    auto& [run, run_until_us] = found->second;
+    const auto still = cancel_requested.find(lease);
+    if (still == cancel_requested.end()) {
+      run->Lose();  // claimed by another; or written to its end, and then this changes nothing
+      continue;
+    }
+    run_until_us = until_us;
+    if (still->second) run->Cancel();
+  }
+}
+
+/// The store does not answer: rather stop too early than work beside another coordinator.
+void JobRunner::GiveUpLate() {
+  std::lock_guard lock(mutex_);
+  for (const auto& [lease, held] : runs_) {
+    if (NowUs() > held.until_us - LeaseUs() / 5) held.run->Lose();
   }
 }
 

@@ -42,22 +42,28 @@ class JobRunner {
   void Stop();
 
  private:
+  struct Held {
+    std::shared_ptr<JobRun> run;  // shared by the thread that runs it and those that stop it
+    int64_t until_us = 0;         ///< as the store has it
+  };
+
   void Serve();
   void Keep();
   void RenewLeases();
+  std::vector<Lease> Leases();
+  void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
+  void GiveUpLate();
   std::shared_ptr<JobRun> Claim();
   int64_t NowUs() const { return environment_.now_us(); }
-  int64_t LeaseEndUs() const;
+  int64_t LeaseUs() const { return std::chrono::microseconds(options_.lease).count(); }
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::map<std::string, std::shared_ptr<JobRun>>
-      runs_;  // shared by the thread that runs it and those that stop it
+  std::map<Lease, Held> runs_;  ///< a job that was given up may be claimed again while it ends
   bool stopping_ = false;
   int64_t wakes_ = 0;
-  Stopwatch since_renewal_;
   std::vector<std::thread> threads_;
 };
 

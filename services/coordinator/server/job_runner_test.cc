@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "absl/strings/str_cat.h"
 #include "common/model/sha256.h"
 #include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/failing_job_store_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/jobs_wire.h"
@@ -17,11 +21,9 @@
 namespace slicefarm::coordinator {
 namespace {
 
-int64_t NowUs() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
+using Call = FailingJobStore::Call;
+
+constexpr int64_t kSecondUs = 1'000'000;
 
 class JobRunnerTest : public testing::Test {
  protected:
@@ -29,12 +31,20 @@ class JobRunnerTest : public testing::Test {
 
   ~JobRunnerTest() override { ranges_->LetGo(); }
 
+  /// On the test's clock, which goes on only when it is told to.
+  int64_t NowUs() const { return now_us_; }
+  void Pass(int64_t us) { now_us_ += us; }
+
+  std::function<int64_t()> Clock() {
+    return [this] { return NowUs(); };
+  }
+
   std::unique_ptr<JobRunner> Runner(const std::string& owner = "me") {
     JobRunnerOptions options;
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner = std::make_unique<JobRunner>(
-        RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, in_flight_, NowUs, "build",
+        RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_, in_flight_, Clock(), "build",
                        rpc::JsonLog("test")},
         options);
     EXPECT_TRUE(runner->Start().ok());
@@ -46,7 +56,7 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*blobs_->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, "build", NowUs)
+    const auto created = JobIntake(*jobs_, *blobs_, "build", Clock())
                              .Create({.request_id = {},
                                       .spec = SpecBytes(spec),
                                       .request = *FromProto(spec),
@@ -76,17 +86,25 @@ class JobRunnerTest : public testing::Test {
     return job;
   }
 
+  /// Waits for so many further calls.
+  void AwaitCalls(Call call, int count) {
+    const int until = failing_.Calls(call) + count;
+    while (failing_.Calls(call) < until) std::this_thread::yield();
+  }
+
   TempDirectory directory_;
   std::unique_ptr<JobStore> jobs_ = *SqliteJobStore::Open(directory_.path() + "/jobs.db");
+  FailingJobStore failing_{*jobs_};
   std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
   FakeSlicing slicing_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
-  JobResults results_{*jobs_, *blobs_};
+  JobResults results_{failing_, *blobs_};
   JobFeed feed_;
   InFlight in_flight_;
+  std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
 
 TEST_F(JobRunnerTest, RunsManyJobs) {
@@ -137,6 +155,44 @@ TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
   EXPECT_EQ(job.state, JobState::kRunning);
   EXPECT_EQ(job.owner, "you");
   EXPECT_EQ(job.last_sequence, taken->front().last_sequence);
+}
+
+TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
+  ranges_->Hold();
+  const auto runner = Runner();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  AwaitCalls(Call::kRenew, 2);  // the one that may have been on its way has been answered
+  const int64_t until_us = jobs_->Get(id)->owner_until_us;
+  now_us_ = until_us - kSecondUs;
+  while (ranges_->cancelled() == 0) std::this_thread::yield();
+
+  failing_.Recover();
+  AwaitCalls(Call::kRenew, 2);
+  ASSERT_EQ(jobs_->Get(id)->owner_until_us, until_us) << "what nobody works on is not held";
+  ranges_->LetGo();
+  now_us_ = until_us;
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
+TEST_F(JobRunnerTest, AShortAbsenceOfTheStoreCostsNothing) {
+  ranges_->Hold();
+  const auto runner = Runner();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  AwaitCalls(Call::kRenew, 2);
+  now_us_ = jobs_->Get(id)->owner_until_us - 3 * kSecondUs;
+  AwaitCalls(Call::kRenew, 2);
+  failing_.Recover();
+  AwaitCalls(Call::kRenew, 2);
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 1);
 }
 
 TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {

@@ -85,8 +85,9 @@ class JobStore {
   virtual absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit,
                                                        int64_t now_us, int64_t until_us) = 0;
 
-  /// Holds all jobs of `owner` until `until_us`, and tells which those are.
-  virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::string& owner,
+  /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
+  /// by owner, so that a job which its owner has given up runs out and is claimed again.
+  virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 
   /// Lets go of all jobs of `owner`: those of an earlier life, at the start.

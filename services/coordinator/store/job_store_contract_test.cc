@@ -275,15 +275,29 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   Make("a");
   const auto mine = store_->Claim("me", 1, 10, 100);
   EXPECT_THAT(*store_->Claim("you", 1, 99, 200), IsEmpty());
-  ASSERT_THAT(*store_->Renew("me", 150), SizeIs(1));
+  const std::vector<Lease> leases = {{"a", mine->front().owner_epoch}};
+  ASSERT_THAT(*store_->Renew(leases, 150), SizeIs(1));
   EXPECT_THAT(*store_->Claim("you", 1, 149, 200), IsEmpty());
   const auto yours = store_->Claim("you", 1, 150, 250);
   ASSERT_THAT(*yours, SizeIs(1));
-  EXPECT_THAT(*store_->Renew("me", 300), IsEmpty());
+  EXPECT_THAT(*store_->Renew(leases, 300), IsEmpty());
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 250);
 
   const absl::Status fenced = Update({"a", mine->front().owner_epoch}, kRunning).status();
   EXPECT_TRUE(absl::IsAborted(fenced)) << fenced;
   EXPECT_TRUE(Update({"a", yours->front().owner_epoch}, kRunning).ok());
+}
+
+TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
+  Make("given up");
+  Make("kept");
+  const auto mine = store_->Claim("me", 2, 10, 100);
+  ASSERT_THAT(*mine, SizeIs(2));
+  ASSERT_THAT(*store_->Renew({{"kept", 1}}, 200), SizeIs(1));
+  const auto again = store_->Claim("me", 2, 100, 300);
+  ASSERT_THAT(*again, SizeIs(1));
+  EXPECT_EQ(again->front().id, "given up");
+  EXPECT_THAT(*store_->Renew({{"given up", 1}, {"kept", 1}}, 400), SizeIs(1)) << "of the old claim";
 }
 
 TEST_P(JobStoreTest, ReleasedJobsAreClaimedAgain) {
@@ -291,6 +305,7 @@ TEST_P(JobStoreTest, ReleasedJobsAreClaimedAgain) {
   const Lease old = Claim("me");
   ASSERT_TRUE(Update(old, kRunning).ok());
   ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_THAT(*store_->Renew({old}, now_ + 1000), IsEmpty());
   EXPECT_TRUE(absl::IsAborted(Update(old, kRunning).status()));
   const auto again = store_->Claim("me", 1, now_, now_ + 10);
   ASSERT_THAT(*again, SizeIs(1));
@@ -341,7 +356,7 @@ TEST_P(JobStoreTest, HandedBackJobsWaitAsLongAsTheyShould) {
   update.claimable_from_us = 5'000'000;
   update.retry = true;
   ASSERT_TRUE(store_->Update(lease, update, 2'000'000).ok());
-  EXPECT_THAT(*store_->Renew("me", 9'000'000), IsEmpty());
+  EXPECT_THAT(*store_->Renew({lease}, 9'000'000), IsEmpty());
   EXPECT_THAT(*store_->Claim("you", 1, 4'999'999, 9'000'000), IsEmpty());
   const auto again = store_->Claim("you", 1, 5'000'000, 9'000'000);
   ASSERT_THAT(*again, SizeIs(1));
@@ -381,7 +396,7 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   Make("a");
   const Lease lease = Claim();
   EXPECT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
-  const auto held = store_->Renew("me", now_ + 1000);
+  const auto held = store_->Renew({lease}, now_ + 1000);
   ASSERT_THAT(*held, SizeIs(1));
   EXPECT_TRUE(held->front().cancel_requested);
   EXPECT_EQ(held->front().lease, lease);

@@ -148,17 +148,23 @@ absl::StatusOr<std::vector<JobRecord>> SqliteJobStore::Claim(const std::string& 
   return jobs;
 }
 
-absl::StatusOr<std::vector<HeldJob>> SqliteJobStore::Renew(const std::string& owner,
+absl::StatusOr<std::vector<HeldJob>> SqliteJobStore::Renew(const std::vector<Lease>& leases,
                                                            int64_t until_us) {
-  Lock lock(write_mutex_);
-  SqliteQuery renew(*writer_,
-                    "UPDATE jobs SET owner_until_us = ? WHERE owner = ? AND owner_until_us > 0"
-                    " AND state IN ('QUEUED', 'RUNNING')"
-                    " RETURNING id, owner_epoch, cancel_requested");
-  renew.Bind(until_us, owner);
   std::vector<HeldJob> held;
-  while (renew.Next()) held.push_back({{renew.Text(0), renew.Int(1)}, renew.Int(2) != 0});
-  if (!renew.status().ok()) return renew.status();
+  if (leases.empty()) return held;
+  Lock lock(write_mutex_);
+  SqliteTransaction transaction(*writer_);
+  if (!transaction.status().ok()) return transaction.status();
+  for (const Lease& lease : leases) {
+    SqliteQuery renew(*writer_,
+                      "UPDATE jobs SET owner_until_us = ? WHERE id = ? AND owner_epoch = ?"
+                      " AND owner <> '' AND state IN ('QUEUED', 'RUNNING')"
+                      " RETURNING cancel_requested");
+    renew.Bind(until_us, lease.job_id, lease.epoch);
+    while (renew.Next()) held.push_back({lease, renew.Int(0) != 0});
+    if (!renew.status().ok()) return renew.status();
+  }
+  if (absl::Status done = transaction.Commit(); !done.ok()) return done;
   return held;
 }
 

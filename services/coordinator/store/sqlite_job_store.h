@@ -21,7 +21,8 @@ class SqliteJobStore : public JobStore {
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit, int64_t now_us,
                                                int64_t until_us) override;
-  absl::StatusOr<std::vector<HeldJob>> Renew(const std::string& owner, int64_t until_us) override;
+  absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
+                                             int64_t until_us) override;
   absl::Status Release(const std::string& owner) override;
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override;
