@@ -35,4 +35,6 @@ absl::StatusOr<int> Metrics::Serve(const std::string& address) {
   }
 }
 
+void Metrics::Stop() { exposer_.reset(); }
+
 }  // namespace slicefarm::rpc

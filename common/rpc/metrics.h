@@ -35,6 +35,9 @@ class Metrics {
   /// cannot listen there.
   absl::StatusOr<int> Serve(const std::string& address);
 
+  /// Waits for a scrape that is being answered, and serves no more: what is shown may go.
+  void Stop();
+
  private:
   // Shared with the exposer, which holds them weakly.
   std::shared_ptr<prometheus::Registry> registry_;

@@ -86,6 +86,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   log_.Info("draining", {{"signal", int64_t{signal}}});
   if (on_signal) on_signal();
   (*server)->Drain(std::chrono::seconds(flags.drain_s));
+  metrics_.Stop();  // what it shows may be the caller's, and end with his scope
   log_.Info("stopped");
   return 0;
 }

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <atomic>
 #include <fstream>
 #include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "common/model/sha256.h"
@@ -17,6 +19,7 @@
 #include "services/coordinator/store/temp_directory_test.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "tests/integration/child_process.h"
+#include "tests/integration/http_get.h"
 
 namespace slicefarm {
 namespace {
@@ -269,6 +272,38 @@ TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
                                "--infill", infill.address, "--ordering", ordering.address});
   client_.emplace(server_->address);
   ExpectTheSame(client_->Watch(Submit(), 0));
+}
+
+/// Arguments of a coordinator whose services are not there, which is no reason not to serve.
+std::vector<std::string> Alone(const coordinator::TempDirectory& state) {
+  return {"--state-dir",  state.path(), "--slicing", "127.0.0.1:1", "--motion",
+          "127.0.0.1:1", "--workers",  "127.0.0.1:1"};
+}
+
+TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
+  for (int round = 0; round < 5; ++round) {
+    const coordinator::TempDirectory state;
+    auto arguments = Alone(state);
+    arguments.insert(arguments.end(), {"--metrics-port", "0"});
+    ChildProcess process("slicefarm-coordinator", arguments);
+    const std::string where = process.AwaitLine("metrics on ");
+    ASSERT_NE(where, "");
+    const int port = std::stoi(where.substr(where.rfind(':') + 1));
+    std::atomic<int> scrapes = 0;
+    std::atomic<bool> ended = false;
+    std::thread scraper([&] {
+      while (!ended) {
+        HttpGet(port, "/metrics");
+        ++scrapes;
+      }
+    });
+    process.AwaitLine("listening on ");
+    while (scrapes < 3) std::this_thread::yield();
+    process.Signal(SIGTERM);
+    EXPECT_EQ(process.Wait(), 0);
+    ended = true;
+    scraper.join();
+  }
 }
 
 TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
