@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/model/build_info.h"
+#include "common/rpc/open_files.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -60,6 +61,7 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
 
 int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
                        const std::function<void()>& on_signal) {
+  RaiseOpenFilesLimit();
   ServerOptions options = flags.server;
   const CallGateOptions gate = GateOptions(flags);
   options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);

@@ -15,6 +15,7 @@ namespace {
 constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
+constexpr int64_t kMaxStoreRetryUs = 60'000'000;
 constexpr std::chrono::milliseconds kWriteRetry{200};
 /// Progress is told at most this often, and a hundred times a job.
 constexpr double kProgressEveryS = 0.2;
@@ -148,6 +149,11 @@ JobUpdate JobRun::Conclusion(const absl::Status& status) const {
     update.claimable_from_us = now_us;
   } else if (DetailOf(status).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
+  } else if (DetailOf(status).reason == Reason::kStoreFailed) {
+    // Says nothing of the job, so however often it happens, it does not end it.
+    update.claimable_from_us =
+        now_us + std::min(kMaxStoreRetryUs, kFirstRetryUs << std::min(job_.store_failures, 10));
+    update.store_failed = true;
   } else if (absl::IsUnavailable(status) && job_.retries < kMaxRetries) {
     update.claimable_from_us = now_us + (kFirstRetryUs << job_.retries);
     update.retry = true;

@@ -31,8 +31,8 @@ struct RunEnvironment {
 ///   1 the cache, once nobody else here works on the same   2 RUNNING   3 meshes from the blob
 ///   store   4 pipeline 5 artifacts and record
 /// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED: when the coordinator stops,
-/// when services are not there (five times, ever later), when the disk is full. After a fencing
-/// nothing is written any more.
+/// when services are not there (five times, ever later), when the disk is full, when a store fails
+/// (ever later, without end). After a fencing nothing is written any more.
 class JobRun {
  public:
   JobRun(RunEnvironment& environment, JobRecord job);

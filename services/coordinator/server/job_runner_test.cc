@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
+#include "common/model/error.h"
 #include "common/model/sha256.h"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/server/failing_job_store_test.h"
@@ -193,6 +195,31 @@ TEST_F(JobRunnerTest, AShortAbsenceOfTheStoreCostsNothing) {
   ranges_->LetGo();
   EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
   EXPECT_EQ(jobs_->Get(id)->owner_epoch, 1);
+}
+
+TEST_F(JobRunnerTest, AStoreThatFailsDelaysAJobAndNeverEndsIt) {
+  failing_.Fail(Call::kFindResult, MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                                             "SQLite: disk I/O error"));
+  const std::string id = Submit("xx");
+  const auto runner = Runner();
+  int64_t last_delay_us = 0;
+  for (int failures = 1; failures <= 9; ++failures) {
+    JobRecord job = *jobs_->Get(id);
+    while (!IsTerminal(job.state) && job.store_failures < failures) {
+      std::this_thread::yield();
+      job = *jobs_->Get(id);
+    }
+    ASSERT_EQ(job.state, JobState::kQueued);
+    const int64_t delay_us = job.owner_until_us - NowUs();
+    EXPECT_GE(delay_us, std::min(2 * last_delay_us, 60 * kSecondUs));
+    EXPECT_LE(delay_us, 60 * kSecondUs);
+    last_delay_us = delay_us;
+    if (failures == 9) failing_.Recover();
+    Pass(delay_us);
+  }
+  const JobRecord job = AwaitEnd(id);
+  EXPECT_EQ(job.state, JobState::kSucceeded);
+  EXPECT_EQ(job.retries, 0) << "those are for services that are not there";
 }
 
 TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {

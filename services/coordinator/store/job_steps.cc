@@ -32,6 +32,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   job.error = update.error;
   job.result = update.result;
   if (update.retry) ++job.retries;
+  if (update.store_failed) ++job.store_failures;
   if (begins && job.start_us == 0) job.start_us = now_us;
   if (IsTerminal(job.state)) job.end_us = now_us;
   if (IsTerminal(job.state)) LetGo(job, 0);

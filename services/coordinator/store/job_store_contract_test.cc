@@ -363,6 +363,16 @@ TEST_P(JobStoreTest, HandedBackJobsWaitAsLongAsTheyShould) {
   EXPECT_EQ(again->front().retries, 1);
 }
 
+TEST_P(JobStoreTest, FailuresOfTheStoreAreCountedApart) {
+  Make("a");
+  JobUpdate update{.state = kQueued};
+  update.store_failed = true;
+  ASSERT_TRUE(store_->Update(Claim(), update, ++now_).ok());
+  ASSERT_TRUE(store_->Update(Claim(), update, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->store_failures, 2);
+  EXPECT_EQ(store_->Get("a")->retries, 0);
+}
+
 TEST_P(JobStoreTest, EventsTellTheStory) {
   Make("a");
   const Lease lease = Claim();

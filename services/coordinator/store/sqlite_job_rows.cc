@@ -45,6 +45,7 @@ absl::StatusOr<JobRecord> ReadJob(const SqliteQuery& query) {
   job.owner = query.Text(18);
   job.owner_epoch = query.Int(19);
   job.owner_until_us = query.Int(20);
+  job.store_failures = static_cast<int32_t>(query.Int(21));
   if (absl::Status read = ReadJson(query, job); !read.ok()) return read;
   return job;
 }
@@ -72,13 +73,13 @@ absl::Status WriteStep(SqliteConnection& db, JobRecord& job, int64_t now_us) {
   SqliteQuery update(db,
                      "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
                      " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-                     " report_sha256 = ?, cancel_requested = ?, retries = ?, last_sequence = ?,"
-                     " owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
+                     " report_sha256 = ?, cancel_requested = ?, retries = ?, store_failures = ?,"
+                     " last_sequence = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
               job.result ? job.result->report_sha256 : "", job.cancel_requested, job.retries,
-              job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us, job.number);
+              job.store_failures, job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us, job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
   SqliteQuery event(db,

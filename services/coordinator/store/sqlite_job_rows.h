@@ -14,7 +14,7 @@ namespace slicefarm::coordinator {
 #define SLICEFARM_JOB_COLUMNS                                                               \
   "number, id, state, spec, labels, settings_digest, action_digest, build_id, create_us, "  \
   "start_us, end_us, layers_total, layers_done, error, result, cancel_requested, retries, " \
-  "last_sequence, owner, owner_epoch, owner_until_us"
+  "last_sequence, owner, owner_epoch, owner_until_us, store_failures"
 
 /// The job of the row that `query` stands on. Errors: STORE_FAILED if it is damaged.
 absl::StatusOr<JobRecord> ReadJob(const SqliteQuery& query);

@@ -69,6 +69,9 @@ CREATE TABLE results (
 CREATE INDEX results_by_gcode ON results (gcode_sha256);
 CREATE INDEX results_by_report ON results (report_sha256);
 )",
+    R"(
+ALTER TABLE jobs ADD COLUMN store_failures INTEGER NOT NULL DEFAULT 0;
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
