@@ -301,6 +301,11 @@ void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult resu
 void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assignment,
                         const absl::Status& error) {
   if (IsFinal(error)) return End(job, error);
+  if (DetailOf(error).reason == Reason::kBuildMismatch) {
+    job.scheduler.Abandoned(assignment.grant.ticket);  // says nothing of the range
+    work_.notify_all();
+    return;
+  }
   const int32_t range = assignment.grant.range;
   job.scheduler.Failed(assignment.grant.ticket);
   if (job.scheduler.Poisoned() == range) {

@@ -230,6 +230,20 @@ TEST(Dispatcher, LeavingGivesTheRangesToOthers) {
   EXPECT_EQ(dispatcher.Slots(), 1);
 }
 
+TEST(Dispatcher, ARunnerOfAnotherBuildCostsARangeNoTries) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<int> refusals = 0;
+  const auto misfit = [&](const StageCall&, const RangeTask&) -> absl::Status {
+    if (++refusals > 40) return absl::OkStatus();
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "old");
+  };
+  dispatcher.Join(RunnerOf("a", misfit));
+  dispatcher.Join(RunnerOf("b", misfit));
+  const auto tasks = Tasks(2);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_EQ(dispatcher.Counts().poisoned, 0);
+}
+
 TEST(Dispatcher, JobsShareTheRunners) {
   Dispatcher dispatcher;
   std::atomic<bool> both = false;

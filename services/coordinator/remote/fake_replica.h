@@ -32,6 +32,9 @@ class FakeReplica final : public v1::Worker::Service {
     slots_ = slots;
   }
 
+  /// What ranges come to. REQUIRES: no call is in flight.
+  void OnWork(std::function<grpc::Status()> answer) { work_ = std::move(answer); }
+
   void Kill() { server_.reset(); }
   void Restart() { Start(address_); }
 
@@ -44,6 +47,12 @@ class FakeReplica final : public v1::Worker::Service {
     return answer_();
   }
 
+  grpc::Status WorkRange(
+      grpc::ServerContext* /*context*/,
+      grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>* /*stream*/) override {
+    return work_();
+  }
+
  private:
   void Start(const std::string& listen) {
     rpc::ServerOptions options;
@@ -53,6 +62,9 @@ class FakeReplica final : public v1::Worker::Service {
   }
 
   std::function<grpc::Status()> answer_ = [] { return grpc::Status::OK; };
+  std::function<grpc::Status()> work_ = [] {
+    return grpc::Status(grpc::StatusCode::UNIMPLEMENTED, "a fake");
+  };
   std::string build_id_ = std::string(BuildId());
   int slots_ = 2;
   std::atomic<int> calls_ = 0;

@@ -4,6 +4,7 @@
 #include <grpcpp/client_context.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "common/model/build_info.h"
@@ -53,10 +54,33 @@ struct WorkerPool::Member {
   const std::string address;
   SingleReplica replica;
   const RemoteWorker worker;
+  std::mutex pool_mutex;       ///< held while the pool is used by a call in flight
+  WorkerPool* pool = nullptr;  ///< null: it may be gone
   // Under the pool's mutex:
   std::shared_ptr<Greeting> greeting;  // shared with gRPC's callbacks
   RunnerId runner = 0;                 ///< 0: has not joined
   bool dismissed = false;
+};
+
+/// The ranges of a worker for as long as it is the one that was greeted: when it turns out to be of
+/// another build, it leaves, once.
+class WorkerPool::Ranges : public RangeRunner {
+ public:
+  explicit Ranges(MemberPtr member) : member_(std::move(member)) {}
+
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+    auto result = member_->worker.Run(call, task);
+    if (DetailOf(result.status()).reason != Reason::kBuildMismatch || misfit_.exchange(true)) {
+      return result;
+    }
+    const std::lock_guard lock(member_->pool_mutex);
+    if (member_->pool != nullptr) member_->pool->Misfit(member_);
+    return result;
+  }
+
+ private:
+  const MemberPtr member_;
+  mutable std::atomic<bool> misfit_ = false;
 };
 
 WorkerPool::WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
@@ -86,6 +110,7 @@ void WorkerPool::Update(const std::vector<std::string>& addresses) {
     for (const std::string& address : addresses) {
       if (members_.contains(address)) continue;
       joining.push_back(std::make_shared<Member>(address, options_));
+      joining.back()->pool = this;
       members_[address] = joining.back();
     }
   }
@@ -94,6 +119,10 @@ void WorkerPool::Update(const std::vector<std::string>& addresses) {
 }
 
 void WorkerPool::Dismiss(const MemberPtr& member) {
+  {
+    const std::lock_guard lock(member->pool_mutex);
+    member->pool = nullptr;
+  }
   std::shared_ptr<Greeting> greeting;
   RunnerId runner = 0;
   {
@@ -153,7 +182,7 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
 void WorkerPool::Join(const MemberPtr& member, int slots) {
   Runner runner;
   runner.name = member->address;
-  runner.ranges = std::shared_ptr<const RangeRunner>(member, &member->worker);
+  runner.ranges = std::make_shared<Ranges>(member);
   runner.slots = slots;
   runner.await_ready = [channel = member->replica.channel()](milliseconds patience) {
     return channel->WaitForConnected(system_clock::now() + patience);
@@ -162,6 +191,19 @@ void WorkerPool::Join(const MemberPtr& member, int slots) {
   if (member->dismissed) return;
   member->runner = runners_.Join(std::move(runner));
   log_.Info("worker joined", {{"address", member->address}, {"slots", int64_t{slots}}});
+}
+
+/// The worker behind the address is another one than was greeted.
+void WorkerPool::Misfit(const MemberPtr& member) {
+  RunnerId runner = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(runner, member->runner);
+  }
+  if (runner == 0) return;
+  runners_.Leave(runner);
+  log_.Warn("worker left: it is of another build", {{"address", member->address}});
+  Greet(member, kRegreetDelay);
 }
 
 void WorkerPool::EndGreeting() {

@@ -17,7 +17,8 @@ namespace slicefarm::coordinator {
 
 /// The workers behind some names. Each joins the runners once it has told its build and its slots,
 /// and leaves them when its address goes; in between, it may be down for a while
-/// (Runner::await_ready). Workers of another build do not join.
+/// (Runner::await_ready). Workers of another build do not join; one that was started anew with another
+/// build leaves when it refuses its first range, and is asked again who it is.
 class WorkerPool {
  public:
   /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
@@ -37,6 +38,7 @@ class WorkerPool {
  private:
   struct Greeting;
   struct Member;
+  class Ranges;
   using MemberPtr =
       std::shared_ptr<Member>;  // shared with the calls in flight, which may outlive a membership
 
@@ -46,6 +48,7 @@ class WorkerPool {
   void Hear(const MemberPtr& member, const absl::Status& status, const Greeting& greeting);
   void Join(const MemberPtr& member, int slots);
   void Dismiss(const MemberPtr& member);
+  void Misfit(const MemberPtr& member);
   void EndGreeting();
 
   RunnerSet& runners_;
@@ -55,7 +58,6 @@ class WorkerPool {
   std::condition_variable greeted_;
   std::map<std::string, MemberPtr> members_;
   int greetings_ = 0;  ///< in flight
-  bool stopping_ = false;
   std::unique_ptr<AddressWatch> watch_;  ///< the last member: its thread uses the others
 };
 

@@ -7,6 +7,8 @@
 
 #include <thread>
 
+#include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/fake_replica.h"
 
 namespace slicefarm::coordinator {
@@ -124,6 +126,31 @@ TEST_F(WorkerPoolTest, AWorkerOfAnotherBuildDoesNotJoin) {
   while (old.calls() == 0) std::this_thread::yield();
   pool_.reset();  // all that was heard has been acted on
   EXPECT_THAT(runners_.Current(), IsEmpty());
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesAndIsGreetedAnew) {
+  FakeReplica a;
+  Start({a.address()});
+  const Runner runner = runners_.Await(1)[0];
+  a.Kill();
+  a.SetInfo("0123456789abcdef", 2);
+  a.OnWork([] {
+    return rpc::ToGrpc(
+        MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "new"));
+  });
+  a.Restart();
+  ASSERT_TRUE(runner.await_ready(seconds(60)));
+  const JobSettings settings;
+  const RangeTask task{{0, 1}, 1, {}, {}, &settings};
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(DetailOf(runner.ranges->Run({}, task).status()).reason, Reason::kBuildMismatch);
+    EXPECT_THAT(runners_.Current(), IsEmpty());
+  }
+  while (a.calls() < 2) std::this_thread::yield();  // and that greeting says why it does not fit
+  a.Kill();
+  a.SetInfo(std::string(BuildId()), 4);
+  a.Restart();
+  EXPECT_EQ(runners_.Await(1)[0].slots, 4);
 }
 
 TEST_F(WorkerPoolTest, EndsWhileAWorkerIsBeingGreeted) {

@@ -304,6 +304,12 @@ TEST_F(CoordinatorTest, AJobOutlivesAStageThatIsNotThere) {
   EXPECT_EQ(slicing_.runs(), 2);
 }
 
+TEST_F(CoordinatorTest, AJobOutlivesAStageOfAnotherBuild) {
+  slicing_.mismatches_ = 1;
+  EXPECT_EQ(AwaitEnd(Submit("x?")).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(slicing_.runs(), 2);
+}
+
 TEST_F(CoordinatorTest, TheSameWorkIsDoneOnce) {
   const v1::Job first = AwaitEnd(Submit("xx"));
   const v1::Job second = AwaitEnd(Submit("xx"));

@@ -15,6 +15,7 @@ namespace slicefarm::coordinator {
 /// Stages for tests of the coordinator: a mesh's bytes say what is to happen, one layer for each
 /// `x`.
 ///   `x` a layer    `!` slicing fails (MESH_MALFORMED)    `~` slicing is not there (UNAVAILABLE)
+///   `?` slicing is of another build (BUILD_MISMATCH)
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput input,
@@ -25,6 +26,9 @@ class FakeSlicing : public SlicingStage {
     if (bytes.find('!') != std::string::npos) {
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad mesh",
                        {{"line", "7"}});
+    }
+    if (bytes.find('?') != std::string::npos && mismatches_-- > 0) {
+      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "old");
     }
     if (bytes.find('~') != std::string::npos && unavailable_-- > 0) {
       return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "not there");
@@ -43,6 +47,7 @@ class FakeSlicing : public SlicingStage {
 
   int runs() const { return runs_; }
   mutable std::atomic<int> unavailable_ = 0;  ///< calls that `~` makes fail
+  mutable std::atomic<int> mismatches_ = 0;   ///< calls that `?` makes fail
 
  private:
   mutable std::atomic<int> runs_ = 0;

@@ -21,6 +21,12 @@ constexpr std::chrono::milliseconds kWriteRetry{200};
 constexpr double kProgressEveryS = 0.2;
 constexpr int32_t kProgressSteps = 100;
 
+/// True if the services that are needed are not there; for some time there may be others in their
+/// places, of another build.
+bool IsAway(const absl::Status& status) {
+  return absl::IsUnavailable(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+}
+
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
   report.warnings.insert(report.warnings.begin(), job.settings.warnings.begin(),
@@ -154,7 +160,7 @@ JobUpdate JobRun::Conclusion(const absl::Status& status) const {
     update.claimable_from_us =
         now_us + std::min(kMaxStoreRetryUs, kFirstRetryUs << std::min(job_.store_failures, 10));
     update.store_failed = true;
-  } else if (absl::IsUnavailable(status) && job_.retries < kMaxRetries) {
+  } else if (IsAway(status) && job_.retries < kMaxRetries) {
     update.claimable_from_us = now_us + (kFirstRetryUs << job_.retries);
     update.retry = true;
   } else {
