@@ -45,8 +45,8 @@ class ServerProgram {
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
   /// Serves `services` until a signal comes; then calls `on_signal`, which ends what would
-  /// otherwise keep calls in flight. When it returns, neither services nor shown metrics are used any
-  /// more. Returns the exit code of the program: 0, or 1 if it cannot listen.
+  /// otherwise keep calls in flight. When it returns, neither services nor shown metrics are used
+  /// any more. Returns the exit code of the program: 0, or 1 if it cannot listen.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
           const std::function<void()>& on_signal = {});
 

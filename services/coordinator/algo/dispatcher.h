@@ -36,10 +36,9 @@ struct DispatchCounts {
 /// evenly: a free slot takes from the job with the fewest ranges in flight.
 ///
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
-/// RANGE_POISONED naming the layers where a range failed too often; CANCELLED. BUILD_MISMATCH is the
-/// runner's fault and no try of the range. With no runner at
-/// all, Execute waits for one to join. Thread-safe. REQUIRES: no Execute runs any more when it is
-/// destroyed.
+/// RANGE_POISONED naming the layers where a range failed too often; CANCELLED. BUILD_MISMATCH is
+/// the runner's fault and no try of the range. With no runner at all, Execute waits for one to
+/// join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
 class Dispatcher : public RangeExecutor, public RunnerSet {
  public:
   explicit Dispatcher(const DispatcherOptions& options = {});

@@ -17,8 +17,8 @@ namespace slicefarm::coordinator {
 
 /// The workers behind some names. Each joins the runners once it has told its build and its slots,
 /// and leaves them when its address goes; in between, it may be down for a while
-/// (Runner::await_ready). Workers of another build do not join; one that was started anew with another
-/// build leaves when it refuses its first range, and is asked again who it is.
+/// (Runner::await_ready). Workers of another build do not join; one that was started anew with
+/// another build leaves when it refuses its first range, and is asked again who it is.
 class WorkerPool {
  public:
   /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
@@ -57,7 +57,7 @@ class WorkerPool {
   mutable std::mutex mutex_;
   std::condition_variable greeted_;
   std::map<std::string, MemberPtr> members_;
-  int greetings_ = 0;  ///< in flight
+  int greetings_ = 0;                    ///< in flight
   std::unique_ptr<AddressWatch> watch_;  ///< the last member: its thread uses the others
 };
 

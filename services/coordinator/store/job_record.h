@@ -57,7 +57,7 @@ struct JobRecord {
   std::optional<JobError> error;    ///< of FAILED
   std::optional<JobResult> result;  ///< of SUCCEEDED
   bool cancel_requested = false;
-  int32_t retries = 0;  ///< how often a run failed and it was put back
+  int32_t retries = 0;         ///< how often a run failed and it was put back
   int32_t store_failures = 0;  ///< how often a store failed and it was put back
   int64_t last_sequence = 0;
 

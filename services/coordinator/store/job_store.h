@@ -49,7 +49,7 @@ struct JobUpdate {
   std::optional<JobResult> result = {};
   /// With QUEUED: nobody claims it before.
   int64_t claimable_from_us = 0;
-  bool retry = false;  ///< with QUEUED: because a run failed
+  bool retry = false;         ///< with QUEUED: because a run failed
   bool store_failed = false;  ///< with QUEUED: because a store failed
 };
 

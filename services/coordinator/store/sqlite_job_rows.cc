@@ -70,16 +70,18 @@ absl::StatusOr<JobRecord> FindJob(SqliteConnection& db, const std::string& id) {
 
 absl::Status WriteStep(SqliteConnection& db, JobRecord& job, int64_t now_us) {
   ++job.last_sequence;
-  SqliteQuery update(db,
-                     "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
-                     " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-                     " report_sha256 = ?, cancel_requested = ?, retries = ?, store_failures = ?,"
-                     " last_sequence = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
+  SqliteQuery update(
+      db,
+      "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
+      " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
+      " report_sha256 = ?, cancel_requested = ?, retries = ?, store_failures = ?,"
+      " last_sequence = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
               job.result ? job.result->report_sha256 : "", job.cancel_requested, job.retries,
-              job.store_failures, job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us, job.number);
+              job.store_failures, job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us,
+              job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
   SqliteQuery event(db,
