@@ -79,8 +79,9 @@ TEST(Offset, MiterLimitIsAnAngle) {
     const double angle = degrees * std::numbers::pi / 180;
     const Polygon corner = {
         {0, 0}, {FromMm(100), 0}, {FromMm(100 * std::cos(angle)), FromMm(100 * std::sin(angle))}};
+    const MultiPolygon grown = Offset({{corner, {}}}, FromMm(1), {.miter_limit = limit});
     double far = 0;
-    for (const Point p : Offset({{corner, {}}}, FromMm(1), {.miter_limit = limit})[0].outer)
+    for (const Point p : grown[0].outer)
       if (Norm(p) < 10e6) far = std::max(far, Norm(p));
     return far / 1e6;
   };
