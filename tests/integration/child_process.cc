@@ -23,7 +23,8 @@ namespace {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments) {
+ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments,
+                           Stderr errors) {
   const std::string path = std::string(SLICEFARM_BIN) + "/" + program;
   std::vector<char*> argv = {const_cast<char*>(path.c_str())};
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -34,7 +35,11 @@ ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  if (errors == Stderr::kWithStdout) {
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  }
   errno = posix_spawn(&pid_, path.c_str(), &actions, nullptr, argv.data(), environ);
   if (errno != 0) Die(path.c_str());
   posix_spawn_file_actions_destroy(&actions);

@@ -11,8 +11,11 @@ namespace slicefarm {
 /// A program of this build as a process of its own. Killed when it goes out of scope.
 class ChildProcess {
  public:
+  enum class Stderr { kDropped, kWithStdout };
+
   /// `program`: a name in build/bin. Dies if it cannot be started.
-  ChildProcess(const std::string& program, std::vector<std::string> arguments);
+  ChildProcess(const std::string& program, std::vector<std::string> arguments,
+               Stderr errors = Stderr::kDropped);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -307,12 +307,20 @@ TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
 }
 
 TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
-  const std::vector<std::string> some = {"--state-dir", "/nowhere", "--slicing",
-                                         "a:1",         "--motion", "a:1"};
+  const coordinator::TempDirectory state;
+  const std::vector<std::string> some = {"--state-dir", state.path(), "--slicing",
+                                         "a:1",         "--motion",   "a:1"};
   auto half = some;
   half.insert(half.end(), {"--beading", "a:1"});
-  for (const auto& arguments : {some, half, {}}) {
-    ChildProcess process("slicefarm-coordinator", arguments);
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string error;  ///< begins with this
+  };
+  for (const Case& c : {Case{some, "either --workers or "},
+                        Case{half, "--beading, --infill and --ordering go "},
+                        Case{{}, "--state-dir is "}}) {
+    ChildProcess process("slicefarm-coordinator", c.arguments, ChildProcess::Stderr::kWithStdout);
+    EXPECT_NE(process.AwaitLine(c.error), "") << c.error;
     EXPECT_NE(process.Wait(), 0);
   }
 }

@@ -96,7 +96,7 @@ class JobStore {
 
   /// Writes state and progress and appends an event. A state that may not follow is Internal. An
   /// ended job and one that is QUEUED again are let go. A result that is not `cached` enters the
-  /// index; one that is must still be in it (Aborted otherwise).
+  /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise).
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
 
