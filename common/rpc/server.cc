@@ -18,6 +18,10 @@ void SetLimits(const ServerOptions& options, grpc::ServerBuilder* builder) {
   quota.Resize(static_cast<size_t>(options.max_buffer_bytes));
   quota.SetMaxThreads(options.max_threads);
   builder->SetResourceQuota(quota);
+  if (options.max_streams_per_connection > 0) {
+    builder->AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS,
+                                options.max_streams_per_connection);
+  }
 }
 
 void SetConnectionRules(grpc::ServerBuilder* builder) {

@@ -19,6 +19,8 @@ struct ServerOptions {
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
   int64_t max_buffer_bytes = int64_t{1} << 30;  ///< of messages in flight, over all calls
   int max_threads = 64;  ///< calls beyond are refused with RESOURCE_EXHAUSTED
+  /// Calls that one connection may have open; more wait in the client. 0: any number.
+  int max_streams_per_connection = 0;
 };
 
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.

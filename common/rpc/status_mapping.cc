@@ -75,6 +75,9 @@ absl::Status FromLibrary(const grpc::Status& status) {
   if (code == absl::StatusCode::kResourceExhausted && Contains(message, {"larger than max"})) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestTooLarge, message);
   }
+  if (code == absl::StatusCode::kResourceExhausted && Contains(message, {"hreadpool Exhausted"})) {
+    return MakeError(code, Reason::kOverloaded, message);
+  }
   if (IsBrokenConnection(status)) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, message);
   }

@@ -18,8 +18,8 @@ inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 grpc::Status ToGrpc(const absl::Status& status);
 
 /// The way back. Errors that gRPC itself made have no details: messages beyond the limit become
-/// InvalidArgument with reason REQUEST_TOO_LARGE, connections that broke Unavailable, the rest what
-/// their code says.
+/// InvalidArgument with reason REQUEST_TOO_LARGE, a server without a free thread OVERLOADED,
+/// connections that broke Unavailable, the rest what their code says.
 absl::Status FromGrpc(const grpc::Status& status);
 
 }  // namespace slicefarm::rpc

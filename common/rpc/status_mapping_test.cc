@@ -115,7 +115,11 @@ TEST_P(FromLibrary, GetsCodeAndReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Grpc, FromLibrary,
-    testing::Values(Library{"MessageTooLarge",
+    testing::Values(Library{"NoThreadIsFree",
+                            {grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted"},
+                            absl::StatusCode::kResourceExhausted,
+                            Reason::kOverloaded},
+                    Library{"MessageTooLarge",
                             {grpc::StatusCode::RESOURCE_EXHAUSTED,
                              "Received message larger than max (5000000 vs. 4194304)"},
                             absl::StatusCode::kInvalidArgument,

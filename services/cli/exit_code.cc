@@ -23,6 +23,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
       return ExitCode::kBadMesh;
     case Reason::kUnavailable:
     case Reason::kDeadlineExceeded:
+    case Reason::kOverloaded:
       return ExitCode::kServerUnavailable;
     case Reason::kRangePoisoned:
     case Reason::kStoreFailed:

@@ -4,6 +4,7 @@
 #include <grpcpp/support/async_stream.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <random>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "common/model/sha256.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -25,10 +27,22 @@ constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goe
 constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
+constexpr milliseconds kMaxAskedRest{5'000};
 
 bool OutOfReach(const absl::Status& status) {
   const Reason reason = DetailOf(status).reason;
-  return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded;
+  return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded ||
+         reason == Reason::kOverloaded;
+}
+
+/// How long the server asks us to wait; 0 if it does not.
+milliseconds AskedRest(const absl::Status& status) {
+  const ErrorDetail detail = DetailOf(status);
+  const auto asked = detail.metadata.find(rpc::kRetryAfterMs);
+  int64_t ms = 0;
+  if (asked == detail.metadata.end()) return milliseconds{0};
+  std::from_chars(asked->second.data(), asked->second.data() + asked->second.size(), ms);
+  return milliseconds{std::clamp<int64_t>(ms, 0, kMaxAskedRest.count())};
 }
 
 /// A UUID, version 4.
@@ -98,7 +112,7 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
                        fmt::format("{}: {}", options_.server, std::string(status.message())),
                        detail.metadata);
     }
-    if (absl::Status rested = Rest(rest); !rested.ok()) return rested;
+    if (absl::Status rested = Rest(std::max(rest, AskedRest(status))); !rested.ok()) return rested;
   }
 }
 

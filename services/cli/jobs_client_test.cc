@@ -85,6 +85,13 @@ TEST_F(JobsClientTest, PassesTheServersErrorsOn) {
   EXPECT_THAT(std::string(job.status().message()), HasSubstr("there is no job job-2"));
 }
 
+TEST_F(JobsClientTest, TriesAgainWhenTheServerHasNoThreadLeft) {
+  server_.overloaded_gets = 2;
+  const auto job = client_.GetJob("job-1");
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->id(), "job-1");
+}
+
 TEST_F(JobsClientTest, TellsEachEventOnceThoughTheStreamBreaks) {
   server_.break_watch_after = 2;
   std::vector<int> seen;

@@ -42,6 +42,7 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
   std::atomic<int> break_watch_after = -1;   ///< events; then never again
   std::atomic<int> break_download_after = -1;
   std::atomic<bool> hang_watch = false;
+  std::atomic<int> overloaded_gets = 0;  ///< GetJob calls that find no free thread
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
   std::string mesh;
   std::vector<int64_t> upload_offsets;
@@ -97,6 +98,9 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
 
   grpc::Status GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,
                       v1::Job* response) override {
+    if (overloaded_gets-- > 0) {
+      return {grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted"};
+    }
     response->set_id("job-1");
     return Find(request->id());
   }

@@ -49,8 +49,9 @@ Coordinator::Coordinator(CoordinatorOptions options, std::unique_ptr<StateLock> 
       runner_(RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, in_flight_, NowUs,
                              options.build_id, log},
               options.runner),
-      meshes_service_(*blobs_),
-      jobs_service_(JobsBackend{*jobs_, *blobs_, results_, intake_, runner_, feed_, NowUs, log}) {}
+      meshes_service_(*blobs_, options.transfers),
+      jobs_service_(JobsBackend{*jobs_, *blobs_, results_, intake_, runner_, feed_, NowUs, log},
+                    options.transfers) {}
 
 Coordinator::~Coordinator() { Stop(); }
 

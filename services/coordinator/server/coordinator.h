@@ -14,6 +14,7 @@ struct CoordinatorOptions {
   std::string state_dir;
   JobRunnerOptions runner;
   std::string build_id;
+  TransferOptions transfers = {};
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Its state

@@ -4,12 +4,19 @@
 
 #include "common/model/limits.h"
 #include "services/coordinator/remote/address_watch.h"
+#include "services/coordinator/server/transfers.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-/// Uploads and downloads hold a thread each.
+/// Uploads and downloads hold a thread each: TransferOptions bounds them, and leaves enough for the
+/// other calls.
 constexpr int kThreads = 256;
+constexpr TransferOptions kTransfers;
+static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
+
+/// Whatever one connection has open, it does not take all threads.
+constexpr int kStreamsPerConnection = 128;
 
 void Check(const CoordinatorFlags& flags) {
   const bool all = !flags.beading.empty() && !flags.infill.empty() && !flags.ordering.empty();
@@ -32,6 +39,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->runner.owner = "coordinator";
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
+  flags->serve.server.max_streams_per_connection = kStreamsPerConnection;
   AddServeFlags(app, &flags->serve);
   app.add_option("--state-dir", flags->state_dir, "Directory for jobs and blobs; made if needed")
       ->required();

@@ -44,6 +44,7 @@ class CoordinatorTest : public testing::Test {
     options.runner.owner = "coordinator";
     options.runner.jobs = 2;
     options.runner.poll = std::chrono::milliseconds(20);
+    options.transfers = transfers_;
     auto coordinator =
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
@@ -188,6 +189,45 @@ class CoordinatorTest : public testing::Test {
     return rpc::FromGrpc(jobs_->DeleteJob(&context, request, &empty));
   }
 
+  /// A call that hangs is to fail the test, not to hang it.
+  static void Bound(grpc::ClientContext& context) {
+    context.set_deadline(std::chrono::system_clock::now() + std::chrono::minutes(2));
+  }
+
+  /// Opens an upload, and waits until its first bytes have arrived.
+  struct OpenUpload {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    std::unique_ptr<grpc::ClientWriter<v1::UploadMeshRequest>> stream;
+  };
+  std::unique_ptr<OpenUpload> BeginUpload(const std::string& mesh) {
+    auto open = std::make_unique<OpenUpload>();
+    Bound(open->context);
+    open->stream = meshes_->UploadMesh(&open->context, &open->upload);
+    v1::UploadMeshRequest request;
+    request.set_sha256(Sha256Hex(mesh));
+    request.set_size(std::ssize(mesh));
+    request.set_data(mesh.substr(0, 1));
+    EXPECT_TRUE(open->stream->Write(request));
+    while (GetUpload(Sha256Hex(mesh)).committed_size() == 0) std::this_thread::yield();
+    return open;
+  }
+
+  /// Calls of a method that have ended on the server, whatever they came to.
+  double Handled(const std::string& method) {
+    double count = 0;
+    for (const auto& family : registry_.Collect()) {
+      if (family.name != "grpc_server_handled_total") continue;
+      for (const auto& metric : family.metric) {
+        for (const auto& label : metric.label) {
+          if (label.value == method) count += metric.counter.value;
+        }
+      }
+    }
+    return count;
+  }
+
+  TransferOptions transfers_;
   TempDirectory directory_;
   FakeSlicing slicing_;
   FakeMotion motion_;
@@ -235,6 +275,86 @@ TEST_F(CoordinatorTest, UploadsGoOnWhereTheyEnded) {
 TEST_F(CoordinatorTest, UploadsAreChecked) {
   EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, Sha256Hex("other"))).reason, Reason::kBlobDigestMismatch);
   EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, "../../passwd")).reason, Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, AnUploadOnWhichNothingMovesIsCutOff) {
+  Close();
+  transfers_.times.idle = std::chrono::milliseconds(20);
+  Open();
+  grpc::ClientContext context;
+  Bound(context);
+  v1::Upload upload;
+  const auto stream = meshes_->UploadMesh(&context, &upload);
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+}
+
+TEST_F(CoordinatorTest, AStreamWithoutADeadlineGetsOne) {
+  Close();
+  transfers_.times.default_deadline = std::chrono::milliseconds(20);
+  Open();
+  grpc::ClientContext context;  // without a deadline, as no client of ours
+  v1::Upload upload;
+  const auto stream = meshes_->UploadMesh(&context, &upload);
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+  grpc::ClientContext with_deadline;
+  Bound(with_deadline);
+  const auto other = meshes_->UploadMesh(&with_deadline, &upload);
+  other->WritesDone();
+  EXPECT_EQ(DetailOf(rpc::FromGrpc(other->Finish())).reason, Reason::kRequestMalformed);
+}
+
+TEST_F(CoordinatorTest, ADownloadThatNobodyReadsIsCutOff) {
+  const std::string id = Submit(std::string(20'000, 'x'));
+  ASSERT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_SUCCEEDED);
+  Close();
+  transfers_.times.idle = std::chrono::milliseconds(200);
+  Open();
+  grpc::ClientContext context;
+  Bound(context);
+  v1::DownloadRequest request;
+  request.set_id(id);
+  request.set_artifact(v1::ARTIFACT_GCODE);
+  const double before = Handled("Download");
+  // Without a small window all of it is under way before anybody reads.
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1 << 14);
+  arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  const auto jobs = v1::Jobs::NewStub(
+      grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", server_->port()),
+                                grpc::InsecureChannelCredentials(), arguments));
+  const auto stream = jobs->Download(&context, request);
+  while (Handled("Download") == before) std::this_thread::yield();
+  v1::DownloadResponse response;
+  while (stream->Read(&response)) {
+  }
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
+}
+
+TEST_F(CoordinatorTest, UploadsBeyondTheCapAreRefusedAndTheRestGoesOn) {
+  const std::string id = Submit("x");
+  Close();
+  transfers_.slots = 2;
+  transfers_.queue = 0;
+  Open();
+  std::vector<std::unique_ptr<OpenUpload>> open;
+  for (const char* mesh : {"one", "two"}) open.push_back(BeginUpload(mesh));
+  for (int i = 0; i < 80; ++i) {  // more than the server has threads
+    grpc::ClientContext context;
+    Bound(context);
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    ASSERT_EQ(DetailOf(status).reason, Reason::kOverloaded) << status;
+    EXPECT_EQ(DetailOf(status).metadata.count(rpc::kRetryAfterMs), 1u);
+  }
+  EXPECT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_TRUE(Download(id, v1::ARTIFACT_GCODE).ok()) << "downloads have turns of their own";
+  open.front()->context.TryCancel();
+  open.front()->stream->Finish();
+  while (absl::IsResourceExhausted(Upload("three"))) std::this_thread::yield();
+  EXPECT_TRUE(GetUpload(Sha256Hex("three")).complete());
+  open.back()->context.TryCancel();
+  open.back()->stream->Finish();
 }
 
 TEST_F(CoordinatorTest, RequestsAreCheckedBeforeAnythingIsKept) {

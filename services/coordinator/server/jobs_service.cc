@@ -108,18 +108,26 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
   return reader;
 }
 
-grpc::Status JobsService::Download(grpc::ServerContext*, const v1::DownloadRequest* request,
+grpc::Status JobsService::Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                                    grpc::ServerWriter<v1::DownloadResponse>* stream) {
-  const auto reader = OpenArtifact(*request);
-  if (!reader.ok()) return rpc::ToGrpc(reader.status());
+  return rpc::ToGrpc(downloads_.Run(*context, [&](const Transfers::Moved& moved) {
+    return Send(*request, moved, *stream);
+  }));
+}
+
+absl::Status JobsService::Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
+                               grpc::ServerWriter<v1::DownloadResponse>& stream) {
+  const auto reader = OpenArtifact(request);
+  if (!reader.ok()) return reader.status();
   v1::DownloadResponse response;
-  for (int64_t at = request->offset(); at < (*reader)->size(); at += kDownloadChunkBytes) {
+  for (int64_t at = request.offset(); at < (*reader)->size(); at += kDownloadChunkBytes) {
     auto bytes = (*reader)->Read(at, kDownloadChunkBytes);
-    if (!bytes.ok()) return rpc::ToGrpc(bytes.status());
+    if (!bytes.ok()) return bytes.status();
     response.set_data(*std::move(bytes));
-    if (!stream->Write(response)) break;  // the client left
+    if (!stream.Write(response)) break;  // the client left
+    moved();
   }
-  return grpc::Status::OK;
+  return absl::OkStatus();
 }
 
 }  // namespace slicefarm::coordinator

@@ -7,6 +7,7 @@
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_results.h"
 #include "services/coordinator/server/job_runner.h"
+#include "services/coordinator/server/transfers.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -26,7 +27,8 @@ struct JobsBackend {
 /// Translates slicefarm.v1.Jobs.
 class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
-  explicit JobsService(JobsBackend backend) : backend_(std::move(backend)) {}
+  JobsService(JobsBackend backend, const TransferOptions& options)
+      : backend_(std::move(backend)), downloads_(options) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
@@ -46,8 +48,11 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
  private:
   absl::StatusOr<Created> Create(const v1::CreateJobRequest& request);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
+  absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
+                    grpc::ServerWriter<v1::DownloadResponse>& stream);
 
   JobsBackend backend_;
+  Transfers downloads_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -36,18 +36,24 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadR
   return rpc::ToGrpc(status.status());
 }
 
-grpc::Status MeshesService::UploadMesh(grpc::ServerContext*,
-                                       grpc::ServerReader<v1::UploadMeshRequest>* stream,
+grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
                                        v1::Upload* response) {
+  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) {
+    return Take(*stream, moved, response);
+  }));
+}
+
+absl::Status MeshesService::Take(Reader& stream, const Transfers::Moved& moved,
+                                 v1::Upload* response) {
   v1::UploadMeshRequest first;
-  if (!stream->Read(&first)) return rpc::ToGrpc(Malformed("sha256", "is missing"));
-  const auto status = Receive(*stream, first);
+  if (!stream.Read(&first)) return Malformed("sha256", "is missing");
+  const auto status = Receive(stream, moved, first);
   if (status.ok()) *response = ToProto(first.sha256(), *status);
-  return rpc::ToGrpc(status.status());
+  return status.status();
 }
 
 /// Keeps chunk after chunk; a call that breaks leaves what it brought.
-absl::StatusOr<BlobStatus> MeshesService::Receive(grpc::ServerReader<v1::UploadMeshRequest>& stream,
+absl::StatusOr<BlobStatus> MeshesService::Receive(Reader& stream, const Transfers::Moved& moved,
                                                   v1::UploadMeshRequest& first) {
   if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
   const std::string digest = first.sha256();
@@ -55,6 +61,7 @@ absl::StatusOr<BlobStatus> MeshesService::Receive(grpc::ServerReader<v1::UploadM
   int64_t offset = first.write_offset();
   v1::UploadMeshRequest chunk = first;
   do {
+    moved();
     if (absl::Status ok = CheckChunk(chunk.data(), offset, size); !ok.ok()) return ok;
     const auto status = blobs_.Append(digest, offset, chunk.data());
     if (!status.ok() || status->complete) return status;

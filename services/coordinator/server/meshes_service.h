@@ -1,6 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "services/coordinator/server/transfers.h"
 #include "services/coordinator/store/blob_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
@@ -9,7 +10,8 @@ namespace slicefarm::coordinator {
 /// Translates slicefarm.v1.Meshes to a BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
-  explicit MeshesService(BlobStore& blobs) : blobs_(blobs) {}
+  MeshesService(BlobStore& blobs, const TransferOptions& options)
+      : blobs_(blobs), uploads_(options) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
                          v1::Upload* response) override;
@@ -19,10 +21,13 @@ class MeshesService final : public v1::Meshes::Service {
                           v1::Upload* response) override;
 
  private:
-  absl::StatusOr<BlobStatus> Receive(grpc::ServerReader<v1::UploadMeshRequest>& stream,
+  using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
+  absl::Status Take(Reader& stream, const Transfers::Moved& moved, v1::Upload* response);
+  absl::StatusOr<BlobStatus> Receive(Reader& stream, const Transfers::Moved& moved,
                                      v1::UploadMeshRequest& first);
 
   BlobStore& blobs_;
+  Transfers uploads_;
 };
 
 }  // namespace slicefarm::coordinator

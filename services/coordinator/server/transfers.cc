@@ -1,0 +1,16 @@
+#include "services/coordinator/server/transfers.h"
+
+#include "common/rpc/call_scope.h"
+
+namespace slicefarm::coordinator {
+
+absl::Status Transfers::Run(grpc::ServerContext& context,
+                            const std::function<absl::Status(const Moved&)>& work) {
+  const rpc::CallScope scope(context, options_.times.default_deadline);
+  const auto turn = admission_.Enter(scope.Token());
+  if (!turn.ok()) return scope.Outcome(turn.status());
+  rpc::StreamWatch::Guard guard(watch_, context);
+  return guard.Outcome(work([&] { guard.Moved(); }));
+}
+
+}  // namespace slicefarm::coordinator

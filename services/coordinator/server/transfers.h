@@ -1,0 +1,42 @@
+#pragma once
+
+#include <grpcpp/server_context.h>
+
+#include <functional>
+
+#include "absl/status/status.h"
+#include "common/rpc/admission.h"
+#include "common/rpc/stream_watch.h"
+
+namespace slicefarm::coordinator {
+
+/// How many uploads (and as many downloads) there may be at once, and how long each may stand
+/// still.
+struct TransferOptions {
+  int slots = 64;
+  int queue = 16;
+  rpc::StreamTimes times = {};
+};
+
+/// The way of calls that hold a server thread for as long as their client likes: only so many at
+/// once, and none without progress. Thread-safe.
+class Transfers {
+ public:
+  /// To be called for each message that went through.
+  using Moved = std::function<void()>;
+
+  explicit Transfers(const TransferOptions& options)
+      : options_(options), admission_(options.slots, options.queue), watch_(options.times) {}
+
+  /// Does `work` when its turn has come. Errors: OVERLOADED; DEADLINE_EXCEEDED where the call was
+  /// cut off; those of `work`.
+  absl::Status Run(grpc::ServerContext& context,
+                   const std::function<absl::Status(const Moved&)>& work);
+
+ private:
+  const TransferOptions options_;
+  rpc::Admission admission_;
+  rpc::StreamWatch watch_;
+};
+
+}  // namespace slicefarm::coordinator
