@@ -20,7 +20,16 @@ state=${SLICEFARM_STATE:-build/local}
 usage() { sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
-running() { [[ -f "$1" ]] && kill -0 "$(cat "$1")" 2>/dev/null; }
+# Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
+# have gone round, it may be anybody's.
+running() {
+  [[ -f "$1" ]] || return 1
+  local name exe
+  name=$(basename "$1" .pid)
+  exe=$(readlink "/proc/$(cat "$1")/exe") || return 1
+  exe=${exe% (deleted)}  # the program was built anew since
+  [[ "${exe##*/}" == "slicefarm-${name%%-[0-9]*}" ]]
+}
 
 # start NAME PROGRAM ARG...
 start() {
@@ -33,7 +42,7 @@ await() {
   local name=$1 address=$2
   for _ in $(seq 100); do
     "$bin/slicefarm" health "$address" >/dev/null 2>&1 && return
-    running "$state/pid/$name.pid" || { tail -n 5 "$state/log/$name.log" >&2; die "$name did not start; its log is $state/log/$name.log"; }
+    kill -0 "$(cat "$state/pid/$name.pid")" 2>/dev/null || { tail -n 5 "$state/log/$name.log" >&2; die "$name did not start; its log is $state/log/$name.log"; }
     sleep 0.1
   done
   die "$name does not answer on $address; its log is $state/log/$name.log"
