@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <random>
 #include <thread>
 #include <utility>
@@ -24,7 +25,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kUnaryDeadline{20'000};
 constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
-constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
@@ -53,9 +53,10 @@ std::string NewRequestId() {
                      0x4000 | bits(0x0fff), 0x8000 | bits(0x3fff), bits(0xffffffff), bits(0xffff));
 }
 
-/// Hands each message of a stream to `take`, until the stream ends or `take` returns an error.
+/// Hands each message of a stream to `take`, until the stream ends or `take` returns an error. Sets
+/// `opened` once the server says that the stream stands.
 template <typename Response, typename Start>
-absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& start,
+absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& start, bool* opened,
                         const std::function<absl::Status(const Response&)>& take) {
   rpc::ClientCall call(options);
   const std::unique_ptr<grpc::ClientAsyncReader<Response>> reader =
@@ -63,7 +64,15 @@ absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& star
   reader->StartCall(nullptr);
   absl::Status taken;
   Response response;
-  for (bool alive = call.Await(); alive;) {
+  bool alive = call.Await();
+  if (alive) {
+    // A quiet stream shows in nothing else that it got through. A server that refuses a call sends
+    // trailers only, and no metadata here.
+    reader->ReadInitialMetadata(nullptr);
+    alive = call.Await();
+    if (!call.context()->GetServerInitialMetadata().empty()) *opened = true;
+  }
+  while (alive) {
     reader->Read(&response, nullptr);
     alive = call.Await();
     if (!alive) break;
@@ -96,17 +105,24 @@ absl::Status JobsClient::Rest(milliseconds time) const {
   return absl::OkStatus();
 }
 
-/// Makes the attempt until it ends otherwise than with the server out of reach. An attempt that
-/// gets on a way sets last_answer_s_, and patience begins anew.
+/// Makes the attempt until it ends otherwise than with the server out of reach. Patience counts
+/// from the first attempt that got no answer at all: a stream that was quiet for long until it
+/// broke says nothing about how long the server is gone. An attempt that gets on a way sets
+/// answered_.
 absl::Status JobsClient::Persist(const Attempt& attempt) {
-  last_answer_s_ = clock_.Seconds();
   const double patience_s = std::chrono::duration<double>(options_.patience).count();
+  std::optional<double> away_since_s;
   for (milliseconds rest = kMinRest;; rest = std::min(rest * 2, kMaxRest)) {
-    const double answered_s = last_answer_s_;
+    answered_ = false;
     absl::Status status = attempt();
     if (status.ok() || !OutOfReach(status)) return status;
-    if (last_answer_s_ > answered_s) rest = kMinRest;
-    if (clock_.Seconds() - last_answer_s_ >= patience_s) {
+    if (answered_) {
+      rest = kMinRest;
+      away_since_s.reset();
+    } else if (!away_since_s) {
+      away_since_s = clock_.Seconds();
+    }
+    if (away_since_s && clock_.Seconds() - *away_since_s >= patience_s) {
       const ErrorDetail detail = DetailOf(status);
       return MakeError(status.code(), detail.reason,
                        fmt::format("{}: {}", options_.server, std::string(status.message())),
@@ -137,7 +153,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
         rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &upload,
                        [&](auto... arguments) { return meshes_->AsyncGetUpload(arguments...); });
     if (!got.ok()) return got;
-    last_answer_s_ = clock_.Seconds();
+    answered_ = true;
     if (upload.committed_size() < 0 ||
         upload.committed_size() > static_cast<int64_t>(bytes.size())) {
       return MakeError(absl::StatusCode::kInternal, Reason::kBlobDigestMismatch,
@@ -172,7 +188,7 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
     }
     if (!alive) break;
     offset += static_cast<int64_t>(piece.size());
-    last_answer_s_ = clock_.Seconds();
+    answered_ = true;
     sent(offset);
     chunk.Clear();
   } while (offset < static_cast<int64_t>(bytes.size()));
@@ -236,17 +252,20 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   v1::Job last;
   const absl::Status status = Persist([&]() -> absl::Status {
     const absl::Status end = ReadStream<v1::JobEvent>(
-        {kWatchDeadline, options_.cancel},
+        {options_.watch_deadline, options_.cancel},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncWatchJob(context, request, queue);
         },
+        &answered_,
         [&](const v1::JobEvent& event) {
-          last_answer_s_ = clock_.Seconds();
+          answered_ = true;
           request.set_after_sequence(event.sequence());
           last = event.job();
           changed(last);
           return absl::OkStatus();
         });
+    // Keepalive would have found a connection that is dead: the job was quiet.
+    if (DetailOf(end).reason == Reason::kDeadlineExceeded) answered_ = true;
     if (!end.ok() || HasEnded(last)) return end;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "the server stopped telling of the job before its end");
@@ -265,8 +284,9 @@ absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, 
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncDownload(context, request, queue);
         },
+        &answered_,
         [&](const v1::DownloadResponse& response) {
-          last_answer_s_ = clock_.Seconds();
+          answered_ = true;
           request.set_offset(request.offset() + static_cast<int64_t>(response.data().size()));
           return file.Write(response.data());
         });

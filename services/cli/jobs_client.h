@@ -20,6 +20,8 @@ struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
   /// How long the server may be out of reach at a stretch before that is an error.
   std::chrono::milliseconds patience{30'000};
+  /// A watch goes on after it, however quiet the job is.
+  std::chrono::milliseconds watch_deadline{3'600'000};
   CancelToken cancel = {};  ///< ends calls as Cancelled
 };
 
@@ -65,7 +67,7 @@ class JobsClient {
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   Stopwatch clock_;
-  double last_answer_s_ = 0;  ///< when the server was last in reach
+  bool answered_ = false;  ///< the server was in reach during the current attempt
 };
 
 /// True for states after which nothing changes any more.

@@ -103,6 +103,30 @@ TEST_F(JobsClientTest, TellsEachEventOnceThoughTheStreamBreaks) {
   EXPECT_THAT(server_.watch_sequences, ElementsAre(0, 2));
 }
 
+TEST_F(JobsClientTest, AQuietWatchThatBreaksWasAnAnswer) {
+  server_.break_quiet_watches = 2;
+  JobsClient client({.server = server_.address(), .patience = std::chrono::milliseconds(0)});
+  const auto job = client.WatchJob("job-1", [](const v1::Job&) {});
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(server_.watches, 3);
+}
+
+TEST_F(JobsClientTest, AQuietWatchThatReachesItsDeadlineIsTakenUpAgain) {
+  server_.hang_watch = true;
+  JobsClient client({.server = server_.address(),
+                     .patience = std::chrono::milliseconds(0),
+                     .watch_deadline = std::chrono::milliseconds(50)});
+  std::thread later([&] {
+    while (server_.watches < 3) std::this_thread::yield();
+    server_.hang_watch = false;
+  });
+  // Once the job gets on, a single watch has time enough for it.
+  const auto job = client.WatchJob("job-1", [](const v1::Job&) {});
+  server_.watches = 3;
+  later.join();
+  ASSERT_TRUE(job.ok()) << job.status();
+}
+
 TEST_F(JobsClientTest, GoesOnWhereADownloadBrokeOff) {
   server_.break_download_after = 3;
   const std::string path = testing::TempDir() + "/jobs_client_download";

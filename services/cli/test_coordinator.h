@@ -41,6 +41,7 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
   std::atomic<int> break_upload_after = -1;  ///< chunks; then never again
   std::atomic<int> break_watch_after = -1;   ///< events; then never again
   std::atomic<int> break_download_after = -1;
+  std::atomic<int> break_quiet_watches = 0;  ///< watches that break before any event
   std::atomic<bool> hang_watch = false;
   std::atomic<int> overloaded_gets = 0;  ///< GetJob calls that find no free thread
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
@@ -131,6 +132,9 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
                         grpc::ServerWriter<v1::JobEvent>* writer) override {
     watch_sequences.push_back(request->after_sequence());
     ++watches;
+    context->AddInitialMetadata("slicefarm-watch", "open");
+    writer->SendInitialMetadata();
+    if (break_quiet_watches-- > 0) return Broken();
     while (hang_watch && !context->IsCancelled()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -20,8 +20,12 @@ absl::Status Stopping() {
 
 }  // namespace
 
-JobWatch::JobWatch(JobStore& jobs, JobFeed& feed, std::string job_id, int64_t after_sequence)
+JobWatch::JobWatch(grpc::CallbackServerContext& context, JobStore& jobs, JobFeed& feed,
+                   std::string job_id, int64_t after_sequence)
     : jobs_(jobs), feed_(feed), job_id_(std::move(job_id)), sent_(after_sequence) {
+  // A client cannot tell a quiet job from a server that is gone: this says that the watch stands.
+  context.AddInitialMetadata("slicefarm-watch", "open");
+  StartSendInitialMetadata();
   ticket_ = feed_.Listen(job_id_, [this] { Wake(); });
   Advance();
 }

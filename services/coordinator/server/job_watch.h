@@ -17,7 +17,8 @@ namespace slicefarm::coordinator {
 /// watch. Deletes itself.
 class JobWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
  public:
-  JobWatch(JobStore& jobs, JobFeed& feed, std::string job_id, int64_t after_sequence);
+  JobWatch(grpc::CallbackServerContext& context, JobStore& jobs, JobFeed& feed, std::string job_id,
+           int64_t after_sequence);
 
   void OnWriteDone(bool ok) override;
   void OnCancel() override;

@@ -73,9 +73,10 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext*, const v1::ListJobsReque
   return rpc::ToGrpc(jobs.status());
 }
 
-grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(grpc::CallbackServerContext*,
-                                                              const v1::WatchJobRequest* request) {
-  return new JobWatch(backend_.jobs, backend_.feed, request->id(), request->after_sequence());
+grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(
+    grpc::CallbackServerContext* context, const v1::WatchJobRequest* request) {
+  return new JobWatch(*context, backend_.jobs, backend_.feed, request->id(),
+                      request->after_sequence());
 }
 
 grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobRequest* request,
