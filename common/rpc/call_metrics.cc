@@ -1,5 +1,8 @@
 #include "common/rpc/call_metrics.h"
 
+#include <google/protobuf/descriptor.h>
+
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -18,6 +21,22 @@ std::map<std::string, std::string> Labels(std::string_view method) {
     return {{"grpc_service", ""}, {"grpc_method", std::string(method)}};
   return {{"grpc_service", std::string(method.substr(begin, slash - begin))},
           {"grpc_method", std::string(method.substr(slash + 1))}};
+}
+
+constexpr char kUnknown[] = "/unknown/unknown";
+
+/// Whether a method is one that a server can have. gRPC tells interceptors of calls of methods that
+/// nobody has as well, with the name from the wire.
+bool IsKnown(std::string_view method) {
+  // gRPC's own health service has no descriptor here.
+  if (method == "/grpc.health.v1.Health/Check" || method == "/grpc.health.v1.Health/Watch") {
+    return true;
+  }
+  if (!method.starts_with('/')) return false;
+  std::string name(method.substr(1));
+  if (std::count(name.begin(), name.end(), '/') != 1) return false;
+  std::replace(name.begin(), name.end(), '/', '.');
+  return google::protobuf::DescriptorPool::generated_pool()->FindMethodByName(name) != nullptr;
 }
 
 /// From 1 ms to about a minute, by factors of 2.5 or so.
@@ -83,7 +102,8 @@ void CallMetrics::Handled(const std::string& method, grpc::StatusCode code,
 
 grpc::experimental::Interceptor* CallMetricsFactory::CreateServerInterceptor(
     grpc::experimental::ServerRpcInfo* info) {
-  return new CallMetricsInterceptor(metrics_, info->method());  // gRPC takes ownership
+  const char* method = info->method();
+  return new CallMetricsInterceptor(metrics_, IsKnown(method) ? method : kUnknown);  // gRPC owns it
 }
 
 }  // namespace slicefarm::rpc

@@ -32,7 +32,8 @@ class CallMetrics {
   prometheus::Family<prometheus::Histogram>& handling_seconds_;
 };
 
-/// Tells CallMetrics of each call of a server.
+/// Tells CallMetrics of each call of a server. Methods that are not in this program's protos count
+/// as "unknown": whatever strangers call, the number of labels is bounded.
 class CallMetricsFactory : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
   explicit CallMetricsFactory(CallMetrics& metrics) : metrics_(metrics) {}

@@ -173,6 +173,20 @@ TEST_F(ServerTest, AnswersAndCounts) {
   EXPECT_THAT(log_text_.str(), testing::HasSubstr(R"("reason":"SETTING_UNKNOWN")"));
 }
 
+TEST_F(ServerTest, MethodsThatNobodyHasGetNoLabelsOfTheirOwn) {
+  Start();
+  std::string answer;
+  for (const char* method : {"/slicefarm.v1.Motion/Dance", "/stranger.A/B", "/a/b/c"}) {
+    EXPECT_FALSE(CallRaw(method, "", &answer).ok());
+  }
+  EXPECT_TRUE(CallRaw("/grpc.health.v1.Health/Check", "", &answer).ok());
+  server_->Drain(seconds(10));
+  EXPECT_THAT(MetricsText(), testing::AllOf(testing::HasSubstr(R"(grpc_method="unknown")"),
+                                            testing::HasSubstr(R"(grpc_method="Check")"),
+                                            testing::Not(testing::HasSubstr("Dance")),
+                                            testing::Not(testing::HasSubstr("stranger"))));
+}
+
 TEST_F(ServerTest, StreamsBothWays) {
   Start();
   StreamCall<v1::ProgramRequest, v1::LayerProgram> call({}, [&](auto* context, auto* queue) {
