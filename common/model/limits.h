@@ -28,6 +28,7 @@ inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;   ///< of an object, a request id
+inline constexpr int64_t kMaxSpecBytes = 1 << 20;  ///< of a job: it is echoed in one message
 inline constexpr int64_t kMaxLabels = 64;
 inline constexpr int64_t kMaxLabelBytes = 1024;  ///< key and value together
 inline constexpr int32_t kMaxPageSize = 1'000;

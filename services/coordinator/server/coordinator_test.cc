@@ -385,6 +385,14 @@ TEST_F(CoordinatorTest, RequestsAreCheckedBeforeAnythingIsKept) {
               for (int i = 0; i < 100; ++i) (*r.mutable_labels())[absl::StrCat(i)] = "x";
             }),
             Reason::kRequestTooLarge);
+  EXPECT_EQ(reason([](auto& r) {
+              for (int i = 0; i < 20; ++i) {
+                v1::Setting* setting = r.mutable_spec()->add_settings();
+                setting->set_key("start_gcode");
+                setting->set_value(std::string(60'000, 'G'));
+              }
+            }),
+            Reason::kRequestTooLarge);
   EXPECT_EQ(reason([](auto& r) { r.set_request_id(std::string(300, 'r')); }),
             Reason::kRequestTooLarge);
   grpc::ClientContext context;

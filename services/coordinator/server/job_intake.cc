@@ -27,6 +27,11 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
     return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
                       id_bytes);
   }
+  const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
+  if (spec_bytes > limits::kMaxSpecBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
+                      spec_bytes);
+  }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
   const auto resolved = ResolveJob(std::move(submission.request), build_id_);
   if (!resolved.ok()) return resolved.status();

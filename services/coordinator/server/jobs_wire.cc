@@ -12,6 +12,9 @@ namespace {
 
 constexpr int32_t kDefaultPageSize = 50;
 
+/// A page ends before it; one job is less than the rest of a message (limits::kMaxSpecBytes).
+constexpr size_t kMaxPageBytes = 1 << 20;
+
 absl::StatusOr<ObjectRequest> ObjectFromProto(const v1::Object& proto) {
   const auto format = slicefarm::FromProto(proto.format());
   if (!format.ok()) return format.status();
@@ -129,9 +132,17 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
 
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query) {
   v1::ListJobsResponse response;
-  for (const JobRecord& job : jobs) *response.add_jobs() = ToProto(job);
-  if (std::ssize(jobs) == query.limit) {
-    response.set_next_page_token(std::to_string(jobs.back().number));
+  size_t bytes = 0;
+  for (const JobRecord& job : jobs) {
+    v1::Job listed = ToProto(job);
+    listed.mutable_spec()->clear_settings();
+    bytes += listed.ByteSizeLong();
+    if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
+    *response.add_jobs() = std::move(listed);
+  }
+  const int taken = response.jobs_size();
+  if (taken == query.limit || taken < std::ssize(jobs)) {
+    response.set_next_page_token(std::to_string(jobs[taken - 1].number));
   }
   return response;
 }

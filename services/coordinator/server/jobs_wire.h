@@ -19,7 +19,8 @@ absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes);
 
 v1::JobState ToProto(JobState state);
 
-/// A page of a list. The token holds the last job of the page before; it is opaque to clients.
+/// A page of a list: jobs without their settings, as many as fit into a message. The token holds
+/// the last job of the page before; it is opaque to clients.
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request);
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query);
 

@@ -123,6 +123,23 @@ TEST(JobsWire, PagesFollowEachOther) {
       << "a page that is not full is the last";
 }
 
+TEST(JobsWire, ListsLeaveTheSettingsOut) {
+  const v1::ListJobsResponse page = ToProto(std::vector<JobRecord>{DoneJob()}, ListQuery{});
+  EXPECT_EQ(page.jobs(0).spec().objects(0).name(), "a.stl");
+  EXPECT_EQ(page.jobs(0).spec().settings_size(), 0);
+}
+
+TEST(JobsWire, PagesEndByBytesToo) {
+  JobRecord big = DoneJob();
+  for (int i = 0; i < 64; ++i) big.labels[std::to_string(i)] = std::string(1000, 'l');
+  std::vector<JobRecord> jobs(100, big);
+  for (int i = 0; i < 100; ++i) jobs[i].number = 100 - i;
+  const v1::ListJobsResponse page = ToProto(jobs, ListQuery{.states = {}, .limit = 1000});
+  EXPECT_GT(page.jobs_size(), 1);
+  EXPECT_LT(page.ByteSizeLong(), 2u << 20);
+  EXPECT_EQ(page.next_page_token(), std::to_string(101 - page.jobs_size()));
+}
+
 TEST(JobsWire, PageSizesHaveBounds) {
   v1::ListJobsRequest request;
   EXPECT_EQ(FromProto(request)->limit, 50);
