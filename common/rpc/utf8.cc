@@ -31,19 +31,35 @@ bool IsSequence(std::string_view bytes) {
          });
 }
 
+/// The sequence that `text` begins with; empty if it begins with none.
+std::string_view FirstSequence(std::string_view text) {
+  const size_t length = SequenceLength(static_cast<uint8_t>(text[0]));
+  const std::string_view sequence = text.substr(0, length);
+  return length > 0 && sequence.size() == length && IsSequence(sequence) ? sequence
+                                                                         : std::string_view();
+}
+
 }  // namespace
 
 std::string ToUtf8(std::string_view text, size_t max_bytes) {
   std::string result;
-  for (size_t i = 0; i < text.size();) {
-    const size_t length = SequenceLength(static_cast<uint8_t>(text[i]));
-    const std::string_view sequence = text.substr(i, length);
-    const bool good = length > 0 && sequence.size() == length && IsSequence(sequence);
-    if (result.size() + (good ? length : 1) > max_bytes) break;
-    good ? result.append(sequence) : result.append(1, '?');
-    i += good ? length : 1;
+  while (!text.empty()) {
+    const std::string_view sequence = FirstSequence(text);
+    const std::string_view piece = sequence.empty() ? "?" : sequence;
+    if (result.size() + piece.size() > max_bytes) break;
+    result.append(piece);
+    text.remove_prefix(piece.size());
   }
   return result;
+}
+
+bool IsUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view sequence = FirstSequence(text);
+    if (sequence.empty()) return false;
+    text.remove_prefix(sequence.size());
+  }
+  return true;
 }
 
 }  // namespace slicefarm::rpc

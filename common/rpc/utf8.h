@@ -10,4 +10,6 @@ namespace slicefarm::rpc {
 /// and JSON must be UTF-8, and HTTP/2 trailers are small.
 std::string ToUtf8(std::string_view text, size_t max_bytes);
 
+bool IsUtf8(std::string_view text);
+
 }  // namespace slicefarm::rpc

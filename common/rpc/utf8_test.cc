@@ -15,6 +15,10 @@ class Utf8 : public testing::TestWithParam<Case> {};
 
 TEST_P(Utf8, ReplacesWhatIsNone) { EXPECT_EQ(ToUtf8(GetParam().text, 100), GetParam().want); }
 
+TEST_P(Utf8, KnowsWhatIsNone) {
+  EXPECT_EQ(IsUtf8(GetParam().text), GetParam().text == GetParam().want);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Texts, Utf8,
     testing::Values(

@@ -9,6 +9,7 @@
 #include "common/config/text.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/rpc/utf8.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {
@@ -65,6 +66,24 @@ absl::StatusOr<config::Setting> ParseSet(const std::string& text) {
   return config::Setting{key, text.substr(equals + 1), config::Source::kRequest};
 }
 
+/// Settings travel and are reported as UTF-8.
+absl::Status CheckText(const config::Setting& setting) {
+  if (rpc::IsUtf8(setting.key) && rpc::IsUtf8(setting.value)) return absl::OkStatus();
+  const std::string key = rpc::ToUtf8(setting.key, limits::kMaxNameBytes);
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+                   fmt::format("{}: is not UTF-8 text", key), {{"setting", key}});
+}
+
+/// A file's name as a part's: it goes over the wire as UTF-8, and into G-code comments, where a
+/// line end would begin a command.
+std::string PartName(std::string_view file) {
+  std::string name = rpc::ToUtf8(file, limits::kMaxNameBytes);
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return name;
+}
+
 }  // namespace
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
@@ -111,6 +130,9 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const JobOptions& opt
     if (!setting.ok()) return setting.status();
     settings.push_back(*std::move(setting));
   }
+  for (const config::Setting& setting : settings) {
+    if (absl::Status ok = CheckText(setting); !ok.ok()) return ok;
+  }
   return settings;
 }
 
@@ -147,10 +169,9 @@ absl::StatusOr<MeshFile> ReadModel(const JobOptions& options) {
     return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
                      std::string(bytes.status().message()), detail.metadata);
   }
-  const size_t slash = options.model.rfind('/');
-  return MeshFile{
-      .name = slash == std::string::npos ? options.model : options.model.substr(slash + 1),
-      .bytes = *std::move(bytes)};
+  const size_t slash = options.model.rfind('/');  // npos + 1: the whole
+  return MeshFile{.name = PartName(std::string_view(options.model).substr(slash + 1)),
+                  .bytes = *std::move(bytes)};
 }
 
 }  // namespace slicefarm::cli

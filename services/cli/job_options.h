@@ -27,13 +27,15 @@ struct JobOptions {
 void AddJobOptions(CLI::App& app, JobOptions& options);
 
 /// The settings of the files, in their order, then those set by hand. Errors: REQUEST_MALFORMED for
-/// a file that cannot be read and for a --set without `=`; those of ReadIni, with the file's name.
+/// a file that cannot be read and for a --set without `=`; those of ReadIni, with the file's name;
+/// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const JobOptions& options);
 
 /// Errors: REQUEST_MALFORMED naming the option.
 absl::StatusOr<Placement> GivenPlacement(const JobOptions& options);
 
-/// The model's bytes; its name is the file's without folders. Errors: REQUEST_MALFORMED,
+/// The model's bytes; its name is the file's without folders, as UTF-8 without control
+/// characters. Errors: REQUEST_MALFORMED,
 /// MESH_TOO_LARGE.
 absl::StatusOr<MeshFile> ReadModel(const JobOptions& options);
 

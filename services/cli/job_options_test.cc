@@ -54,6 +54,22 @@ TEST(GivenSettings, WantsAnEqualsSign) {
   }
 }
 
+TEST(GivenSettings, AreUtf8) {
+  JobOptions options;
+  options.sets = {"start_gcode=; M\xfcller"};
+  const auto settings = GivenSettings(options);
+  EXPECT_EQ(DetailOf(settings.status()).reason, Reason::kSettingMalformed);
+  EXPECT_EQ(DetailOf(settings.status()).metadata["setting"], "start_gcode");
+}
+
+TEST(ReadModel, MakesANameThatCanBePrinted) {
+  JobOptions options;
+  options.model = TempFile("M\xfcll\ner \xc3\xa4.stl", "solid");
+  const auto model = ReadModel(options);
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->name, "job_options_M?ll?er \xc3\xa4.stl");
+}
+
 TEST(GivenPlacement, IsTheModelAsItIsByDefault) {
   const auto placement = GivenPlacement({});
   ASSERT_TRUE(placement.ok());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/model/error.h"
+#include "common/rpc/utf8.h"
 #include "common/wire/mesh_wire.h"
 #include "services/cli/commands.h"
 #include "services/cli/console.h"
@@ -37,6 +38,7 @@ absl::StatusOr<std::map<std::string, std::string>> LabelsOf(const SubmitOptions&
     if (equals == std::string::npos || equals == 0) {
       return Malformed(fmt::format("--label {}: key=value is needed", text));
     }
+    if (!rpc::IsUtf8(text)) return Malformed(fmt::format("--label {}: is not UTF-8 text", text));
     labels[text.substr(0, equals)] = text.substr(equals + 1);
   }
   return labels;
