@@ -276,8 +276,8 @@ TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
 
 /// Arguments of a coordinator whose services are not there, which is no reason not to serve.
 std::vector<std::string> Alone(const coordinator::TempDirectory& state) {
-  return {"--state-dir",  state.path(), "--slicing", "127.0.0.1:1", "--motion",
-          "127.0.0.1:1", "--workers",  "127.0.0.1:1"};
+  return {"--state-dir", state.path(),  "--slicing", "127.0.0.1:1",
+          "--motion",    "127.0.0.1:1", "--workers", "127.0.0.1:1"};
 }
 
 TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
@@ -316,9 +316,9 @@ TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
     std::vector<std::string> arguments;
     std::string error;  ///< begins with this
   };
-  for (const Case& c : {Case{some, "either --workers or "},
-                        Case{half, "--beading, --infill and --ordering go "},
-                        Case{{}, "--state-dir is "}}) {
+  for (const Case& c :
+       {Case{some, "either --workers or "}, Case{half, "--beading, --infill and --ordering go "},
+        Case{{}, "--state-dir is "}}) {
     ChildProcess process("slicefarm-coordinator", c.arguments, ChildProcess::Stderr::kWithStdout);
     EXPECT_NE(process.AwaitLine(c.error), "") << c.error;
     EXPECT_NE(process.Wait(), 0);

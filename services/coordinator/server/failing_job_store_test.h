@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,10 @@ class FailingJobStore : public JobStore {
     return store_.List(query);
   }
   absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit, int64_t now_us,
-                                               int64_t until_us) override {
+                                               int64_t until_us,
+                                               const std::set<std::string>& busy) override {
     if (absl::Status error = Enter(Call::kClaim); !error.ok()) return error;
-    return store_.Claim(owner, limit, now_us, until_us);
+    return store_.Claim(owner, limit, now_us, until_us, busy);
   }
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override {
@@ -70,9 +72,7 @@ class FailingJobStore : public JobStore {
   absl::Status ForgetResult(const std::string& digest) override {
     return store_.ForgetResult(digest);
   }
-  absl::Status ExpireRequestIds(int64_t now_us) override {
-    return store_.ExpireRequestIds(now_us);
-  }
+  absl::Status ExpireRequestIds(int64_t now_us) override { return store_.ExpireRequestIds(now_us); }
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
     return store_.CountByState();
   }

@@ -9,7 +9,8 @@
 namespace slicefarm::coordinator {
 
 /// Keeps the same work from being done twice at the same time: who comes second waits, and then
-/// finds the result of the first in the cache. Thread-safe.
+/// finds the result of the first in the cache. JobRunner claims no two jobs of one action; what is
+/// left for here are jobs of an earlier build, whose action is another one by now. Thread-safe.
 class InFlight {
  public:
   /// Held while the work of a digest is done.

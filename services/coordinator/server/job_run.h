@@ -45,6 +45,7 @@ class JobRun {
   void Lose() { lost_ = true; }             ///< it may have been claimed again
 
   const Lease& lease() const { return lease_; }
+  const std::string& action_digest() const { return job_.action_digest; }
   bool lost() const { return lost_; }
 
  private:

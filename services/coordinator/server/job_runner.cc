@@ -67,9 +67,18 @@ void JobRunner::Serve() {
   }
 }
 
+/// The work that is being done.
+std::set<std::string> JobRunner::Busy() {
+  std::lock_guard lock(mutex_);
+  std::set<std::string> busy;
+  for (const auto& [lease, held] : runs_) busy.insert(held.run->action_digest());
+  return busy;
+}
+
 std::shared_ptr<JobRun> JobRunner::Claim() {
+  std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
-  auto jobs = environment_.jobs.Claim(options_.owner, 1, now_us, now_us + LeaseUs());
+  auto jobs = environment_.jobs.Claim(options_.owner, 1, now_us, now_us + LeaseUs(), Busy());
   if (!jobs.ok() || jobs->empty()) return nullptr;  // a store that fails is asked again soon
   auto run = std::make_shared<JobRun>(environment_, std::move(jobs->front()));
   std::lock_guard lock(mutex_);

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,7 +24,9 @@ struct JobRunnerOptions {
       1'000};  ///< how often to look for jobs that other coordinators left
 };
 
-/// Claims jobs and runs them, a bounded number at a time, and holds their leases.
+/// Claims jobs and runs them, a bounded number at a time, and holds their leases. A job that does
+/// the work of a running one stays QUEUED until that has ended, so that it keeps no thread from
+/// others.
 class JobRunner {
  public:
   JobRunner(RunEnvironment environment, JobRunnerOptions options);
@@ -50,6 +53,7 @@ class JobRunner {
   void Serve();
   void Keep();
   void RenewLeases();
+  std::set<std::string> Busy();
   std::vector<Lease> Leases();
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
   void GiveUpLate();
@@ -59,6 +63,7 @@ class JobRunner {
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
+  std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
   std::mutex mutex_;
   std::condition_variable wake_;
   std::map<Lease, Held> runs_;  ///< a job that was given up may be claimed again while it ends

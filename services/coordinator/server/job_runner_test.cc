@@ -123,6 +123,27 @@ TEST_F(JobRunnerTest, RunsManyJobs) {
   }
 }
 
+TEST_F(JobRunnerTest, JobsOfTheSameWorkLeaveRoomForOthers) {
+  ranges_->Hold();
+  const auto runner = Runner();
+  const std::string first = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  const std::string same = Submit("xx");
+  const std::string other = Submit("xxx");
+  runner->Wake();
+  while (jobs_->Get(other)->state != JobState::kRunning && jobs_->Get(same)->owner.empty()) {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(jobs_->Get(other)->state, JobState::kRunning);
+  EXPECT_EQ(jobs_->Get(same)->owner, "") << "it waits in the queue";
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(first).result->cached);
+  EXPECT_TRUE(AwaitEnd(same).result->cached);
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  EXPECT_EQ(slicing_.runs(), 2);
+}
+
 TEST_F(JobRunnerTest, ProgressIsNotToldLayerByLayer) {
   const auto runner = Runner();
   const std::string id = Submit(std::string(20'000, 'x'));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,8 @@ struct JobEventRecord {
 std::string ToJson(const JobError& error);
 std::string ToJson(const JobResult& result);
 std::string ToJson(const std::map<std::string, std::string>& labels);
+/// For queries: SQL has no parameter that is a list.
+std::string ToJson(const std::set<std::string>& list);
 absl::Status FromJson(const std::string& json, JobError& error);
 absl::Status FromJson(const std::string& json, JobResult& result);
 absl::Status FromJson(const std::string& json, std::map<std::string, std::string>& labels);

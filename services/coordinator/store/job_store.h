@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -82,9 +83,10 @@ class JobStore {
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives up to `limit` jobs that are QUEUED or RUNNING and that nobody holds to `owner` until
-  /// `until_us`, oldest first.
+  /// `until_us`, oldest first. Passes over jobs whose action_digest is one of `busy`.
   virtual absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit,
-                                                       int64_t now_us, int64_t until_us) = 0;
+                                                       int64_t now_us, int64_t until_us,
+                                                       const std::set<std::string>& busy = {}) = 0;
 
   /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
   /// by owner, so that a job which its owner has given up runs out and is claimed again.

@@ -248,6 +248,15 @@ TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
   EXPECT_THAT(*store_->Claim("you", 5, 10, 100), IsEmpty());
 }
 
+TEST_P(JobStoreTest, ClaimsPassOverBusyWork) {
+  for (const char* id : {"a", "b", "c"}) Make(id);
+  const auto first = store_->Claim("me", 3, 10, 100, {"action-a", "action-c"});
+  ASSERT_THAT(*first, SizeIs(1));
+  EXPECT_EQ(first->front().id, "b");
+  EXPECT_THAT(*store_->Claim("me", 3, 10, 100, {"action-a", "action-c"}), IsEmpty());
+  EXPECT_THAT(*store_->Claim("me", 3, 10, 100), SizeIs(2));
+}
+
 TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
   const auto other = place_->Open();
   constexpr int kJobs = 60;

@@ -42,11 +42,14 @@ absl::Status InsertJob(SqliteConnection& db, const NewJob& job, int64_t now_us) 
   return remember.Bind(job.request_id, job.id, job.spec_digest, now_us).Run();
 }
 
-absl::StatusOr<bool> AnyClaimable(SqliteConnection& db, int64_t now_us) {
-  SqliteQuery query(db,
-                    "SELECT 1 FROM jobs WHERE state IN ('QUEUED', 'RUNNING')"
-                    " AND owner_until_us <= ? LIMIT 1");
-  const bool any = query.Bind(now_us).Next();
+/// Which jobs can be claimed; parameters: the time, and a list of busy digests.
+#define SLICEFARM_CLAIMABLE                                 \
+  " state IN ('QUEUED', 'RUNNING') AND owner_until_us <= ?" \
+  " AND action_digest NOT IN (SELECT value FROM json_each(?))"
+
+absl::StatusOr<bool> AnyClaimable(SqliteConnection& db, int64_t now_us, const std::string& busy) {
+  SqliteQuery query(db, "SELECT 1 FROM jobs WHERE" SLICEFARM_CLAIMABLE " LIMIT 1");
+  const bool any = query.Bind(now_us, busy).Next();
   if (!query.status().ok()) return query.status();
   return any;
 }
@@ -131,18 +134,20 @@ absl::StatusOr<std::vector<JobRecord>> SqliteJobStore::List(const ListQuery& lis
 }
 
 absl::StatusOr<std::vector<JobRecord>> SqliteJobStore::Claim(const std::string& owner, int limit,
-                                                             int64_t now_us, int64_t until_us) {
+                                                             int64_t now_us, int64_t until_us,
+                                                             const std::set<std::string>& busy) {
+  const std::string busy_json = ToJson(busy);
   Lock lock(write_mutex_);
   // Most calls find nothing, and need no write.
-  const auto any = AnyClaimable(*writer_, now_us);
+  const auto any = AnyClaimable(*writer_, now_us, busy_json);
   if (!any.ok()) return any.status();
   if (!*any) return std::vector<JobRecord>();
   SqliteQuery claim(*writer_,
                     "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
-                    " WHERE number IN (SELECT number FROM jobs WHERE state IN ('QUEUED', 'RUNNING')"
-                    " AND owner_until_us <= ? ORDER BY number LIMIT ?)"
+                    " WHERE number IN (SELECT number FROM jobs WHERE" SLICEFARM_CLAIMABLE
+                    " ORDER BY number LIMIT ?)"
                     " RETURNING " SLICEFARM_JOB_COLUMNS);
-  claim.Bind(owner, until_us, now_us, limit);
+  claim.Bind(owner, until_us, now_us, busy_json, limit);
   auto jobs = ReadJobs(claim);
   if (jobs.ok()) std::ranges::sort(*jobs, {}, &JobRecord::number);
   return jobs;

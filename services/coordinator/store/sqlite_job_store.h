@@ -20,7 +20,8 @@ class SqliteJobStore : public JobStore {
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit, int64_t now_us,
-                                               int64_t until_us) override;
+                                               int64_t until_us,
+                                               const std::set<std::string>& busy) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
   absl::Status Release(const std::string& owner) override;
