@@ -97,6 +97,7 @@ constexpr KnownKey kSwitches[] = {
 struct Group {
   std::string_view why;
   std::string_view keys;  // by spaces; `*` at the end: all that begin so
+  bool told = true;
 };
 
 /// Settings of features that are not there yet, and those that no slicing ever looks at.
@@ -127,21 +128,22 @@ constexpr Group kGroups[] = {
      "travel_slope variable_layer_height wall_distribution_count wall_transition_* "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,
-     "bed_custom_model bed_custom_texture color_change_* compatible_* default_filament_profile "
+     "bed_custom_model bed_custom_texture color_change_* default_filament_profile "
      "default_print_profile default_sla_* extruder_colour filament_notes filament_spool_weight "
      "filament_vendor inherits inherits_* notes output_filename_format "
      "physical_printer_settings_id preset_name preset_names print_settings_id printer_notes "
      "printer_settings_id printer_variant printer_vendor profile_vendor profile_version"},
-    {kSending, "host_type print_host printhost_* octoprint_* serial_*"},
-    {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*"},
-    {"--threads is the option here", "threads"},
+    {kProfile, "compatible_*", false},
+    {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
+    {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},
+    {"--threads is the option here", "threads", false},
 };
 
 std::vector<KnownKey> MakeTable() {
   std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
   for (const Group& group : kGroups) {
     for (const std::string_view key : Split(group.keys, " ")) {
-      table.push_back({key, group.why});
+      table.push_back({.key = key, .why = group.why, .told = group.told});
     }
   }
   return table;

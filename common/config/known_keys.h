@@ -13,6 +13,9 @@ struct KnownKey {
   std::string_view neutral = {};
   bool has_neutral = false;
   bool changes_print = false;  ///< the part comes out otherwise than asked: worth a warning
+  /// Templates may name it, and the G-code quotes it. Not so for what is nobody's business who gets
+  /// the file, such as a print host's password.
+  bool told = true;
 };
 
 /// The entry of `key`, or nullptr: not known to PrusaSlicer either, or it has an effect

@@ -70,6 +70,13 @@ class Reader {
     return std::move(draft_);
   }
 
+  /// What was read and no stage works with.
+  ToldSettings Told() const {
+    ToldSettings told;
+    for (const auto& [key, other] : others_) Tell(key, other.second, told);
+    return told;
+  }
+
  private:
   static absl::Status Unknown(const std::string& key) {
     const std::string nearest = NearestSetting(key);
@@ -190,6 +197,17 @@ class Reader {
   std::map<std::pair<Source, std::string>, std::string> last_;
 };
 
+/// What the G-code of each layer names goes along with its options, and no more: the rest is no
+/// part of what decides a layer.
+absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) {
+  const std::string code = options.before_layer_gcode + "\n" + options.layer_gcode;
+  options.layer_settings = LinesNamedIn(code, text);
+  const auto size = static_cast<int64_t>(options.layer_settings.size());
+  if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "bytes of the settings that layer_gcode names",
+                    limits::kMaxSettingBytes, size);
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
@@ -199,7 +217,9 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
+  ToldSettings told = reader.Told();
   Draft draft = reader.Finish();
+  TellDerived(draft, told);
   if (absl::Status status = Derive(draft); !status.ok()) return status;
   if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
 
@@ -209,16 +229,20 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
       if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
     }
   }
-  result.effective_text = EffectiveText(result.settings);
+  result.effective_text = EffectiveText(result.settings, told);
+  MotionOptions& motion = result.settings.motion;
+  if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
   return result;
 }
 
-std::string EffectiveText(const JobSettings& settings) {
-  std::string text;
+std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
+  ToldSettings all = told;
   for (const SettingSpec& spec : SettingsTable()) {
     if (spec.field.get == nullptr) continue;
-    text += fmt::format("{} = {}\n", spec.key, PrintValue(spec, spec.field.get(settings)));
+    all[std::string(spec.key)] = PrintValue(spec, spec.field.get(settings));
   }
+  std::string text;
+  for (const auto& [key, value] : all) text += fmt::format("{} = {}\n", key, value);
   return text;
 }
 

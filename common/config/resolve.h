@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/config/told_settings.h"
 #include "common/model/settings.h"
 
 namespace slicefarm::config {
@@ -24,7 +25,8 @@ struct Setting {
 
 struct ResolvedSettings {
   JobSettings settings;
-  /// EffectiveText(settings).
+  /// EffectiveText(settings, what was given besides). Resolve of its lines gives `settings` and the
+  /// same text back.
   std::string effective_text;
   /// Settings that were given and have no effect, or not the full one: `key = value: why`.
   std::vector<std::string> no_effect;
@@ -35,14 +37,14 @@ struct ResolvedSettings {
 /// Settings as text to settings as a job needs them: complete, in range, percentages worked out.
 /// Later settings win; what none gives has the standard of settings_table.h.
 ///
-/// Errors: REQUEST_TOO_LARGE past the limits; SETTING_UNKNOWN for a kRequest key that neither
-/// slicefarm nor PrusaSlicer knows (metadata `setting` and, where one comes near, `suggestion`);
-/// SETTING_MALFORMED; SETTING_OUT_OF_RANGE (metadata `setting`, `value`, `min`, `max`), also where
-/// settings do not fit each other.
+/// Errors: REQUEST_TOO_LARGE past the limits, for what the layers' G-code names too;
+/// SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer knows (metadata
+/// `setting` and, where one comes near, `suggestion`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
+/// (metadata `setting`, `value`, `min`, `max`), also where settings do not fit each other.
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given);
 
-/// All settings that have an effect as `key = value` lines, sorted by key: equal texts for equal
-/// settings, and the other way round. Resolve of its lines gives `settings` back.
-std::string EffectiveText(const JobSettings& settings);
+/// All settings that have an effect, and those that are told, as `key = value` lines, sorted by
+/// key: equal texts for equal settings, and the other way round.
+std::string EffectiveText(const JobSettings& settings, const ToldSettings& told = {});
 
 }  // namespace slicefarm::config

@@ -98,6 +98,8 @@ struct MotionOptions {
       "M104 S0 ; turn off temperature\nG28 X0 ; home X axis\nM84 ; disable motors\n";
   std::string before_layer_gcode;  ///< before_layer_gcode
   std::string layer_gcode;         ///< layer_gcode
+  /// The settings that these two name, as `key = value` lines.
+  std::string layer_settings;
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

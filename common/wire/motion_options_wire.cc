@@ -214,6 +214,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_end_gcode(options.end_gcode);
   proto.set_before_layer_gcode(options.before_layer_gcode);
   proto.set_layer_gcode(options.layer_gcode);
+  proto.set_layer_settings(options.layer_settings);
   return proto;
 }
 
@@ -238,6 +239,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.end_gcode = proto.end_gcode();
   options.before_layer_gcode = proto.before_layer_gcode();
   options.layer_gcode = proto.layer_gcode();
+  options.layer_settings = proto.layer_settings();
   return options;
 }
 

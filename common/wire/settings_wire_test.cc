@@ -145,7 +145,7 @@ MotionOptions DistinctMotion() {
          filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
          printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
-         before_layer_gcode, layer_gcode] = options;
+         before_layer_gcode, layer_gcode, layer_settings] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -181,6 +181,7 @@ MotionOptions DistinctMotion() {
   end_gcode = "end";
   before_layer_gcode = "before";
   layer_gcode = "layer";
+  layer_settings = "settings";
   return options;
 }
 
@@ -305,6 +306,7 @@ constexpr char kDistinct[] = R"pb(
     end_gcode: "end"
     before_layer_gcode: "before"
     layer_gcode: "layer"
+    layer_settings: "settings"
   }
 )pb";
 

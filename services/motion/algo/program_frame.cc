@@ -101,13 +101,13 @@ std::string Epilogue(const ProgramSummary& summary, const MotionOptions& options
 
 absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
                                           const MotionOptions& options) {
-  const TemplateVariables variables = ProgramVariables(options, summary);
+  const Timeline timeline = TimelineOf(summary, options);
+  const TemplateVariables variables = ProgramVariables(options, summary, timeline.time_s);
   const auto start = ExpandTemplate("start_gcode", options.start_gcode, variables);
   if (!start.ok()) return start.status();
   const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
   if (!end.ok()) return end.status();
 
-  const Timeline timeline = TimelineOf(summary, options);
   ProgramFrame frame;
   frame.time_s = timeline.time_s;
   frame.travel_mm = timeline.travel_mm;

@@ -11,6 +11,27 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+/// Lists of texts that come without quotes, as long as no text needs them. Other settings of one
+/// text may hold a ';' of their own.
+bool IsTextList(std::string_view key) {
+  return key.starts_with("filament_") || key == "extruder_colour";
+}
+
+/// Position of the ';' after the item that begins at `begin`, or the end. In quotes it is no
+/// separator.
+size_t ItemEnd(std::string_view list, size_t begin) {
+  bool quoted = false;
+  size_t at = begin;
+  for (; at < list.size() && (quoted || list[at] != ';'); ++at) {
+    if (quoted && list[at] == '\\') {
+      ++at;
+    } else if (list[at] == '"') {
+      quoted = !quoted;
+    }
+  }
+  return std::min(at, list.size());
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string_view, std::string_view>> SettingLines(std::string_view text) {
@@ -41,6 +62,18 @@ std::string UnescapeSetting(std::string_view value) {
     text += c == 'n' ? '\n' : c == 'r' ? '\r' : c;
   }
   return text;
+}
+
+std::vector<std::string> SettingItems(std::string_view key, std::string_view value) {
+  const bool quoted = value.starts_with('"');
+  if (!quoted && !IsTextList(key)) return {UnescapeSetting(value)};
+  std::vector<std::string> items;
+  for (size_t begin = 0; begin <= value.size();) {
+    const size_t end = ItemEnd(value, begin);
+    items.push_back(UnescapeSetting(Trimmed(value.substr(begin, end - begin))));
+    begin = end + 1;
+  }
+  return items;
 }
 
 }  // namespace slicefarm::motion

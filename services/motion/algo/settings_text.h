@@ -15,4 +15,7 @@ std::vector<std::pair<std::string_view, std::string_view>> SettingLines(std::str
 /// quotes around the whole go.
 std::string UnescapeSetting(std::string_view value);
 
+/// The texts of a setting, unescaped: of a list of texts (`PLA;PETG`, `"a; b";"c"`) each, else one.
+std::vector<std::string> SettingItems(std::string_view key, std::string_view value);
+
 }  // namespace slicefarm::motion

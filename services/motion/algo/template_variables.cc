@@ -7,7 +7,9 @@
 
 #include "absl/strings/numbers.h"
 #include "common/geometry/measure.h"
+#include "services/motion/algo/duration_text.h"
 #include "services/motion/algo/settings_text.h"
+#include "services/motion/algo/template_defaults.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -28,17 +30,21 @@ std::string FlavorName(GcodeFlavor flavor) {
 }
 
 void AddExtruder(TemplateVariables& variables) {
-  for (const char* name : {"initial_extruder", "initial_tool", "current_extruder", "next_extruder",
-                           "previous_extruder", "toolchange_count"}) {
+  for (const char* name :
+       {"initial_extruder", "initial_tool", "current_extruder", "next_extruder",
+        "previous_extruder", "filament_extruder_id", "toolchange_count", "total_toolchanges"}) {
     variables[name] = {int64_t{0}};
   }
-  variables["extruder_count"] = variables["num_extruders"] = {int64_t{1}};
+  for (const char* name : {"extruder_count", "num_extruders", "num_printing_extruders"}) {
+    variables[name] = {int64_t{1}};
+  }
   variables["is_extruder_used"] = {true};
   variables["has_wipe_tower"] = {false};
   variables["has_single_extruder_multi_material_priming"] = {false};
 }
 
-TemplateVariables SettingVariables(const MotionOptions& options) {
+/// What the stage itself works with.
+TemplateVariables OptionVariables(const MotionOptions& options) {
   TemplateVariables variables;
   const auto whole = [&](const char* name, int64_t value) { variables[name] = {value}; };
   const auto real = [&](const char* name, double value) { variables[name] = {value}; };
@@ -54,6 +60,8 @@ TemplateVariables SettingVariables(const MotionOptions& options) {
   real("extrusion_multiplier", options.extrusion_multiplier);
   text("filament_type", options.filament_type);
   text("filament_colour", options.filament_colour);
+  text("initial_filament_type", options.filament_type);
+  text("printing_filament_types", options.filament_type);
   text("filament_settings_id", options.filament_settings_id);
   text("filament_preset", options.filament_settings_id);
   text("printer_model", options.printer_model);
@@ -70,9 +78,19 @@ TemplateVariables SettingVariables(const MotionOptions& options) {
   return variables;
 }
 
-void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
-  variables["layer_num"] = {int64_t{frame.index}};
-  variables["layer_z"] = {ToMm(static_cast<double>(frame.print_z_nm))};
+std::vector<TemplateValue> ValuesOf(std::string_view key, std::string_view value) {
+  std::vector<TemplateValue> values;
+  for (const std::string& item : SettingItems(key, value)) {
+    for (TemplateValue& part : ParseSetting(item)) values.push_back(std::move(part));
+  }
+  return values;
+}
+
+/// Those of `text` that have no value yet.
+void AddSettings(std::string_view text, TemplateVariables& variables) {
+  for (const auto& [key, value] : SettingLines(text)) {
+    if (!variables.contains(key)) variables.emplace(key, ValuesOf(key, value));
+  }
 }
 
 std::vector<TemplateValue> Pair(double x_nm, double y_nm) { return {ToMm(x_nm), ToMm(y_nm)}; }
@@ -107,12 +125,44 @@ Box BedBox(std::string_view bed_shape) {
   return box;
 }
 
+void AddPresets(TemplateVariables& variables) {
+  variables["print_preset"] = variables["print_settings_id"];
+  variables["printer_preset"] = variables["printer_settings_id"];
+  variables["physical_printer_preset"] = variables["physical_printer_settings_id"];
+}
+
+/// The settings by name: as the stage has them, as they were given, as PrusaSlicer has them.
+TemplateVariables SettingVariables(const MotionOptions& options, std::string_view given) {
+  TemplateVariables variables = OptionVariables(options);
+  AddSettings(given, variables);
+  AddSettings(TemplateDefaults(), variables);
+  AddPresets(variables);
+  for (const auto& [key, value] : SettingLines(given)) {
+    if (key == "bed_shape") AddBox("print_bed", BedBox(value), variables);
+  }
+  return variables;
+}
+
+void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
+  variables["layer_num"] = {int64_t{frame.index}};
+  variables["layer_z"] = {ToMm(static_cast<double>(frame.print_z_nm))};
+}
+
 void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
   const double grams = total.VolumeMm3() / 1000 * options.filament_density_g_cm3;
   variables["used_filament"] = {total.FilamentMm() / 1000};
-  variables["extruded_volume"] = {total.VolumeMm3()};
-  variables["total_weight"] = {grams};
+  variables["extruded_volume"] = variables["extruded_volume_total"] = {total.VolumeMm3()};
+  for (const char* name : {"total_weight", "extruded_weight", "extruded_weight_total"}) {
+    variables[name] = {grams};
+  }
   variables["total_cost"] = {grams / 1000 * options.filament_cost_per_kg};
+  variables["total_wipe_tower_cost"] = variables["total_wipe_tower_filament"] = {0.0};
+}
+
+void AddTime(double time_s, TemplateVariables& variables) {
+  for (const char* name : {"print_time", "normal_print_time", "silent_print_time"}) {
+    variables[name] = {DurationText(time_s)};
+  }
 }
 
 void AddObjects(const std::vector<std::string>& names, TemplateVariables& variables) {
@@ -125,23 +175,21 @@ void AddObjects(const std::vector<std::string>& names, TemplateVariables& variab
 }  // namespace
 
 TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame) {
-  TemplateVariables variables = SettingVariables(options);
+  TemplateVariables variables = SettingVariables(options, options.layer_settings);
   AddLayer(frame, variables);
   return variables;
 }
 
-TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary) {
-  TemplateVariables variables = SettingVariables(options);
-  for (const auto& [key, value] : SettingLines(summary.settings_text)) {
-    if (key == "bed_shape") AddBox("print_bed", BedBox(value), variables);
-    if (!variables.contains(key)) variables.emplace(key, ParseSetting(UnescapeSetting(value)));
-  }
+TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary,
+                                   double time_s) {
+  TemplateVariables variables = SettingVariables(options, summary.settings_text);
   const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
   AddLayer(last, variables);
   variables["max_layer_z"] = variables["layer_z"];
   variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
   AddBox("first_layer_print", {summary.total.min, summary.total.max}, variables);
   AddUse(options, summary.total, variables);
+  AddTime(time_s, variables);
   AddObjects(summary.object_names, variables);
   return variables;
 }

@@ -31,7 +31,7 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
   summary.settings_text =
       "bed_shape = -10x0,200x0,200x180.5,oops,1x,x\n"
       "fill_density = 20%\nperimeters = 3\ntemperature = 999\nnotes = \"a\\nb\"\n";
-  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary);
+  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary, 3723);
   EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{2})));
   EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.4)));
   EXPECT_THAT(variables.at("first_layer_print_min"),
@@ -45,15 +45,33 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
   EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));
   EXPECT_THAT(variables.at("perimeters"), ElementsAre(TemplateValue(int64_t{3})));
   EXPECT_THAT(variables.at("notes"), ElementsAre(TemplateValue(std::string("a\nb"))));
+  EXPECT_THAT(variables.at("print_time"), ElementsAre(TemplateValue(std::string("1h 2m 3s"))));
   // What the stage works with counts, not what is quoted.
   EXPECT_THAT(variables.at("temperature"), ElementsAre(TemplateValue(int64_t{200})));
 }
 
 TEST(ProgramVariables, NothingPrinted) {
-  const TemplateVariables variables = ProgramVariables(MotionOptions{}, {});
+  const TemplateVariables variables = ProgramVariables(MotionOptions{}, {}, 0);
   EXPECT_THAT(variables.at("first_layer_print_size"),
               ElementsAre(TemplateValue(0.0), TemplateValue(0.0)));
   EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{0})));
+}
+
+// Profiles ask for these without knowing whether the job was given them.
+TEST(ProgramVariables, PrusaSlicersValuesOfWhatWasNotGiven) {
+  ProgramSummary summary;
+  summary.settings_text =
+      "print_settings_id = 0.2mm\nspiral_vase = 1\nfilament_notes = \"a;b\";\"c\"\n";
+  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary, 0);
+  const auto text = [](const char* value) { return TemplateValue(std::string(value)); };
+  EXPECT_THAT(variables.at("print_preset"), ElementsAre(text("0.2mm")));
+  EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{1})));
+  EXPECT_THAT(variables.at("filament_notes"), ElementsAre(text("a;b"), text("c")));
+  EXPECT_THAT(variables.at("support_material"), ElementsAre(TemplateValue(int64_t{0})));
+  EXPECT_THAT(variables.at("printer_notes"), ElementsAre(text("")));
+  EXPECT_THAT(variables.at("filament_vendor"), ElementsAre(text("(Unknown)")));
+  EXPECT_THAT(variables.at("initial_filament_type"), ElementsAre(text("PLA")));
+  EXPECT_FALSE(variables.contains("timestamp"));
 }
 
 }  // namespace

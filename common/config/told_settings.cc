@@ -1,0 +1,94 @@
+#include "common/config/told_settings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "common/config/known_keys.h"
+#include "common/config/settings_table.h"
+#include "common/config/text.h"
+
+namespace slicefarm::config {
+namespace {
+
+bool IsDigit(char c) { return '0' <= c && c <= '9'; }
+bool InName(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || IsDigit(c) || c == '_';
+}
+
+bool IsName(std::string_view key) {
+  return !key.empty() && !IsDigit(key[0]) && std::all_of(key.begin(), key.end(), InName);
+}
+
+/// Variables that stand for a setting of another name.
+struct Alias {
+  std::string_view variable;
+  std::string_view key;
+};
+constexpr Alias kAliases[] = {
+    {"print_bed_min", "bed_shape"},
+    {"print_bed_max", "bed_shape"},
+    {"print_bed_size", "bed_shape"},
+    {"print_preset", "print_settings_id"},
+    {"printer_preset", "printer_settings_id"},
+    {"physical_printer_preset", "physical_printer_settings_id"},
+};
+
+/// `temperature_0` is the first item of `temperature`.
+std::string_view WithoutIndex(std::string_view word) {
+  size_t end = word.size();
+  while (end > 0 && IsDigit(word[end - 1])) --end;
+  const bool indexed = end < word.size() && end > 1 && word[end - 1] == '_';
+  return indexed ? word.substr(0, end - 1) : word;
+}
+
+std::set<std::string_view> WordsOf(std::string_view code) {
+  std::set<std::string_view> words;
+  while (!code.empty()) {
+    const auto begin = std::find_if(code.begin(), code.end(), InName);
+    const auto end = std::find_if_not(begin, code.end(), InName);
+    const std::string_view word(begin, end);
+    code = std::string_view(end, code.end());
+    words.insert(word);
+    words.insert(WithoutIndex(word));
+    for (const Alias& alias : kAliases) {
+      if (alias.variable == WithoutIndex(word)) words.insert(alias.key);
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+void Tell(std::string_view key, std::string_view value, ToldSettings& told) {
+  const KnownKey* known = FindKnownKey(key);
+  if (!IsName(key) || (known != nullptr && !known->told)) return;
+  std::string line(value);
+  std::replace_if(
+      line.begin(), line.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  told[std::string(key)] = std::string(Trim(line));
+}
+
+void TellDerived(const Draft& draft, ToldSettings& told) {
+  const auto table = SettingsTable();
+  for (size_t i = 0; i < table.size(); ++i) {
+    const Draft::Entry& entry = draft.entries()[i];
+    if (table[i].field.get != nullptr || !entry.given || !entry.value.has_value()) continue;
+    // The filament's own G-code is part of start_gcode and end_gcode; it must not come twice.
+    if (table[i].kind != Kind::kGcode) Tell(table[i].key, entry.written, told);
+  }
+}
+
+std::string LinesNamedIn(std::string_view code, std::string_view text) {
+  const std::set<std::string_view> words = WordsOf(code);
+  std::string named;
+  for (const std::string_view line : Split(text, "\n")) {
+    const std::string_view key = Trim(line.substr(0, line.find('=')));
+    if (!key.empty() && words.contains(key)) named += fmt::format("{}\n", line);
+  }
+  return named;
+}
+
+}  // namespace slicefarm::config

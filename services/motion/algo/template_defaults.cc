@@ -1,0 +1,117 @@
+#include "services/motion/algo/template_defaults.h"
+
+namespace slicefarm::motion {
+
+std::string_view TemplateDefaults() {
+  // What has no value at all in PrusaSlicer (printer_notes) is an empty text there as well.
+  return R"(arc_fitting = disabled
+autoemit_temperature_commands = 1
+avoid_crossing_perimeters = 0
+bed_custom_model =
+bed_custom_texture =
+between_objects_gcode =
+binary_gcode = 0
+bridge_flow_ratio = 1
+brim_separation = 0
+brim_type = outer_only
+brim_width = 0
+chamber_minimal_temperature = 0
+chamber_temperature = 0
+color_change_gcode = M600
+complete_objects = 0
+default_filament_profile =
+default_print_profile =
+draft_shield = disabled
+end_filament_gcode =
+extruder_clearance_height = 20
+extruder_clearance_radius = 20
+extruder_colour =
+extruder_offset = 0x0
+extrusion_axis = E
+extrusion_width = 0
+filament_abrasive = 0
+filament_infill_max_crossing_speed = 0
+filament_infill_max_speed = 0
+filament_load_time = 0
+filament_loading_speed = 28
+filament_notes =
+filament_shrinkage_compensation_xy = 0
+filament_shrinkage_compensation_z = 0
+filament_soluble = 0
+filament_spool_weight = 0
+filament_unload_time = 0
+filament_unloading_speed = 90
+filament_vendor = (Unknown)
+first_layer_speed_over_raft = 30
+full_fan_speed_layer = 0
+fuzzy_skin = none
+gcode_comments = 0
+gcode_label_objects = disabled
+gcode_resolution = 0.0125
+high_current_on_filament_swap = 0
+inherits =
+ironing = 0
+ironing_type = top
+machine_min_extruding_rate = 0
+machine_min_travel_rate = 0
+max_layer_height = 0
+min_layer_height = 0.07
+min_skirt_length = 0
+notes =
+nozzle_high_flow = 0
+only_retract_when_crossing_perimeters = 0
+ooze_prevention = 0
+output_filename_format = [input_filename_base].gcode
+overhangs = 1
+pause_print_gcode = M601
+perimeter_generator = arachne
+physical_printer_settings_id =
+print_settings_id =
+printer_notes =
+printer_settings_id =
+printer_technology = FFF
+printer_variant =
+printer_vendor =
+profile_vendor =
+profile_version =
+raft_layers = 0
+resolution = 0
+retract_before_wipe = 0%
+retract_layer_change = 0
+retract_length_toolchange = 10
+retract_lift_above = 0
+retract_lift_below = 0
+retract_restart_extra_toolchange = 0
+silent_mode = 1
+single_extruder_multi_material = 0
+single_extruder_multi_material_priming = 1
+skirt_distance = 6
+skirt_height = 1
+skirts = 1
+spiral_vase = 0
+standby_temperature_delta = -5
+start_filament_gcode =
+support_material = 0
+support_material_auto = 1
+support_material_buildplate_only = 0
+support_material_style = grid
+template_custom_gcode =
+thick_bridges = 1
+thin_walls = 1
+toolchange_gcode =
+travel_ramping_lift = 0
+use_firmware_retraction = 0
+use_relative_e_distances = 0
+use_volumetric_e = 0
+variable_layer_height = 1
+wipe = 0
+wipe_tower = 0
+wipe_tower_brim_width = 2
+wipe_tower_rotation_angle = 0
+wipe_tower_width = 60
+wipe_tower_x = 180
+wipe_tower_y = 140
+)";
+}
+
+}  // namespace slicefarm::motion
