@@ -99,7 +99,8 @@ class Reader {
     auto parsed = ParseValue(spec, value);
     if (!parsed.ok()) return parsed.status();
     if (setting.source == Source::kRequest) {
-      if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, *choice);
+      if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);
+      if (WantsOtherFormat(spec, value)) return RefuseStandIn(spec, value);
     }
     entry.value = *std::move(parsed);
     return absl::OkStatus();
@@ -117,11 +118,16 @@ class Reader {
     return nullptr;
   }
 
-  static absl::Status RefuseStandIn(const SettingSpec& spec, const Choice& choice) {
+  /// Pictures of the same sizes are made, but as PNG.
+  static bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
+    return spec.kind == Kind::kSizes && !OnlyPng(value);
+  }
+
+  static absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("{} = {} is not supported yet: it must be {}", spec.key,
-                                 choice.name, DescribeRange(spec)),
-                     {{"setting", std::string(spec.key)}, {"value", std::string(choice.name)}});
+                     fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
+                                 DescribeRange(spec)),
+                     {{"setting", std::string(spec.key)}, {"value", std::string(value)}});
   }
 
   /// Within one source, a key that comes twice is likely a mistake; a request over a profile is
@@ -143,6 +149,9 @@ class Reader {
   void NoteEffective(const SettingSpec& spec, std::string_view value) {
     if (const Choice* choice = StandIn(spec, value)) {
       Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
+    }
+    if (WantsOtherFormat(spec, value)) {
+      Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
     }
     const std::string_view separator =
         spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";

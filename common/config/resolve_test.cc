@@ -437,6 +437,19 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 }
 
+TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
+  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/QOI, 640x480/PNG"}};
+  const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
+  EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16,313x173,640x480\n"));
+  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("made as PNG")));
+  EXPECT_EQ(resolved.no_effect, resolved.warnings);
+
+  const absl::Status status = Refusal(given);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata.at("setting"), "thumbnails");
+  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG"));
+}
+
 TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {
   const absl::Status status = Refusal({{"fill_pattern", "gyroid"}});
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);

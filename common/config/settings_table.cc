@@ -185,7 +185,7 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kBedShape:
       return "three or more corners XxY";
     case Kind::kSizes:
-      return "up to 8 WIDTHxHEIGHT, 1 to 1024 each";
+      return "up to 8 WIDTHxHEIGHT or WIDTHxHEIGHT/PNG, 1 to 1024 each";
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? "each feature's own" : spec.relative_to);

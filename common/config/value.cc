@@ -1,10 +1,11 @@
 #include "common/config/value.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "absl/status/status.h"
 #include "common/config/text.h"
@@ -20,6 +21,9 @@ constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a d
 constexpr size_t kMaxCorners = 1000;
 constexpr size_t kMaxThumbnails = 8;
 constexpr int kMaxThumbnailPx = 1024;
+constexpr std::string_view kOurFormat = "PNG";
+/// PrusaSlicer's.
+constexpr std::string_view kPictureFormats[] = {kOurFormat, "JPG", "QOI", "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
 
@@ -59,10 +63,16 @@ absl::StatusOr<Point> ParseCorner(std::string_view text) {
   return Point{FromMm(x->number), FromMm(y->number)};
 }
 
+bool IsPictureFormat(std::string_view name) {
+  return std::find(std::begin(kPictureFormats), std::end(kPictureFormats), name) !=
+         std::end(kPictureFormats);
+}
+
 absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
-  if (parts.size() > 2 || (parts.size() == 2 && parts[1] != "PNG")) {
-    return Malformed(fmt::format("'{}': only PNG pictures are made", text));
+  if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
+    return Malformed(
+        fmt::format("'{}': the format is none of {}", text, fmt::join(kPictureFormats, ", ")));
   }
   const std::vector<std::string_view> sides = Split(parts[0], "x");
   if (sides.size() != 2) return Malformed(fmt::format("'{}' is not WIDTHxHEIGHT", text));
@@ -192,6 +202,14 @@ absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view 
     if (sizes.size() > kMaxThumbnails) return Malformed("more than 8 pictures");
   }
   return sizes;
+}
+
+bool OnlyPng(std::string_view text) {
+  for (const std::string_view item : Split(text, ",")) {
+    const size_t slash = item.find('/');
+    if (slash != std::string_view::npos && Trim(item.substr(slash + 1)) != kOurFormat) return false;
+  }
+  return true;
 }
 
 std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes) {

@@ -44,9 +44,11 @@ std::string QuoteText(std::string_view text);
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
-/// `32x32, 300x300/PNG`, pixels; empty: none. Errors: not PNG, more than 8 pictures, a side outside
-/// [1, 1024].
+/// `32x32, 300x300/PNG`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
+/// is PNG. Errors: another format, more than 8 pictures, a side outside [1, 1024].
 absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text);
+/// Whether `text`, as ParseSizes takes it, asks for no format but PNG.
+bool OnlyPng(std::string_view text);
 std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes);
 
 }  // namespace slicefarm::config

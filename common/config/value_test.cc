@@ -145,8 +145,16 @@ TEST(ParseSizes, ReadsOldAndNewForms) {
   EXPECT_EQ(PrintSizes({{16, 16}, {220, 124}}), "16x16,220x124");
 }
 
+TEST(ParseSizes, TakesTheSizesOfOtherFormats) {
+  const char* text = "16x16/QOI, 313x173/JPG, 640x480/PNG, 1x1";
+  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16,313x173,640x480,1x1");
+  EXPECT_FALSE(OnlyPng(text));
+  EXPECT_TRUE(OnlyPng("640x480/PNG, 1x1"));
+  EXPECT_TRUE(OnlyPng(""));
+}
+
 TEST(ParseSizes, RefusesWhatCannotBeMade) {
-  for (const char* text : {"16", "16x", "x16", "0x16", "16x1025", "16x16/QOI", "16x16/PNG/x",
+  for (const char* text : {"16", "16x", "x16", "0x16", "16x1025", "16x16/GIF", "16x16/PNG/x",
                            "-1x5", "1.5x2", "16x16,", "1x1,1x1,1x1,1x1,1x1,1x1,1x1,1x1,1x1"}) {
     EXPECT_FALSE(ParseSizes(text).ok()) << text;
   }
