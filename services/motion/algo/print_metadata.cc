@@ -58,6 +58,16 @@ std::string Quoted(const std::string& text) {
   return quoted + '"';
 }
 
+/// What hosts look for and nobody may have given: one tool, and none of these features.
+constexpr std::pair<std::string_view, std::string_view> kUnlessGiven[] = {
+    {"brim_width", "0"},        {"chamber_temperature", "0"},
+    {"filament_abrasive", "0"}, {"ironing", "0"},
+    {"nozzle_high_flow", "0"},  {"printer_variant", "\"\""},
+    {"printer_vendor", "\"\""}, {"profile_version", "\"\""},
+    {"referenced_tools", "0"},  {"single_extruder_multi_material", "0"},
+    {"support_material", "0"},
+};
+
 /// What hosts look for, from the options.
 std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSummary& summary) {
   std::vector<Setting> settings;
@@ -80,6 +90,7 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
   settings.emplace_back("extruder_colour", OneLine(options.filament_colour));
   settings.emplace_back("filament_settings_id", Quoted(options.filament_settings_id));
   settings.emplace_back("printer_model", OneLine(options.printer_model));
+  for (const auto& [key, value] : kUnlessGiven) settings.emplace_back(key, value);
   return settings;
 }
 

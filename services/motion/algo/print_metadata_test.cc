@@ -87,7 +87,13 @@ INSTANTIATE_TEST_SUITE_P(
         Key{"; filament_type = (.*)$", "PETG"}, Key{"; filament_colour = (#\\w+)", "#FF8000"},
         Key{"; extruder_colour = (#\\w+)", "#FF8000"},
         Key{"; filament_settings_id = (.*)$", "\"My \\\"PETG\\\"\""},
-        Key{"; printer_model = (.*)$", "MK3S"},
+        Key{"; printer_model = (.*)$", "MK3S"}, Key{"; chamber_temperature = (\\d+)", "0"},
+        Key{"; referenced_tools = (.*)$", "0"},
+        Key{"; single_extruder_multi_material = (\\d)", "0"},
+        Key{"; printer_vendor = (.*)$", "\"\""}, Key{"; printer_variant = (.*)$", "\"\""},
+        Key{"; profile_version = (.*)$", "\"\""}, Key{"; brim_width = (.*)$", "0"},
+        Key{"; support_material = (\\d)", "0"}, Key{"; ironing = (\\d)", "0"},
+        Key{"; nozzle_high_flow = (\\d)", "0"}, Key{"; filament_abrasive = (\\d)", "0"},
         Key{"(; prusaslicer_config = begin)", "; prusaslicer_config = begin"},
         Key{"(; prusaslicer_config = end)", "; prusaslicer_config = end"}));
 
@@ -97,6 +103,18 @@ TEST(MetadataTail, SettingsAreQuotedAndComeFirst) {
   const std::string tail = MetadataTail(Options(), summary, 60);
   EXPECT_THAT(tail, HasSubstr("; layer_height = 0.3\n; start_gcode = G28\\nG1 Z5\n"));
   EXPECT_THAT(tail, Not(HasSubstr("; layer_height = 0.2")));
+}
+
+TEST(MetadataTail, WhatAProfileSaysStays) {
+  ProgramSummary summary = Summary();
+  summary.settings_text =
+      "chamber_temperature = 60\nextruder_colour = #00FF00\nprinter_vendor = X\n";
+  const std::string tail = MetadataTail(Options(), summary, 60);
+  EXPECT_EQ(Find(tail, "; chamber_temperature = (\\d+)"), "60");
+  EXPECT_EQ(Find(tail, "; extruder_colour = (.*)$"), "#00FF00");
+  EXPECT_EQ(Find(tail, "; filament_colour = (.*)$"), "#FF8000");
+  EXPECT_THAT(tail, Not(HasSubstr("printer_vendor = \"")));
+  EXPECT_THAT(tail, Not(HasSubstr("chamber_temperature = 0")));
 }
 
 TEST(MetadataTail, NothingPrinted) {
