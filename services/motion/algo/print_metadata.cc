@@ -1,6 +1,8 @@
 #include "services/motion/algo/print_metadata.h"
 
-#include <set>
+#include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -94,16 +96,15 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
   return settings;
 }
 
+/// By key: a file whose settings are read back from it names them in the same order.
 void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
-  std::set<std::string_view> given;
+  std::map<std::string, std::string, std::less<>> settings;
+  for (const auto& [key, value] : SettingLines(summary.settings_text))
+    settings.emplace(CommentLine(key), CommentLine(value));
+  for (const auto& [key, value] : KnownSettings(options, summary))
+    if (!value.empty()) settings.emplace(key, value);
   out << "\n; prusaslicer_config = begin\n";
-  for (const auto& [key, value] : SettingLines(summary.settings_text)) {
-    given.insert(key);
-    Line(CommentLine(key), CommentLine(value), out);
-  }
-  for (const auto& [key, value] : KnownSettings(options, summary)) {
-    if (!given.contains(key) && !value.empty()) Line(key, value, out);
-  }
+  for (const auto& [key, value] : settings) Line(key, value, out);
   out << "; prusaslicer_config = end\n";
 }
 

@@ -97,11 +97,13 @@ INSTANTIATE_TEST_SUITE_P(
         Key{"(; prusaslicer_config = begin)", "; prusaslicer_config = begin"},
         Key{"(; prusaslicer_config = end)", "; prusaslicer_config = end"}));
 
-TEST(MetadataTail, SettingsAreQuotedAndComeFirst) {
+TEST(MetadataTail, SettingsAreQuotedByKey) {
   ProgramSummary summary = Summary();
   summary.settings_text = "layer_height = 0.3\nstart_gcode = G28\\nG1 Z5\n";
   const std::string tail = MetadataTail(Options(), summary, 60);
-  EXPECT_THAT(tail, HasSubstr("; layer_height = 0.3\n; start_gcode = G28\\nG1 Z5\n"));
+  EXPECT_THAT(tail, HasSubstr("; layer_height = 0.3\n"));
+  EXPECT_THAT(tail, HasSubstr("; start_gcode = G28\\nG1 Z5\n"));
+  EXPECT_LT(tail.find("; ironing"), tail.find("; layer_height"));
   EXPECT_THAT(tail, Not(HasSubstr("; layer_height = 0.2")));
 }
 
