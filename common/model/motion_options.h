@@ -100,6 +100,8 @@ struct MotionOptions {
   std::string layer_gcode;         ///< layer_gcode
   /// The settings that these two name, as `key = value` lines.
   std::string layer_settings;
+  /// Layers of the whole job, which these two may name; 0: not known.
+  int32_t layer_count = 0;
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

@@ -215,6 +215,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_before_layer_gcode(options.before_layer_gcode);
   proto.set_layer_gcode(options.layer_gcode);
   proto.set_layer_settings(options.layer_settings);
+  proto.set_layer_count(options.layer_count);
   return proto;
 }
 
@@ -240,6 +241,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.before_layer_gcode = proto.before_layer_gcode();
   options.layer_gcode = proto.layer_gcode();
   options.layer_settings = proto.layer_settings();
+  options.layer_count = proto.layer_count();
   return options;
 }
 

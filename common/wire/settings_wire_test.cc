@@ -145,7 +145,7 @@ MotionOptions DistinctMotion() {
          filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
          printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
-         before_layer_gcode, layer_gcode, layer_settings] = options;
+         before_layer_gcode, layer_gcode, layer_settings, layer_count] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -182,6 +182,7 @@ MotionOptions DistinctMotion() {
   before_layer_gcode = "before";
   layer_gcode = "layer";
   layer_settings = "settings";
+  layer_count = 537;
   return options;
 }
 
@@ -307,6 +308,7 @@ constexpr char kDistinct[] = R"pb(
     before_layer_gcode: "before"
     layer_gcode: "layer"
     layer_settings: "settings"
+    layer_count: 537
   }
 )pb";
 

@@ -56,9 +56,9 @@ absl::Status CheckPrograms(const std::vector<RangeResult>& results, size_t layer
                    absl::StrCat(index, " of ", layer_count, " layers came back"));
 }
 
-/// A part that ends between two planes may leave outlines at its top that no bead fits into. Printing
-/// ends with the last layer that has beads; empty layers below it stay. Errors: InvalidArgument
-/// (NOTHING_TO_PRINT) if there is none.
+/// A part that ends between two planes may leave outlines at its top that no bead fits into.
+/// Printing ends with the last layer that has beads; empty layers below it stay. Errors:
+/// InvalidArgument (NOTHING_TO_PRINT) if there is none.
 absl::Status DropEmptyTop(std::vector<RangeResult>& results) {
   for (auto result = results.rbegin(); result != results.rend(); ++result) {
     std::vector<LayerProgram>& programs = result->programs;
@@ -156,7 +156,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
     const std::function<void(PipelineProgress)>& progress) const {
   JobOutput output;
   JobReport& report = output.report;
-  const JobSettings& settings = input.settings;
+  JobSettings& settings = input.settings;
 
   auto sliced = Timed(report.stage_times.slicing_s, [&] {
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
@@ -164,6 +164,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   if (!sliced.ok()) return sliced.status();
   if (absl::Status printable = CheckSliced(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
+  settings.motion.layer_count = static_cast<int32_t>(sliced->layers.size());
 
   auto results = RunRanges(call, std::move(sliced->layers), settings, executor_, progress);
   if (!results.ok()) return results.status();

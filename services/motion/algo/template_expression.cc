@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "absl/strings/cord.h"
+#include "services/motion/algo/template_absences.h"
 #include "services/motion/algo/template_arithmetic.h"
 
 namespace slicefarm::motion {
@@ -23,7 +24,9 @@ using Result = absl::StatusOr<TemplateValue>;
 absl::Status Wrong(const std::string& what) { return absl::InvalidArgumentError(what); }
 
 absl::Status Unknown(std::string_view name) {
-  absl::Status status = Wrong("unknown variable \"" + std::string(name) + "\"");
+  const std::string_view why = WhyAbsent(name);
+  absl::Status status = Wrong("unknown variable \"" + std::string(name) + "\"" +
+                              (why.empty() ? "" : ": " + std::string(why)));
   status.SetPayload(kVariableUrl, absl::Cord(std::string(name)));
   return status;
 }

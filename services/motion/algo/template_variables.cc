@@ -146,6 +146,7 @@ TemplateVariables SettingVariables(const MotionOptions& options, std::string_vie
 void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
   variables["layer_num"] = {int64_t{frame.index}};
   variables["layer_z"] = {ToMm(static_cast<double>(frame.print_z_nm))};
+  variables["max_layer_z"] = variables["layer_z"];  // so far: layers only go up
 }
 
 void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
@@ -177,6 +178,7 @@ void AddObjects(const std::vector<std::string>& names, TemplateVariables& variab
 TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame) {
   TemplateVariables variables = SettingVariables(options, options.layer_settings);
   AddLayer(frame, variables);
+  if (options.layer_count > 0) variables["total_layer_count"] = {int64_t{options.layer_count}};
   return variables;
 }
 
@@ -185,7 +187,6 @@ TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSu
   TemplateVariables variables = SettingVariables(options, summary.settings_text);
   const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
   AddLayer(last, variables);
-  variables["max_layer_z"] = variables["layer_z"];
   variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
   AddBox("first_layer_print", {summary.total.min, summary.total.max}, variables);
   AddUse(options, summary.total, variables);

@@ -9,7 +9,9 @@ namespace slicefarm::motion {
 
 /// What the templates of a layer may name: settings by their names in a config.ini (those of
 /// motion, those in `layer_settings`, and TemplateDefaults() for what was not given), the extruder
-/// in use, layer_num and layer_z (mm).
+/// in use, layer_num, layer_z and max_layer_z, the highest so far (mm), and total_layer_count if
+/// the options have it: as planned, with layers at the very top that turn out to be too thin for a
+/// bead.
 TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame);
 
 /// What start and end G-code may name: the same, with all settings that the summary quotes, and

@@ -20,6 +20,21 @@ TEST(LayerVariables, SettingsAndPlace) {
   EXPECT_THAT(variables.at("initial_extruder"), ElementsAre(TemplateValue(int64_t{0})));
 }
 
+TEST(LayerVariables, WhatItsGcodeNames) {
+  MotionOptions options;
+  options.layer_settings = "layer_height = 0.2\nmax_print_height = 210\nbed_shape = 0x0,9x0,9x8\n";
+  options.layer_count = 40;
+  const TemplateVariables variables = LayerVariables(options, {3, 800'000, 200'000});
+  EXPECT_THAT(variables.at("layer_height"), ElementsAre(TemplateValue(0.2)));
+  EXPECT_THAT(variables.at("max_print_height"), ElementsAre(TemplateValue(int64_t{210})));
+  EXPECT_THAT(variables.at("print_bed_max"), ElementsAre(TemplateValue(9.0), TemplateValue(8.0)));
+  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.8)));
+  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{40})));
+  EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{0})));
+  options.layer_count = 0;
+  EXPECT_FALSE(LayerVariables(options, {}).contains("total_layer_count"));
+}
+
 TEST(ProgramVariables, WholePrintAndAllSettings) {
   ProgramSummary summary;
   summary.layers.resize(2);
