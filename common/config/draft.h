@@ -19,6 +19,7 @@ class Draft {
     std::optional<Value> value = {};  ///< none: `nil`
     std::string written = {};         ///< as the user wrote it, for errors
     bool given = false;               ///< not the standard
+    bool requested = false;           ///< by a person, who names no more than they want
   };
 
   std::vector<Entry>& entries() { return entries_; }

@@ -10,6 +10,7 @@
 #include "common/config/derive.h"
 #include "common/config/draft.h"
 #include "common/config/known_keys.h"
+#include "common/config/needs.h"
 #include "common/config/settings_table.h"
 #include "common/config/suggest.h"
 #include "common/config/text.h"
@@ -92,6 +93,7 @@ class Reader {
                                     const Setting& setting, std::string_view value) {
     entry.written = std::string(value);
     entry.given = true;
+    entry.requested = setting.source == Source::kRequest;
     if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
       entry.value.reset();
       return absl::OkStatus();
@@ -237,6 +239,9 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
     for (const Field& field : {table[i].field, table[i].also}) {
       if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
     }
+  }
+  for (std::string& note : UnmetNeeds(draft, result.settings)) {
+    result.no_effect.push_back(std::move(note));
   }
   result.effective_text = EffectiveText(result.settings, told);
   MotionOptions& motion = result.settings.motion;

@@ -344,7 +344,8 @@ TEST(Resolve, ReadsItsOwnEffectiveText) {
       {{"start_gcode", "G28\\n; back\\\\slash\\nG1"}, {"top_solid_min_thickness", "1"}},
       {{"bed_shape", "-10x-10,10x-10,0x17.123457"},
        {"thumbnails", ""},
-       {"infill_acceleration", "500"}},
+       {"infill_acceleration", "500"},
+       {"default_acceleration", "900"}},
       {{"filament_retract_length", "0.3"}, {"max_volumetric_speed", "7.5"}, {"infill_speed", "0"}},
   };
   for (const Pairs& given : kCases) {

@@ -1,0 +1,70 @@
+#include "common/config/needs.h"
+
+#include <fmt/core.h>
+
+#include "common/config/settings_table.h"
+#include "common/config/text.h"
+
+namespace slicefarm::config {
+namespace {
+
+/// Settings that do nothing unless `met`.
+struct Need {
+  std::string_view keys;  // by spaces
+  std::string_view what;
+  bool (*met)(const JobSettings&);
+};
+
+constexpr Need kNeeds[] = {
+    {"retract_lift retract_speed deretract_speed retract_restart_extra retract_before_travel "
+     "filament_retract_lift filament_retract_speed filament_deretract_speed "
+     "filament_retract_restart_extra filament_retract_before_travel",
+     "retract_length of more than 0",
+     [](const JobSettings& s) { return s.motion.retraction.length_mm > 0; }},
+    // Accelerations are either all told to the firmware or all left to it.
+    {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
+     "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "
+     "first_layer_acceleration travel_acceleration",
+     "default_acceleration of more than 0",
+     [](const JobSettings& s) { return s.motion.default_acceleration_mm_s2 > 0; }},
+    {"square_corner_velocity minimum_cruise_ratio", "gcode_flavor = klipper",
+     [](const JobSettings& s) { return s.motion.flavor == GcodeFlavor::kKlipper; }},
+    {"machine_max_jerk_x machine_max_jerk_y machine_max_jerk_z machine_max_jerk_e "
+     "machine_max_junction_deviation",
+     "a gcode_flavor of Marlin",
+     [](const JobSettings& s) { return s.motion.flavor != GcodeFlavor::kKlipper; }},
+    // The fan at its least and at bridges runs without.
+    {"max_fan_speed fan_below_layer_time slowdown_below_layer_time min_print_speed", "cooling = 1",
+     [](const JobSettings& s) { return s.motion.cooling.enabled; }},
+    {"min_fan_speed", "cooling = 1 or fan_always_on = 1",
+     [](const JobSettings& s) {
+       return s.motion.cooling.enabled || s.motion.cooling.fan_always_on;
+     }},
+};
+
+/// Whether somebody wants it, rather than a profile listing it.
+bool Wanted(const SettingSpec& spec, const Draft::Entry& entry) {
+  if (!entry.given || !entry.value.has_value()) return false;
+  if (entry.requested || spec.standard == kNotSet) return true;
+  const auto written = ParseValue(spec, entry.written);
+  const auto standard = ParseValue(spec, spec.standard);
+  return written.ok() && standard.ok() && *written != *standard;
+}
+
+}  // namespace
+
+std::vector<std::string> UnmetNeeds(const Draft& draft, const JobSettings& settings) {
+  std::vector<std::string> notes;
+  for (const Need& need : kNeeds) {
+    if (need.met(settings)) continue;
+    for (const std::string_view key : Split(need.keys, " ")) {
+      const int index = FindSetting(key);
+      const Draft::Entry& entry = draft.At(key);
+      if (!Wanted(SettingsTable()[index], entry)) continue;
+      notes.push_back(fmt::format("{} = {}: needs {}", key, entry.written, need.what));
+    }
+  }
+  return notes;
+}
+
+}  // namespace slicefarm::config
