@@ -148,7 +148,7 @@ class Compiler {
       case '[':
         return Read(Class());
       case '.':
-        return Read(~Single('\n'));
+        return Read(~CharSet());
       case '^':
       case '$':
         return {};

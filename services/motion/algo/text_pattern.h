@@ -7,7 +7,7 @@
 namespace slicefarm::motion {
 
 /// Whether the whole of `text` matches a regular expression:
-///   .  [a-z] [^a-z]  \d \w \s (and capitals)  \. and the like   one character
+///   .  [a-z] [^a-z]  \d \w \s (and capitals)  \. and the like   one character; a line end is one
 ///   ( )  (?: )  |                                               groups and alternatives
 ///   * + ?                                                       repetition
 ///   ^ $                                                         of no effect: all has to match

@@ -22,20 +22,19 @@ TEST_P(PatternTest, Matches) {
   EXPECT_EQ(*matches, GetParam().want) << GetParam().pattern << " on " << GetParam().text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Patterns, PatternTest,
-                         testing::Values(Case{"", "", true}, Case{"", "a", false},
-                                         Case{"abc", "abc", true}, Case{"abc", "xabcx", false},
-                                         Case{".*MK3.*", "PRINTER_MODEL_MK3S", true},
-                                         Case{".*MK3.*", "PRINTER_MODEL_MK2", false},
-                                         Case{".*(MK3|MINI).*", "a MINI b", true},
-                                         Case{"a?b+c*", "bb", true}, Case{"a?b+c*", "aab", false},
-                                         Case{"(ab)*", "ababab", true}, Case{"(ab)*", "aba", false},
-                                         Case{"(?:a|b|)c", "c", true}, Case{"[a-c]+", "cab", true},
-                                         Case{"[^a-c]+", "dad", false}, Case{"[]x]+", "]x", true},
-                                         Case{"[a-]+", "-a", true},
-                                         Case{"\\d+\\.\\d", "12.5", true},
-                                         Case{"\\w\\s\\W", "a !", true}, Case{"^a$", "a", true},
-                                         Case{"[\\d.]+", "1.5", true}, Case{"a.c", "a\nc", false}));
+INSTANTIATE_TEST_SUITE_P(
+    Patterns, PatternTest,
+    testing::Values(Case{"", "", true}, Case{"", "a", false}, Case{"abc", "abc", true},
+                    Case{"abc", "xabcx", false}, Case{".*MK3.*", "PRINTER_MODEL_MK3S", true},
+                    Case{".*MK3.*", "PRINTER_MODEL_MK2", false},
+                    Case{".*(MK3|MINI).*", "a MINI b", true}, Case{"a?b+c*", "bb", true},
+                    Case{"a?b+c*", "aab", false}, Case{"(ab)*", "ababab", true},
+                    Case{"(ab)*", "aba", false}, Case{"(?:a|b|)c", "c", true},
+                    Case{"[a-c]+", "cab", true}, Case{"[^a-c]+", "dad", false},
+                    Case{"[]x]+", "]x", true}, Case{"[a-]+", "-a", true},
+                    Case{"\\d+\\.\\d", "12.5", true}, Case{"\\w\\s\\W", "a !", true},
+                    Case{"^a$", "a", true}, Case{"[\\d.]+", "1.5", true}, Case{"a.c", "a\nc", true},
+                    Case{".*MODEL_MK3.*", "keep\nMODEL_MK3\n", true}));
 
 class BadPatternTest : public testing::TestWithParam<std::string> {};
 
