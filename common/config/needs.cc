@@ -45,10 +45,7 @@ constexpr Need kNeeds[] = {
 /// Whether somebody wants it, rather than a profile listing it.
 bool Wanted(const SettingSpec& spec, const Draft::Entry& entry) {
   if (!entry.given || !entry.value.has_value()) return false;
-  if (entry.requested || spec.standard == kNotSet) return true;
-  const auto written = ParseValue(spec, entry.written);
-  const auto standard = ParseValue(spec, spec.standard);
-  return written.ok() && standard.ok() && *written != *standard;
+  return entry.requested || !IsStandard(spec, entry.written);
 }
 
 }  // namespace

@@ -167,6 +167,13 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
   }
 }
 
+bool IsStandard(const SettingSpec& spec, std::string_view written) {
+  if (spec.standard == kNotSet) return Trim(written) == kNotSet;
+  const auto given = ParseValue(spec, written);
+  const auto standard = ParseValue(spec, spec.standard);
+  return given.ok() && standard.ok() && *given == *standard;
+}
+
 std::string DescribeRange(const SettingSpec& spec) {
   switch (spec.kind) {
     case Kind::kFlag:

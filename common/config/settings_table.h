@@ -27,6 +27,9 @@ absl::Status CheckRange(const SettingSpec& spec, double number, std::string_view
 /// The inverse of ParseValue, in canonical form.
 std::string PrintValue(const SettingSpec& spec, const Value& value);
 
+/// Whether `written` says no more than the standard. False for what cannot be read.
+bool IsStandard(const SettingSpec& spec, std::string_view written);
+
 /// The range or the choices, for people: "0.01 to 2", "one of aligned, nearest, rear".
 std::string DescribeRange(const SettingSpec& spec);
 

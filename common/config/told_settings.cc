@@ -76,6 +76,8 @@ void TellDerived(const Draft& draft, ToldSettings& told) {
   for (size_t i = 0; i < table.size(); ++i) {
     const Draft::Entry& entry = draft.entries()[i];
     if (table[i].field.get != nullptr || !entry.given || !entry.value.has_value()) continue;
+    // What a profile lists without need leaves no trace: the same job, the same bytes.
+    if (IsStandard(table[i], entry.written)) continue;
     // The filament's own G-code is part of start_gcode and end_gcode; it must not come twice.
     if (table[i].kind != Kind::kGcode) Tell(table[i].key, entry.written, told);
   }

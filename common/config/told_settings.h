@@ -17,8 +17,8 @@ using ToldSettings = std::map<std::string, std::string, std::less<>>;
 /// template could name, or one that known_keys.h keeps back. Control characters become spaces.
 void Tell(std::string_view key, std::string_view value, ToldSettings& told);
 
-/// Adds the settings of `draft` that were given and work through others only, `extrusion_width`
-/// say.
+/// Adds the settings of `draft` that were given another value than their standard and work through
+/// others only, `extrusion_width` say.
 void TellDerived(const Draft& draft, ToldSettings& told);
 
 /// The lines `key = value` of `text` whose keys `code`, G-code with placeholders, mentions. More

@@ -58,14 +58,16 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ToldSettings, StandInTheEffectiveText) {
   const ResolvedSettings resolved = ResolveOrDie(
       "print_settings_id = 0.20mm QUALITY\nfilament_notes = \"a\\nb\"\nspiral_vase = 0\n"
-      "extrusion_width = 0.45\nfilament_retract_lift = nil\nstart_filament_gcode = \"M900\"\n"
+      "extrusion_width = 0.45\nmax_volumetric_speed = 0\nfilament_retract_lift = "
+      "nil\nstart_filament_gcode = \"M900\"\n"
       "printhost_password = secret\nperimeters = 2\n");
   const std::string& text = resolved.effective_text;
   for (const char* line : {"print_settings_id = 0.20mm QUALITY\n", "filament_notes = \"a\\nb\"\n",
                            "spiral_vase = 0\n", "\nextrusion_width = 0.45\n", "perimeters = 2\n"}) {
     EXPECT_THAT(text, HasSubstr(line));
   }
-  for (const char* none : {"secret", "filament_retract_lift", "start_filament_gcode"}) {
+  for (const char* none :
+       {"secret", "filament_retract_lift", "start_filament_gcode", "\nmax_volumetric"}) {
     EXPECT_THAT(text, Not(HasSubstr(none)));
   }
 }

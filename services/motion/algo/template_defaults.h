@@ -6,7 +6,7 @@ namespace slicefarm::motion {
 
 /// PrusaSlicer's own values of settings that a job may not have been given, as `key = value` lines.
 /// A profile's G-code asks for them ({if spiral_vase}) on the understanding that there is always a
-/// value. Settings with an effect here always have one, and are not in this list.
+/// value. Settings that stages work with always have one, and are not in this list.
 std::string_view TemplateDefaults();
 
 }  // namespace slicefarm::motion
