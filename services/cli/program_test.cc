@@ -140,6 +140,27 @@ TEST_F(Program, GivesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+// What PrusaSlicer exports for these printers, in small: conditions on the names of the presets,
+// pictures in QOI, notes. Each template must be filled in, and none of its marks may be left.
+TEST_F(Program, SlicesWithProfilesInTheShapeOfRealOnes) {
+  const std::pair<std::string, std::vector<std::string>> kProfiles[] = {
+      {"shape_mk3s.ini",
+       {"\nM907 E430 ; fine\n", "\nM900 K0.05 ; Somebody", "\nM117 1/50 0.2\n",
+        ";0.2 of 210, 0.2 a layer\n", "; print_settings_id = 0.20mm QUALITY of ours\n",
+        "; extruder_colour = #FF8000\n"}},
+      {"shape_mk4.ini",
+       {"\nM862.1 P0.4 A0 F1\n", "\nM572 S0.05 ; PETG", "\nM104 T0 S170\n",
+        "; thumbnail begin 313x173 ", "; chamber_temperature = 20\n", "\nM117 0.2\n"}},
+  };
+  for (const auto& [name, parts] : kProfiles) {
+    const Outcome outcome = Slice({"--config", std::string(SLICEFARM_CORPUS) + "/config/" + name});
+    ASSERT_EQ(outcome.code, ExitCode::kOk) << name << ": " << outcome.err;
+    const std::string gcode = Text("out.gcode");
+    for (const std::string& part : parts) EXPECT_THAT(gcode, HasSubstr(part)) << name;
+    EXPECT_THAT(gcode, Not(HasSubstr("\nM117 never"))) << name;
+  }
+}
+
 TEST_F(Program, TakesTheSettingsOfItsOwnGcode) {
   ASSERT_EQ(Slice({"--set", "fill_density=35%", "--set", "perimeter_speed=47.5"}).code,
             ExitCode::kOk);
