@@ -39,8 +39,11 @@ absl::Status CheckInfo(const v1::WorkerInfo& info) {
 
 }  // namespace
 
-/// Asking a worker who it is, after a while.
+/// Asking a worker who it is, after a while. Nothing owns it but itself: gRPC calls back with the
+/// bare pointer, and the pool waits until every greeting has ended and is gone.
 struct WorkerPool::Greeting {
+  MemberPtr member;
+  std::shared_ptr<Greeting> self;  ///< until it ends
   grpc::Alarm delay;
   grpc::ClientContext context;
   v1::GetWorkerInfoRequest request;
@@ -57,8 +60,8 @@ struct WorkerPool::Member {
   std::mutex pool_mutex;       ///< held while the pool is used by a call in flight
   WorkerPool* pool = nullptr;  ///< null: it may be gone
   // Under the pool's mutex:
-  std::shared_ptr<Greeting> greeting;  // shared with gRPC's callbacks
-  RunnerId runner = 0;                 ///< 0: has not joined
+  std::weak_ptr<Greeting> greeting;
+  RunnerId runner = 0;  ///< 0: has not joined
   bool dismissed = false;
 };
 
@@ -128,7 +131,7 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
   {
     const std::lock_guard lock(mutex_);
     member->dismissed = true;
-    greeting = member->greeting;
+    greeting = member->greeting.lock();
     runner = member->runner;
   }
   if (runner != 0) {
@@ -141,36 +144,35 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
 }
 
 void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
-  auto greeting = std::make_shared<Greeting>();
+  const auto greeting = std::make_shared<Greeting>();
   {
     const std::lock_guard lock(mutex_);
     if (member->dismissed) return;
     member->greeting = greeting;
     ++greetings_;
   }
-  // Weakly: the alarm is part of the greeting and keeps what it is to call.
-  greeting->delay.Set(system_clock::now() + delay,
-                      [this, member, weak = std::weak_ptr(greeting)](bool in_time) {
-                        const std::shared_ptr<Greeting> current = weak.lock();
-                        in_time&& current != nullptr ? Ask(member, current) : EndGreeting();
-                      });
+  greeting->member = member;
+  greeting->self = greeting;
+  greeting->delay.Set(system_clock::now() + delay, [this, &greeting = *greeting](bool in_time) {
+    in_time ? Ask(greeting) : End(greeting);
+  });
 }
 
-void WorkerPool::Ask(const MemberPtr& member, const std::shared_ptr<Greeting>& greeting) {
-  greeting->context.set_wait_for_ready(true);
-  greeting->context.set_deadline(system_clock::now() + kGreetingPatience);
-  const auto stub = v1::Worker::NewStub(member->replica.channel());
-  stub->async()->GetWorkerInfo(&greeting->context, &greeting->request, &greeting->info,
-                               [this, member, greeting](const grpc::Status& status) {
-                                 Hear(member, rpc::FromGrpc(status), *greeting);
-                                 EndGreeting();
+void WorkerPool::Ask(Greeting& greeting) {
+  greeting.context.set_wait_for_ready(true);
+  greeting.context.set_deadline(system_clock::now() + kGreetingPatience);
+  const auto stub = v1::Worker::NewStub(greeting.member->replica.channel());
+  stub->async()->GetWorkerInfo(&greeting.context, &greeting.request, &greeting.info,
+                               [this, &greeting](const grpc::Status& status) {
+                                 Hear(greeting.member, rpc::FromGrpc(status), greeting.info);
+                                 End(greeting);
                                });
 }
 
 void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
-                      const Greeting& greeting) {
-  const absl::Status fit = status.ok() ? CheckInfo(greeting.info) : status;
-  if (fit.ok()) return Join(member, greeting.info.slots());
+                      const v1::WorkerInfo& info) {
+  const absl::Status fit = status.ok() ? CheckInfo(info) : status;
+  if (fit.ok()) return Join(member, info.slots());
   const bool absent = absl::IsDeadlineExceeded(status) || absl::IsUnavailable(status);
   if (!absent && !absl::IsCancelled(status)) {
     log_.Warn("worker refused",
@@ -206,7 +208,8 @@ void WorkerPool::Misfit(const MemberPtr& member) {
   Greet(member, kRegreetDelay);
 }
 
-void WorkerPool::EndGreeting() {
+void WorkerPool::End(Greeting& greeting) {
+  std::exchange(greeting.self, nullptr).reset();  // before it is counted: the pool may go then
   const std::lock_guard lock(mutex_);
   --greetings_;
   greeted_.notify_all();

@@ -12,6 +12,7 @@
 #include "services/coordinator/algo/runner_set.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/remote/remote_call.h"
+#include "slicefarm/v1/worker.pb.h"
 
 namespace slicefarm::coordinator {
 
@@ -44,12 +45,12 @@ class WorkerPool {
 
   void Update(const std::vector<std::string>& addresses);
   void Greet(const MemberPtr& member, std::chrono::milliseconds delay);
-  void Ask(const MemberPtr& member, const std::shared_ptr<Greeting>& greeting);
-  void Hear(const MemberPtr& member, const absl::Status& status, const Greeting& greeting);
+  void Ask(Greeting& greeting);
+  void Hear(const MemberPtr& member, const absl::Status& status, const v1::WorkerInfo& info);
   void Join(const MemberPtr& member, int slots);
   void Dismiss(const MemberPtr& member);
   void Misfit(const MemberPtr& member);
-  void EndGreeting();
+  void End(Greeting& greeting);
 
   RunnerSet& runners_;
   const rpc::JsonLog log_;
