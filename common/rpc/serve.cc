@@ -52,6 +52,18 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
       ->capture_default_str();
 }
 
+std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
+                                   const std::string& about, ServeFlags* flags) {
+  CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
+  AddServeFlags(app, flags);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  return std::nullopt;
+}
+
 CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
   CallGateOptions options;
   options.slots = Concurrency(flags);

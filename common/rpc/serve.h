@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,5 +57,23 @@ class ServerProgram {
   Metrics metrics_;
   CallMetrics call_metrics_;
 };
+
+/// Reads the command line of slicefarm-`name`, which has no other flags than these. Returns the
+/// exit code if that is all there was to do: a bad flag, --help or --version.
+std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
+                                   const std::string& about, ServeFlags* flags);
+
+/// main() of the server program of one stage. `Service`: made of a stage, a gate and the threads of
+/// a call.
+template <typename Service, typename Stage>
+int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
+               const Stage& stage) {
+  ServerProgram program(name);
+  ServeFlags flags;
+  if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
+  CallGate gate(program.GateOptions(flags), program.log());
+  Service service(stage, gate, flags.threads);
+  return program.Run(flags, {&service});
+}
 
 }  // namespace slicefarm::rpc

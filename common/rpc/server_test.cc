@@ -17,6 +17,7 @@
 #include "common/rpc/call_gate.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
+#include "common/rpc/event_test.h"
 #include "common/rpc/metrics.h"
 #include "prometheus/text_serializer.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
@@ -58,29 +59,6 @@ class TestService final : public v1::Motion::Service {
  private:
   CallGate gate_;
   Work work_ = [](Call&) { return absl::OkStatus(); };
-};
-
-/// Something that happens once.
-class Event {
- public:
-  void Happen() {
-    const std::lock_guard lock(mutex_);
-    happened_ = true;
-    changed_.notify_all();
-  }
-  void Await() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return happened_; });
-  }
-  bool Happened() {
-    const std::lock_guard lock(mutex_);
-    return happened_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool happened_ = false;
 };
 
 /// Until the caller does not want it any more.

@@ -6,7 +6,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/model/cancel_token.h"
 #include "common/model/error.h"
+#include "common/wire/layer_wire.h"
 #include "common/wire/wire_error.h"
 
 namespace slicefarm {
@@ -14,13 +16,17 @@ namespace slicefarm {
 /// Reading and writing the messages of a call one by one, at either end of it. A Stream has
 /// Read(Message*) and Write(const Message&); both tell by false that there is no more.
 
-/// What the first message of a call says; it must hold `start`.
+/// What the first message of a call says; it must hold `start`. Who serves the call says how it is
+/// cancelled and what it may use.
 template <typename Request, typename Stream>
-auto ReadStart(Stream& stream) -> decltype(FromProto(std::declval<Request>().start())) {
+auto ReadStart(Stream& stream, const CancelToken& cancel, int threads)
+    -> decltype(FromProto(std::declval<Request>().start())) {
   Request first;
   if (!stream.Read(&first) || !first.has_start()) return Malformed("start", "does not come first");
   auto start = FromProto(first.start());
   if (!start.ok()) return Within("start", start.status());
+  start->call.cancel = cancel;
+  start->call.threads = threads;
   return start;
 }
 
@@ -54,6 +60,18 @@ absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
   if (!model.ok()) return model.status();
   models->push_back(*std::move(model));
   return absl::OkStatus();
+}
+
+/// The layers that are left to read of a call that `start` began: those of its range and halo.
+template <typename Request, typename Start, typename Stream>
+absl::StatusOr<std::vector<SlicedLayer>> ReadNeighbourhood(Stream& stream, const Start& start) {
+  std::vector<SlicedLayer> layers;
+  absl::Status status = ReadEach<Request>(
+      stream, [&](const Request& request) { return Append(FromProto(request.layer()), &layers); });
+  status.Update(start.call.cancel.Check());
+  status.Update(CheckNeighbourhood(layers, start.range, start.layer_count));
+  if (!status.ok()) return status;
+  return layers;
 }
 
 }  // namespace slicefarm

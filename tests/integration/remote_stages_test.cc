@@ -11,10 +11,10 @@
 #include "common/model/build_info.h"
 #include "common/model/error.h"
 #include "common/rpc/channel.h"
+#include "common/rpc/event_test.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/remote_worker.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
-#include "tests/integration/event.h"
 #include "tests/integration/fake_stages.h"
 #include "tests/integration/stage_host.h"
 

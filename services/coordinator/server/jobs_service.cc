@@ -73,8 +73,8 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext*, const v1::ListJobsReque
   return rpc::ToGrpc(jobs.status());
 }
 
-grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(
-    grpc::CallbackServerContext* context, const v1::WatchJobRequest* request) {
+grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(grpc::CallbackServerContext* context,
+                                                              const v1::WatchJobRequest* request) {
   return new JobWatch(*context, backend_.jobs, backend_.feed, request->id(),
                       request->after_sequence());
 }
@@ -111,9 +111,8 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
 
 grpc::Status JobsService::Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                                    grpc::ServerWriter<v1::DownloadResponse>* stream) {
-  return rpc::ToGrpc(downloads_.Run(*context, [&](const Transfers::Moved& moved) {
-    return Send(*request, moved, *stream);
-  }));
+  return rpc::ToGrpc(downloads_.Run(
+      *context, [&](const Transfers::Moved& moved) { return Send(*request, moved, *stream); }));
 }
 
 absl::Status JobsService::Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,

@@ -38,9 +38,8 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadR
 
 grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
                                        v1::Upload* response) {
-  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) {
-    return Take(*stream, moved, response);
-  }));
+  return rpc::ToGrpc(uploads_.Run(
+      *context, [&](const Transfers::Moved& moved) { return Take(*stream, moved, response); }));
 }
 
 absl::Status MeshesService::Take(Reader& stream, const Transfers::Moved& moved,

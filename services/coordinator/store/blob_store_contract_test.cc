@@ -10,18 +10,13 @@
 #include "common/model/error.h"
 #include "common/model/sha256.h"
 #include "services/coordinator/store/directory_blob_store.h"
+#include "services/coordinator/store/store_place_test.h"
 #include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-class Place {
- public:
-  virtual ~Place() = default;
-  virtual std::unique_ptr<BlobStore> Open() = 0;
-};
-
-class DirectoryPlace : public Place {
+class DirectoryPlace : public StorePlace<BlobStore> {
  public:
   std::unique_ptr<BlobStore> Open() override {
     auto store = DirectoryBlobStore::OpenAt(directory_.path() + "/deep/down");
@@ -33,18 +28,13 @@ class DirectoryPlace : public Place {
   TempDirectory directory_;
 };
 
-struct Implementation {
-  std::string name;
-  std::function<std::unique_ptr<Place>()> place;
-};
-
-const std::vector<Implementation> kStores = {
+const std::vector<StoreKind<BlobStore>> kStores = {
     {"Directory", [] { return std::make_unique<DirectoryPlace>(); }},
 };
 
-class BlobStoreTest : public testing::TestWithParam<Implementation> {
+class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {
  protected:
-  std::unique_ptr<Place> place_ = GetParam().place();
+  std::unique_ptr<StorePlace<BlobStore>> place_ = GetParam().place();
   std::unique_ptr<BlobStore> store_ = place_->Open();
   const std::string bytes_ = std::string("some\0bytes", 10) + std::string(200'000, 'x');
   const std::string digest_ = Sha256Hex(bytes_);

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "services/coordinator/store/sqlite_job_store.h"
+#include "services/coordinator/store/store_place_test.h"
 #include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
@@ -23,14 +24,7 @@ using testing::SizeIs;
 using testing::UnorderedElementsAre;
 using enum JobState;
 
-/// A place for a database, which can be opened again and again.
-class Place {
- public:
-  virtual ~Place() = default;
-  virtual std::unique_ptr<JobStore> Open() = 0;
-};
-
-class SqlitePlace : public Place {
+class SqlitePlace : public StorePlace<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
     auto store = SqliteJobStore::Open(directory_.path() + "/jobs.db");
@@ -42,12 +36,7 @@ class SqlitePlace : public Place {
   TempDirectory directory_;
 };
 
-struct Implementation {
-  std::string name;
-  std::function<std::unique_ptr<Place>()> place;
-};
-
-const std::vector<Implementation> kStores = {
+const std::vector<StoreKind<JobStore>> kStores = {
     {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
 };
 
@@ -74,7 +63,7 @@ JobResult ResultOf(const std::string& gcode, const std::string& report) {
   return result;
 }
 
-class JobStoreTest : public testing::TestWithParam<Implementation> {
+class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
  protected:
   void Make(const std::string& id) { ASSERT_TRUE(store_->Create(JobOf(id), ++now_).ok()); }
 
@@ -107,7 +96,7 @@ class JobStoreTest : public testing::TestWithParam<Implementation> {
     ASSERT_TRUE(Succeed(lease, result).ok());
   }
 
-  std::unique_ptr<Place> place_ = GetParam().place();
+  std::unique_ptr<StorePlace<JobStore>> place_ = GetParam().place();
   std::unique_ptr<JobStore> store_ = place_->Open();
   int64_t now_ = 1'000'000;
 };

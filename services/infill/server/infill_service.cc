@@ -17,7 +17,7 @@ grpc::Status InfillService::FillLayers(
 }
 
 absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream);
+  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream, call.cancel, threads_);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
@@ -32,8 +32,6 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   status.Update(CheckLayersOfRange(walled, start->range));
   if (!status.ok()) return status;
 
-  start->call.cancel = call.cancel;
-  start->call.threads = threads_;
   const absl::StatusOr<std::vector<FilledLayer>> filled =
       stage_.Fill(start->call, std::move(walled), {start->range, start->layer_count, neighbours},
                   start->options);

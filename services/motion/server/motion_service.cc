@@ -21,7 +21,7 @@ grpc::Status MotionService::ProgramLayers(
 }
 
 absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream);
+  absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream, call.cancel, threads_);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   std::vector<OrderedLayer> layers;
@@ -34,8 +34,6 @@ absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
   call.layers = RangeOf(layers);
 
-  start->call.cancel = call.cancel;
-  start->call.threads = threads_;
   absl::StatusOr<std::vector<LayerProgram>> programs =
       stage_.Program(start->call, std::move(layers), start->options);
   if (!programs.ok()) return programs.status();

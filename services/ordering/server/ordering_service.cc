@@ -17,7 +17,7 @@ grpc::Status OrderingService::OrderLayers(
 }
 
 absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream);
+  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream, call.cancel, threads_);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   std::vector<FilledLayer> layers;
@@ -32,8 +32,6 @@ absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
   call.layers = RangeOf(layers);
 
-  start->call.cancel = call.cancel;
-  start->call.threads = threads_;
   const absl::StatusOr<std::vector<OrderedLayer>> ordered =
       stage_.Order(start->call, std::move(layers), plans, start->options);
   if (!ordered.ok()) return ordered.status();

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "common/model/build_info.h"
-#include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/program_wire.h"
 #include "common/wire/start_wire.h"
@@ -27,22 +26,16 @@ grpc::Status WorkerService::GetWorkerInfo(grpc::ServerContext* /*context*/,
 }
 
 absl::Status WorkerService::Work(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<WorkStart> start = ReadStart<v1::WorkRequest>(stream);
+  absl::StatusOr<WorkStart> start = ReadStart<v1::WorkRequest>(stream, call.cancel, threads_);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
-  std::vector<SlicedLayer> layers;
-  absl::Status status = ReadEach<v1::WorkRequest>(stream, [&](const v1::WorkRequest& request) {
-    return Append(FromProto(request.layer()), &layers);
-  });
-  status.Update(call.cancel.Check());
-  status.Update(CheckNeighbourhood(layers, start->range, start->layer_count));
-  if (!status.ok()) return status;
+  const absl::StatusOr<std::vector<SlicedLayer>> layers =
+      ReadNeighbourhood<v1::WorkRequest>(stream, *start);
+  if (!layers.ok()) return layers.status();
 
-  start->call.cancel = call.cancel;
-  start->call.threads = threads_;
   absl::StatusOr<RangeResult> result = runner_.Run(
-      start->call, {start->range, start->layer_count, layers, start->plans, &start->settings});
+      start->call, {start->range, start->layer_count, *layers, start->plans, &start->settings});
   if (!result.ok()) return result.status();
   return Answer(*std::move(result), stream);
 }
