@@ -40,7 +40,7 @@ absl::Status CheckInfo(const v1::WorkerInfo& info) {
 }  // namespace
 
 /// Asking a worker who it is, after a while. Nothing owns it but itself: gRPC calls back with the
-/// bare pointer, and the pool waits until every greeting has ended and is gone.
+/// bare pointer.
 struct WorkerPool::Greeting {
   MemberPtr member;
   std::shared_ptr<Greeting> self;  ///< until it ends
@@ -61,6 +61,7 @@ struct WorkerPool::Member {
   WorkerPool* pool = nullptr;  ///< null: it may be gone
   // Under the pool's mutex:
   std::weak_ptr<Greeting> greeting;
+  int greetings = 0;    ///< that have not ended
   RunnerId runner = 0;  ///< 0: has not joined
   bool dismissed = false;
 };
@@ -97,8 +98,6 @@ WorkerPool::WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::
 WorkerPool::~WorkerPool() {
   watch_.reset();
   Update({});
-  std::unique_lock lock(mutex_);
-  greeted_.wait(lock, [this] { return greetings_ == 0; });
 }
 
 void WorkerPool::Update(const std::vector<std::string>& addresses) {
@@ -121,6 +120,9 @@ void WorkerPool::Update(const std::vector<std::string>& addresses) {
   for (const MemberPtr& member : joining) Greet(member, milliseconds(0));
 }
 
+/// Ends the membership and waits for the end of the greetings: of a gRPC 1.51 channel that was
+/// called with callbacks, the last reference must not be dropped in one of them (the thread of the
+/// callbacks, which the last such channel ends, would have to join itself).
 void WorkerPool::Dismiss(const MemberPtr& member) {
   {
     const std::lock_guard lock(member->pool_mutex);
@@ -138,9 +140,13 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
     runners_.Leave(runner);
     log_.Info("worker left", {{"address", member->address}});
   }
-  if (greeting == nullptr) return;
-  greeting->delay.Cancel();
-  greeting->context.TryCancel();
+  if (greeting != nullptr) {
+    greeting->delay.Cancel();
+    greeting->context.TryCancel();
+    greeting.reset();
+  }
+  std::unique_lock lock(mutex_);
+  greeted_.wait(lock, [&] { return member->greetings == 0; });
 }
 
 void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
@@ -149,7 +155,7 @@ void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
     const std::lock_guard lock(mutex_);
     if (member->dismissed) return;
     member->greeting = greeting;
-    ++greetings_;
+    ++member->greetings;
   }
   greeting->member = member;
   greeting->self = greeting;
@@ -209,9 +215,10 @@ void WorkerPool::Misfit(const MemberPtr& member) {
 }
 
 void WorkerPool::End(Greeting& greeting) {
-  std::exchange(greeting.self, nullptr).reset();  // before it is counted: the pool may go then
+  Member& member = *greeting.member;  // Dismiss holds it until the greeting is counted out
+  std::exchange(greeting.self, nullptr).reset();
   const std::lock_guard lock(mutex_);
-  --greetings_;
+  --member.greetings;
   greeted_.notify_all();
 }
 

@@ -58,7 +58,6 @@ class WorkerPool {
   mutable std::mutex mutex_;
   std::condition_variable greeted_;
   std::map<std::string, MemberPtr> members_;
-  int greetings_ = 0;                    ///< in flight
   std::unique_ptr<AddressWatch> watch_;  ///< the last member: its thread uses the others
 };
 
