@@ -46,9 +46,9 @@ Coordinator::Coordinator(CoordinatorOptions options, std::unique_ptr<StateLock> 
       pipeline_(slicing, motion, executor),
       results_(*jobs_, *blobs_),
       intake_(*jobs_, *blobs_, options.build_id, NowUs),
-      runner_(RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, in_flight_, NowUs,
-                             options.build_id, log},
-              options.runner),
+      runner_(
+          RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, NowUs, options.build_id, log},
+          options.runner),
       meshes_service_(*blobs_, options.transfers),
       jobs_service_(JobsBackend{*jobs_, *blobs_, results_, intake_, runner_, feed_, NowUs, log},
                     options.transfers) {}

@@ -51,7 +51,6 @@ class Coordinator {
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
-  InFlight in_flight_;
   JobIntake intake_;
   JobRunner runner_;
   MeshesService meshes_service_;

@@ -38,11 +38,14 @@ class FailingJobStore : public JobStore {
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override {
     return store_.List(query);
   }
-  absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit, int64_t now_us,
-                                               int64_t until_us,
-                                               const std::set<std::string>& busy) override {
+  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                 int64_t until_us,
+                                                 const std::set<std::string>& busy) override {
     if (absl::Status error = Enter(Call::kClaim); !error.ok()) return error;
-    return store_.Claim(owner, limit, now_us, until_us, busy);
+    return store_.Claim(owner, now_us, until_us, busy);
+  }
+  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
+    return store_.Adopt(lease, identity);
   }
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override {

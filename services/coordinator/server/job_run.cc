@@ -1,8 +1,6 @@
 #include "services/coordinator/server/job_run.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 #include <utility>
 
 #include "common/model/error.h"
@@ -16,7 +14,6 @@ constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxStoreRetryUs = 60'000'000;
-constexpr std::chrono::milliseconds kWriteRetry{200};
 /// Progress is told at most this often, and a hundred times a job.
 constexpr double kProgressEveryS = 0.2;
 constexpr int32_t kProgressSteps = 100;
@@ -67,11 +64,6 @@ absl::Status JobRun::Work() {
   if (!request.ok()) return request.status();
   auto resolved = ResolveJob(*std::move(request), environment_.build_id);
   if (!resolved.ok()) return resolved.status();
-  if (!environment_.in_flight.Enter(resolved->action_digest, [this] { return GivenUp(); })) {
-    return absl::CancelledError("given up");
-  }
-  const InFlight::Turn turn(environment_.in_flight, resolved->action_digest);
-
   const auto cached =
       environment_.results.SucceedFromCache(lease_, resolved->action_digest, environment_.now_us());
   if (!cached.ok()) return Written(cached.status());
@@ -125,8 +117,6 @@ void JobRun::Progress(PipelineProgress progress) {
       .IgnoreError();
 }
 
-/// Writes how the job goes on. A store that fails is asked again, until the coordinator stops; then
-/// the lease runs out and the job is claimed again.
 void JobRun::Conclude(const absl::Status& status) {
   const JobUpdate update = Conclusion(status);
   environment_.log.Warn(lost_ ? "job lost" : "job not done",
@@ -136,11 +126,7 @@ void JobRun::Conclude(const absl::Status& status) {
                          {"code", absl::StatusCodeToString(status.code())},
                          {"reason", std::string(ReasonName(DetailOf(status).reason))},
                          {"error", std::string(status.message())}});
-  while (!lost_) {
-    const absl::Status written = Write(update);
-    if (written.ok() || handed_back_) return;
-    std::this_thread::sleep_for(kWriteRetry);
-  }
+  Write(update).IgnoreError();  // then the lease runs out and the job is claimed again
 }
 
 JobUpdate JobRun::Conclusion(const absl::Status& status) const {

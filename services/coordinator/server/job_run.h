@@ -7,7 +7,6 @@
 #include "common/rpc/json_log.h"
 #include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/job_pipeline.h"
-#include "services/coordinator/server/in_flight.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/server/job_results.h"
@@ -21,18 +20,17 @@ struct RunEnvironment {
   JobResults& results;
   const JobPipeline& pipeline;
   JobFeed& feed;
-  InFlight& in_flight;
   std::function<int64_t()> now_us;
   std::string build_id;
   rpc::JsonLog log;
 };
 
 /// One claimed job, from the claim to what it came to:
-///   1 the cache, once nobody else here works on the same   2 RUNNING   3 meshes from the blob
-///   store   4 pipeline 5 artifacts and record
+///   1 the cache   2 RUNNING   3 meshes from the blob store   4 pipeline   5 artifacts and record
 /// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED: when the coordinator stops,
 /// when services are not there (five times, ever later), when the disk is full, when a store fails
-/// (ever later, without end). After a fencing nothing is written any more.
+/// (ever later, without end). If that cannot be written, the lease runs out and the job is claimed
+/// again. After a fencing nothing is written any more.
 class JobRun {
  public:
   JobRun(RunEnvironment& environment, JobRecord job);

@@ -2,10 +2,20 @@
 
 #include <utility>
 
+#include "services/coordinator/server/jobs_wire.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
 constexpr double kRequestIdSweepS = 3600;
+
+absl::StatusOr<JobIdentity> IdentityOf(const std::string& spec, const std::string& build_id) {
+  auto request = ReadSpec(spec);
+  if (!request.ok()) return request.status();
+  auto job = ResolveJob(*std::move(request), build_id);
+  if (!job.ok()) return job.status();
+  return JobIdentity{std::move(job->settings_digest), std::move(job->action_digest), build_id};
+}
 
 }  // namespace
 
@@ -75,12 +85,32 @@ std::set<std::string> JobRunner::Busy() {
   return busy;
 }
 
+/// A job that another build made is another action here: its result must be found and kept under
+/// the name that this build gives it. False: the same is being worked on, so the job is back in the
+/// queue; or the store failed, so it will be claimed again.
+bool JobRunner::Adopt(JobRecord& job) {
+  const auto identity = IdentityOf(job.spec, environment_.build_id);
+  if (!identity.ok()) return true;  // the run will end with that error
+  const Lease lease{job.id, job.owner_epoch};
+  if (!environment_.jobs.Adopt(lease, *identity).ok()) return false;
+  if (Busy().contains(identity->action_digest)) {
+    environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
+    Wake();  // there may be others
+    return false;
+  }
+  job.settings_digest = identity->settings_digest;
+  job.action_digest = identity->action_digest;
+  job.build_id = identity->build_id;
+  return true;
+}
+
 std::shared_ptr<JobRun> JobRunner::Claim() {
   std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
-  auto jobs = environment_.jobs.Claim(options_.owner, 1, now_us, now_us + LeaseUs(), Busy());
-  if (!jobs.ok() || jobs->empty()) return nullptr;  // a store that fails is asked again soon
-  auto run = std::make_shared<JobRun>(environment_, std::move(jobs->front()));
+  auto job = environment_.jobs.Claim(options_.owner, now_us, now_us + LeaseUs(), Busy());
+  if (!job.ok() || !*job) return nullptr;  // a store that fails is asked again soon
+  if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
+  auto run = std::make_shared<JobRun>(environment_, **std::move(job));
   std::lock_guard lock(mutex_);
   if (stopping_) run->HandBack();
   runs_[run->lease()] = {run, now_us + LeaseUs()};

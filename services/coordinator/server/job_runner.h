@@ -58,6 +58,7 @@ class JobRunner {
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
   void GiveUpLate();
   std::shared_ptr<JobRun> Claim();
+  bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
   int64_t LeaseUs() const { return std::chrono::microseconds(options_.lease).count(); }
 

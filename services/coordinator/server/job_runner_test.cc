@@ -45,20 +45,20 @@ class JobRunnerTest : public testing::Test {
     JobRunnerOptions options;
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
-    auto runner = std::make_unique<JobRunner>(
-        RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_, in_flight_, Clock(), "build",
-                       rpc::JsonLog("test")},
-        options);
+    auto runner =
+        std::make_unique<JobRunner>(RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_,
+                                                   Clock(), "build", rpc::JsonLog("test")},
+                                    options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
   }
 
-  std::string Submit(const std::string& mesh) {
+  std::string Submit(const std::string& mesh, const std::string& build = "build") {
     v1::JobSpec spec;
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*blobs_->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, "build", Clock())
+    const auto created = JobIntake(*jobs_, *blobs_, build, Clock())
                              .Create({.request_id = {},
                                       .spec = SpecBytes(spec),
                                       .request = *FromProto(spec),
@@ -105,7 +105,6 @@ class JobRunnerTest : public testing::Test {
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
   JobResults results_{failing_, *blobs_};
   JobFeed feed_;
-  InFlight in_flight_;
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
 
@@ -170,14 +169,14 @@ TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
   ranges_->AwaitCall();
   // Another coordinator takes the job over, as if ours had been silent too long.
   ASSERT_TRUE(jobs_->Release("me").ok());
-  const auto taken = jobs_->Claim("you", 1, NowUs(), NowUs() + 60'000'000);
-  ASSERT_EQ(taken->size(), 1u);
+  const auto taken = jobs_->Claim("you", NowUs(), NowUs() + 60'000'000);
+  ASSERT_NE(*taken, std::nullopt);
   ranges_->LetGo();
   runner->Stop();
   const JobRecord job = *jobs_->Get(id);
   EXPECT_EQ(job.state, JobState::kRunning);
   EXPECT_EQ(job.owner, "you");
-  EXPECT_EQ(job.last_sequence, taken->front().last_sequence);
+  EXPECT_EQ(job.last_sequence, (*taken)->last_sequence);
 }
 
 TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
@@ -245,10 +244,9 @@ TEST_F(JobRunnerTest, AStoreThatFailsDelaysAJobAndNeverEndsIt) {
 
 TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {
   const std::string id = Submit("xxx");
-  const auto claimed = jobs_->Claim("me", 1, NowUs(), NowUs() + 3'600'000'000);
+  const auto claimed = jobs_->Claim("me", NowUs(), NowUs() + 3'600'000'000);
   ASSERT_TRUE(
-      jobs_->Update({id, claimed->front().owner_epoch}, {.state = JobState::kRunning}, NowUs())
-          .ok());
+      jobs_->Update({id, (*claimed)->owner_epoch}, {.state = JobState::kRunning}, NowUs()).ok());
   const auto runner = Runner("me");
   EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
 }
@@ -269,18 +267,62 @@ TEST_F(JobRunnerTest, StopHandsBack) {
   EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
 }
 
+TEST_F(JobRunnerTest, AJobOfAnotherBuildIsFiledUnderThisOne) {
+  const std::string theirs = Submit("xx", "another build");
+  const auto runner = Runner();
+  const JobRecord first = AwaitEnd(theirs);
+  EXPECT_EQ(first.state, JobState::kSucceeded);
+  EXPECT_EQ(first.build_id, "build");
+  const JobRecord ours = AwaitEnd(Submit("xx"));
+  EXPECT_EQ(ours.action_digest, first.action_digest);
+  EXPECT_TRUE(ours.result->cached);
+  EXPECT_TRUE(AwaitEnd(Submit("xx", "a third build")).result->cached);
+  EXPECT_EQ(slicing_.runs(), 1);
+}
+
+TEST_F(JobRunnerTest, JobsOfAnotherBuildWaitForTheSameWorkOfThisOne) {
+  ranges_->Hold();
+  const auto runner = Runner();
+  const std::string ours = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  const std::string theirs = Submit("xx", "another build");
+  runner->Wake();
+  while (jobs_->Get(theirs)->build_id != "build") std::this_thread::yield();
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(ours).result->cached);
+  EXPECT_TRUE(AwaitEnd(theirs).result->cached);
+  EXPECT_EQ(slicing_.runs(), 1);
+}
+
+TEST_F(JobRunnerTest, AnEndThatCannotBeWrittenComesAgain) {
+  ranges_->Hold();
+  const auto runner = Runner();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  ranges_->AwaitCall();
+  failing_.Fail(Call::kUpdate, absl::InternalError("away"));
+  ranges_->LetGo();
+  runner->Stop();
+  failing_.Recover();
+  EXPECT_EQ(jobs_->Get(id)->state, JobState::kRunning);
+  now_us_ = jobs_->Get(id)->owner_until_us;
+  const auto other = Runner("you");
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
 TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {
   slicing_.unavailable_ = 1000;
   const std::string id = Submit("x~");
   // As if it had been tried before.
   for (int i = 0; i < 5; ++i) {
-    const auto claimed = jobs_->Claim("past", 1, NowUs(), NowUs() + 1'000'000);
+    const auto claimed = jobs_->Claim("past", NowUs(), NowUs() + 1'000'000);
     ASSERT_TRUE(
-        jobs_->Update({id, claimed->front().owner_epoch}, {.state = JobState::kRunning}, NowUs())
-            .ok());
+        jobs_->Update({id, (*claimed)->owner_epoch}, {.state = JobState::kRunning}, NowUs()).ok());
     JobUpdate back{.state = JobState::kQueued};
     back.retry = true;
-    ASSERT_TRUE(jobs_->Update({id, claimed->front().owner_epoch}, back, NowUs()).ok());
+    ASSERT_TRUE(jobs_->Update({id, (*claimed)->owner_epoch}, back, NowUs()).ok());
   }
   const auto runner = Runner();
   const JobRecord job = AwaitEnd(id);

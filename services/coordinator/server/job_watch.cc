@@ -74,10 +74,10 @@ bool JobWatch::Read(absl::Status& status) {
   for (const JobEventRecord& event : *events) {
     events_.push_back(ToProto(event, *job));
     sent_ = event.sequence;
-    terminal_ = IsTerminal(event.state);
   }
-  // A watcher that starts after the last event has nothing to wait for.
-  if (events->empty() && IsTerminal(job->state)) terminal_ = true;
+  // The job may have gone on between the two reads: its end is reached with its last event. A
+  // watcher that starts after that has nothing to wait for.
+  terminal_ = IsTerminal(job->state) && sent_ >= job->last_sequence;
   return !events->empty() || terminal_;
 }
 

@@ -13,8 +13,14 @@ namespace {
 absl::Status CheckFirst(const v1::UploadMeshRequest& first) {
   if (!IsSha256Hex(first.sha256())) return Malformed("sha256", "is not 64 lower-case hex digits");
   if (first.size() < 0) return Malformed("size", "is negative");
-  if (first.size() <= limits::kMaxMeshBytes) return absl::OkStatus();
-  return LimitError(Reason::kMeshTooLarge, "bytes of a mesh", limits::kMaxMeshBytes, first.size());
+  if (first.size() > limits::kMaxMeshBytes) {
+    return LimitError(Reason::kMeshTooLarge, "bytes of a mesh", limits::kMaxMeshBytes,
+                      first.size());
+  }
+  if (first.write_offset() < 0 || first.write_offset() > first.size()) {
+    return Malformed("write_offset", "is not within the mesh");
+  }
+  return absl::OkStatus();
 }
 
 absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {

@@ -182,10 +182,15 @@ absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
   return digest;
 }
 
+/// Puts a damaged blob aside, unless a good one has taken its place since it was read.
 absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::string& got) {
   Lock lock(MutexOf(digest));
-  const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
-  RenameDurably(BlobPath(digest), aside).IgnoreError();  // the error below is the one that counts
+  const auto file = OpenBlob(BlobPath(digest), digest);
+  const auto now = file.ok() ? DigestOf(*file) : file.status();
+  if (now.ok() && *now != digest) {
+    const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
+    RenameDurably(BlobPath(digest), aside).IgnoreError();  // the error below is the one that counts
+  }
   return MismatchError(absl::StatusCode::kDataLoss, digest, got);
 }
 

@@ -39,6 +39,13 @@ struct JobResult {
   friend bool operator==(const JobResult&, const JobResult&) = default;
 };
 
+/// What a job is to a build.
+struct JobIdentity {
+  std::string settings_digest;
+  std::string action_digest;  ///< equal digests: equal results
+  std::string build_id;
+};
+
 /// A job as the store has it. Times are microseconds since 1970 on the clock of the caller; 0: not
 /// yet.
 struct JobRecord {

@@ -18,7 +18,7 @@ void LetGo(JobRecord& job, int64_t claimable_from_us) {
 absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
                          int64_t now_us) {
   if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
-    return absl::AbortedError(absl::StrCat("job ", job.id, " is not held in epoch ", lease.epoch));
+    return NotHeld(lease);
   }
   const bool begins = job.state == JobState::kQueued && update.state == JobState::kRunning;
   if (update.state != job.state && !MayFollow(job.state, update.state)) {
@@ -49,6 +49,11 @@ bool ApplyCancel(JobRecord& job, int64_t now_us) {
   ++job.owner_epoch;
   LetGo(job, 0);
   return true;
+}
+
+absl::Status NotHeld(const Lease& lease) {
+  return absl::AbortedError(
+      absl::StrCat("job ", lease.job_id, " is not held in epoch ", lease.epoch));
 }
 
 absl::Status JobNotFound(const std::string& id) {

@@ -18,6 +18,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
 /// False: nothing is to be done.
 bool ApplyCancel(JobRecord& job, int64_t now_us);
 
+absl::Status NotHeld(const Lease& lease);
 absl::Status JobNotFound(const std::string& id);
 absl::Status JobNotFinished(const std::string& id);
 absl::Status CachedResultGone(const std::string& id);

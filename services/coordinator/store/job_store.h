@@ -82,11 +82,15 @@ class JobStore {
   /// Newest first.
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
-  /// Gives up to `limit` jobs that are QUEUED or RUNNING and that nobody holds to `owner` until
-  /// `until_us`, oldest first. Passes over jobs whose action_digest is one of `busy`.
-  virtual absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit,
-                                                       int64_t now_us, int64_t until_us,
-                                                       const std::set<std::string>& busy = {}) = 0;
+  /// Gives the oldest job that is QUEUED or RUNNING and that nobody holds to `owner` until
+  /// `until_us`; none if there is none. Passes over jobs whose action_digest is one of `busy`.
+  virtual absl::StatusOr<std::optional<JobRecord>> Claim(
+      const std::string& owner, int64_t now_us, int64_t until_us,
+      const std::set<std::string>& busy = {}) = 0;
+
+  /// Writes what a held job is to the build that works on it, which may be another one than made
+  /// it.
+  virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
 
   /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
   /// by owner, so that a job which its owner has given up runs out and is claimed again.

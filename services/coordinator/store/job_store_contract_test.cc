@@ -69,10 +69,10 @@ class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
 
   Lease Claim(const std::string& owner = "me") {
     ++now_;
-    const auto jobs = store_->Claim(owner, 1, now_, now_ + 1000);
-    EXPECT_TRUE(jobs.ok()) << jobs.status();
-    if (!jobs.ok() || jobs->empty()) return {};
-    return {jobs->front().id, jobs->front().owner_epoch};
+    const auto job = store_->Claim(owner, now_, now_ + 1000);
+    EXPECT_TRUE(job.ok()) << job.status();
+    if (!job.ok() || !*job) return {};
+    return {(*job)->id, (*job)->owner_epoch};
   }
 
   absl::StatusOr<JobRecord> Update(const Lease& lease, JobState state) {
@@ -226,24 +226,36 @@ TEST_P(JobStoreTest, ListsByState) {
 
 TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
   for (const char* id : {"a", "b", "c"}) Make(id);
-  const auto first = store_->Claim("me", 2, 10, 100);
-  ASSERT_TRUE(first.ok()) << first.status();
-  ASSERT_THAT(*first, SizeIs(2));
-  EXPECT_EQ(first->at(0).id, "a");
-  EXPECT_EQ(first->at(1).id, "b");
-  EXPECT_EQ(first->at(0).owner, "me");
-  EXPECT_EQ(first->at(0).owner_epoch, 1);
-  EXPECT_THAT(*store_->Claim("you", 5, 10, 100), SizeIs(1));
-  EXPECT_THAT(*store_->Claim("you", 5, 10, 100), IsEmpty());
+  const JobRecord first = **store_->Claim("me", 10, 100);
+  EXPECT_EQ(first.id, "a");
+  EXPECT_EQ(first.owner, "me");
+  EXPECT_EQ(first.owner_epoch, 1);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "b");
+  EXPECT_EQ((*store_->Claim("you", 10, 100))->id, "c");
+  EXPECT_EQ(*store_->Claim("you", 10, 100), std::nullopt);
 }
 
 TEST_P(JobStoreTest, ClaimsPassOverBusyWork) {
   for (const char* id : {"a", "b", "c"}) Make(id);
-  const auto first = store_->Claim("me", 3, 10, 100, {"action-a", "action-c"});
-  ASSERT_THAT(*first, SizeIs(1));
-  EXPECT_EQ(first->front().id, "b");
-  EXPECT_THAT(*store_->Claim("me", 3, 10, 100, {"action-a", "action-c"}), IsEmpty());
-  EXPECT_THAT(*store_->Claim("me", 3, 10, 100), SizeIs(2));
+  EXPECT_EQ((*store_->Claim("me", 10, 100, {"action-a", "action-c"}))->id, "b");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {"action-a", "action-c"}), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "a");
+}
+
+TEST_P(JobStoreTest, AnotherBuildAdoptsAJobItHolds) {
+  Make("a");
+  const JobIdentity identity = {"settings 2", "action 2", "build 2"};
+  EXPECT_TRUE(absl::IsAborted(store_->Adopt({"a", 0}, identity))) << "nobody holds it";
+  const Lease lease = Claim();
+  ASSERT_TRUE(store_->Adopt(lease, identity).ok());
+  const JobRecord job = *store_->Get("a");
+  EXPECT_EQ(job.settings_digest, "settings 2");
+  EXPECT_EQ(job.build_id, "build 2");
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  EXPECT_TRUE(store_->FindResult("action 2")->has_value());
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value()) << "that is another build's";
+  EXPECT_TRUE(absl::IsAborted(store_->Adopt(lease, identity))) << "it has ended";
 }
 
 TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
@@ -256,9 +268,9 @@ TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
     threads.emplace_back([&, i] {
       JobStore& store = i == 0 ? *store_ : *other;
       while (true) {
-        const auto jobs = store.Claim(absl::StrCat("owner", i), 1, 10'000'000, 20'000'000);
-        if (!jobs.ok() || jobs->empty()) return;
-        claimed[i].push_back(jobs->front().id);
+        const auto job = store.Claim(absl::StrCat("owner", i), 10'000'000, 20'000'000);
+        if (!job.ok() || !*job) return;
+        claimed[i].push_back((*job)->id);
       }
     });
   }
@@ -271,30 +283,28 @@ TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
 
 TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   Make("a");
-  const auto mine = store_->Claim("me", 1, 10, 100);
-  EXPECT_THAT(*store_->Claim("you", 1, 99, 200), IsEmpty());
-  const std::vector<Lease> leases = {{"a", mine->front().owner_epoch}};
+  const auto mine = store_->Claim("me", 10, 100);
+  EXPECT_EQ(*store_->Claim("you", 99, 200), std::nullopt);
+  const std::vector<Lease> leases = {{"a", (*mine)->owner_epoch}};
   ASSERT_THAT(*store_->Renew(leases, 150), SizeIs(1));
-  EXPECT_THAT(*store_->Claim("you", 1, 149, 200), IsEmpty());
-  const auto yours = store_->Claim("you", 1, 150, 250);
-  ASSERT_THAT(*yours, SizeIs(1));
+  EXPECT_EQ(*store_->Claim("you", 149, 200), std::nullopt);
+  const auto yours = store_->Claim("you", 150, 250);
+  ASSERT_NE(*yours, std::nullopt);
   EXPECT_THAT(*store_->Renew(leases, 300), IsEmpty());
   EXPECT_EQ(store_->Get("a")->owner_until_us, 250);
 
-  const absl::Status fenced = Update({"a", mine->front().owner_epoch}, kRunning).status();
+  const absl::Status fenced = Update({"a", (*mine)->owner_epoch}, kRunning).status();
   EXPECT_TRUE(absl::IsAborted(fenced)) << fenced;
-  EXPECT_TRUE(Update({"a", yours->front().owner_epoch}, kRunning).ok());
+  EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
 TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
   Make("given up");
   Make("kept");
-  const auto mine = store_->Claim("me", 2, 10, 100);
-  ASSERT_THAT(*mine, SizeIs(2));
+  for (int i = 0; i < 2; ++i) ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
   ASSERT_THAT(*store_->Renew({{"kept", 1}}, 200), SizeIs(1));
-  const auto again = store_->Claim("me", 2, 100, 300);
-  ASSERT_THAT(*again, SizeIs(1));
-  EXPECT_EQ(again->front().id, "given up");
+  EXPECT_EQ((*store_->Claim("me", 100, 300))->id, "given up");
+  EXPECT_EQ(*store_->Claim("me", 100, 300), std::nullopt);
   EXPECT_THAT(*store_->Renew({{"given up", 1}, {"kept", 1}}, 400), SizeIs(1)) << "of the old claim";
 }
 
@@ -305,10 +315,10 @@ TEST_P(JobStoreTest, ReleasedJobsAreClaimedAgain) {
   ASSERT_TRUE(store_->Release("me").ok());
   EXPECT_THAT(*store_->Renew({old}, now_ + 1000), IsEmpty());
   EXPECT_TRUE(absl::IsAborted(Update(old, kRunning).status()));
-  const auto again = store_->Claim("me", 1, now_, now_ + 10);
-  ASSERT_THAT(*again, SizeIs(1));
-  EXPECT_EQ(again->front().state, kRunning);
-  EXPECT_EQ(again->front().owner_epoch, old.epoch + 1);
+  const auto again = store_->Claim("me", now_, now_ + 10);
+  ASSERT_NE(*again, std::nullopt);
+  EXPECT_EQ((*again)->state, kRunning);
+  EXPECT_EQ((*again)->owner_epoch, old.epoch + 1);
 }
 
 TEST_P(JobStoreTest, UpdatesKeepTheTimes) {
@@ -355,10 +365,10 @@ TEST_P(JobStoreTest, HandedBackJobsWaitAsLongAsTheyShould) {
   update.retry = true;
   ASSERT_TRUE(store_->Update(lease, update, 2'000'000).ok());
   EXPECT_THAT(*store_->Renew({lease}, 9'000'000), IsEmpty());
-  EXPECT_THAT(*store_->Claim("you", 1, 4'999'999, 9'000'000), IsEmpty());
-  const auto again = store_->Claim("you", 1, 5'000'000, 9'000'000);
-  ASSERT_THAT(*again, SizeIs(1));
-  EXPECT_EQ(again->front().retries, 1);
+  EXPECT_EQ(*store_->Claim("you", 4'999'999, 9'000'000), std::nullopt);
+  const auto again = store_->Claim("you", 5'000'000, 9'000'000);
+  ASSERT_NE(*again, std::nullopt);
+  EXPECT_EQ((*again)->retries, 1);
 }
 
 TEST_P(JobStoreTest, FailuresOfTheStoreAreCountedApart) {
@@ -396,7 +406,7 @@ TEST_P(JobStoreTest, CancelOfAWaitingJobEndsIt) {
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->state, kCancelled);
   EXPECT_EQ(job->end_us, 9);
-  EXPECT_THAT(*store_->Claim("me", 1, 10, 20), IsEmpty());
+  EXPECT_EQ(*store_->Claim("me", 10, 20), std::nullopt);
   EXPECT_EQ(store_->Events("a", 0, 9)->back().state, kCancelled);
 }
 

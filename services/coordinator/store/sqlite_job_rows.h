@@ -16,6 +16,20 @@ namespace slicefarm::coordinator {
   "start_us, end_us, layers_total, layers_done, error, result, cancel_requested, retries, " \
   "last_sequence, owner, owner_epoch, owner_until_us, store_failures"
 
+/// Which jobs can be claimed; parameters: the time, and a list of busy digests.
+#define SLICEFARM_CLAIMABLE                                 \
+  " state IN ('QUEUED', 'RUNNING') AND owner_until_us <= ?" \
+  " AND action_digest NOT IN (SELECT value FROM json_each(?))"
+
+inline constexpr char kAnyClaimableSql[] =
+    "SELECT 1 FROM jobs WHERE" SLICEFARM_CLAIMABLE " LIMIT 1";
+
+/// Claims the oldest job; parameters: owner, until when, and those of SLICEFARM_CLAIMABLE.
+inline constexpr char kClaimJobSql[] =
+    "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
+    " WHERE number = (SELECT number FROM jobs WHERE" SLICEFARM_CLAIMABLE
+    " ORDER BY number LIMIT 1) RETURNING " SLICEFARM_JOB_COLUMNS;
+
 /// The job of the row that `query` stands on. Errors: STORE_FAILED if it is damaged.
 absl::StatusOr<JobRecord> ReadJob(const SqliteQuery& query);
 

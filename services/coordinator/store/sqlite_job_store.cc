@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "common/model/error.h"
@@ -42,13 +41,8 @@ absl::Status InsertJob(SqliteConnection& db, const NewJob& job, int64_t now_us) 
   return remember.Bind(job.request_id, job.id, job.spec_digest, now_us).Run();
 }
 
-/// Which jobs can be claimed; parameters: the time, and a list of busy digests.
-#define SLICEFARM_CLAIMABLE                                 \
-  " state IN ('QUEUED', 'RUNNING') AND owner_until_us <= ?" \
-  " AND action_digest NOT IN (SELECT value FROM json_each(?))"
-
 absl::StatusOr<bool> AnyClaimable(SqliteConnection& db, int64_t now_us, const std::string& busy) {
-  SqliteQuery query(db, "SELECT 1 FROM jobs WHERE" SLICEFARM_CLAIMABLE " LIMIT 1");
+  SqliteQuery query(db, kAnyClaimableSql);
   const bool any = query.Bind(now_us, busy).Next();
   if (!query.status().ok()) return query.status();
   return any;
@@ -133,24 +127,33 @@ absl::StatusOr<std::vector<JobRecord>> SqliteJobStore::List(const ListQuery& lis
   return ReadJobs(query);
 }
 
-absl::StatusOr<std::vector<JobRecord>> SqliteJobStore::Claim(const std::string& owner, int limit,
-                                                             int64_t now_us, int64_t until_us,
-                                                             const std::set<std::string>& busy) {
+absl::StatusOr<std::optional<JobRecord>> SqliteJobStore::Claim(const std::string& owner,
+                                                               int64_t now_us, int64_t until_us,
+                                                               const std::set<std::string>& busy) {
   const std::string busy_json = ToJson(busy);
   Lock lock(write_mutex_);
   // Most calls find nothing, and need no write.
   const auto any = AnyClaimable(*writer_, now_us, busy_json);
   if (!any.ok()) return any.status();
-  if (!*any) return std::vector<JobRecord>();
-  SqliteQuery claim(*writer_,
-                    "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
-                    " WHERE number IN (SELECT number FROM jobs WHERE" SLICEFARM_CLAIMABLE
-                    " ORDER BY number LIMIT ?)"
-                    " RETURNING " SLICEFARM_JOB_COLUMNS);
-  claim.Bind(owner, until_us, now_us, busy_json, limit);
+  if (!*any) return std::nullopt;
+  SqliteQuery claim(*writer_, kClaimJobSql);
+  claim.Bind(owner, until_us, now_us, busy_json);
   auto jobs = ReadJobs(claim);
-  if (jobs.ok()) std::ranges::sort(*jobs, {}, &JobRecord::number);
-  return jobs;
+  if (!jobs.ok()) return jobs.status();
+  if (jobs->empty()) return std::nullopt;
+  return std::move(jobs->front());
+}
+
+absl::Status SqliteJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
+  Lock lock(write_mutex_);
+  SqliteQuery adopt(*writer_,
+                    "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?"
+                    " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
+  adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
+             lease.epoch);
+  const bool held = adopt.Next();
+  if (!adopt.status().ok() || held) return adopt.status();
+  return NotHeld(lease);
 }
 
 absl::StatusOr<std::vector<HeldJob>> SqliteJobStore::Renew(const std::vector<Lease>& leases,
@@ -214,6 +217,8 @@ absl::StatusOr<std::vector<std::string>> SqliteJobStore::Delete(const std::strin
   const auto job = FindJob(*writer_, id);
   if (!job.ok()) return job.status();
   if (!IsTerminal(job->state)) return JobNotFinished(id);
+  SqliteQuery forget(*writer_, "DELETE FROM requests WHERE job_id = ?");
+  if (absl::Status done = forget.Bind(id).Run(); !done.ok()) return done;
   SqliteQuery remove(*writer_, "DELETE FROM jobs WHERE number = ?");
   if (absl::Status done = remove.Bind(job->number).Run(); !done.ok()) return done;
   std::vector<std::string> dropped;

@@ -19,9 +19,10 @@ class SqliteJobStore : public JobStore {
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
-  absl::StatusOr<std::vector<JobRecord>> Claim(const std::string& owner, int limit, int64_t now_us,
-                                               int64_t until_us,
-                                               const std::set<std::string>& busy) override;
+  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                 int64_t until_us,
+                                                 const std::set<std::string>& busy) override;
+  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
   absl::Status Release(const std::string& owner) override;
