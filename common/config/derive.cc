@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/config/setting_limits.h"
 #include "common/config/settings_table.h"
 
 namespace slicefarm::config {
@@ -62,7 +63,7 @@ void DeriveSpeeds(Draft& draft) {
     TakePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {
-    if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number("max_print_speed"));
+    FallBack(draft, key, "max_print_speed");
   }
 }
 
@@ -99,7 +100,7 @@ void DeriveFilament(Draft& draft) {
 }
 
 /// The filament's own G-code is the last before the layers and the first after them.
-void DeriveGcode(Draft& draft) {
+absl::Status DeriveGcode(Draft& draft) {
   const auto joined = [](const std::string& first, const std::string& second) {
     const bool needs_break = !first.empty() && !second.empty() && first.back() != '\n';
     return first + (needs_break ? "\n" : "") + second;
@@ -108,6 +109,10 @@ void DeriveGcode(Draft& draft) {
   std::string& end = draft.At("end_gcode").value->text;
   start = joined(start, draft.At("start_filament_gcode").value->text);
   end = joined(draft.At("end_filament_gcode").value->text, end);
+  // The two together are one setting to the stages.
+  absl::Status status = CheckSettingSize("start_gcode", start);
+  status.Update(CheckSettingSize("end_gcode", end));
+  return status;
 }
 
 absl::Status CheckPercentages(const Draft& draft) {
@@ -134,8 +139,9 @@ absl::Status Derive(Draft& draft) {
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveFilament(draft);
-  DeriveGcode(draft);
-  return CheckPercentages(draft);
+  absl::Status status = CheckPercentages(draft);
+  status.Update(DeriveGcode(draft));
+  return status;
 }
 
 }  // namespace slicefarm::config

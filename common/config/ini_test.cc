@@ -95,6 +95,15 @@ TEST(ReadIni, QuotesOnlyTheBeginningOfLongLines) {
   EXPECT_LT(settings.status().message().size(), 200);
 }
 
+TEST(ReadIni, ValuesMayHoldTheMarksOfGcode) {
+  const auto settings = ReadIni(
+      "layer_gcode = ;LAYER_CHANGE\\n;Z:[layer_z]\n"
+      "end_gcode = ; prusaslicer_config = begin\\n; prusaslicer_config = end\n"
+      "perimeters = 3\n");
+  ASSERT_TRUE(settings.ok()) << settings.status();
+  EXPECT_EQ(settings->size(), 3);
+}
+
 TEST(ReadIni, BoundsNumberAndSize) {
   std::string many;
   for (int i = 0; i <= limits::kMaxSettings; ++i) many += "key_" + std::to_string(i) + " = 1\n";

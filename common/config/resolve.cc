@@ -11,6 +11,7 @@
 #include "common/config/draft.h"
 #include "common/config/known_keys.h"
 #include "common/config/needs.h"
+#include "common/config/setting_limits.h"
 #include "common/config/settings_table.h"
 #include "common/config/suggest.h"
 #include "common/config/text.h"
@@ -27,18 +28,11 @@ std::string Quoted(std::string_view key, std::string_view value) {
 }
 
 absl::Status CheckLimits(std::span<const Setting> given) {
-  const auto count = static_cast<int64_t>(given.size());
-  if (count > limits::kMaxSettings) {
-    return LimitError(Reason::kRequestTooLarge, "settings", limits::kMaxSettings, count);
-  }
+  absl::Status status = CheckSettingCount(std::ssize(given));
   for (const Setting& setting : given) {
-    const auto size = static_cast<int64_t>(setting.key.size() + setting.value.size());
-    if (size > limits::kMaxSettingBytes) {
-      return LimitError(Reason::kRequestTooLarge, "bytes of one setting", limits::kMaxSettingBytes,
-                        size);
-    }
+    status.Update(CheckSettingSize(setting.key, setting.value));
   }
-  return absl::OkStatus();
+  return status;
 }
 
 /// The last value of each key by source, and what is said about the others.
@@ -135,11 +129,11 @@ class Reader {
   /// Within one source, a key that comes twice is likely a mistake; a request over a profile is
   /// not.
   void NoteOverridden(const Setting& setting, std::string_view value) {
-    std::string& last = last_[{setting.source, setting.key}];
-    if (!last.empty() && last != value) {
-      result_.no_effect.push_back(
-          fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
-    }
+    const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
+    std::string& last = entry->second;
+    if (first || last == value) return;
+    result_.no_effect.push_back(
+        fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
     last = std::string(value);
   }
 

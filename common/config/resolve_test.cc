@@ -558,6 +558,12 @@ TEST(Resolve, BoundsNumberAndSize) {
   const std::string big(limits::kMaxSettingBytes + 1, 'x');
   EXPECT_EQ(DetailOf(Refusal({{"start_gcode", big}})).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(Refusal({{big, "1"}})).reason, Reason::kRequestTooLarge);
+  const std::string half(limits::kMaxSettingBytes / 2 + 1, 'x');  // two that become one
+  for (const std::string at : {"start", "end"}) {
+    const absl::Status refusal = Refusal({{at + "_gcode", half}, {at + "_filament_gcode", half}});
+    EXPECT_EQ(DetailOf(refusal).reason, Reason::kRequestTooLarge) << refusal;
+    EXPECT_THAT(std::string(refusal.message()), HasSubstr(at + "_gcode"));
+  }
 }
 
 TEST(Resolve, ShortensLongValuesInReports) {

@@ -10,6 +10,7 @@
 #include "common/config/settings_sections.h"
 #include "common/config/text.h"
 #include "common/model/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {
@@ -192,7 +193,8 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kBedShape:
       return "three or more corners XxY";
     case Kind::kSizes:
-      return "up to 8 WIDTHxHEIGHT or WIDTHxHEIGHT/PNG, 1 to 1024 each";
+      return fmt::format("up to {} WIDTHxHEIGHT or WIDTHxHEIGHT/PNG, 1 to {} each",
+                         limits::kMaxThumbnails, limits::kMaxThumbnailPx);
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? "each feature's own" : spec.relative_to);

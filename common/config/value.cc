@@ -10,7 +10,7 @@
 #include "absl/status/status.h"
 #include "common/config/text.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/predicates.h"
+#include "common/geometry/simple_rings.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {
@@ -19,36 +19,11 @@ namespace {
 constexpr double kSteps = 1e6;
 constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a double
 constexpr size_t kMaxCorners = 1000;
-constexpr size_t kMaxThumbnails = 8;
-constexpr int kMaxThumbnailPx = 1024;
 constexpr std::string_view kOurFormat = "PNG";
 /// PrusaSlicer's.
 constexpr std::string_view kPictureFormats[] = {kOurFormat, "JPG", "QOI", "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
-
-/// True if the segments ab and cd have a point in common.
-bool Touch(Point a, Point b, Point c, Point d) {
-  const int abc = Orientation(a, b, c);
-  const int abd = Orientation(a, b, d);
-  const int cda = Orientation(c, d, a);
-  const int cdb = Orientation(c, d, b);
-  if (abc * abd < 0 && cda * cdb < 0) return true;
-  return OnSegment(c, a, b) || OnSegment(d, a, b) || OnSegment(a, c, d) || OnSegment(b, c, d);
-}
-
-/// No two edges meet, except neighbours in their common corner.
-bool Simple(const Polygon& ring) {
-  const size_t n = ring.size();
-  for (size_t i = 0; i < n; ++i) {
-    if (ring[i] == ring[(i + 1) % n]) return false;
-    for (size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;
-      if (Touch(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) return false;
-    }
-  }
-  return true;
-}
 
 absl::StatusOr<Point> ParseCorner(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "x");
@@ -79,9 +54,10 @@ absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
   std::array<int32_t, 2> size = {0, 0};
   for (int i = 0; i < 2; ++i) {
     const auto side = ToNumber(sides[i]);
-    if (!side.has_value() || *side != std::floor(*side) || *side < 1 || *side > kMaxThumbnailPx) {
+    if (!side.has_value() || *side != std::floor(*side) || *side < 1 ||
+        *side > limits::kMaxThumbnailPx) {
       return Malformed(
-          fmt::format("'{}' is not WIDTHxHEIGHT of 1 to {} pixels", text, kMaxThumbnailPx));
+          fmt::format("'{}' is not WIDTHxHEIGHT of 1 to {} pixels", text, limits::kMaxThumbnailPx));
     }
     size[i] = static_cast<int32_t>(*side);
   }
@@ -175,10 +151,12 @@ absl::StatusOr<Polygon> ParseBedShape(std::string_view text) {
     const auto point = ParseCorner(Trim(corner));
     if (!point.ok()) return point.status();
     bed.push_back(*point);
-    if (bed.size() > kMaxCorners) return Malformed("more than 1000 corners");
+    if (bed.size() > kMaxCorners)
+      return Malformed(fmt::format("more than {} corners", kMaxCorners));
   }
   if (bed.size() < 3) return Malformed("fewer than three corners");
-  if (!Simple(bed)) return Malformed("the outline crosses or touches itself");
+  const Polygon* const outline = &bed;
+  if (!AreSimple({&outline, 1})) return Malformed("the outline crosses or touches itself");
   if (SignedArea(bed) < 0) std::reverse(bed.begin(), bed.end());
   return bed;
 }
@@ -199,7 +177,9 @@ absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view 
     const auto size = ParseSize(Trim(item));
     if (!size.ok()) return size.status();
     sizes.push_back(*size);
-    if (sizes.size() > kMaxThumbnails) return Malformed("more than 8 pictures");
+    if (std::ssize(sizes) > limits::kMaxThumbnails) {
+      return Malformed(fmt::format("more than {} pictures", limits::kMaxThumbnails));
+    }
   }
   return sizes;
 }

@@ -45,7 +45,8 @@ absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
 /// `32x32, 300x300/PNG`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
-/// is PNG. Errors: another format, more than 8 pictures, a side outside [1, 1024].
+/// is PNG. Errors: another format, more than limits::kMaxThumbnails pictures, a side beyond
+/// limits::kMaxThumbnailPx.
 absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text);
 /// Whether `text`, as ParseSizes takes it, asks for no format but PNG.
 bool OnlyPng(std::string_view text);

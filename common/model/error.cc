@@ -63,11 +63,17 @@ Reason DefaultReason(absl::StatusCode code) {
   }
 }
 
-/// NUL-separated: reason, key, value, key, value, ... Metadata never holds NUL (MakeError sees to
-/// it).
+/// NUL-separated: reason, key, value, key, value, ... NUL in one of them becomes a space.
 std::string Encode(const ErrorDetail& detail) {
   std::string text(ReasonName(detail.reason));
-  for (const auto& [key, value] : detail.metadata) (((text += '\0') += key) += '\0') += value;
+  const auto add = [&text](std::string part) {
+    std::replace(part.begin(), part.end(), '\0', ' ');
+    (text += '\0') += part;
+  };
+  for (const auto& [key, value] : detail.metadata) {
+    add(key);
+    add(value);
+  }
   return text;
 }
 
@@ -100,7 +106,6 @@ std::optional<Reason> ReasonFromName(std::string_view name) {
 absl::Status MakeError(absl::StatusCode code, Reason reason, std::string_view message,
                        std::map<std::string, std::string> metadata) {
   absl::Status status(code, absl::string_view(message.data(), message.size()));
-  for (auto& [key, value] : metadata) std::replace(value.begin(), value.end(), '\0', ' ');
   status.SetPayload(kPayload, absl::Cord(Encode({reason, std::move(metadata)})));
   return status;
 }

@@ -46,5 +46,13 @@ TEST(Reason, NamesAreUniqueAndReadBack) {
   EXPECT_EQ(ReasonFromName("NO_SUCH"), std::nullopt);
 }
 
+TEST(MakeError, NulDoesNotShiftTheMetadata) {
+  const std::string nul(1, '\0');
+  const absl::Status status = MakeError(absl::StatusCode::kInternal, Reason::kInternal, "bad",
+                                        {{"a" + nul + "b", "x" + nul + "y"}, {"limit", "4"}});
+  const std::map<std::string, std::string> want = {{"a b", "x y"}, {"limit", "4"}};
+  EXPECT_EQ(DetailOf(status).metadata, want);
+}
+
 }  // namespace
 }  // namespace slicefarm

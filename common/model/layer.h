@@ -29,6 +29,7 @@ struct LayerRange {
   int32_t last = 0;
 
   int32_t size() const { return last - first; }
+  bool empty() const { return first == last; }
   bool Contains(int32_t index) const { return first <= index && index < last; }
   /// This range with `by` more layers on either side, cut to [0, layer_count).
   LayerRange Grown(int32_t by, int32_t layer_count) const;

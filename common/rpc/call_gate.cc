@@ -26,23 +26,17 @@ grpc::Status CallGate::Run(const grpc::ServerContext& context, std::string_view 
 
 void CallGate::Log(std::string_view method, const Call& call, double seconds,
                    const absl::Status& status) const {
-  const std::string name(method);
-  if (status.ok()) {
-    log_.Info("call", {{"method", name},
-                       {"job", call.job_id},
-                       {"layer_first", int64_t{call.layers.first}},
-                       {"layer_last", int64_t{call.layers.last - 1}},
-                       {"seconds", seconds}});
-    return;
+  LogFields fields = {{"method", std::string(method)}, {"job", call.job_id}};
+  if (!call.layers.empty()) {
+    fields.push_back({"layer_first", int64_t{call.layers.first}});
+    fields.push_back({"layer_last", int64_t{call.layers.last - 1}});
   }
-  log_.Warn("call failed", {{"method", name},
-                            {"job", call.job_id},
-                            {"layer_first", int64_t{call.layers.first}},
-                            {"layer_last", int64_t{call.layers.last - 1}},
-                            {"seconds", seconds},
-                            {"code", absl::StatusCodeToString(status.code())},
-                            {"reason", std::string(ReasonName(DetailOf(status).reason))},
-                            {"error", std::string(status.message())}});
+  fields.push_back({"seconds", seconds});
+  if (status.ok()) return log_.Info("call", fields);
+  fields.push_back({"code", absl::StatusCodeToString(status.code())});
+  fields.push_back({"reason", std::string(ReasonName(DetailOf(status).reason))});
+  fields.push_back({"error", std::string(status.message())});
+  log_.Warn("call failed", fields);
 }
 
 }  // namespace slicefarm::rpc

@@ -13,13 +13,18 @@ constexpr milliseconds kLookEvery{1};
 
 CallScope::Clock::time_point DeadlineOf(const grpc::ServerContext& context,
                                         milliseconds default_deadline) {
-  const auto left = context.deadline() - std::chrono::system_clock::now();
   const auto now = CallScope::Clock::now();
-  constexpr std::chrono::hours kNone{24 * 365};  // gRPC's infinity lies beyond
-  return now + (left > kNone ? default_deadline : std::chrono::duration_cast<milliseconds>(left));
+  if (!HasDeadline(context)) return now + default_deadline;
+  return now + std::chrono::duration_cast<milliseconds>(context.deadline() -
+                                                        std::chrono::system_clock::now());
 }
 
 }  // namespace
+
+bool HasDeadline(const grpc::ServerContext& context) {
+  constexpr std::chrono::hours kFar{24 * 365};  // gRPC's infinity lies beyond
+  return context.deadline() - std::chrono::system_clock::now() <= kFar;
+}
 
 CallScope::CallScope(const grpc::ServerContext& context, milliseconds default_deadline)
     : context_(context), deadline_(DeadlineOf(context, default_deadline)) {}

@@ -12,6 +12,9 @@
 
 namespace slicefarm::rpc {
 
+/// Whether the client of the call set a deadline.
+bool HasDeadline(const grpc::ServerContext& context);
+
 /// Until when a call is worth working on, and whether its caller still waits: what a handler hands
 /// on to the algorithm. Lives as long as the handler runs. Thread-safe.
 class CallScope {

@@ -24,7 +24,7 @@ std::string ValueText(const LogField& field) {
 }
 
 /// What stands between the fields of the pattern and the closing brace.
-std::string Body(std::string_view message, LogFields fields) {
+std::string Body(std::string_view message, const LogFields& fields) {
   std::string body = Quoted(message);
   for (const LogField& field : fields) {
     ((body += ',') += Quoted(field.name)) += ':';
@@ -48,15 +48,15 @@ JsonLog::JsonLog(std::string_view service, std::shared_ptr<spdlog::logger> logge
   logger_->flush_on(spdlog::level::info);
 }
 
-void JsonLog::Info(std::string_view message, LogFields fields) const {
+void JsonLog::Info(std::string_view message, const LogFields& fields) const {
   logger_->info("{}", Body(message, fields));
 }
 
-void JsonLog::Warn(std::string_view message, LogFields fields) const {
+void JsonLog::Warn(std::string_view message, const LogFields& fields) const {
   logger_->warn("{}", Body(message, fields));
 }
 
-void JsonLog::Error(std::string_view message, LogFields fields) const {
+void JsonLog::Error(std::string_view message, const LogFields& fields) const {
   logger_->error("{}", Body(message, fields));
 }
 

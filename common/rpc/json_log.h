@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace spdlog {
 class logger;
@@ -19,7 +20,7 @@ struct LogField {
   std::string_view name;
   std::variant<int64_t, double, std::string> value;
 };
-using LogFields = std::initializer_list<LogField>;
+using LogFields = std::vector<LogField>;
 
 /// Logs to stderr, one JSON object a line:
 ///   {"ts":"2026-11-21T12:00:00.123Z","level":"info","svc":"beading","msg":"range
@@ -33,9 +34,9 @@ class JsonLog {
   /// For tests: through a logger with sinks of its own.
   JsonLog(std::string_view service, std::shared_ptr<spdlog::logger> logger);
 
-  void Info(std::string_view message, LogFields fields = {}) const;
-  void Warn(std::string_view message, LogFields fields = {}) const;
-  void Error(std::string_view message, LogFields fields = {}) const;
+  void Info(std::string_view message, const LogFields& fields = {}) const;
+  void Warn(std::string_view message, const LogFields& fields = {}) const;
+  void Error(std::string_view message, const LogFields& fields = {}) const;
 
  private:
   std::shared_ptr<spdlog::logger> logger_;  // shared: the sinks outlive whoever logs last

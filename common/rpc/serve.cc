@@ -44,9 +44,6 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
                  "Calls worked on at once; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_option("--threads", flags->threads, "Threads that one call may use")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
   app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();

@@ -24,11 +24,10 @@ struct ServeFlags {
   ServerOptions server;
   int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
   int max_concurrent = 0;  ///< 0: as many as the machine has cores
-  int threads = 1;         ///< that one call may use
   int drain_s = 30;
 };
 
-/// --listen, --metrics-port, --max-concurrent, --threads, --drain, and --version.
+/// --listen, --metrics-port, --max-concurrent, --drain, and --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
 /// The life of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
@@ -63,8 +62,7 @@ class ServerProgram {
 std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
                                    const std::string& about, ServeFlags* flags);
 
-/// main() of the server program of one stage. `Service`: made of a stage, a gate and the threads of
-/// a call.
+/// main() of the server program of one stage. `Service`: made of a stage and a gate.
 template <typename Service, typename Stage>
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const Stage& stage) {
@@ -72,7 +70,7 @@ int ServeStage(int argc, char** argv, const std::string& name, const std::string
   ServeFlags flags;
   if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
   CallGate gate(program.GateOptions(flags), program.log());
-  Service service(stage, gate, flags.threads);
+  Service service(stage, gate);
   return program.Run(flags, {&service});
 }
 

@@ -67,8 +67,4 @@ void Server::Drain(std::chrono::milliseconds patience) {
   server_->Wait();
 }
 
-std::shared_ptr<grpc::Channel> Server::InProcessChannel() {
-  return server_->InProcessChannel(grpc::ChannelArguments());
-}
-
 }  // namespace slicefarm::rpc

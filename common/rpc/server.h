@@ -39,9 +39,6 @@ class Server {
   /// cancels what is left after `patience`.
   void Drain(std::chrono::milliseconds patience);
 
-  /// For clients in this process.
-  std::shared_ptr<grpc::Channel> InProcessChannel();
-
  private:
   Server(std::unique_ptr<grpc::Server> server, int port)
       : server_(std::move(server)), port_(port) {}

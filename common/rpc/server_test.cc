@@ -282,19 +282,16 @@ TEST_F(ServerTest, DrainingFinishesWhatIsInFlight) {
   });
   auto call = std::async(std::launch::async, [&] { return CallFrame(); });
   begun.Await();
+  const auto channel = MakeChannel(Address());
+  const auto far = std::chrono::system_clock::now() + seconds(60);
+  ASSERT_TRUE(channel->WaitForConnected(far));
   auto drain = std::async(std::launch::async, [&] { server_->Drain(seconds(60)); });
-  // New calls are refused as soon as the drain has begun; a late one may still come in before.
-  auto refused = std::async(std::launch::async, [&] {
-    const auto channel = MakeChannel(Address());
-    grpc::Status status;
-    do {
-      grpc::ClientContext context;
-      context.set_deadline(std::chrono::system_clock::now() + milliseconds(20));
-      v1::ProgramFrame response;
-      status = v1::Motion::NewStub(channel)->FrameProgram(&context, {}, &response);
-    } while (status.error_code() != grpc::StatusCode::UNAVAILABLE);
-  });
-  refused.get();
+  // As soon as the drain has begun, connections are told to go, and new calls are refused.
+  ASSERT_TRUE(channel->WaitForStateChange(GRPC_CHANNEL_READY, far));
+  grpc::ClientContext context;
+  v1::ProgramFrame response;
+  const grpc::Status refused = v1::Motion::NewStub(channel)->FrameProgram(&context, {}, &response);
+  EXPECT_EQ(refused.error_code(), grpc::StatusCode::UNAVAILABLE);
   EXPECT_EQ(drain.wait_for(milliseconds(0)), std::future_status::timeout);
   go_on.Happen();
   EXPECT_TRUE(call.get().ok());

@@ -14,6 +14,7 @@ namespace slicefarm::rpc {
 namespace {
 
 constexpr size_t kMaxMessageBytes = 2048;
+constexpr int64_t kMaxRetryAfterS = 24 * 3600;
 constexpr size_t kMaxValueBytes = 512;
 constexpr size_t kMaxValues = 8;
 
@@ -108,7 +109,8 @@ absl::Status FromGrpc(const grpc::Status& status) {
       metadata.insert(info.metadata().begin(), info.metadata().end());
     } else if (any.UnpackTo(&retry)) {
       const auto& delay = retry.retry_delay();
-      metadata[kRetryAfterMs] = std::to_string(delay.seconds() * 1000 + delay.nanos() / 1'000'000);
+      const int64_t seconds = std::clamp<int64_t>(delay.seconds(), 0, kMaxRetryAfterS);
+      metadata[kRetryAfterMs] = std::to_string(seconds * 1000 + delay.nanos() / 1'000'000);
     }
   }
   return MakeError(static_cast<absl::StatusCode>(status.error_code()), reason,

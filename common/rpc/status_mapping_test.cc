@@ -71,6 +71,17 @@ TEST(StatusMapping, RetryAfterTravelsAsRetryInfo) {
               ElementsAre(Pair("limit", "4"), Pair(kRetryAfterMs, "1250")));
 }
 
+TEST(StatusMapping, ARetryInfoThatCannotBeIsBounded) {
+  google::rpc::RetryInfo retry;
+  retry.mutable_retry_delay()->set_seconds(std::numeric_limits<int64_t>::max());
+  google::rpc::Status details;
+  details.set_code(8);
+  details.add_details()->PackFrom(retry);
+  const grpc::Status status(grpc::StatusCode::RESOURCE_EXHAUSTED, "full",
+                            details.SerializeAsString());
+  EXPECT_THAT(DetailOf(FromGrpc(status)).metadata, ElementsAre(Pair(kRetryAfterMs, "86400000")));
+}
+
 TEST(StatusMapping, ErrorsWithoutDetailGetTheReasonOfTheirCode) {
   EXPECT_EQ(DetailOf(FromGrpc(ToGrpc(absl::CancelledError("x")))).reason, Reason::kCancelled);
   EXPECT_EQ(DetailOf(FromGrpc(ToGrpc(absl::UnknownError("x")))).reason, Reason::kInternal);

@@ -5,11 +5,12 @@
 #include <algorithm>
 
 #include "common/model/error.h"
+#include "common/rpc/call_scope.h"
 
 namespace slicefarm::rpc {
 namespace {
 
-constexpr std::chrono::hours kFar{24 * 365};  // gRPC's infinity lies beyond
+constexpr std::chrono::hours kFar{24 * 365};
 
 }  // namespace
 
@@ -49,13 +50,13 @@ StreamWatch::Clock::time_point StreamWatch::CutWhatIsDue() {
 
 StreamWatch::Guard::Guard(StreamWatch& watch, grpc::ServerContext& context) : watch_(watch) {
   const Clock::time_point now = Clock::now();
-  const bool unlimited = context.deadline() - std::chrono::system_clock::now() > kFar;
   const Clock::time_point deadline =
-      now + (unlimited ? watch.times_.default_deadline : kFar);  // gRPC keeps the client's own one
+      now +
+      (HasDeadline(context) ? kFar : watch.times_.default_deadline);  // gRPC keeps the client's
   {
     const std::lock_guard lock(watch_.mutex_);
-    entry_ = watch_.entries_.emplace(watch_.entries_.end(), context, deadline,
-                                     now + watch_.times_.idle);
+    entry_ =
+        watch_.entries_.emplace(watch_.entries_.end(), context, deadline, now + watch_.times_.idle);
   }
   watch_.changed_.notify_one();
 }

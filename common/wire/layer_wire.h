@@ -57,6 +57,19 @@ LayerRange RangeOf(const Layers& layers) {
   return {layers.front().frame.index, layers.back().frame.index + 1};
 }
 
+/// Appends a converted layer, which must follow the one before, so that a peer that sends without
+/// end is refused early.
+template <typename Layer>
+absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers) {
+  if (!layer.ok()) return layer.status();
+  layers->push_back(*std::move(layer));
+  const auto count = static_cast<int32_t>(layers->size());
+  if (layers->back().frame.index == layers->front().frame.index + count - 1) {
+    return absl::OkStatus();
+  }
+  return Malformed("layer", "does not follow the one before");
+}
+
 /// Layers come one after the other, bottom up.
 template <typename Layers>
 absl::Status CheckConsecutive(const Layers& layers) {

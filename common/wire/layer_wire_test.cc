@@ -275,6 +275,13 @@ TEST(LayerWire, NeighbourhoodSurroundsTheRange) {
   EXPECT_FALSE(check(gap));
 }
 
+TEST(LayerWire, ALayerThatDoesNotFollowIsRefusedAtOnce) {
+  std::vector<SlicedLayer> layers;
+  EXPECT_TRUE(AppendNext<SlicedLayer>(Stack(4, 5)[0], &layers).ok());
+  EXPECT_TRUE(AppendNext<SlicedLayer>(Stack(5, 6)[0], &layers).ok());
+  EXPECT_FALSE(AppendNext<SlicedLayer>(Stack(5, 6)[0], &layers).ok());
+}
+
 TEST(LayerWire, LayersOfTheRangeAreOneEach) {
   const auto check = [](const std::vector<SlicedLayer>& layers) {
     return CheckLayersOfRange(layers, {4, 6}).ok();

@@ -16,17 +16,15 @@ namespace slicefarm {
 /// Reading and writing the messages of a call one by one, at either end of it. A Stream has
 /// Read(Message*) and Write(const Message&); both tell by false that there is no more.
 
-/// What the first message of a call says; it must hold `start`. Who serves the call says how it is
-/// cancelled and what it may use.
+/// What the first message of a call says; it must hold `start`.
 template <typename Request, typename Stream>
-auto ReadStart(Stream& stream, const CancelToken& cancel, int threads)
+auto ReadStart(Stream& stream, const CancelToken& cancel)
     -> decltype(FromProto(std::declval<Request>().start())) {
   Request first;
   if (!stream.Read(&first) || !first.has_start()) return Malformed("start", "does not come first");
   auto start = FromProto(first.start());
   if (!start.ok()) return Within("start", start.status());
   start->call.cancel = cancel;
-  start->call.threads = threads;
   return start;
 }
 
@@ -66,8 +64,9 @@ absl::Status Append(absl::StatusOr<Model> model, std::vector<Model>* models) {
 template <typename Request, typename Start, typename Stream>
 absl::StatusOr<std::vector<SlicedLayer>> ReadNeighbourhood(Stream& stream, const Start& start) {
   std::vector<SlicedLayer> layers;
-  absl::Status status = ReadEach<Request>(
-      stream, [&](const Request& request) { return Append(FromProto(request.layer()), &layers); });
+  absl::Status status = ReadEach<Request>(stream, [&](const Request& request) {
+    return AppendNext(FromProto(request.layer()), &layers);
+  });
   status.Update(start.call.cancel.Check());
   status.Update(CheckNeighbourhood(layers, start.range, start.layer_count));
   if (!status.ok()) return status;

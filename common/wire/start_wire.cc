@@ -28,8 +28,7 @@ absl::StatusOr<LayersStart<Options>> TakeStart(const Proto& proto) {
 
 template <typename Options, typename Proto>
 void PutRangeStart(const RangeStart<Options>& start, Proto* proto) {
-  *proto->mutable_call() = ToProto(start.call);
-  *proto->mutable_options() = ToProto(start.options);
+  PutStart(start, proto);
   *proto->mutable_range() = ToProto(start.range);
   proto->set_layer_count(start.layer_count);
 }
@@ -40,8 +39,7 @@ absl::StatusOr<RangeStart<Options>> TakeRangeStart(const Proto& proto) {
   if (!start.ok()) return start.status();
   const absl::StatusOr<LayerRange> range = FromProto(proto.range(), proto.layer_count());
   if (!range.ok()) return range.status();
-  return RangeStart<Options>{std::move(start->call), std::move(start->options), *range,
-                             proto.layer_count()};
+  return RangeStart<Options>{*std::move(start), *range, proto.layer_count()};
 }
 
 }  // namespace

@@ -19,22 +19,20 @@ namespace slicefarm {
 /// settings_wire.h, with the way to the field.
 
 template <typename Options>
-struct RangeStart {
-  StageCall call;
-  Options options;
-  LayerRange range;
-  int32_t layer_count = 0;
-};
-using BeadStart = RangeStart<BeadingOptions>;
-using FillStart = RangeStart<InfillOptions>;
-
-template <typename Options>
 struct LayersStart {
   StageCall call;
   Options options;
 };
 using OrderStart = LayersStart<OrderingOptions>;
 using ProgramStart = LayersStart<MotionOptions>;
+
+template <typename Options>
+struct RangeStart : LayersStart<Options> {
+  LayerRange range;
+  int32_t layer_count = 0;
+};
+using BeadStart = RangeStart<BeadingOptions>;
+using FillStart = RangeStart<InfillOptions>;
 
 struct WorkStart {
   StageCall call;

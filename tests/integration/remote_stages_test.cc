@@ -104,7 +104,6 @@ TEST(RemoteStages, BeadingGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.beading_options, sample.settings.beading);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
-  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
 }
 
 TEST(RemoteStages, InfillGivesAndTakesAll) {
@@ -119,7 +118,6 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.walled, sample.walled);
   EXPECT_EQ(farm.fakes.infill_options, sample.settings.infill);
-  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
 }
 
 TEST(RemoteStages, OrderingGivesAndTakesAll) {
@@ -132,7 +130,6 @@ TEST(RemoteStages, OrderingGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.filled, sample.filled);
   EXPECT_EQ(farm.fakes.plans, sample.plans);
   EXPECT_EQ(farm.fakes.ordering_options, sample.settings.ordering);
-  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
 }
 
 TEST(RemoteStages, MotionGivesAndTakesAll) {
@@ -143,7 +140,6 @@ TEST(RemoteStages, MotionGivesAndTakesAll) {
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
-  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
 }
 
 TEST(RemoteStages, FrameGivesAndTakesAll) {
@@ -171,7 +167,6 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.plans, sample.plans);
   EXPECT_EQ(farm.fakes.settings, sample.settings);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
-  EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
 }
 
 /// What holds for every call of every stage.

@@ -18,11 +18,11 @@ StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gat
                      const rpc::ServerOptions& options)
     : gate_(gate, NoLog()),
       slicing_(stages.slicing, gate_, kThreads),
-      beading_(stages.beading, gate_, kThreads),
-      infill_(stages.infill, gate_, kThreads),
-      ordering_(stages.ordering, gate_, kThreads),
-      motion_(stages.motion, gate_, kThreads),
-      worker_(stages.runner, gate_, kThreads) {
+      beading_(stages.beading, gate_),
+      infill_(stages.infill, gate_),
+      ordering_(stages.ordering, gate_),
+      motion_(stages.motion, gate_),
+      worker_(stages.runner, gate_) {
   auto server = rpc::Server::Start(
       options, {&slicing_, &beading_, &infill_, &ordering_, &motion_, &worker_}, call_metrics_);
   if (!server.ok()) {

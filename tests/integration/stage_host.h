@@ -29,7 +29,7 @@ struct HostedStages {
 /// All services of the stages and the worker behind one real socket.
 class StageHost {
  public:
-  static constexpr int kThreads = 3;  ///< StageCall.threads as the stages see it
+  static constexpr int kThreads = 3;  ///< StageCall.threads as the slicing stage sees it
 
   explicit StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate = {4, 0},
                      const rpc::ServerOptions& options = {});

@@ -16,7 +16,7 @@ grpc::Status BeadingService::BeadLayers(
 }
 
 absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<BeadStart> start = ReadStart<v1::BeadRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<BeadStart> start = ReadStart<v1::BeadRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;

@@ -10,9 +10,8 @@ namespace slicefarm::beading {
 /// Translates slicefarm.v1.Beading to a BeadingStage and back.
 class BeadingService final : public v1::Beading::Service {
  public:
-  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
-  BeadingService(const BeadingStage& stage, rpc::CallGate& gate, int threads)
-      : stage_(stage), gate_(gate), threads_(threads) {}
+  /// `stage` and `gate` must outlive the service.
+  BeadingService(const BeadingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
 
   grpc::Status BeadLayers(
       grpc::ServerContext* context,
@@ -24,7 +23,6 @@ class BeadingService final : public v1::Beading::Service {
 
   const BeadingStage& stage_;
   rpc::CallGate& gate_;
-  const int threads_;
 };
 
 }  // namespace slicefarm::beading

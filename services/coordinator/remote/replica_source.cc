@@ -1,31 +1,19 @@
 #include "services/coordinator/remote/replica_source.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <thread>
 
 #include "common/model/error.h"
-#include "common/rpc/status_mapping.h"
+#include "common/rpc/retry_after.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kPollCancel{20};
+/// A server that does not say when to come again is not asked without a pause.
+constexpr milliseconds kLeastWait{20};
 constexpr milliseconds kMaxWait{2'000};
-
-milliseconds WaitAskedFor(const absl::Status& status) {
-  const ErrorDetail detail = DetailOf(status);
-  const auto asked = detail.metadata.find(rpc::kRetryAfterMs);
-  int64_t ms = 0;
-  if (asked != detail.metadata.end()) {
-    const std::string& text = asked->second;
-    std::from_chars(text.data(), text.data() + text.size(), ms);
-  }
-  return std::clamp(milliseconds(ms), kPollCancel, kMaxWait);
-}
 
 }  // namespace
 
@@ -38,11 +26,7 @@ bool IsOverloaded(const absl::Status& status) {
 }
 
 absl::Status AwaitRetry(const absl::Status& overloaded, const CancelToken& cancel) {
-  for (milliseconds left = WaitAskedFor(overloaded); left > milliseconds(0); left -= kPollCancel) {
-    if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    std::this_thread::sleep_for(std::min(left, kPollCancel));
-  }
-  return cancel.Check();
+  return rpc::AwaitRetry(std::clamp(rpc::RetryAfter(overloaded), kLeastWait, kMaxWait), cancel);
 }
 
 absl::Status SingleReplica::Call(const CancelToken& cancel, const Attempt& attempt) {

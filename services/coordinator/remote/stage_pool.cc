@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -80,6 +79,7 @@ void StagePool::Update(const std::vector<std::string>& addresses) {
     }
     replicas_.swap(updated);
     for (const auto& replica : replicas_) replica->channel->GetState(/*try_to_connect=*/true);
+    updated_.notify_all();
   }
   log_.Info("replicas",
             {{"stage", stage_}, {"addresses", fmt::format("{}", fmt::join(addresses, ","))}});
@@ -148,16 +148,13 @@ absl::StatusOr<std::shared_ptr<StagePool::Replica>> StagePool::AwaitPick(
   }
 }
 
-/// Until the first channel changes its state, or for kPoll.
+/// Until there is a replica and the first channel changes its state, or for kPoll.
 void StagePool::AwaitChange() const {
   std::shared_ptr<grpc::Channel> channel;
   {
-    const std::lock_guard lock(mutex_);
-    if (!replicas_.empty()) channel = replicas_.front()->channel;
-  }
-  if (channel == nullptr) {
-    std::this_thread::sleep_for(kPoll);
-    return;
+    std::unique_lock lock(mutex_);
+    if (!updated_.wait_for(lock, kPoll, [this] { return !replicas_.empty(); })) return;
+    channel = replicas_.front()->channel;
   }
   channel->WaitForStateChange(channel->GetState(true), std::chrono::system_clock::now() + kPoll);
 }

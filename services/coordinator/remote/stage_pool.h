@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -40,9 +41,6 @@ class StagePool : public ReplicaSource {
   /// The addresses at the moment, reachable or not.
   std::vector<std::string> Addresses() const;
 
-  /// Looks the names up again, soon.
-  void Refresh() { watch_.Refresh(); }
-
  private:
   struct Replica;
   using Members = std::vector<std::shared_ptr<Replica>>;  // shared: a call may outlive a membership
@@ -61,6 +59,7 @@ class StagePool : public ReplicaSource {
   const rpc::JsonLog log_;
   const StagePoolOptions options_;
   mutable std::mutex mutex_;
+  mutable std::condition_variable updated_;  ///< there are other replicas
   Members replicas_;
   int64_t turn_ = 0;
   AddressWatch watch_;  ///< the last member: its thread uses the others

@@ -33,9 +33,6 @@ class WorkerPool {
   /// Addresses of the workers that have joined.
   std::vector<std::string> Joined() const;
 
-  /// Looks the names up again, soon.
-  void Refresh() { watch_->Refresh(); }
-
  private:
   struct Greeting;
   struct Member;

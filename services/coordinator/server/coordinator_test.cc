@@ -546,6 +546,23 @@ TEST_F(CoordinatorTest, CancelOfAWaitingJobEndsItAtOnce) {
   EXPECT_EQ(AwaitEnd(b).state(), v1::JOB_STATE_SUCCEEDED);
 }
 
+TEST_F(CoordinatorTest, AnUploadGoesOnWithinItsMesh) {
+  for (const int64_t offset : {int64_t{-1}, int64_t{4}, std::numeric_limits<int64_t>::max()}) {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    v1::UploadMeshRequest request;
+    request.set_sha256(Sha256Hex("xxx"));
+    request.set_size(3);
+    request.set_write_offset(offset);
+    request.set_data("xxx");
+    stream->Write(request);
+    stream->WritesDone();
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
+  }
+}
+
 TEST_F(CoordinatorTest, WatchTellsTheWholeStoryFromAnyPoint) {
   ranges_->Hold();
   const std::string id = Submit("xxxx");

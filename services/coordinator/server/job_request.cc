@@ -8,14 +8,10 @@
 #include "common/model/error.h"
 #include "common/model/limits.h"
 #include "common/model/sha256.h"
+#include "common/wire/wire_error.h"
 
 namespace slicefarm::coordinator {
 namespace {
-
-absl::Status Malformed(const std::string& message, const std::string& field) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message,
-                   {{"field", field}});
-}
 
 bool HasControlCharacter(std::string_view text) {
   return std::any_of(text.begin(), text.end(),
@@ -27,8 +23,7 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
     return fmt::format("objects[{}].{}", index, name);
   };
   if (!IsSha256Hex(object.mesh_sha256)) {
-    return Malformed("a mesh is named by its SHA-256, 64 lower-case hex digits",
-                     field("mesh_sha256"));
+    return Malformed(field("mesh_sha256"), "is not a SHA-256, 64 lower-case hex digits");
   }
   const auto name_bytes = static_cast<int64_t>(object.name.size());
   if (name_bytes > limits::kMaxNameBytes) {
@@ -37,7 +32,7 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
   }
   // Names end up in G-code comments, where a line end would begin a command.
   if (HasControlCharacter(object.name)) {
-    return Malformed("an object's name has no control characters", field("name"));
+    return Malformed(field("name"), "has control characters");
   }
   return absl::OkStatus();
 }
@@ -67,7 +62,7 @@ std::string ActionText(const JobRequest& request, const config::ResolvedSettings
 }  // namespace
 
 absl::Status CheckRequest(const JobRequest& request) {
-  if (request.objects.empty()) return Malformed("a job has at least one object", "objects");
+  if (request.objects.empty()) return Malformed("objects", "are missing: a job has at least one");
   int64_t copies = 0;
   for (size_t i = 0; i < request.objects.size(); ++i) {
     if (absl::Status ok = CheckObject(request.objects[i], i); !ok.ok()) return ok;

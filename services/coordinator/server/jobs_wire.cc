@@ -158,6 +158,7 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
   then.state = event.state;
   then.layers_total = event.layers_total;
   then.layers_done = event.layers_done;
+  if (event.time_us < job.start_us) then.start_us = 0;
   if (!IsTerminal(event.state)) {
     then.end_us = 0;
     then.error.reset();

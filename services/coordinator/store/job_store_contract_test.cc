@@ -423,6 +423,17 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
 }
 
+TEST_P(JobStoreTest, ARequestIdGoesWithItsJob) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, 1)->fresh);
+  ASSERT_TRUE(store_->RequestCancel("a", 2).ok());
+  ASSERT_TRUE(store_->Delete("a").ok());
+  const auto again = store_->Create(job, 3);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->fresh);
+}
+
 TEST_P(JobStoreTest, DeleteIsForEndedJobs) {
   Make("a");
   EXPECT_EQ(DetailOf(store_->Delete("a").status()).reason, Reason::kJobNotFinished);

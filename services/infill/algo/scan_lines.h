@@ -66,7 +66,7 @@ struct ScanLines {
 /// meets every ring an even number of times whatever vertices it passes through.
 ///
 /// Precision: ends are rounded once to nm; they lie within 1 nm of the boundary.
-/// Errors: ResourceExhausted with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
+/// Errors: InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
 /// limits::kMaxLinesPerFill; found before anything is allocated for them.
 /// Cost: O(n + k + k log k'), n points, k crossings, at most k' of them on one line.
 absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family);

@@ -17,15 +17,15 @@ grpc::Status InfillService::FillLayers(
 }
 
 absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<FillStart> start = ReadStart<v1::FillRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;
   std::vector<SlicedLayer> neighbours;
   std::vector<WalledLayer> walled;
   absl::Status status = ReadEach<v1::FillRequest>(stream, [&](const v1::FillRequest& request) {
-    return request.has_neighbour() ? Append(FromProto(request.neighbour()), &neighbours)
-                                   : Append(FromProto(request.layer()), &walled);
+    return request.has_neighbour() ? AppendNext(FromProto(request.neighbour()), &neighbours)
+                                   : AppendNext(FromProto(request.layer()), &walled);
   });
   status.Update(call.cancel.Check());
   status.Update(CheckNeighbourhood(neighbours, start->range, start->layer_count));

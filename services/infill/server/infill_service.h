@@ -10,9 +10,8 @@ namespace slicefarm::infill {
 /// Translates slicefarm.v1.Infill to an InfillStage and back.
 class InfillService final : public v1::Infill::Service {
  public:
-  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
-  InfillService(const InfillStage& stage, rpc::CallGate& gate, int threads)
-      : stage_(stage), gate_(gate), threads_(threads) {}
+  /// `stage` and `gate` must outlive the service.
+  InfillService(const InfillStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
 
   grpc::Status FillLayers(
       grpc::ServerContext* context,
@@ -24,7 +23,6 @@ class InfillService final : public v1::Infill::Service {
 
   const InfillStage& stage_;
   rpc::CallGate& gate_;
-  const int threads_;
 };
 
 }  // namespace slicefarm::infill

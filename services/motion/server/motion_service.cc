@@ -21,16 +21,15 @@ grpc::Status MotionService::ProgramLayers(
 }
 
 absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<ProgramStart> start = ReadStart<v1::ProgramRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   std::vector<OrderedLayer> layers;
   absl::Status status =
       ReadEach<v1::ProgramRequest>(stream, [&](const v1::ProgramRequest& request) {
-        return Append(FromProto(request.layer()), &layers);
+        return AppendNext(FromProto(request.layer()), &layers);
       });
   status.Update(call.cancel.Check());
-  status.Update(CheckConsecutive(layers));
   if (!status.ok()) return status;
   call.layers = RangeOf(layers);
 
@@ -60,7 +59,6 @@ absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& reque
   if (!summary.ok()) return summary.status();
   call.job_id = stage_call->job_id;
   stage_call->cancel = call.cancel;
-  stage_call->threads = threads_;
   absl::StatusOr<ProgramFrame> frame = stage_.Frame(*stage_call, *summary, *options);
   if (!frame.ok()) return frame.status();
   *response = ToProto(*std::move(frame));

@@ -10,9 +10,8 @@ namespace slicefarm::motion {
 /// Translates slicefarm.v1.Motion to a MotionStage and back.
 class MotionService final : public v1::Motion::Service {
  public:
-  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
-  MotionService(const MotionStage& stage, rpc::CallGate& gate, int threads)
-      : stage_(stage), gate_(gate), threads_(threads) {}
+  /// `stage` and `gate` must outlive the service.
+  MotionService(const MotionStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
 
   grpc::Status ProgramLayers(
       grpc::ServerContext* context,
@@ -29,7 +28,6 @@ class MotionService final : public v1::Motion::Service {
 
   const MotionStage& stage_;
   rpc::CallGate& gate_;
-  const int threads_;
 };
 
 }  // namespace slicefarm::motion

@@ -17,18 +17,17 @@ grpc::Status OrderingService::OrderLayers(
 }
 
 absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<OrderStart> start = ReadStart<v1::OrderRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   std::vector<FilledLayer> layers;
   std::vector<LayerPlan> plans;
   absl::Status status = ReadEach<v1::OrderRequest>(stream, [&](const v1::OrderRequest& request) {
-    absl::Status appended = Append(FromProto(request.layer().layer()), &layers);
+    absl::Status appended = AppendNext(FromProto(request.layer().layer()), &layers);
     appended.Update(Append(FromProto(request.layer().plan()), &plans));
     return appended;
   });
   status.Update(call.cancel.Check());
-  status.Update(CheckConsecutive(layers));
   if (!status.ok()) return status;
   call.layers = RangeOf(layers);
 

@@ -10,9 +10,8 @@ namespace slicefarm::ordering {
 /// Translates slicefarm.v1.Ordering to an OrderingStage and back.
 class OrderingService final : public v1::Ordering::Service {
  public:
-  /// `stage` and `gate` must outlive the service. `threads`: what one call may use.
-  OrderingService(const OrderingStage& stage, rpc::CallGate& gate, int threads)
-      : stage_(stage), gate_(gate), threads_(threads) {}
+  /// `stage` and `gate` must outlive the service.
+  OrderingService(const OrderingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
 
   grpc::Status OrderLayers(
       grpc::ServerContext* context,
@@ -24,7 +23,6 @@ class OrderingService final : public v1::Ordering::Service {
 
   const OrderingStage& stage_;
   rpc::CallGate& gate_;
-  const int threads_;
 };
 
 }  // namespace slicefarm::ordering

@@ -1,8 +1,22 @@
+#include <CLI/CLI.hpp>
+
 #include "common/rpc/serve.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/server/slicing_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::slicing::SlicingService>(
-      argc, argv, "slicing", "Meshes to outlines", *slicefarm::slicing::MakeLocalSlicing());
+  slicefarm::rpc::ServerProgram program("slicing");
+  CLI::App app("slicefarm-slicing: Meshes to outlines, as a gRPC service");
+  slicefarm::rpc::ServeFlags flags;
+  AddServeFlags(app, &flags);
+  int threads = 1;
+  app.add_option("--threads", threads, "Threads that one call may use")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+
+  const auto stage = slicefarm::slicing::MakeLocalSlicing();
+  slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
+  slicefarm::slicing::SlicingService service(*stage, gate, threads);
+  return program.Run(flags, {&service});
 }

@@ -17,7 +17,7 @@ grpc::Status SlicingService::Slice(
 }
 
 absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   absl::Status status = ReadEach<v1::SliceRequest>(
@@ -27,6 +27,7 @@ absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
   absl::StatusOr<SliceInput> input = start->files.Finish();
   if (!input.ok()) return input.status();
 
+  start->call.threads = threads_;
   const absl::StatusOr<SlicedJob> job =
       stage_.Slice(start->call, *std::move(input), start->options);
   if (!job.ok()) return job.status();

@@ -23,6 +23,6 @@ int main(int argc, char** argv) {
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const slicefarm::LayerChain chain(*beading, *infill, *ordering, *motion);
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
-  slicefarm::worker::WorkerService service(chain, gate, flags.threads);
+  slicefarm::worker::WorkerService service(chain, gate);
   return program.Run(flags, {&service});
 }

@@ -26,7 +26,7 @@ grpc::Status WorkerService::GetWorkerInfo(grpc::ServerContext* /*context*/,
 }
 
 absl::Status WorkerService::Work(rpc::Call& call, Stream& stream) const {
-  absl::StatusOr<WorkStart> start = ReadStart<v1::WorkRequest>(stream, call.cancel, threads_);
+  absl::StatusOr<WorkStart> start = ReadStart<v1::WorkRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
   call.layers = start->range;

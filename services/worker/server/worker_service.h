@@ -10,9 +10,8 @@ namespace slicefarm::worker {
 /// Translates slicefarm.v1.Worker to a RangeRunner and back. The gate's slots are the worker's.
 class WorkerService final : public v1::Worker::Service {
  public:
-  /// `runner` and `gate` must outlive the service. `threads`: what one call may use.
-  WorkerService(const RangeRunner& runner, rpc::CallGate& gate, int threads)
-      : runner_(runner), gate_(gate), threads_(threads) {}
+  /// `runner` and `gate` must outlive the service.
+  WorkerService(const RangeRunner& runner, rpc::CallGate& gate) : runner_(runner), gate_(gate) {}
 
   grpc::Status WorkRange(
       grpc::ServerContext* context,
@@ -27,7 +26,6 @@ class WorkerService final : public v1::Worker::Service {
 
   const RangeRunner& runner_;
   rpc::CallGate& gate_;
-  const int threads_;
 };
 
 }  // namespace slicefarm::worker

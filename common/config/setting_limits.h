@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "absl/status/status.h"
+
+namespace slicefarm::config {
+
+/// How much anyone may set. Errors: REQUEST_TOO_LARGE with `limit` and `got`.
+absl::Status CheckSettingSize(std::string_view key, std::string_view value);
+absl::Status CheckSettingCount(int64_t count);
+
+}  // namespace slicefarm::config
