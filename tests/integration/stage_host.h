@@ -36,7 +36,6 @@ class StageHost {
 
   std::string Address() const { return "127.0.0.1:" + std::to_string(server_->port()); }
   rpc::Server& server() { return *server_; }
-  rpc::CallGate& gate() { return gate_; }
 
  private:
   rpc::Metrics metrics_;

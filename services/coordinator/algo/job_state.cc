@@ -45,9 +45,4 @@ std::optional<JobState> JobStateFromName(std::string_view name) {
   return std::nullopt;
 }
 
-JobState EndState(const absl::Status& run) {
-  if (run.ok()) return JobState::kSucceeded;
-  return absl::IsCancelled(run) ? JobState::kCancelled : JobState::kFailed;
-}
-
 }  // namespace slicefarm::coordinator

@@ -24,7 +24,4 @@ bool MayFollow(JobState from, JobState to);
 std::string_view JobStateName(JobState state);
 std::optional<JobState> JobStateFromName(std::string_view name);
 
-/// The state a run of a job leads to, by how it ended.
-JobState EndState(const absl::Status& run);
-
 }  // namespace slicefarm::coordinator

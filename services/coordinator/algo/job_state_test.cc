@@ -27,12 +27,6 @@ TEST(JobState, RunsAndIsHandedBack) {
   EXPECT_TRUE(MayFollow(kRunning, kQueued));
 }
 
-TEST(JobState, EndsByTheStatusOfItsRun) {
-  EXPECT_EQ(EndState(absl::OkStatus()), kSucceeded);
-  EXPECT_EQ(EndState(absl::CancelledError("")), kCancelled);
-  EXPECT_EQ(EndState(absl::InvalidArgumentError("")), kFailed);
-}
-
 TEST(JobState, NamesLeadBack) {
   for (const JobState state : kAll) EXPECT_EQ(JobStateFromName(JobStateName(state)), state);
   EXPECT_EQ(JobStateFromName("ASLEEP"), std::nullopt);

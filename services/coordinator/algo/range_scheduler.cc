@@ -18,7 +18,7 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Next(RunnerId runner, doubl
   const auto chosen = untried != queue_.end() ? untried : queue_.begin();
   const int32_t range = *chosen;
   queue_.erase(chosen);
-  return Start(range, runner, now_s, /*hedge=*/false);
+  return Start(range, runner, now_s);
 }
 
 std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, double now_s) {
@@ -31,17 +31,16 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
     const Range& range = ranges_[copy.range];
     if (range.done || copy.runner == runner || range.copies != 1) continue;
     ++hedged_;
-    return Start(copy.range, runner, now_s, /*hedge=*/true);
+    return Start(copy.range, runner, now_s);
   }
   return std::nullopt;
 }
 
-RangeScheduler::Grant RangeScheduler::Start(int32_t range, RunnerId runner, double now_s,
-                                            bool hedge) {
+RangeScheduler::Grant RangeScheduler::Start(int32_t range, RunnerId runner, double now_s) {
   const Ticket ticket = next_ticket_++;
   running_.emplace(ticket, Copy{range, runner, now_s});
   ++ranges_[range].copies;
-  return {ticket, range, hedge};
+  return {ticket, range};
 }
 
 RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) {

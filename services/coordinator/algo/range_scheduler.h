@@ -37,7 +37,6 @@ class RangeScheduler {
   struct Grant {
     Ticket ticket = 0;
     int32_t range = 0;
-    bool hedge = false;
   };
 
   struct Accepted {
@@ -90,7 +89,7 @@ class RangeScheduler {
     double since_s = 0;
   };
 
-  Grant Start(int32_t range, RunnerId runner, double now_s, bool hedge);
+  Grant Start(int32_t range, RunnerId runner, double now_s);
   void Requeue(int32_t range);
   void CountFailure(int32_t range, RunnerId runner);
 

@@ -79,7 +79,6 @@ TEST(RangeScheduler, HedgesTheOldestSlowRangeOnce) {
   const auto copy = scheduler.Hedge(kC, 2.5);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->range, 0);
-  EXPECT_TRUE(copy->hedge);
   EXPECT_FALSE(scheduler.Hedge(kC, 2.6)) << "two copies are enough, and range 1 is young";
 
   const auto accepted = scheduler.Succeeded(copy->ticket, 3);

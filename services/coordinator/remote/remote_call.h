@@ -20,18 +20,22 @@ struct RemoteOptions {
 /// fault.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
+template <typename Stub, typename Request, typename Response>
+using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>> (Stub::*)(
+    grpc::ClientContext*, grpc::CompletionQueue*);
+
 /// Makes a call of a method with streams both ways on one of `replicas`: `write(stream)` sends the
-/// request, `read(stream)` takes the answer and drops what an earlier try left. `prepare(channel,
-/// context, queue)` is the stub's PrepareAsync method. The result is the server's word where it
-/// gave one.
-template <typename Request, typename Response, typename Prepare, typename Write, typename Read>
+/// request, `read(stream)` takes the answer and drops what an earlier try left. `prepare` is the
+/// stub's PrepareAsync method. The result is the server's word where it gave one.
+template <typename Stub, typename Request, typename Response, typename Write, typename Read>
 absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
-                        const StageCall& call, std::string_view stage, const Prepare& prepare,
-                        const Write& write, const Read& read) {
+                        const StageCall& call, std::string_view stage,
+                        Prepare<Stub, Request, Response> prepare, const Write& write,
+                        const Read& read) {
   return replicas.Call(call.cancel, [&](const std::shared_ptr<grpc::Channel>& channel) {
     rpc::StreamCall<Request, Response> stream(
         {options.deadline, call.cancel},
-        [&](auto* context, auto* queue) { return prepare(channel, context, queue); });
+        [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); });
     const absl::Status written = write(stream);
     if (!stream.alive()) return stream.Finish();
     if (!written.ok()) return stream.Abandon(written);

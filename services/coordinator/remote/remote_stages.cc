@@ -81,11 +81,8 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
                                                const SlicingOptions& options) const {
   SlicedJob job;
   int32_t layer_count = 0;
-  const absl::Status status = StreamOver<v1::SliceRequest, v1::SliceResponse>(
-      replicas_, options_, call, kSlicing,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Slicing::NewStub(channel)->PrepareAsyncSlice(context, queue);
-      },
+  const absl::Status status = StreamOver(
+      replicas_, options_, call, kSlicing, &v1::Slicing::Stub::PrepareAsyncSlice,
       [&](auto& stream) { return WriteFiles(stream, call, input, options); },
       [&](auto& stream) { return ReadJob(stream, &job, &layer_count); });
   if (!status.ok()) return status;
@@ -101,11 +98,8 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(const StageCall& ca
                                                              const Neighbourhood& neighbourhood,
                                                              const BeadingOptions& options) const {
   std::vector<WalledLayer> walled;
-  const absl::Status status = StreamOver<v1::BeadRequest, v1::WalledLayer>(
-      replicas_, options_, call, kBeading,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Beading::NewStub(channel)->PrepareAsyncBeadLayers(context, queue);
-      },
+  const absl::Status status = StreamOver(
+      replicas_, options_, call, kBeading, &v1::Beading::Stub::PrepareAsyncBeadLayers,
       [&](auto& stream) {
         WriteStart<v1::BeadRequest>(
             stream, BeadStart{call, options, neighbourhood.range, neighbourhood.layer_count});
@@ -137,12 +131,9 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(const StageCall& cal
                                         return ToProto(layer, request->mutable_layer());
                                       });
   };
-  const absl::Status status = StreamOver<v1::FillRequest, v1::FilledLayer>(
-      replicas_, options_, call, kInfill,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Infill::NewStub(channel)->PrepareAsyncFillLayers(context, queue);
-      },
-      write, [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
+  const absl::Status status =
+      StreamOver(replicas_, options_, call, kInfill, &v1::Infill::Stub::PrepareAsyncFillLayers,
+                 write, [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
   if (!status.ok()) return status;
   return ForRange(std::move(filled), neighbourhood.range, kInfill);
 }
@@ -161,12 +152,9 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
           return status;
         });
   };
-  const absl::Status status = StreamOver<v1::OrderRequest, v1::OrderedLayer>(
-      replicas_, options_, call, kOrdering,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Ordering::NewStub(channel)->PrepareAsyncOrderLayers(context, queue);
-      },
-      write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
+  const absl::Status status =
+      StreamOver(replicas_, options_, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
+                 write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
   if (!status.ok()) return status;
   return ForRange(std::move(ordered), RangeOf(layers), kOrdering);
 }
@@ -181,12 +169,9 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
           return ToProto(layer, request->mutable_layer());
         });
   };
-  const absl::Status status = StreamOver<v1::ProgramRequest, v1::LayerProgram>(
-      replicas_, options_, call, kMotion,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Motion::NewStub(channel)->PrepareAsyncProgramLayers(context, queue);
-      },
-      write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
+  const absl::Status status =
+      StreamOver(replicas_, options_, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
+                 write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
   if (!status.ok()) return status;
   return ForRange(std::move(programs), RangeOf(layers), kMotion);
 }

@@ -39,11 +39,8 @@ absl::Status Take(v1::WorkResponse& response, RangeResult* result) {
 
 absl::StatusOr<RangeResult> RemoteWorker::Run(const StageCall& call, const RangeTask& task) const {
   RangeResult result;
-  const absl::Status status = StreamOver<v1::WorkRequest, v1::WorkResponse>(
-      replicas_, options_, call, kWorker,
-      [](const auto& channel, auto* context, auto* queue) {
-        return v1::Worker::NewStub(channel)->PrepareAsyncWorkRange(context, queue);
-      },
+  const absl::Status status = StreamOver(
+      replicas_, options_, call, kWorker, &v1::Worker::Stub::PrepareAsyncWorkRange,
       [&](auto& stream) { return WriteTask(stream, call, task); },
       [&](auto& stream) {
         result = {};

@@ -35,8 +35,6 @@ absl::Status SqliteConnection::Execute(const std::string& sql) {
   return Error(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
-int64_t SqliteConnection::Changes() const { return sqlite3_changes64(db_); }
-
 absl::Status SqliteConnection::Error(int code) const {
   if (code == SQLITE_OK) return absl::OkStatus();
   const std::string message = absl::StrCat("SQLite: ", sqlite3_errmsg(db_));
@@ -116,10 +114,6 @@ int64_t SqliteQuery::Int(int column) const { return sqlite3_column_int64(stateme
 std::string SqliteQuery::Text(int column) const {
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
   return std::string(bytes == nullptr ? "" : bytes, sqlite3_column_bytes(statement_, column));
-}
-
-bool SqliteQuery::IsNull(int column) const {
-  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
 }
 
 SqliteTransaction::SqliteTransaction(SqliteConnection& connection) : connection_(connection) {

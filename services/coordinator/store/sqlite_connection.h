@@ -28,9 +28,6 @@ class SqliteConnection {
   /// Runs statements without parameters or results.
   absl::Status Execute(const std::string& sql);
 
-  /// Rows that the last statement changed.
-  int64_t Changes() const;
-
   /// DISK_FULL, or STORE_FAILED with SQLite's words.
   absl::Status Error(int code) const;
 
@@ -75,7 +72,6 @@ class SqliteQuery {
 
   int64_t Int(int column) const;
   std::string Text(int column) const;  ///< of a blob: its bytes
-  bool IsNull(int column) const;
 
  private:
   void BindNext(int64_t value);
