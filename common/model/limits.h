@@ -27,6 +27,8 @@ inline constexpr int64_t kMaxStageMessageBytes = 64 << 20;  ///< between stages,
 inline constexpr int64_t kMaxPublicMessageBytes = 4 << 20;
 inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
+/// What a G-code template, or a text within it, may come to: a layer's stays far below a message.
+inline constexpr int64_t kMaxExpandedBytes = 1 << 20;
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;      ///< of an object, a request id
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;  ///< of a job: it is echoed in one message

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/model/error.h"
+#include "common/model/limits.h"
 #include "services/motion/algo/template_expression.h"
 
 namespace slicefarm::motion {
@@ -50,7 +51,9 @@ class Expander {
   absl::Status Run() {
     while (at_ < text_.size()) {
       const size_t open = std::min(text_.find_first_of("[{", at_), text_.size());
-      Print(text_.substr(at_, open - at_));
+      if (const absl::Status status = Print(text_.substr(at_, open - at_)); !status.ok()) {
+        return status;
+      }
       at_ = open;
       if (at_ == text_.size()) break;
       const absl::Status status = text_[at_] == '[' ? Bracket() : Brace();
@@ -69,8 +72,14 @@ class Expander {
  private:
   bool Active() const { return conditions_.empty() || conditions_.back().active; }
 
-  void Print(std::string_view text) {
-    if (Active()) result_.append(text);
+  /// A variable of a few characters may stand for a long text, as often as one likes.
+  absl::Status Print(std::string_view text) {
+    if (!Active()) return absl::OkStatus();
+    if (result_.size() + text.size() > static_cast<size_t>(limits::kMaxExpandedBytes)) {
+      return absl::ResourceExhaustedError("text too long");
+    }
+    result_.append(text);
+    return absl::OkStatus();
   }
 
   /// [key], [key_0] or [key[expression]].
@@ -88,9 +97,9 @@ class Expander {
       if (const auto element = Element(inside)) value = *element;
     }
     if (!value.ok()) return value.status();
-    Print(ToText(*value));
-    at_ = *close + 1;
-    return absl::OkStatus();
+    absl::Status status = Print(ToText(*value));
+    if (status.ok()) at_ = *close + 1;
+    return status;
   }
 
   /// Position of the bracket that closes the one at at_.
@@ -156,8 +165,7 @@ class Expander {
   absl::Status Expression(std::string_view text) {
     const auto value = EvaluateExpression(text, variables_, Active());
     if (!value.ok()) return value.status();
-    Print(ToText(*value));
-    return absl::OkStatus();
+    return Print(ToText(*value));
   }
 
   absl::Status If(std::string_view condition) {
@@ -223,9 +231,13 @@ absl::StatusOr<std::string> ExpandTemplate(std::string_view setting, std::string
   if (std::string variable = UnknownVariable(status); !variable.empty()) {
     metadata["variable"] = std::move(variable);
   }
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   std::string(setting) + ", line " + std::to_string(line) + ": " +
-                       std::string(status.message()),
+  std::string message = std::string(setting) + ", line " + std::to_string(line) + ": " +
+                        std::string(status.message());
+  if (absl::IsResourceExhausted(status)) {
+    metadata["limit"] = std::to_string(limits::kMaxExpandedBytes);
+    message += ", at most " + metadata["limit"] + " bytes";
+  }
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed, message,
                    std::move(metadata));
 }
 

@@ -15,7 +15,8 @@ namespace slicefarm::motion {
 ///   {if c}..{elsif c}..{else}..{endif}   nested as deep as one likes
 ///
 /// Errors: InvalidArgument SETTING_MALFORMED naming `setting`, the line and, if there is one, the
-/// unknown `variable`. Cost: O(length).
+/// unknown `variable`; with `limit`, if more than limits::kMaxExpandedBytes would come out.
+/// Cost: O(result) and that of the expressions.
 absl::StatusOr<std::string> ExpandTemplate(std::string_view setting, std::string_view text,
                                            const TemplateVariables& variables);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/model/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -99,6 +100,25 @@ TEST(ExpandTemplate, LongAndDeepInputEnds) {
   for (int i = 0; i < 10'000; ++i) deep += "{endif}";
   EXPECT_EQ(*ExpandTemplate("start_gcode", deep, Variables()), "x");
   EXPECT_FALSE(ExpandTemplate("start_gcode", std::string(60'000, '{'), Variables()).ok());
+}
+
+/// A short name may stand for a long text.
+TEST(ExpandTemplate, WhatComesOutIsBounded) {
+  const TemplateVariables variables = {{"notes", {std::string(limits::kMaxSettingBytes, 'n')}}};
+  std::string printed, joined = "{if notes";
+  for (int i = 0; i < 9'000; ++i) {
+    printed += "[notes]";
+    joined += "+notes";
+  }
+  joined += " == \"\"}{endif}";
+  for (const std::string& text : {printed, joined}) {
+    const ErrorDetail detail = DetailOf(ExpandTemplate("layer_gcode", text, variables).status());
+    EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
+    EXPECT_EQ(detail.metadata.at("setting"), "layer_gcode");
+    EXPECT_EQ(detail.metadata.at("limit"), std::to_string(limits::kMaxExpandedBytes));
+  }
+  EXPECT_TRUE(ExpandTemplate("layer_gcode", "[notes]{notes + notes}", variables).ok());
+  EXPECT_TRUE(ExpandTemplate("layer_gcode", "{if false}" + printed + "{endif}", variables).ok());
 }
 
 }  // namespace

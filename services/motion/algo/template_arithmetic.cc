@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "absl/strings/str_format.h"
+#include "common/model/limits.h"
 #include "services/motion/algo/text_pattern.h"
 
 namespace slicefarm::motion {
@@ -89,10 +91,19 @@ absl::StatusOr<TemplateValue> Digits(const std::vector<TemplateValue>& arguments
                              : absl::StrFormat("%*.*f", w, d, *value));
 }
 
+absl::StatusOr<TemplateValue> Joined(TemplateValue a, const TemplateValue& b) {
+  auto* text_a = std::get_if<std::string>(&a);
+  std::string joined = text_a != nullptr ? std::move(*text_a) : ToText(a);
+  joined += ToText(b);
+  if (joined.size() > static_cast<size_t>(limits::kMaxExpandedBytes)) {
+    return absl::ResourceExhaustedError("text too long");
+  }
+  return TemplateValue(std::move(joined));
+}
+
 }  // namespace
 
-absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
-                                    const TemplateValue& b) {
+absl::StatusOr<TemplateValue> Apply(std::string_view op, TemplateValue a, const TemplateValue& b) {
   const auto* text_a = std::get_if<std::string>(&a);
   const auto* text_b = std::get_if<std::string>(&b);
   if (op == "=~" || op == "!~") {
@@ -102,7 +113,7 @@ absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
     return TemplateValue(*matches == (op == "=~"));
   }
   if (text_a != nullptr || text_b != nullptr) {
-    if (op == "+") return TemplateValue(ToText(a) + ToText(b));
+    if (op == "+") return Joined(std::move(a), b);
     if (!IsComparison(op)) return WrongType(op);
     return TemplateValue(Compare(op, ToText(a), ToText(b)));
   }

@@ -10,9 +10,9 @@ namespace slicefarm::motion {
 
 /// The operators and functions of template expressions, see template_expression.h.
 /// Errors: InvalidArgument for operands of the wrong type, division by zero and whole numbers that
-/// overflow.
-absl::StatusOr<TemplateValue> Apply(std::string_view op, const TemplateValue& a,
-                                    const TemplateValue& b);
+/// overflow; ResourceExhausted for texts that join to more than limits::kMaxExpandedBytes.
+/// Cost: + appends to `a` where it is, so a sum of texts, moved along, is linear in its length.
+absl::StatusOr<TemplateValue> Apply(std::string_view op, TemplateValue a, const TemplateValue& b);
 absl::StatusOr<TemplateValue> Negated(const TemplateValue& value);
 absl::StatusOr<TemplateValue> Call(std::string_view function,
                                    const std::vector<TemplateValue>& arguments);

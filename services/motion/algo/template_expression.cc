@@ -124,7 +124,7 @@ class Parser {
       if (op.empty()) break;
       const Result right = op.back() == '~' ? Pattern() : Binary(level + 1);
       if (!right.ok()) return right;
-      if (evaluate_) left = Apply(op, *left, *right);
+      if (evaluate_) left = Apply(op, *std::move(left), *right);
     }
     return left;
   }

@@ -18,8 +18,9 @@ namespace slicefarm::motion {
 /// An index past a list's end gives its first element. + also joins texts; / of whole numbers is
 /// whole. With `evaluate` false, only the form is checked.
 /// Errors: InvalidArgument whose message says what is wrong; UnknownVariable() gives the variable,
-/// if it is about one. Depth and length of what is read are bounded.
-/// Cost: O(length). Source: PrusaSlicer's documentation, "Macros".
+/// if it is about one; ResourceExhausted for a text longer than limits::kMaxExpandedBytes. The
+/// depth of what is read is bounded. Cost: O(length * longest text), as each variable that is named
+/// is copied; patterns as text_pattern.h says. Source: PrusaSlicer's documentation, "Macros".
 absl::StatusOr<TemplateValue> EvaluateExpression(std::string_view text,
                                                  const TemplateVariables& variables, bool evaluate);
 
