@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/model/error.h"
+
 namespace slicefarm {
 namespace {
 
@@ -12,6 +14,13 @@ constexpr double kRoundLoss = 1 - std::numbers::pi / 4;
 
 Coord Spacing(Coord width_nm, Coord height_nm) {
   return width_nm - std::llround(static_cast<double>(height_nm) * kRoundLoss);
+}
+
+absl::Status CheckSpacing(Coord width_nm, Coord height_nm) {
+  if (Spacing(width_nm, height_nm) > 0) return absl::OkStatus();
+  return LimitError(Reason::kSettingOutOfRange,
+                    "extrusion width too small for the layer height: spacing of beads in nm", 1,
+                    Spacing(width_nm, height_nm));
 }
 
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "absl/status/status.h"
 #include "common/geometry/point.h"
 
 namespace slicefarm {
@@ -10,6 +11,9 @@ namespace slicefarm {
 
 /// Distance of neighbours of the same width: width - height (1 - pi/4).
 Coord Spacing(Coord width_nm, Coord height_nm);
+
+/// InvalidArgument SETTING_OUT_OF_RANGE with `limit` and `got`, if neighbours would not lie apart.
+absl::Status CheckSpacing(Coord width_nm, Coord height_nm);
 
 /// The width whose spacing is `spacing_nm`.
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm);

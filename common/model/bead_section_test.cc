@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "common/model/error.h"
+
 namespace slicefarm {
 namespace {
 
@@ -29,6 +31,12 @@ TEST(BeadSection, FillsAStripOfAnyWidth) {
   for (Coord strip = 10'000; strip <= 800'000; strip += 10'000)
     EXPECT_NEAR(SectionMm2(WidthToFill(strip, 200'000), 200'000),
                 0.2 * ToMm(static_cast<double>(strip)), 1e-6);
+}
+
+TEST(BeadSection, BeadsThatDoNotLieApartAreRefused) {
+  EXPECT_TRUE(CheckSpacing(42'921, 200'000).ok());
+  EXPECT_EQ(DetailOf(CheckSpacing(42'920, 200'000)).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(CheckSpacing(-450'000, 200'000)).reason, Reason::kSettingOutOfRange);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "common/model/bead_section.h"
-#include "common/model/error.h"
 #include "services/beading/algo/constant_walls.h"
 #include "services/beading/algo/gap_fill.h"
 
@@ -41,13 +40,6 @@ WalledIsland BeadIsland(int32_t object, const PolygonWithHoles& outline, const W
   return island;
 }
 
-absl::Status CheckWidth(Coord width_nm, Coord height_nm) {
-  if (Spacing(width_nm, height_nm) > 0) return absl::OkStatus();
-  return LimitError(Reason::kSettingOutOfRange,
-                    "extrusion width too small for the layer height: spacing of beads in nm", 1,
-                    Spacing(width_nm, height_nm));
-}
-
 class LocalBeading : public BeadingStage {
  public:
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
@@ -73,7 +65,7 @@ class LocalBeading : public BeadingStage {
     const Coord external = first ? options.first_layer_width_nm : options.external_width_nm;
     const Coord inner = first ? options.first_layer_width_nm : options.inner_width_nm;
     for (const Coord width : {external, inner})
-      if (absl::Status status = CheckWidth(width, height); !status.ok()) return status;
+      if (absl::Status status = CheckSpacing(width, height); !status.ok()) return status;
 
     WallPlan plan = WallPlan::Make(options.perimeters, external, inner, height);
     plan.gap_fill = options.gap_fill;

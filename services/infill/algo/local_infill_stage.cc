@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/model/bead_section.h"
 #include "services/infill/algo/bridge_angle.h"
 #include "services/infill/algo/rectilinear.h"
 #include "services/infill/algo/skins.h"
@@ -161,8 +162,19 @@ class LocalInfill : public InfillStage {
   }
 
  private:
+  /// Lines less than nothing apart would be infinitely many.
+  static absl::Status CheckWidths(const LayerFrame& frame, const InfillOptions& options) {
+    if (frame.index == 0) return CheckSpacing(options.first_layer_width_nm, frame.height_nm);
+    for (const Coord width :
+         {options.sparse_width_nm, options.solid_width_nm, options.top_width_nm}) {
+      if (absl::Status status = CheckSpacing(width, frame.height_nm); !status.ok()) return status;
+    }
+    return absl::OkStatus();
+  }
+
   static absl::StatusOr<FilledLayer> FillLayer(WalledLayer walled, const Surroundings& surroundings,
                                                const InfillOptions& options) {
+    if (absl::Status status = CheckWidths(walled.frame, options); !status.ok()) return status;
     FilledLayer layer;
     layer.frame = walled.frame;
     layer.islands.reserve(walled.islands.size());

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/geometry/text_format.h"
+#include "common/model/error.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -160,6 +161,24 @@ TEST(LocalInfill, FirstLayerHasItsOwnWidth) {
   ASSERT_TRUE(filled.ok());
   EXPECT_NEAR((*filled)[0].islands[0].fills[0].paths[0].widths_nm[0], 600'000, 20'000);
   EXPECT_NEAR((*filled)[1].islands[0].fills[0].paths[0].widths_nm[0], 450'000, 20'000);
+}
+
+// Beads this narrow, for their height, would lie on top of each other.
+TEST(LocalInfill, RefusesLinesThatDoNotLieApart) {
+  Coord InfillOptions::*const kOfFirst[] = {&InfillOptions::first_layer_width_nm};
+  Coord InfillOptions::*const kOfOthers[] = {&InfillOptions::sparse_width_nm,
+                                             &InfillOptions::solid_width_nm,
+                                             &InfillOptions::top_width_nm};
+  const auto refused = [](Coord InfillOptions::*width, Coord value, LayerRange range) {
+    InfillOptions options;
+    options.*width = value;
+    return DetailOf(Fill(Steps(20, 10), range, 5, options).status()).reason ==
+           Reason::kSettingOutOfRange;
+  };
+  for (const Coord value : {Coord{-450'000}, Coord{0}, Coord{42'920}}) {
+    for (const auto width : kOfFirst) EXPECT_TRUE(refused(width, value, {0, 1})) << value;
+    for (const auto width : kOfOthers) EXPECT_TRUE(refused(width, value, {9, 10})) << value;
+  }
 }
 
 TEST(LocalInfill, StopsWhenCancelled) {

@@ -62,8 +62,9 @@ struct ScanLines {
   Point PlaceOf(const Crossing& crossing) const;
 };
 
-/// Cuts `region` into pieces of lines. A line meets an edge under a half-open rule, so every line
-/// meets every ring an even number of times whatever vertices it passes through.
+/// Cuts `region` into pieces of lines. REQUIRES: family.pitch_nm > 0. A line meets an edge under a
+/// half-open rule, so every line meets every ring an even number of times whatever vertices it
+/// passes through.
 ///
 /// Precision: ends are rounded once to nm; they lie within 1 nm of the boundary.
 /// Errors: InvalidArgument with REQUEST_TOO_LARGE, `limit` and `got`, for more pieces than
