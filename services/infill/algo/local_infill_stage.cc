@@ -1,6 +1,7 @@
 #include "services/infill/algo/local_infill_stage.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -35,16 +36,28 @@ class Surroundings {
   }
 
   Cover CoverOf(int32_t index, int32_t object, const InfillOptions& options) const {
-    Cover cover;
-    cover.on_bed = index == 0;
-    for (int32_t i = 1; i <= options.top_solid_layers; ++i)
-      cover.above.push_back(Outlines(index + i, object));
-    for (int32_t i = 1; i <= options.bottom_solid_layers; ++i)
-      cover.below.push_back(Outlines(index - i, object));
-    return cover;
+    return {.above = Side(index, object, 1, options.top_solid_layers),
+            .below = Side(index, object, -1, options.bottom_solid_layers),
+            .on_bed = index == 0};
   }
 
  private:
+  /// In a prism all layers are equal: that is found out here, once for all islands.
+  std::vector<const MultiPolygon*> Side(int32_t index, int32_t object, int32_t step,
+                                        int32_t count) const {
+    std::vector<const MultiPolygon*> side;
+    const MultiPolygon* const own = Outlines(index, object);
+    const MultiPolygon* nearer = own;
+    for (int32_t i = 1; i <= count; ++i) {
+      const MultiPolygon* layer = Outlines(index + i * step, object);
+      for (const MultiPolygon* same : {own, nearer})
+        if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
+      side.push_back(layer);
+      nearer = layer;
+    }
+    return side;
+  }
+
   const Neighbourhood& neighbourhood_;
 };
 
@@ -179,11 +192,14 @@ class LocalInfill : public InfillStage {
     layer.frame = walled.frame;
     layer.islands.reserve(walled.islands.size());
     const LayerFill fill(layer.frame, options);
+    const MultiPolygon none;
+    std::map<int32_t, Cover> covers;  // of objects
     for (WalledIsland& island : walled.islands) {
       const int32_t object = island.object;
+      const auto [cover, is_new] = covers.try_emplace(object);
+      if (is_new) cover->second = surroundings.CoverOf(layer.frame.index, object, options);
       const MultiPolygon* outline = surroundings.Outlines(layer.frame.index, object);
-      const Cover cover = surroundings.CoverOf(layer.frame.index, object, options);
-      auto filled = fill.Fill(std::move(island), outline ? *outline : MultiPolygon{}, cover);
+      auto filled = fill.Fill(std::move(island), outline ? *outline : none, cover->second);
       if (!filled.ok()) return filled.status();
       layer.islands.push_back(*std::move(filled));
     }

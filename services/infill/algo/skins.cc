@@ -87,7 +87,7 @@ MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPoly
                      const MultiPolygon& outline, Coord width_nm) {
   if (side.empty() || area.empty()) return {};
   if (IsAir(side[0])) return area;
-  if (*side[0] == outline) return {};
+  if (side[0] == &outline) return {};
   if (!RegionMask(area).MayMeet(*side[0])) return IslandsUnder(area, *side[0], false);
   return WithoutSlivers(Difference(area, *side[0]), width_nm);
 }
@@ -99,9 +99,9 @@ MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outli
   SparseRegion sparse(fill_area, options.width_nm);
   for (const auto* side : {&cover.above, &cover.below}) {
     for (size_t i = side->size(); i-- > 0 && !sparse.region().empty();) {
-      const MultiPolygon& layer = *(*side)[i];
-      const bool seen = i + 1 < side->size() && layer == *(*side)[i + 1];
-      if (!seen && layer != outline) sparse.TakeBareParts(layer);
+      const MultiPolygon* layer = (*side)[i];
+      const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
+      if (!seen && layer != &outline) sparse.TakeBareParts(*layer);
     }
   }
   if (sparse.region() == fill_area) return fill_area;

@@ -6,7 +6,9 @@
 
 namespace slicefarm::infill {
 
-/// What lies above and below a fill area: the outlines of the layers whose skins reach it.
+/// What lies above and below a fill area: the outlines of the layers whose skins reach it. Those
+/// that equal the fill area's own layer, or the nearer one before them, are best the same object:
+/// nothing else is recognised as equal, but taken to be different.
 struct Cover {
   std::vector<const MultiPolygon*>
       above;  ///< nearest first, as many as top solid layers; nullptr: air
@@ -35,7 +37,7 @@ struct Skins {
 /// their neighbour.
 ///
 /// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
-/// Cost: next to nothing for outlines that equal `outline` (that of this layer) or do not come near
+/// Cost: next to nothing for outlines that are `outline` (that of this layer) or do not come near
 /// the fill area; two boolean operations for each other one, and one more for each kind of skin
 /// there is.
 Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
