@@ -75,13 +75,6 @@ class SparseRegion {
   Coord width_nm_;
 };
 
-MultiPolygon SmallOnes(const MultiPolygon& regions, double area_mm2) {
-  MultiPolygon small;
-  for (const PolygonWithHoles& region : regions)
-    if (Area(region) < area_mm2 * kNmPerMm * kNmPerMm) small.push_back(region);
-  return small;
-}
-
 /// The part of `area` that is exposed on a side whose nearest layer is `nearest`.
 MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPolygon*>& side,
                      const MultiPolygon& outline, Coord width_nm) {
@@ -125,10 +118,8 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   Skins skins;
   if (fill_area.empty()) return skins;
   skins.sparse = SparsePart(fill_area, outline, cover, options);
-  if (options.solid_below_area_mm2 > 0) {
-    const MultiPolygon small = SmallOnes(skins.sparse, options.solid_below_area_mm2);
-    if (!small.empty()) skins.sparse = Difference(skins.sparse, small);
-  }
+  const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
+  std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; });
   if (skins.sparse == fill_area) return skins;
   skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
   skins.top = Exposed(skins.solid, cover.above, outline, options.width_nm);
