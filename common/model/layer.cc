@@ -36,8 +36,7 @@ void ProgramStats::Add(const ProgramStats& other) {
   travel_mm += other.travel_mm;
   travels += other.travels;
   retractions += other.retractions;
-  min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
-  max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};
+  bounds.Add(other.bounds);
 }
 
 }  // namespace slicefarm

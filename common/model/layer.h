@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/path.h"
 
@@ -127,8 +128,7 @@ struct ProgramStats {
   double travel_mm = 0;
   int64_t travels = 0;
   int64_t retractions = 0;
-  Point min{INT64_MAX, INT64_MAX};  ///< of what is extruded; min > max: nothing
-  Point max{INT64_MIN, INT64_MIN};
+  Box bounds;  ///< of what is extruded
 
   double TimeS() const;
   double FilamentMm() const;

@@ -16,8 +16,7 @@ TEST(ProgramStats, AddsUp) {
   ProgramStats a, b;
   a.features[0] = {1, 2, 3, 4};
   a.travel_time_s = 5;
-  a.min = {0, 0};
-  a.max = {1, 1};
+  a.bounds = {{0, 0}, {1, 1}};
   b.features[0] = {10, 20, 30, 40};
   b.features[3] = {1, 1, 1, 1};
   a.Add(b);
@@ -25,7 +24,7 @@ TEST(ProgramStats, AddsUp) {
   EXPECT_EQ(a.ExtrudedMm(), 23);
   EXPECT_EQ(a.FilamentMm(), 34);
   EXPECT_EQ(a.VolumeMm3(), 45);
-  EXPECT_EQ(a.max, (Point{1, 1}));
+  EXPECT_EQ(a.bounds, (Box{{0, 0}, {1, 1}}));
 }
 
 }  // namespace

@@ -65,11 +65,11 @@ absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
   proto->set_travel_mm(stats.travel_mm);
   proto->set_travels(stats.travels);
   proto->set_retractions(stats.retractions);
-  if (stats.min.x > stats.max.x) return absl::OkStatus();
-  if (absl::Status status = ToProto(stats.min, proto->mutable_min()); !status.ok()) {
+  if (stats.bounds.Empty()) return absl::OkStatus();
+  if (absl::Status status = ToProto(stats.bounds.min, proto->mutable_min()); !status.ok()) {
     return Within("min", status);
   }
-  return ToProto(stats.max, proto->mutable_max());
+  return ToProto(stats.bounds.max, proto->mutable_max());
 }
 
 absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
@@ -91,8 +91,7 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
   stats.travel_mm = proto.travel_mm();
   stats.travels = proto.travels();
   stats.retractions = proto.retractions();
-  if (proto.has_min()) stats.min = FromProto(proto.min());
-  if (proto.has_max()) stats.max = FromProto(proto.max());
+  if (proto.has_min()) stats.bounds = {FromProto(proto.min()), FromProto(proto.max())};
   return stats;
 }
 

@@ -25,7 +25,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // wire.
 ProgramStats DistinctStats() {
   ProgramStats stats;
-  auto& [features, travel_time, travel, travels, retractions, min, max] = stats;
+  auto& [features, travel_time, travel, travels, retractions, bounds] = stats;
   for (int i = 0; i < kFeatureCount; ++i) {
     auto& [time, length, filament, volume] = features[i];
     time = 10 * i + 1;
@@ -37,8 +37,7 @@ ProgramStats DistinctStats() {
   travel = 202;
   travels = 203;
   retractions = 204;
-  min = {-205, -206};
-  max = {207, 208};
+  bounds = {{-205, -206}, {207, 208}};
   return stats;
 }
 

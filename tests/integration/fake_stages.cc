@@ -36,8 +36,7 @@ void AddLayer(int32_t index, Sample* sample) {
   program.entry = {0, 0};
   program.exit = {8'000'000, 8'000'000};
   program.stats.features[0] = {1, 2, 3, 4};
-  program.stats.min = {0, 0};
-  program.stats.max = {9, 9};
+  program.stats.bounds = {{0, 0}, {9, 9}};
   sample->programs.push_back(program);
 }
 

@@ -188,7 +188,7 @@ TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSu
   const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
   AddLayer(last, variables);
   variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
-  AddBox("first_layer_print", {summary.total.min, summary.total.max}, variables);
+  AddBox("first_layer_print", summary.total.bounds, variables);
   AddUse(options, summary.total, variables);
   AddTime(time_s, variables);
   AddObjects(summary.object_names, variables);

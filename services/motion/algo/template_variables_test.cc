@@ -39,8 +39,7 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
   ProgramSummary summary;
   summary.layers.resize(2);
   summary.layers[1].frame = {1, 400'000, 200'000};
-  summary.total.min = {FromMm(10), FromMm(20)};
-  summary.total.max = {FromMm(40), FromMm(25)};
+  summary.total.bounds = {{FromMm(10), FromMm(20)}, {FromMm(40), FromMm(25)}};
   summary.total.features[0].filament_mm = 1'500;
   summary.object_names = {"a.b.stl"};
   summary.settings_text =

@@ -160,9 +160,7 @@ void ToolpathBuilder::Count(const Path& path, double length_mm, int64_t filament
   use.filament_mm += filament_mm;
   use.volume_mm3 += filament_mm * filament_area_mm2_;
   const Coord reach = *std::max_element(path.widths_nm.begin(), path.widths_nm.end()) / 2;
-  const Box box = Bounds(path.points).Grown(reach);
-  stats_.min = {std::min(stats_.min.x, box.min.x), std::min(stats_.min.y, box.min.y)};
-  stats_.max = {std::max(stats_.max.x, box.max.x), std::max(stats_.max.y, box.max.y)};
+  stats_.bounds.Add(Bounds(path.points).Grown(reach));
 }
 
 }  // namespace slicefarm::motion

@@ -197,8 +197,7 @@ TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
 
 TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
   const Built built = Build({Line("(10 20, 30 25)", {400'000, 600'000})});
-  EXPECT_EQ(built.stats.min, (Point{FromMm(9.7), FromMm(19.7)}));
-  EXPECT_EQ(built.stats.max, (Point{FromMm(30.3), FromMm(25.3)}));
+  EXPECT_EQ(built.stats.bounds, (Box{{FromMm(9.7), FromMm(19.7)}, {FromMm(30.3), FromMm(25.3)}}));
 }
 
 TEST(ToolpathBuilder, AnAbsurdSegmentDoesNotOverflow) {
