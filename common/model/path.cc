@@ -12,6 +12,14 @@ std::string_view FeatureName(Feature feature) {
   return kNames[static_cast<size_t>(feature)];
 }
 
+bool WellFormed(const Path& path) {
+  const size_t widths = path.widths_nm.size();
+  return path.points.size() >= 2 && (widths == 1 || widths == path.points.size());
+}
+
+Point StartOf(const Path& path) { return path.points.front(); }
+Point EndOf(const Path& path) { return path.closed ? path.points.front() : path.points.back(); }
+
 double PathLength(const Path& path) {
   return path.closed ? Perimeter(path.points) : Length(path.points);
 }

@@ -48,6 +48,13 @@ struct Path {
   friend bool operator==(const Path&, const Path&) = default;
 };
 
+/// Whether the invariant holds.
+bool WellFormed(const Path& path);
+
+/// Where a path starts, and where it ends; the same for a closed one. REQUIRES: WellFormed.
+Point StartOf(const Path& path);
+Point EndOf(const Path& path);
+
 /// Length in nm, the closing edge included.
 double PathLength(const Path& path);
 

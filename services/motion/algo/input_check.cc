@@ -34,9 +34,7 @@ bool InBounds(Point point) {
 
 bool InBounds(const Path& path) {
   const auto is_width = [](Coord width) { return 0 <= width && width <= kMaxBeadNm; };
-  return path.points.size() >= 2 &&
-         (path.widths_nm.size() == 1 || path.widths_nm.size() == path.points.size()) &&
-         std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
+  return WellFormed(path) && std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
          std::all_of(path.points.begin(), path.points.end(), [](Point p) { return InBounds(p); }) &&
          0 <= path.height_nm && path.height_nm <= kMaxBeadNm && 0 <= path.flow &&
          path.flow <= kMaxFlow && static_cast<int>(path.feature) < kFeatureCount &&

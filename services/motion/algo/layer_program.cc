@@ -69,8 +69,6 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
   }
 }
 
-Point EndOf(const Path& path) { return path.closed ? path.points.front() : path.points.back(); }
-
 }  // namespace
 
 absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const MotionOptions& options) {
@@ -104,7 +102,7 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   writer.Write(path, approach, path.moves.size(), out);
   program.gcode = out.Take();
   if (!layer.paths.empty()) {
-    program.entry = layer.paths.front().points.front();
+    program.entry = StartOf(layer.paths.front());
     program.exit = EndOf(layer.paths.back());
   }
   return program;

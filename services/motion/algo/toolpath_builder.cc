@@ -45,7 +45,7 @@ void ToolpathBuilder::Add(const Path& path) {
   at_.feature = path.feature;
   at_.height_um = ToUm(path.height_nm > 0 ? path.height_nm : layer_height_nm_);
   const int64_t filament_before = filament_;
-  GoTo(path.points.front());
+  GoTo(StartOf(path));
   if (retracted_) Restart();
   PrintSegments(path, speeds_.Of(path, length_mm));
   Count(path, length_mm, filament_ - filament_before);

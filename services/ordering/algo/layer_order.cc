@@ -26,11 +26,6 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
   }
 }
 
-bool WellFormed(const Path& path) {
-  return path.points.size() >= 2 &&
-         (path.widths_nm.size() == 1 || path.widths_nm.size() == path.points.size());
-}
-
 absl::Status CheckPaths(FilledLayer& layer) {
   size_t bad = 0;
   for (FilledIsland& island : layer.islands) {

@@ -4,9 +4,6 @@
 
 namespace slicefarm::ordering {
 
-Point StartOf(const Path& path) { return path.points.front(); }
-Point EndOf(const Path& path) { return path.closed ? path.points.front() : path.points.back(); }
-
 void Reverse(Path& path) {
   const ptrdiff_t kept = path.closed ? 1 : 0;
   std::reverse(path.points.begin() + kept, path.points.end());

@@ -8,10 +8,6 @@
 
 namespace slicefarm::ordering {
 
-/// Where a path starts, and where it ends; the same for a closed one.
-Point StartOf(const Path& path);
-Point EndOf(const Path& path);
-
 /// Turns a path round; a closed one keeps its start.
 void Reverse(Path& path);
 
