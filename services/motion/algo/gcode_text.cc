@@ -1,5 +1,6 @@
 #include "services/motion/algo/gcode_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -8,6 +9,8 @@ namespace {
 
 constexpr int64_t kPowers[] = {1, 10, 100, 1'000, 10'000, 100'000};
 constexpr size_t kLongestInteger = 20;
+/// With five decimals, far from the least whole number, which has no opposite.
+constexpr double kMostReal = 9e12;
 
 }  // namespace
 
@@ -41,7 +44,9 @@ GcodeText& GcodeText::Decimal(int64_t value, int digits, bool leading_zero) {
 }
 
 GcodeText& GcodeText::Real(double value, int digits) {
-  return Decimal(std::llround(value * static_cast<double>(kPowers[digits])), digits,
+  // Not a number fails both comparisons of clamp and would come through.
+  const double bounded = std::isnan(value) ? 0 : std::clamp(value, -kMostReal, kMostReal);
+  return Decimal(std::llround(bounded * static_cast<double>(kPowers[digits])), digits,
                  /*leading_zero=*/true);
 }
 

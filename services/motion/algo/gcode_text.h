@@ -28,7 +28,8 @@ class GcodeText {
   GcodeText& Integer(int64_t value);
   GcodeText& Micrometers(int64_t um) { return Decimal(um, 3); }
   GcodeText& Filament(int64_t units) { return Decimal(units, 5); }
-  /// Rounded to `digits` decimals ("0.2"). REQUIRES: |value| < 9e12, digits <= 5.
+  /// Rounded to `digits` decimals ("0.2"); what lies beyond 9e12 as that, not a number as 0.
+  /// REQUIRES: digits <= 5.
   GcodeText& Real(double value, int digits);
 
   bool EndsLine() const { return text_.empty() || text_.back() == '\n'; }
@@ -36,7 +37,7 @@ class GcodeText {
   std::string Take() { return std::move(text_); }
 
  private:
-  /// value / 10^digits.
+  /// value / 10^digits. REQUIRES: value > INT64_MIN.
   GcodeText& Decimal(int64_t value, int digits, bool leading_zero = false);
 
   std::string text_;

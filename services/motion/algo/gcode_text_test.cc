@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <limits>
 #include <random>
 
 namespace slicefarm::motion {
@@ -32,6 +33,12 @@ TEST(GcodeText, Real) {
   EXPECT_EQ(GcodeText().Real(-0.0004, 3).text(), "0");
   EXPECT_EQ(GcodeText().Real(-0.05, 3).text(), "-0.05");
   EXPECT_EQ(GcodeText().Real(12.3456, 2).text(), "12.35");
+}
+
+TEST(GcodeText, RealOfAnySizeEnds) {
+  EXPECT_EQ(GcodeText().Real(-1e300, 3).text(), "-9000000000000");
+  EXPECT_EQ(GcodeText().Real(std::numeric_limits<double>::infinity(), 5).text(), "9000000000000");
+  EXPECT_EQ(GcodeText().Real(std::numeric_limits<double>::quiet_NaN(), 3).text(), "0");
 }
 
 TEST(GcodeText, ReadsBackAsTheSameNumber) {

@@ -13,11 +13,14 @@ namespace {
 
 constexpr Coord kMaxBeadNm = 100 * kNmPerMm;
 constexpr double kMaxFlow = 1000;
+/// Lengths become 32-bit micrometres, and 32-bit 1e-5 mm of filament, two of them in one move.
+constexpr double kMaxLengthMm = 1e4;
 constexpr double kMaxSetting = 1e9;
 
 struct Named {
   const char* setting;
   double value;
+  double most = kMaxSetting;
 };
 
 absl::Status OutOfRange(const Named& named) {
@@ -26,7 +29,9 @@ absl::Status OutOfRange(const Named& named) {
                    {{"setting", named.setting}, {"got", std::to_string(named.value)}});
 }
 
-bool InBounds(double value) { return std::isfinite(value) && std::abs(value) <= kMaxSetting; }
+bool InBounds(double value, double most = kMaxSetting) {
+  return std::isfinite(value) && std::abs(value) <= most;
+}
 
 bool InBounds(Point point) {
   return std::abs(point.x) <= limits::kMaxCoord && std::abs(point.y) <= limits::kMaxCoord;
@@ -46,24 +51,25 @@ bool InBounds(const Path& path) {
 absl::Status CheckOptions(const MotionOptions& options) {
   const RetractionOptions& retraction = options.retraction;
   const CoolingOptions& cooling = options.cooling;
-  for (const Named& named : {Named{"filament_diameter", options.filament_diameter_mm},
+  for (const Named& named : {Named{"filament_diameter", options.filament_diameter_mm, kMaxLengthMm},
                              Named{"extrusion_multiplier", options.extrusion_multiplier}}) {
-    if (!(named.value > 0 && InBounds(named.value))) return OutOfRange(named);
+    if (!(named.value > 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
   for (const Named& named :
-       {Named{"retract_length", retraction.length_mm},
+       {Named{"retract_length", retraction.length_mm, kMaxLengthMm},
         Named{"retract_speed", retraction.speed_mm_s},
         Named{"deretract_speed", retraction.restart_speed_mm_s},
-        Named{"retract_lift", retraction.lift_mm},
-        Named{"retract_before_travel", retraction.min_travel_mm},
+        Named{"retract_lift", retraction.lift_mm, kMaxLengthMm},
+        Named{"retract_before_travel", retraction.min_travel_mm, kMaxLengthMm},
         Named{"slowdown_below_layer_time", cooling.slowdown_below_layer_time_s},
         Named{"fan_below_layer_time", cooling.fan_below_layer_time_s},
         Named{"min_print_speed", cooling.min_print_speed_mm_s}}) {
-    if (!(named.value >= 0 && InBounds(named.value))) return OutOfRange(named);
+    if (!(named.value >= 0 && InBounds(named.value, named.most))) return OutOfRange(named);
   }
-  for (const Named& named : {Named{"retract_restart_extra", retraction.restart_extra_mm},
-                             Named{"z_offset", options.z_offset_mm}}) {
-    if (!InBounds(named.value)) return OutOfRange(named);
+  for (const Named& named :
+       {Named{"retract_restart_extra", retraction.restart_extra_mm, kMaxLengthMm},
+        Named{"z_offset", options.z_offset_mm, kMaxLengthMm}}) {
+    if (!InBounds(named.value, named.most)) return OutOfRange(named);
   }
   return absl::OkStatus();
 }

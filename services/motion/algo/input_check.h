@@ -7,8 +7,9 @@
 namespace slicefarm::motion {
 
 /// Refuses what no planner can work with: diameters and speeds that are not above 0, numbers that
-/// are not finite. Settings are checked in full where they are read; this keeps a wrong sender from
-/// doing harm. Errors: InvalidArgument SETTING_OUT_OF_RANGE naming the setting.
+/// are not finite, lengths beyond 10 m. Settings are checked in full where they are read; this
+/// keeps a wrong sender from doing harm. Errors: InvalidArgument SETTING_OUT_OF_RANGE naming the
+/// setting.
 absl::Status CheckOptions(const MotionOptions& options);
 
 /// Refuses paths of fewer than two points, with a wrong number of widths, or of a width, height,

@@ -25,6 +25,13 @@ TEST(CheckOptions, NamesTheSetting) {
       {"extrusion_multiplier", [](auto& o) { o.extrusion_multiplier = kNan; }},
       {"retract_length", [](auto& o) { o.retraction.length_mm = -1; }},
       {"retract_lift", [](auto& o) { o.retraction.lift_mm = 1e300; }},
+      // Finite, but more than 32 bits hold.
+      {"filament_diameter", [](auto& o) { o.filament_diameter_mm = 1.1e4; }},
+      {"retract_length", [](auto& o) { o.retraction.length_mm = 1e5; }},
+      {"retract_lift", [](auto& o) { o.retraction.lift_mm = 1e8; }},
+      {"retract_before_travel", [](auto& o) { o.retraction.min_travel_mm = 1.1e4; }},
+      {"retract_restart_extra", [](auto& o) { o.retraction.restart_extra_mm = -1e5; }},
+      {"z_offset", [](auto& o) { o.z_offset_mm = -1e8; }},
       {"z_offset", [](auto& o) { o.z_offset_mm = kNan; }},
       {"slowdown_below_layer_time", [](auto& o) { o.cooling.slowdown_below_layer_time_s = kNan; }},
   };
