@@ -46,7 +46,7 @@ void WriteHeader(const LayerFrame& frame, std::string_view before, GcodeText& ou
   const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
   out << ";LAYER_CHANGE\n;Z:";
   out.Real(z_mm, 3) << "\n;HEIGHT:";
-  out.Real(ToMm(static_cast<double>(frame.height_nm)), 3) << '\n';
+  out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
   // Printer hosts look for this pair of lines; many profiles bring it along.
   if (before.find(";BEFORE_LAYER_CHANGE") == std::string_view::npos) {
     out << ";BEFORE_LAYER_CHANGE\n;";
@@ -88,7 +88,7 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   LayerState state;
   state.fan_percent = FanPercent(options.cooling, index, program.stats.TimeS());
   state.bridge_fan_percent = BridgeFanPercent(options.cooling, index, state.fan_percent);
-  state.height_um = static_cast<int32_t>(layer.frame.height_nm / 1000);
+  state.height_um = ToUm(layer.frame.height_nm);
   LayerWriter writer(options.flavor, AccelerationsFor(options, index), state);
 
   GcodeText out(path.moves.size() * kBytesPerMove + kBytesAround + code->before.size() +

@@ -214,6 +214,26 @@ TEST(ProgramLayer, CustomCodeStandsAroundTheChangeOfHeight) {
                                 "G1 X10 Y10 F7800\n"));
 }
 
+TEST(ProgramLayer, AccelerationsOfCustomCodeEndWithIt) {
+  MotionOptions options = Options();
+  options.flavor = GcodeFlavor::kKlipper;
+  options.travel_acceleration_mm_s2 = 3000;
+  options.layer_gcode = "M204 S100";
+  EXPECT_THAT(Programmed(Square(), options).gcode,
+              HasSubstr("G1 Z.6 F1200\nM204 S100\nM204 S3000\nG1 X10 Y10"));
+}
+
+// Moves round to micrometres; the head of the layer has to say the same.
+TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
+  for (const Coord height_nm : {200'500, 200'700, 201'300}) {
+    OrderedLayer layer = Square();
+    layer.frame.height_nm = height_nm;
+    const std::string gcode = Programmed(layer).gcode;
+    EXPECT_THAT(gcode, HasSubstr("\n;HEIGHT:0.201\n"));
+    EXPECT_EQ(gcode.find(";HEIGHT:"), gcode.rfind(";HEIGHT:"));
+  }
+}
+
 TEST(ProgramLayer, NamesTheTemplateThatIsWrong) {
   MotionOptions options = Options();
   options.layer_gcode = "[no_such_setting]";

@@ -27,7 +27,8 @@ class LayerWriter {
         fan_percent_(state.fan_percent) {}
 
   /// Appends the moves [first, last). May be called for one stretch after the other, with other
-  /// text in between: nothing is taken as known at the start of a stretch but the position.
+  /// text in between: feed rate and acceleration are told anew, as that text may have set its own.
+  /// A fan that it sets stays as it is.
   void Write(const Toolpath& path, size_t first, size_t last, GcodeText& out);
 
  private:

@@ -80,6 +80,22 @@ TEST(LayerWriter, AStretchSaysItsFeedRateAnew) {
   EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0 F9000\n");
 }
 
+// The text between them, a profile's layer_gcode, may hold an M204 of its own.
+TEST(LayerWriter, AStretchSaysItsAccelerationAnew) {
+  Toolpath path;
+  path.moves = {Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)};
+  Accelerations accelerations;
+  accelerations.told = accelerations.told_travel = true;
+  accelerations.travel = 3'000;
+  GcodeText out;
+  LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
+  writer.Write(path, 0, 1, out);
+  writer.Write(path, 1, 2, out);
+  EXPECT_EQ(out.text(),
+            ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000 T3000\nG1 X1 Y0 E.03 F1800\n"
+            "M204 P1000 T3000\nG1 X2 Y0 E.03 F1800\n");
+}
+
 TEST(LayerWriter, FanForBridges) {
   const std::string text =
       Written({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kBridgeInfill),

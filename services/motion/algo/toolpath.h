@@ -8,6 +8,11 @@
 
 namespace slicefarm::motion {
 
+/// A length as moves have it: whole micrometres, half of one away from zero. REQUIRES: below 2 km.
+inline int32_t ToUm(Coord nm) {
+  return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
+}
+
 enum class MoveKind : uint8_t {
   kPrint,
   kTravel,

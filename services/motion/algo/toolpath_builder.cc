@@ -14,8 +14,6 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-int32_t ToUm(Coord nm) { return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000); }
-
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
 }
