@@ -21,6 +21,8 @@ struct Accelerations {
   bool told_travel = false;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
+  /// Of a travel, where the path before it runs with `before`.
+  double Travel(double before) const { return travel > 0 ? travel : before; }
 };
 
 Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index);

@@ -47,9 +47,9 @@ TEST(Accelerations, TravelApartOnlyInMarlin2) {
     MotionOptions options = Options();
     options.flavor = flavor;
     options.default_acceleration_mm_s2 = 1000;
-    EXPECT_EQ(AccelerationsFor(options, 1).travel, 0) << "as the path before";
+    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 700) << "as the path before";
     options.travel_acceleration_mm_s2 = 2000;
-    EXPECT_EQ(AccelerationsFor(options, 1).travel, 2000);
+    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 2000);
     EXPECT_TRUE(AccelerationsFor(options, 1).told_travel);
   }
 }

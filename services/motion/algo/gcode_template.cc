@@ -94,7 +94,7 @@ class Expander {
     }
     auto value = EvaluateExpression(inside, variables_, Active());
     if (!value.ok()) {
-      if (const auto element = Element(inside)) value = *element;
+      if (const TemplateValue* element = Element(inside)) value = *element;
     }
     if (!value.ok()) return value.status();
     absl::Status status = Print(ToText(*value));
@@ -113,16 +113,14 @@ class Expander {
   }
 
   /// temperature_1 is temperature[1].
-  std::optional<TemplateValue> Element(std::string_view name) const {
+  const TemplateValue* Element(std::string_view name) const {
     const size_t underscore = name.rfind('_');
-    if (underscore == std::string_view::npos) return {};
-    const auto found = variables_.find(name.substr(0, underscore));
-    if (found == variables_.end()) return {};
-    size_t index = 0;
+    if (underscore == std::string_view::npos) return nullptr;
+    int64_t index = 0;
     const char* end = name.data() + name.size();
     const auto parsed = std::from_chars(name.data() + underscore + 1, end, index);
-    if (parsed.ec != std::errc() || parsed.ptr != end) return {};
-    return found->second[index < found->second.size() ? index : 0];
+    if (parsed.ec != std::errc() || parsed.ptr != end) return nullptr;
+    return FindValue(variables_, name.substr(0, underscore), index);
   }
 
   absl::Status Brace() {

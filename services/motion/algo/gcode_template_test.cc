@@ -17,6 +17,7 @@ const TemplateVariables& Variables() {
       {"layer_z", {0.6}},
       {"filament_type", {std::string("PETG")}},
       {"current_extruder", {int64_t{0}}},
+      {"nothing", {}},
   };
   return variables;
 }
@@ -82,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
     Templates, BadTemplateTest,
     testing::Values(BadCase{"Unknown", "G28\nM104 S[nozzle]", "2", "nozzle"},
                     BadCase{"UnknownInBrace", "\n\n{if nozzle[0] > 1}", "3", "nozzle"},
+                    BadCase{"ElementOfNothing", "[nothing_0]", "1", "nothing_0"},
                     BadCase{"OpenBracket", "[temperature", "1", ""},
                     BadCase{"OpenBrace", "{temperature", "1", ""},
                     BadCase{"NoName", "[1 + 1]", "1", ""}, BadCase{"EmptyBrace", "{}", "1", ""},

@@ -14,6 +14,11 @@ constexpr double kMostReal = 9e12;
 
 }  // namespace
 
+GcodeText& GcodeText::Lines(std::string_view code) {
+  *this << code;
+  return EndsLine() ? *this : *this << '\n';
+}
+
 GcodeText& GcodeText::Integer(int64_t value) {
   char buffer[kLongestInteger];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;

@@ -25,6 +25,8 @@ class GcodeText {
     text_.push_back(part);
     return *this;
   }
+  /// A piece of G-code, whose last line is ended.
+  GcodeText& Lines(std::string_view code);
   GcodeText& Integer(int64_t value);
   GcodeText& Micrometers(int64_t um) { return Decimal(um, 3); }
   GcodeText& Filament(int64_t units) { return Decimal(units, 5); }
@@ -32,11 +34,11 @@ class GcodeText {
   /// REQUIRES: digits <= 5.
   GcodeText& Real(double value, int digits);
 
-  bool EndsLine() const { return text_.empty() || text_.back() == '\n'; }
   const std::string& text() const { return text_; }
   std::string Take() { return std::move(text_); }
 
  private:
+  bool EndsLine() const { return text_.empty() || text_.back() == '\n'; }
   /// value / 10^digits. REQUIRES: value > INT64_MIN.
   GcodeText& Decimal(int64_t value, int digits, bool leading_zero = false);
 

@@ -50,14 +50,14 @@ TEST(GcodeText, ReadsBackAsTheSameNumber) {
   }
 }
 
-TEST(GcodeText, LinesAreSeen) {
+TEST(GcodeText, LinesAreEnded) {
   GcodeText text;
-  EXPECT_TRUE(text.EndsLine());
-  text << "G28";
-  EXPECT_FALSE(text.EndsLine());
-  text << '\n';
-  EXPECT_TRUE(text.EndsLine());
-  EXPECT_EQ(text.Integer(-7).Take(), "G28\n-7");
+  text.Lines("");
+  EXPECT_EQ(text.text(), "");
+  text.Lines("G28");
+  EXPECT_EQ(text.text(), "G28\n");
+  text.Lines("").Lines("G29\nG30\n");
+  EXPECT_EQ(text.Integer(-7).Take(), "G28\nG29\nG30\n-7");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "services/motion/algo/gcode_template.h"
 #include "services/motion/algo/layer_timing.h"
 #include "services/motion/algo/layer_writer.h"
+#include "services/motion/algo/machine_setup.h"
 #include "services/motion/algo/template_variables.h"
 #include "services/motion/algo/toolpath_builder.h"
 
@@ -36,12 +37,6 @@ absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const 
   return CustomCode{*std::move(before), *std::move(after)};
 }
 
-void WriteLines(std::string_view code, GcodeText& out) {
-  if (code.empty()) return;
-  out << code;
-  if (!out.EndsLine()) out << '\n';
-}
-
 void WriteHeader(const LayerFrame& frame, std::string_view before, GcodeText& out) {
   const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
   out << ";LAYER_CHANGE\n;Z:";
@@ -52,20 +47,17 @@ void WriteHeader(const LayerFrame& frame, std::string_view before, GcodeText& ou
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
   }
-  WriteLines(before, out);
+  out.Lines(before);
 }
 
 /// The second layer goes over from the first layer's temperatures to the others.
 void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeText& out) {
   if (layer_index != 1) return;
-  if (options.temperature_c > 0 && options.temperature_c != options.first_layer_temperature_c) {
-    out << "M104 S";
-    out.Integer(options.temperature_c) << '\n';
+  if (options.temperature_c != options.first_layer_temperature_c) {
+    WriteTemperature("M104", options.temperature_c, out);
   }
-  if (options.bed_temperature_c > 0 &&
-      options.bed_temperature_c != options.first_layer_bed_temperature_c) {
-    out << "M140 S";
-    out.Integer(options.bed_temperature_c) << '\n';
+  if (options.bed_temperature_c != options.first_layer_bed_temperature_c) {
+    WriteTemperature("M140", options.bed_temperature_c, out);
   }
 }
 
@@ -98,7 +90,7 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   WriteFan(state.fan_percent, out);
   const size_t approach = std::min(path.approach, path.moves.size());
   writer.Write(path, 0, approach, out);
-  WriteLines(code->after, out);
+  out.Lines(code->after);
   writer.Write(path, approach, path.moves.size(), out);
   program.gcode = out.Take();
   if (!layer.paths.empty()) {

@@ -59,12 +59,6 @@ void WriteMarlinLimits(const MotionOptions& options, GcodeText& out) {
   }
 }
 
-void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out) {
-  if (celsius <= 0) return;
-  out << command << " S";
-  out.Integer(celsius) << '\n';
-}
-
 }  // namespace
 
 void WriteMachineLimits(const MotionOptions& options, GcodeText& out) {
@@ -80,13 +74,18 @@ void WriteMachineLimits(const MotionOptions& options, GcodeText& out) {
       .Set("SQUARE_CORNER_VELOCITY=", limits.square_corner_velocity_mm_s);
 }
 
+void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out) {
+  if (celsius <= 0) return;
+  out << command << " S";
+  out.Integer(celsius) << '\n';
+}
+
 void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
   const bool sets_bed = Commands(start_gcode, {"M140", "M190"});
   const bool sets_nozzle = Commands(start_gcode, {"M104", "M109"});
   if (!sets_bed) WriteTemperature("M190", options.first_layer_bed_temperature_c, out);
   if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
-  out << start_gcode;
-  if (!out.EndsLine()) out << '\n';
+  out.Lines(start_gcode);
   if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
 }
 

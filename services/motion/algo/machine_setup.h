@@ -12,6 +12,9 @@ namespace slicefarm::motion {
 /// they are.
 void WriteMachineLimits(const MotionOptions& options, GcodeText& out);
 
+/// `M104 S210`; nothing for 0, which leaves the temperature as it is.
+void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out);
+
 /// Writes the start G-code, already filled in, and heats up around it: the bed before, the nozzle
 /// begun before and waited for after; but leaves to the start G-code what it does by itself.
 /// Source: PrusaSlicer.

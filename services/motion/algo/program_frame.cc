@@ -8,8 +8,7 @@
 #include "services/motion/algo/accelerations.h"
 #include "services/motion/algo/gcode_template.h"
 #include "services/motion/algo/gcode_text.h"
-#include "services/motion/algo/kinematics/klipper_junction.h"
-#include "services/motion/algo/kinematics/marlin_junction.h"
+#include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 #include "services/motion/algo/machine_setup.h"
 #include "services/motion/algo/print_metadata.h"
@@ -25,14 +24,11 @@ double TravelTime(Point from, Point to, const MotionOptions& options, int32_t la
   const double length = ToMm(Distance(from, to));
   if (length == 0) return 0;
   const Accelerations accelerations = AccelerationsFor(options, layer_index);
-  const double acceleration =
-      accelerations.travel > 0 ? accelerations.travel : accelerations.Print(Feature::kPerimeter);
+  const double acceleration = accelerations.Travel(accelerations.Print(Feature::kPerimeter));
   const double x = ToMm(static_cast<double>(to.x - from.x)) / length;
   const double y = ToMm(static_cast<double>(to.y - from.y)) / length;
   const KinematicMove asked{length, {x, y, 0, 0}, TravelSpeed(options), acceleration};
-  const KinematicMove move = options.flavor == GcodeFlavor::kKlipper
-                                 ? LimitedByKlipper(asked, options.limits)
-                                 : LimitedByMarlin(asked, options.limits);
+  const KinematicMove move = LimitedByFirmware(asked, options.flavor, options.limits);
   return RestToRest(move.length_mm, move.speed_mm_s, move.acceleration_mm_s2);
 }
 
@@ -91,9 +87,8 @@ std::string Epilogue(const ProgramSummary& summary, const MotionOptions& options
                      std::string_view end_gcode, double time_s) {
   GcodeText out;
   if (options.progress) out << "M73 P100 R0\n";
-  out << ";TYPE:Custom\nM107\n" << end_gcode;
-  if (!out.EndsLine()) out << '\n';
-  out << MetadataTail(options, summary, time_s);
+  out << ";TYPE:Custom\nM107\n";
+  out.Lines(end_gcode) << MetadataTail(options, summary, time_s);
   return out.Take();
 }
 

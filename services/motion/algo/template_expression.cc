@@ -233,11 +233,9 @@ class Parser {
   }
 
   Result Lookup(std::string_view name, int64_t index) const {
-    const auto found = variables_.find(name);
-    if (found == variables_.end() || found->second.empty()) return Unknown(name);
-    const auto& values = found->second;
-    const bool inside = 0 <= index && index < static_cast<int64_t>(values.size());
-    return values[inside ? static_cast<size_t>(index) : 0];
+    const TemplateValue* value = FindValue(variables_, name, index);
+    if (value == nullptr) return Unknown(name);
+    return *value;
   }
 
   /// Reads a part whose value counts only if `counts`.

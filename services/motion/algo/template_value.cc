@@ -39,6 +39,15 @@ std::string NumberText(double number) {
 
 }  // namespace
 
+const TemplateValue* FindValue(const TemplateVariables& variables, std::string_view name,
+                               int64_t index) {
+  const auto found = variables.find(name);
+  if (found == variables.end() || found->second.empty()) return nullptr;
+  const std::vector<TemplateValue>& values = found->second;
+  const bool inside = 0 <= index && index < static_cast<int64_t>(values.size());
+  return &values[inside ? static_cast<size_t>(index) : 0];
+}
+
 std::string ToText(const TemplateValue& value) {
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   if (const auto* whole = std::get_if<int64_t>(&value)) return std::to_string(*whole);

@@ -16,6 +16,11 @@ using TemplateValue = std::variant<bool, int64_t, double, std::string>;
 /// without an index.
 using TemplateVariables = std::map<std::string, std::vector<TemplateValue>, std::less<>>;
 
+/// variable[index]; past the list's end, its first element. nullptr: there is no such variable, or
+/// it has no value.
+const TemplateValue* FindValue(const TemplateVariables& variables, std::string_view name,
+                               int64_t index);
+
 /// As it stands in the G-code: numbers without trailing zeros, up to 6 decimals.
 std::string ToText(const TemplateValue& value);
 

@@ -18,6 +18,15 @@ TEST(ToText, OfEachKind) {
   EXPECT_EQ(ToText(std::string("PLA")), "PLA");
 }
 
+TEST(FindValue, PastTheEndIsTheFirst) {
+  const TemplateVariables variables = {{"list", {int64_t{7}, int64_t{8}}}, {"none", {}}};
+  EXPECT_EQ(*FindValue(variables, "list", 1), TemplateValue(int64_t{8}));
+  EXPECT_EQ(*FindValue(variables, "list", 2), TemplateValue(int64_t{7}));
+  EXPECT_EQ(*FindValue(variables, "list", -1), TemplateValue(int64_t{7}));
+  EXPECT_EQ(FindValue(variables, "none", 0), nullptr);
+  EXPECT_EQ(FindValue(variables, "other", 0), nullptr);
+}
+
 TEST(ParseSetting, TellsNumbersFromText) {
   EXPECT_THAT(ParseSetting("210"), ElementsAre(TemplateValue(int64_t{210})));
   EXPECT_THAT(ParseSetting("0.45"), ElementsAre(TemplateValue(0.45)));

@@ -114,7 +114,7 @@ void ToolpathBuilder::Travel(int32_t x_um, int32_t y_um) {
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_));
-  Push(MoveKind::kTravel, accelerations_.travel > 0 ? accelerations_.travel : print_acceleration_);
+  Push(MoveKind::kTravel, accelerations_.Travel(print_acceleration_));
   ++stats_.travels;
 }
 
@@ -123,7 +123,7 @@ void ToolpathBuilder::MoveZ(int32_t z_um) {
   at_.z_um = z_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeedZ(options_));
-  Push(MoveKind::kLift, accelerations_.travel > 0 ? accelerations_.travel : print_acceleration_);
+  Push(MoveKind::kLift, accelerations_.Travel(print_acceleration_));
 }
 
 void ToolpathBuilder::Retract() {

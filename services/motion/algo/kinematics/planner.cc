@@ -20,16 +20,21 @@ constexpr double kAsBefore = -1;
 
 }  // namespace
 
+KinematicMove LimitedByFirmware(const KinematicMove& move, GcodeFlavor flavor,
+                                const MachineLimits& limits) {
+  return flavor == GcodeFlavor::kKlipper ? LimitedByKlipper(move, limits)
+                                         : LimitedByMarlin(move, limits);
+}
+
 std::span<const MoveProfile> Planner::Plan(std::span<const KinematicMove> moves) {
   moves_.resize(moves.size());
   entry_v2_.resize(moves.size() + 1);
   profiles_.resize(moves.size());
   if (moves.empty()) return profiles_;
-  const bool klipper = flavor_ == GcodeFlavor::kKlipper;
   for (size_t i = 0; i < moves.size(); ++i) {
-    moves_[i] = klipper ? LimitedByKlipper(moves[i], limits_) : LimitedByMarlin(moves[i], limits_);
+    moves_[i] = LimitedByFirmware(moves[i], flavor_, limits_);
   }
-  if (klipper) {
+  if (flavor_ == GcodeFlavor::kKlipper) {
     const double calm = 1 - std::clamp(limits_.minimum_cruise_ratio, 0.0, 1.0);
     calm_reach_v2_.resize(moves.size());
     calm_entry_v2_.resize(moves.size() + 1);

@@ -8,6 +8,11 @@
 
 namespace slicefarm::motion {
 
+/// The move within the limits of the axes, as the firmware has it: LimitedByKlipper or
+/// LimitedByMarlin.
+KinematicMove LimitedByFirmware(const KinematicMove& move, GcodeFlavor flavor,
+                                const MachineLimits& limits);
+
 /// Look-ahead over a run of moves that begins and ends at rest, by the rules of the printer's
 /// firmware, so that its times are the printer's times:
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
