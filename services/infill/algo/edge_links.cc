@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "common/geometry/measure.h"
+#include "services/infill/algo/ring_way.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -126,23 +127,15 @@ class Linker {
       append(ends_[out].place);
       end = link_[out];
       if (end == kNone) return path;
-      ForEachCorner(out, end, append);
+      ForEachCorner(*rings_[ends_[out].ring], WayOf(out, end), append);
     }
   }
 
-  template <typename Visit>
-  void ForEachCorner(int32_t from, int32_t to, Visit visit) const {
-    const Polygon& ring = *rings_[ends_[from].ring];
-    const auto size = static_cast<int32_t>(ring.size());
+  /// The way that a link takes from one end to another.
+  RingWay WayOf(int32_t from, int32_t to) const {
     const bool forward = forward_[from];
-    const int32_t a = ends_[from].edge, b = ends_[to].edge;
-    int32_t corners = forward ? b - a : a - b;
     const bool ahead = (ends_[from].along_nm <= ends_[to].along_nm) == forward;
-    if (corners < 0 || (corners == 0 && !ahead)) corners += size;
-    for (int32_t at = forward ? a + 1 : a; corners > 0; --corners) {
-      visit(ring[(at + size) % size]);
-      at += forward ? 1 : -1;
-    }
+    return {ends_[from].edge, ends_[to].edge, forward, !ahead};
   }
 
   const EdgeLinkOptions& options_;

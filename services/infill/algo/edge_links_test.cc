@@ -84,9 +84,7 @@ TEST(EdgeLinks, PiecesAndLinksAddUp) {
   for (const double angle : {0.0, 0.5, 1.2}) {
     const auto families = Families(region, {{angle, 0, 1.1e6}, {angle + 1.5, 0, 1.3e6}});
     double pieces = 0;
-    for (const ScanLines& lines : families)
-      for (int32_t i = 0; i < lines.PieceCount(); ++i)
-        pieces += lines.crossings[lines.order[2 * i + 1]].u - lines.crossings[lines.order[2 * i]].u;
+    for (const ScanLines& lines : families) pieces += lines.TotalLength();
     const auto loose = LinkAlongEdge(families, {.max_link_nm = 0});
     EXPECT_NEAR(TotalMm(loose), pieces / kNmPerMm, 1e-3);
     const auto joined = LinkAlongEdge(families, {.max_link_nm = 2e6, .link_budget_nm = 9e6});

@@ -20,13 +20,6 @@ constexpr double kMostExcess = 0.028;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinLengthWidths = 1.0;
 
-double TotalLength(const ScanLines& lines) {
-  double length = 0;
-  for (size_t i = 0; i < lines.order.size(); i += 2)
-    length += lines.crossings[lines.order[i + 1]].u - lines.crossings[lines.order[i]].u;
-  return length;
-}
-
 }  // namespace
 
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill) {
@@ -44,7 +37,7 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   for (int i = 0; i < (grid ? 2 : 1); ++i) {
     auto lines = CutLines(area, family);
     if (!lines.ok()) return lines.status();
-    length += TotalLength(*lines);
+    length += lines->TotalLength();
     families.push_back(*std::move(lines));
     family.angle_rad += std::numbers::pi / 2;
   }

@@ -104,6 +104,16 @@ Point ScanLines::PlaceOf(const Crossing& crossing) const {
   return frame.At(crossing.u, first_v + pitch * crossing.line);
 }
 
+double ScanLines::PieceLength(int32_t piece) const {
+  return crossings[order[2 * piece + 1]].u - crossings[order[2 * piece]].u;
+}
+
+double ScanLines::TotalLength() const {
+  double length = 0;
+  for (int32_t piece = 0; piece < PieceCount(); ++piece) length += PieceLength(piece);
+  return length;
+}
+
 absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family) {
   ScanLines lines;
   lines.frame = LineFrame(family.angle_rad);

@@ -60,6 +60,9 @@ struct ScanLines {
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
   Point PlaceOf(const Crossing& crossing) const;
+  /// In nm, of one piece and of all of them.
+  double PieceLength(int32_t piece) const;
+  double TotalLength() const;
 };
 
 /// Cuts `region` into pieces of lines. REQUIRES: family.pitch_nm > 0. A line meets an edge under a

@@ -14,13 +14,7 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
-double TotalMm(const ScanLines& lines) {
-  double length = 0;
-  for (int32_t piece = 0; piece < lines.PieceCount(); ++piece)
-    length +=
-        lines.crossings[lines.order[2 * piece + 1]].u - lines.crossings[lines.order[2 * piece]].u;
-  return length / kNmPerMm;
-}
+double TotalMm(const ScanLines& lines) { return lines.TotalLength() / kNmPerMm; }
 
 TEST(ScanLines, CutASquare) {
   const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
@@ -28,6 +22,7 @@ TEST(ScanLines, CutASquare) {
   ASSERT_TRUE(lines.ok());
   EXPECT_EQ(lines->LineCount(), 10);
   EXPECT_EQ(lines->PieceCount(), 10);
+  EXPECT_NEAR(lines->PieceLength(3), 10e6, 1e-3);
   EXPECT_NEAR(TotalMm(*lines), 100, 1e-9);
   EXPECT_EQ(lines->PlaceOf(lines->crossings[lines->order[0]]), (Point{0, 500'000}));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
+#include "services/infill/algo/ring_way.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -134,29 +135,24 @@ class Walker {
     return best;
   }
 
-  /// Calls visit for the corners of the boundary that a link passes.
+  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring: that
+  /// meets each line twice, so on the way from a line to the next there are others.
   template <typename Visit>
-  void ForEachCorner(int32_t from, const Link& link, Visit visit) const {
+  void ForEachLinkCorner(int32_t from, const Link& link, Visit visit) const {
     const Crossing& a = lines_.crossings[from];
     const Crossing& b = lines_.crossings[link.to];
-    const Polygon& ring = *lines_.rings[a.ring];
-    const auto size = static_cast<int32_t>(ring.size());
-    const int32_t step = link.forward ? 1 : size - 1;
-    // Point e + 1 follows edge e, so going back the first corner is point e itself.
-    int32_t at = link.forward ? (a.edge + 1) % size : a.edge;
-    const int32_t end = link.forward ? (b.edge + 1) % size : b.edge;
-    for (; at != end; at = (at + step) % size) visit(ring[at]);
+    ForEachCorner(*lines_.rings[a.ring], {a.edge, b.edge, link.forward}, visit);
   }
 
   double LinkLength(int32_t from, const Link& link) const {
     Point at = lines_.PlaceOf(lines_.crossings[from]);
     double length = 0;
-    ForEachCorner(from, link, [&](Point p) { length += Distance(at, p), at = p; });
+    ForEachLinkCorner(from, link, [&](Point p) { length += Distance(at, p), at = p; });
     return length + Distance(at, lines_.PlaceOf(lines_.crossings[link.to]));
   }
 
   void AppendLink(int32_t from, const Link& link, Polyline& path) const {
-    ForEachCorner(from, link, [&](Point p) { path.push_back(p); });
+    ForEachLinkCorner(from, link, [&](Point p) { path.push_back(p); });
   }
 
   const ScanLines& lines_;
