@@ -97,22 +97,6 @@ MultiPolygon ByIsland(const MultiPolygon& subject, const One& one) {
   return all;
 }
 
-/// Rings whose winding number is positive exactly where at least `count` of the regions lie: all of
-/// them, less one around everything for each region that may be missing.
-Paths CountingRings(std::span<const MultiPolygon* const> regions, int count) {
-  Paths paths;
-  Box box;
-  for (const MultiPolygon* region : regions) {
-    internal::AppendRings(*region, paths);
-    box.Add(Bounds(*region));
-  }
-  if (box.Empty()) return {};
-  box = box.Grown(kNmPerMm);
-  const Polygon clockwise = {box.min, {box.min.x, box.max.y}, box.max, {box.max.x, box.min.y}};
-  for (int i = 1; i < count; ++i) paths.push_back(internal::ToPath(clockwise));
-  return paths;
-}
-
 }  // namespace
 
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule) {
@@ -142,51 +126,6 @@ MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b) {
     const MultiPolygon near = surroundings.Near(box);
     return near.empty() ? MultiPolygon() : Execute(Operation::kIntersection, island, near);
   });
-}
-
-MultiPolygon CoveredAtLeast(std::span<const MultiPolygon* const> regions, int count) {
-  if (count > static_cast<int>(regions.size())) return {};
-  return Execute(ClipperLib::ctUnion, CountingRings(regions, count), {}, ClipperLib::pftPositive,
-                 ClipperLib::pftPositive);
-}
-
-MultiPolygon DifferenceCovered(const MultiPolygon& subject,
-                               std::span<const MultiPolygon* const> regions, int count) {
-  if (count > static_cast<int>(regions.size())) return subject;
-  std::vector<Surroundings> surroundings;
-  for (const MultiPolygon* region : regions) surroundings.emplace_back(*region);
-  return ByIsland(subject, [&](const MultiPolygon& island, const Box& box) {
-    std::vector<MultiPolygon> near;
-    for (const Surroundings& around : surroundings) {
-      MultiPolygon part = around.Near(box);
-      if (!part.empty()) near.push_back(std::move(part));
-    }
-    if (count > static_cast<int>(near.size())) return island;
-    std::vector<const MultiPolygon*> covers;
-    for (const MultiPolygon& part : near) covers.push_back(&part);
-    Paths paths;
-    internal::AppendRings(island, paths);
-    return Execute(ClipperLib::ctDifference, paths, CountingRings(covers, count),
-                   ClipperLib::pftNonZero, ClipperLib::pftPositive);
-  });
-}
-
-std::vector<Polyline> ClipLines(std::span<const Polyline> lines, const MultiPolygon& clip) {
-  if (lines.empty() || clip.empty()) return {};
-  ClipperLib::Clipper clipper;
-  for (const Polyline& line : lines)
-    clipper.AddPath(internal::ToPath(line), ClipperLib::ptSubject, false);
-  Paths clip_paths;
-  internal::AppendRings(clip, clip_paths);
-  clipper.AddPaths(clip_paths, ClipperLib::ptClip, true);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  Paths open;
-  ClipperLib::OpenPathsFromPolyTree(tree, open);
-  std::vector<Polyline> parts;
-  parts.reserve(open.size());
-  for (const ClipperLib::Path& path : open) parts.push_back(internal::FromPath(path));
-  return parts;
 }
 
 }  // namespace slicefarm

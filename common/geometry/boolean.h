@@ -22,16 +22,4 @@ MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b);
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b);
 MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b);
 
-/// The region that at least `count` of the `regions` cover, in one sweep. REQUIRES: 1 <= count.
-/// With count = regions.size() this is the intersection of all.
-MultiPolygon CoveredAtLeast(std::span<const MultiPolygon* const> regions, int count);
-
-/// `subject` less CoveredAtLeast(regions, count), in one sweep.
-MultiPolygon DifferenceCovered(const MultiPolygon& subject,
-                               std::span<const MultiPolygon* const> regions, int count);
-
-/// The parts of open `lines` inside `clip`. Order and direction of the parts are unspecified but
-/// deterministic.
-std::vector<Polyline> ClipLines(std::span<const Polyline> lines, const MultiPolygon& clip);
-
 }  // namespace slicefarm

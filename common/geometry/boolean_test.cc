@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
 
 namespace slicefarm {
 namespace {
 
-MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 double AreaMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
 MultiPolygon Square(double x, double y, double size) {
   const Coord x0 = FromMm(x), y0 = FromMm(y), s = FromMm(size);
@@ -61,43 +59,6 @@ INSTANTIATE_TEST_SUITE_P(Rules, FillRuleTest,
                                          RuleCase{"EvenOdd", FillRule::kEvenOdd, 93},
                                          RuleCase{"Positive", FillRule::kPositive, 100}),
                          [](const auto& info) { return info.param.name; });
-
-TEST(CoveredAtLeast, CountsRegions) {
-  const MultiPolygon a = Square(0, 0, 10), b = Square(2, 0, 10), c = Square(4, 0, 10);
-  const std::vector<const MultiPolygon*> all = {&a, &b, &c};
-  EXPECT_EQ(AreaMm2(CoveredAtLeast(all, 1)), 140);
-  EXPECT_EQ(AreaMm2(CoveredAtLeast(all, 2)), 100);
-  EXPECT_EQ(AreaMm2(CoveredAtLeast(all, 3)), 60);
-  EXPECT_TRUE(CoveredAtLeast(all, 4).empty());
-}
-
-TEST(CoveredAtLeast, IdenticalRegionsCountEach) {
-  const MultiPolygon a = Square(0, 0, 10);
-  const std::vector<const MultiPolygon*> all = {&a, &a, &a, &a, &a};
-  EXPECT_EQ(AreaMm2(CoveredAtLeast(all, 5)), 100);
-}
-
-TEST(CoveredAtLeast, AnEmptyRegionLeavesNothingCoveredByAll) {
-  const MultiPolygon a = Square(0, 0, 10), none;
-  const std::vector<const MultiPolygon*> all = {&a, &none};
-  EXPECT_TRUE(CoveredAtLeast(all, 2).empty());
-  EXPECT_EQ(AreaMm2(DifferenceCovered(a, all, 2)), 100);
-}
-
-TEST(DifferenceCovered, IsDifferenceAndIntersectionInOne) {
-  const MultiPolygon a = Square(0, 0, 10), b = Square(2, 0, 10), c = Square(4, 0, 10);
-  const std::vector<const MultiPolygon*> covers = {&b, &c};
-  EXPECT_EQ(AreaMm2(DifferenceCovered(a, covers, 2)), 40);
-  EXPECT_EQ(DifferenceCovered(a, covers, 2), Difference(a, CoveredAtLeast(covers, 2)));
-}
-
-TEST(ClipLines, KeepsWhatIsInside) {
-  const std::vector<Polyline> lines = {MakeLineOrDie("(-5 5, 15 5)"),
-                                       MakeLineOrDie("(20 0, 30 0)")};
-  const auto inside = ClipLines(lines, P("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"));
-  ASSERT_EQ(inside.size(), 2u);
-  EXPECT_EQ(Length(inside[0]) + Length(inside[1]), 8e6);
-}
 
 TEST(Boolean, ResultsAreCanonical) {
   const MultiPolygon a = Square(0, 0, 10), b = Square(5, 5, 10), c = Square(40, 0, 1);
