@@ -1,9 +1,9 @@
 #include "common/geometry/boolean.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
+#include <vector>
 
+#include "common/geometry/by_island.h"
 #include "common/geometry/clipper_convert.h"
 #include "common/geometry/fast_boolean.h"
 #include "common/geometry/measure.h"
@@ -83,20 +83,6 @@ class Surroundings {
   std::vector<std::vector<Box>> boxes_;
 };
 
-/// Adds up what `one(island, box)` makes of each island of `subject` on its own. A sweep's cost
-/// grows with all edges that a scan line meets, so many small sweeps beat one over a whole layer.
-template <typename One>
-MultiPolygon ByIsland(const MultiPolygon& subject, const One& one) {
-  if (subject.size() == 1) return one(subject, Bounds(subject));
-  MultiPolygon all;
-  for (const PolygonWithHoles& island : subject) {
-    MultiPolygon part = one({island}, Bounds(island.outer));
-    std::move(part.begin(), part.end(), std::back_inserter(all));
-  }
-  Canonicalize(all);
-  return all;
-}
-
 }  // namespace
 
 MultiPolygon Union(std::span<const Polygon> rings, FillRule rule) {
@@ -114,16 +100,16 @@ MultiPolygon Union(const MultiPolygon& a, const MultiPolygon& b) {
 
 MultiPolygon Difference(const MultiPolygon& a, const MultiPolygon& b) {
   const Surroundings surroundings(b);
-  return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
-    const MultiPolygon near = surroundings.Near(box);
+  return internal::ByIsland(a, [&](const MultiPolygon& island) {
+    const MultiPolygon near = surroundings.Near(Bounds(island));
     return near.empty() ? island : Execute(Operation::kDifference, island, near);
   });
 }
 
 MultiPolygon Intersection(const MultiPolygon& a, const MultiPolygon& b) {
   const Surroundings surroundings(b);
-  return ByIsland(a, [&](const MultiPolygon& island, const Box& box) {
-    const MultiPolygon near = surroundings.Near(box);
+  return internal::ByIsland(a, [&](const MultiPolygon& island) {
+    const MultiPolygon near = surroundings.Near(Bounds(island));
     return near.empty() ? MultiPolygon() : Execute(Operation::kIntersection, island, near);
   });
 }

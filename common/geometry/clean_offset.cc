@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/arrangement.h"
+#include "common/geometry/by_island.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
 #include "common/geometry/predicates.h"
@@ -281,10 +282,7 @@ std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distanc
       if (!move(island.holes[i], moved.holes[i])) return std::nullopt;
   }
   std::vector<const Polygon*> rings;
-  for (const PolygonWithHoles& island : result.polygons) {
-    rings.push_back(&island.outer);
-    for (const Polygon& hole : island.holes) rings.push_back(&hole);
-  }
+  ForEachRing(result.polygons, [&](const Polygon& ring) { rings.push_back(&ring); });
   if (!AreSimple(rings)) return std::nullopt;
   for (const PolygonWithHoles& island : result.polygons)
     if (!IsNested(island)) return std::nullopt;
@@ -309,18 +307,13 @@ std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord dista
 
 MultiPolygon FastOffset(const MultiPolygon& polygons, Coord distance_nm) {
   if (distance_nm == 0) return polygons;
-  if (distance_nm > 0 || polygons.size() == 1) {
-    if (auto clean = TryOffset(polygons, distance_nm)) return std::move(clean->polygons);
+  const auto offset = [&](const MultiPolygon& part) {
+    if (auto clean = TryOffset(part, distance_nm)) return std::move(clean->polygons);
     if (distance_nm < 0)
-      if (auto eroded = TryErode(polygons[0], -distance_nm)) return *std::move(eroded);
-    return Offset(polygons, distance_nm);
-  }
-  MultiPolygon result;
-  for (const PolygonWithHoles& island : polygons)
-    for (PolygonWithHoles& part : FastOffset({island}, distance_nm))
-      result.push_back(std::move(part));
-  Canonicalize(result);
-  return result;
+      if (auto eroded = TryErode(part[0], -distance_nm)) return *std::move(eroded);
+    return Offset(part, distance_nm);
+  };
+  return distance_nm > 0 ? offset(polygons) : internal::ByIsland(polygons, offset);
 }
 
 }  // namespace slicefarm

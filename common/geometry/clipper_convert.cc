@@ -32,10 +32,7 @@ std::vector<Point> FromPath(const ClipperLib::Path& path) {
 }
 
 void AppendRings(const MultiPolygon& polygons, ClipperLib::Paths& paths) {
-  for (const PolygonWithHoles& polygon : polygons) {
-    paths.push_back(ToPath(polygon.outer));
-    for (const Polygon& hole : polygon.holes) paths.push_back(ToPath(hole));
-  }
+  ForEachRing(polygons, [&](const Polygon& ring) { paths.push_back(ToPath(ring)); });
 }
 
 MultiPolygon FromTree(const ClipperLib::PolyTree& tree) {

@@ -9,18 +9,12 @@ namespace slicefarm {
 
 std::optional<MultiPolygon> TryBoolean(const MultiPolygon& a, const MultiPolygon& b, Operation op) {
   std::vector<internal::GroupedRing> rings;
-  const auto append = [&](const Polygon& ring, int group) {
-    rings.push_back({ring, group});
+  ForEachRing(a, [&](const Polygon& ring) { rings.push_back({ring, 0}); });
+  ForEachRing(b, [&](const Polygon& ring) {
+    std::vector<Point>& points = rings.emplace_back(internal::GroupedRing{ring, 1}).points;
     // What b takes away counts as minus one.
-    if (op == Operation::kDifference && group == 1)
-      std::reverse(rings.back().points.begin(), rings.back().points.end());
-  };
-  for (const auto* region : {&a, &b}) {
-    for (const PolygonWithHoles& island : *region) {
-      append(island.outer, region == &b);
-      for (const Polygon& hole : island.holes) append(hole, region == &b);
-    }
-  }
+    if (op == Operation::kDifference) std::reverse(points.begin(), points.end());
+  });
   return internal::TryWindingRegion(rings, op == Operation::kIntersection ? 2 : 1);
 }
 

@@ -1,8 +1,6 @@
 #include "common/geometry/offset.h"
 
-#include <iterator>
-#include <utility>
-
+#include "common/geometry/by_island.h"
 #include "common/geometry/clipper_convert.h"
 
 namespace slicefarm {
@@ -57,16 +55,10 @@ MultiPolygon OffsetTogether(const MultiPolygon& polygons, Coord distance_nm,
 
 MultiPolygon Offset(const MultiPolygon& polygons, Coord distance_nm, const OffsetOptions& options) {
   if (distance_nm == 0 || polygons.empty()) return polygons;
-  if (distance_nm > 0 || polygons.size() == 1)
-    return OffsetTogether(polygons, distance_nm, options);
-  // Shrinking islands never meet, and a sweep costs less on each than on all.
-  MultiPolygon all;
-  for (const PolygonWithHoles& island : polygons) {
-    MultiPolygon part = OffsetTogether({island}, distance_nm, options);
-    std::move(part.begin(), part.end(), std::back_inserter(all));
-  }
-  Canonicalize(all);
-  return all;
+  const auto offset = [&](const MultiPolygon& part) {
+    return OffsetTogether(part, distance_nm, options);
+  };
+  return distance_nm > 0 ? offset(polygons) : internal::ByIsland(polygons, offset);
 }
 
 MultiPolygon OffsetTwice(const MultiPolygon& polygons, Coord first_nm, Coord second_nm,

@@ -25,19 +25,13 @@ void Canonicalize(MultiPolygon& polygons) {
 
 std::vector<Polygon> Rings(const MultiPolygon& polygons) {
   std::vector<Polygon> rings;
-  for (const PolygonWithHoles& polygon : polygons) {
-    rings.push_back(polygon.outer);
-    rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
-  }
+  ForEachRing(polygons, [&](const Polygon& ring) { rings.push_back(ring); });
   return rings;
 }
 
 size_t PointCount(const MultiPolygon& polygons) {
   size_t count = 0;
-  for (const PolygonWithHoles& polygon : polygons) {
-    count += polygon.outer.size();
-    for (const Polygon& hole : polygon.holes) count += hole.size();
-  }
+  ForEachRing(polygons, [&](const Polygon& ring) { count += ring.size(); });
   return count;
 }
 

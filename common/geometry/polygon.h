@@ -29,7 +29,16 @@ using MultiPolygon = std::vector<PolygonWithHoles>;
 /// points in k rings.
 void Canonicalize(MultiPolygon& polygons);
 
-/// All rings of `polygons`, each outer ring followed by its holes.
+/// Calls visit(ring) for all rings, each outer ring followed by its holes.
+template <typename Visit>
+void ForEachRing(const MultiPolygon& polygons, Visit visit) {
+  for (const PolygonWithHoles& polygon : polygons) {
+    visit(polygon.outer);
+    for (const Polygon& hole : polygon.holes) visit(hole);
+  }
+}
+
+/// Copies of all rings, in that order.
 std::vector<Polygon> Rings(const MultiPolygon& polygons);
 
 /// Number of points over all rings.

@@ -19,10 +19,7 @@ class SimpleRings : public testing::TestWithParam<Case> {};
 TEST_P(SimpleRings, AreToldFromOthers) {
   const MultiPolygon polygons = MakePolygonsOrDie(GetParam().text);
   std::vector<const Polygon*> rings;
-  for (const PolygonWithHoles& island : polygons) {
-    rings.push_back(&island.outer);
-    for (const Polygon& hole : island.holes) rings.push_back(&hole);
-  }
+  ForEachRing(polygons, [&](const Polygon& ring) { rings.push_back(&ring); });
   EXPECT_EQ(AreSimple(rings), GetParam().want);
 }
 

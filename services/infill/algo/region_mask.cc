@@ -25,10 +25,7 @@ RegionMask::RegionMask(const MultiPolygon& region) : box_(Bounds(region)) {
   rows_ = static_cast<int32_t>(height * squares_per_nm_) + 1;
   words_ = (columns_ + 63) / 64;
   bits_.assign(static_cast<size_t>(rows_) * words_, 0);
-  for (const PolygonWithHoles& island : region) {
-    MarkBoundary(island.outer);
-    for (const Polygon& hole : island.holes) MarkBoundary(hole);
-  }
+  ForEachRing(region, [this](const Polygon& ring) { MarkBoundary(ring); });
   MarkInside(region);
 }
 
@@ -95,7 +92,7 @@ void RegionMask::MarkBoundary(const Polygon& ring) {
 /// crossings of each row's middle.
 void RegionMask::MarkInside(const MultiPolygon& region) {
   std::vector<std::vector<double>> crossings(rows_);
-  for (const Polygon& ring : Rings(region)) {
+  ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       const double ay = static_cast<double>(a.y - box_.min.y) * squares_per_nm_ - 0.5;
@@ -107,7 +104,7 @@ void RegionMask::MarkInside(const MultiPolygon& region) {
            row < rows_ && row < high; ++row)
         crossings[row].push_back(ax + (row - ay) / (by - ay) * (bx - ax));
     }
-  }
+  });
   for (int32_t row = 0; row < rows_; ++row) {
     std::sort(crossings[row].begin(), crossings[row].end());
     for (size_t k = 0; k + 1 < crossings[row].size(); k += 2) {

@@ -118,10 +118,7 @@ absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily&
   ScanLines lines;
   lines.frame = LineFrame(family.angle_rad);
   lines.pitch = family.pitch_nm;
-  for (const PolygonWithHoles& island : region) {
-    lines.rings.push_back(&island.outer);
-    for (const Polygon& hole : island.holes) lines.rings.push_back(&hole);
-  }
+  ForEachRing(region, [&](const Polygon& ring) { lines.rings.push_back(&ring); });
   int64_t first = std::numeric_limits<int64_t>::max(), last = std::numeric_limits<int64_t>::min();
   int64_t count = 0;
   for (const Polygon* ring : lines.rings) {
