@@ -1,6 +1,7 @@
 #include "common/geometry/simplify.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,11 +72,31 @@ TEST(Simplify, HolesGoWithTheirIsland) {
   EXPECT_TRUE(simple[0].holes.empty());
 }
 
-// Recursion on a line like this would go as deep as it is long.
-TEST(SimplifyLine, TakesAMillionPoints) {
+/// Runs `work` with so little stack that nothing may recurse deeply.
+void OnASmallStack(void* (*work)(void*), void* argument) {
+  pthread_attr_t attributes;
+  pthread_t thread;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 256 << 10), 0);
+  ASSERT_EQ(pthread_create(&thread, &attributes, work, argument), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+}
+
+// A zigzag that dies out is split at its first point again and again: recursion would go as deep as
+// it is long.
+TEST(SimplifyLine, DoesNotRecurse) {
+  constexpr int kPoints = 5'000;
   Polyline line;
-  for (int i = 0; i < 1'000'000; ++i) line.push_back({i * 1000, (i % 2) * 1000});
-  EXPECT_EQ(SimplifyLine(line, 2000).size(), 2u);
+  for (int i = 0; i < kPoints; ++i)
+    line.push_back({i * 1'000, (i % 2 == 0 ? 10'000 : -10'000) * Coord{kPoints - i}});
+  const auto simplify = [](void* lines) -> void* {
+    *static_cast<Polyline*>(lines) = SimplifyLine(*static_cast<Polyline*>(lines), 2'000);
+    return nullptr;
+  };
+  Polyline simple = line;
+  OnASmallStack(simplify, &simple);
+  EXPECT_EQ(simple, line);
 }
 
 }  // namespace

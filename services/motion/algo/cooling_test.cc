@@ -10,7 +10,7 @@
 namespace slicefarm::motion {
 namespace {
 
-/// `count` squares of 10 mm a side, 40 mm apart.
+/// `count` squares of 15 mm a side, 40 mm apart.
 Toolpath Squares(int count) {
   static const MotionOptions options;
   ToolpathBuilder builder(options, {2, 600'000, 200'000});

@@ -44,7 +44,6 @@ TEST(LayerTiming, MovesFromRestToRest) {
   LayerTiming timing(GcodeFlavor::kKlipper, limits);
   const auto times = timing.Times(Sample());
   ASSERT_EQ(times.size(), 5);
-  limits.minimum_cruise_ratio = 0;
   EXPECT_NEAR(times[0], RestToRest(0.2, 10, 500), 1e-9);
   EXPECT_EQ(times[1], 0) << "the approach is not known";
   EXPECT_NEAR(times[3], RestToRest(100, 100, 3000), 1e-9) << "the toolhead stops at retractions";
