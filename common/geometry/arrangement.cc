@@ -14,6 +14,8 @@ namespace {
 
 /// What is nearer than this is in doubtful order.
 constexpr double kDoubtNm = 0.5;
+/// Edges looked at from rings' starts, in all, before it is given up: a tenth of a second.
+constexpr int64_t kMostLooks = 100'000'000;
 
 /// A crossing as met along one of its two edges.
 struct Stop {
@@ -58,11 +60,16 @@ class Arrangement {
       count += ring.points.size();
     }
     edges_.reserve(count);
-    for (size_t i = 0; i < rings_.size(); ++i)
-      AppendBoxedEdges(Points(static_cast<int32_t>(i)), static_cast<int32_t>(i), edges_);
+    for (size_t i = 0; i < rings_.size(); ++i) AppendRing(static_cast<int32_t>(i));
     by_ring_ = edges_;
     return std::none_of(edges_.begin(), edges_.end(),
                         [](const BoxedEdge& edge) { return edge.from == edge.to; });
+  }
+
+  void AppendRing(int32_t ring) {
+    edge_begin_.push_back(edges_.size());
+    boxes_.push_back(Bounds(Points(ring)));
+    AppendBoxedEdges(Points(ring), ring, edges_);
   }
 
   bool FindCrossings() {
@@ -132,7 +139,7 @@ class Arrangement {
   }
 
   /// The winding number to the left of a ring's first edge, at its start.
-  std::optional<int> WindingAtStart(int32_t ring) const {
+  std::optional<int> WindingAtStart(int32_t ring) {
     // Along a level edge a level ray sees nothing: go on to one that rises or falls, and undo the
     // stops on the way.
     const Polygon& points = Points(ring);
@@ -158,14 +165,34 @@ class Arrangement {
     return winding + *seen + (d.y > 0 ? 1 : 0);
   }
 
-  /// How often all edges but one wind around a point on that one.
-  std::optional<int> WindingSeenFrom(double x, double y, int32_t ring, int32_t but) const {
+  /// Whether a level ray from a point to the right may meet something that lies between these.
+  static bool MaySee(double x, double y, Point min, Point max) {
+    return static_cast<double>(min.y) <= y && static_cast<double>(max.y) > y &&
+           static_cast<double>(max.x) >= x;
+  }
+
+  /// How often all edges but one wind around a point on that one. nullopt if in doubt, or if there
+  /// were too many edges to look at.
+  std::optional<int> WindingSeenFrom(double x, double y, int32_t ring, int32_t but) {
     int winding = 0;
-    for (const BoxedEdge& edge : by_ring_) {
-      if (static_cast<double>(edge.min.y) > y || static_cast<double>(edge.max.y) <= y ||
-          static_cast<double>(edge.max.x) < x || (edge.ring == ring && edge.index == but)) {
-        continue;
-      }
+    for (size_t other = 0; other < rings_.size(); ++other) {
+      if (!MaySee(x, y, boxes_[other].min, boxes_[other].max)) continue;
+      const size_t count = rings_[other].points.size();
+      if ((looks_left_ -= static_cast<int64_t>(count)) < 0) return std::nullopt;
+      const std::span<const BoxedEdge> edges(by_ring_.data() + edge_begin_[other], count);
+      const std::optional<int> seen =
+          WindingOf(edges, x, y, static_cast<int32_t>(other) == ring ? but : -1);
+      if (!seen) return std::nullopt;
+      winding += *seen;
+    }
+    return winding;
+  }
+
+  static std::optional<int> WindingOf(std::span<const BoxedEdge> edges, double x, double y,
+                                      int32_t but) {
+    int winding = 0;
+    for (const BoxedEdge& edge : edges) {
+      if (!MaySee(x, y, edge.min, edge.max) || edge.index == but) continue;
       const Point d = edge.to - edge.from;
       const double at = static_cast<double>(edge.from.x) + (y - static_cast<double>(edge.from.y)) /
                                                                static_cast<double>(d.y) *
@@ -257,6 +284,9 @@ class Arrangement {
   int least_;
   std::vector<BoxedEdge> edges_;    ///< in the order of the search
   std::vector<BoxedEdge> by_ring_;  ///< in the order of the rings
+  std::vector<size_t> edge_begin_;  ///< of each ring's, among these
+  std::vector<Box> boxes_;          ///< of rings
+  int64_t looks_left_ = kMostLooks;
   std::vector<Crossing> crossings_;
   std::vector<Stop> stops_;
   std::vector<int32_t> ring_begin_;  ///< of each ring's stops; one more than rings

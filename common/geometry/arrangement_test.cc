@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
@@ -76,6 +79,25 @@ INSTANTIATE_TEST_SUITE_P(
         DoubtCase{"Spike", {"(0 0, 4 0, 8 0, 4 0, 4 4, 0 4)"}},
         DoubtCase{"Flat", {"(0 0, 4 0, 8 0)"}}),
     [](const auto& info) { return info.param.name; });
+
+// Each small ring looks past the many edges of the one around all of them.
+TEST(Arrangement, ManyRingsBesideManyEdgesAreLeftToOthers) {
+  Polygon disc;
+  for (int i = 0; i < 60'000; ++i) {
+    const double a = 2 * std::numbers::pi * i / 60'000;
+    disc.push_back({FromMm(1'000 * std::cos(a)), FromMm(1'000 * std::sin(a))});
+  }
+  const auto perforated = [&disc](int holes) {
+    std::vector<GroupedRing> rings = {{disc}};
+    for (int i = 0; i < holes; ++i) {
+      const Coord x = FromMm(0.9 * (i - holes / 2)), size = FromMm(0.3);
+      rings.push_back({{{x, 0}, {x, size}, {x + size, size}}});
+    }
+    return rings;
+  };
+  EXPECT_TRUE(TryWindingRegion(perforated(1'000), 1).has_value());
+  EXPECT_FALSE(TryWindingRegion(perforated(2'000), 1).has_value());
+}
 
 TEST(Arrangement, NothingOfNothing) { EXPECT_TRUE(TryWindingRegion({}, 1)->empty()); }
 
