@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -19,12 +19,6 @@ std::vector<ScanLines> Families(const MultiPolygon& region, std::vector<LineFami
   std::vector<ScanLines> lines;
   for (const LineFamily& family : families) lines.push_back(*CutLines(region, family));
   return lines;
-}
-
-double TotalMm(const std::vector<Polyline>& paths) {
-  double length = 0;
-  for (const Polyline& path : paths) length += Length(path) / kNmPerMm;
-  return length;
 }
 
 TEST(EdgeLinks, ZigzagThroughASquareIsOnePath) {

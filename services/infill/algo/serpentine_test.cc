@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -20,12 +20,6 @@ std::vector<Polyline> Paths(const MultiPolygon& region, const LineFamily& family
        Serpentine(*lines, {.monotonic = monotonic, .max_link_nm = max_link_mm * kNmPerMm}))
     paths.push_back(std::move(path.points));
   return paths;
-}
-
-double TotalMm(const std::vector<Polyline>& paths) {
-  double length = 0;
-  for (const Polyline& path : paths) length += Length(path) / kNmPerMm;
-  return length;
 }
 
 TEST(Serpentine, ConvexRegionIsOnePath) {

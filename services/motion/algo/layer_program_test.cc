@@ -8,9 +8,9 @@
 #include <random>
 #include <sstream>
 
-#include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 #include "common/model/error.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -20,11 +20,8 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 Path Line(Feature feature, std::string_view points, bool closed = false) {
-  Path path;
+  Path path = MakePathOrDie(points, closed);
   path.feature = feature;
-  path.closed = closed;
-  path.points = MakeLineOrDie(points);
-  path.widths_nm = {450'000};
   return path;
 }
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
+#include "common/model/paths_test.h"
 #include "services/motion/algo/gcode_text.h"
 
 namespace slicefarm::motion {
@@ -18,8 +18,7 @@ using ::testing::ElementsAre;
 constexpr LayerFrame kFrame{1, 400'000, 200'000};
 
 Path Line(std::string_view points, std::vector<Coord> widths_nm = {450'000}) {
-  Path path;
-  path.points = MakeLineOrDie(points);
+  Path path = MakePathOrDie(points);
   path.widths_nm = std::move(widths_nm);
   return path;
 }

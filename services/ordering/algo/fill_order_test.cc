@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -13,11 +13,9 @@ using ::testing::ElementsAre;
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
 Path Line(std::string_view points, bool reversible = true) {
-  Path path;
+  Path path = MakePathOrDie(points);
   path.feature = Feature::kInternalInfill;
   path.reversible = reversible;
-  path.points = MakeLineOrDie(points);
-  path.widths_nm = {450'000};
   return path;
 }
 

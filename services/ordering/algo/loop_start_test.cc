@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -12,13 +13,7 @@ using ::testing::ElementsAre;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-Path Loop(std::string_view points) {
-  Path path;
-  path.closed = true;
-  path.points = MakeLineOrDie(points);
-  path.widths_nm = {450'000};
-  return path;
-}
+Path Loop(std::string_view points) { return MakePathOrDie(points, true); }
 
 constexpr std::string_view kSquare = "(0 0, 10 0, 10 10, 0 10)";
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -13,11 +13,8 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 Path Wall(int32_t inset, std::string_view points, bool closed = true) {
-  Path path;
+  Path path = MakePathOrDie(points, closed);
   path.inset = inset;
-  path.closed = closed;
-  path.points = MakeLineOrDie(points);
-  path.widths_nm = {450'000};
   return path;
 }
 

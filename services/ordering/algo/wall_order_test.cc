@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -14,11 +14,8 @@ using ::testing::ElementsAre;
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
 Path Wall(int32_t inset, std::string_view points) {
-  Path path;
+  Path path = MakePathOrDie(points, true);
   path.inset = inset;
-  path.closed = true;
-  path.points = MakeLineOrDie(points);
-  path.widths_nm = {450'000};
   return path;
 }
 
