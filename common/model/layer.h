@@ -71,8 +71,7 @@ struct WalledLayer {
 
 /// Lines that fill one connected region of an island.
 struct FillGroup {
-  bool keep_order =
-      false;  ///< monotonic: print the paths in this order, only the whole may be reversed
+  bool keep_order = false;  ///< monotonic: the paths are printed in this order and direction
   std::vector<Path> paths;
 
   friend bool operator==(const FillGroup&, const FillGroup&) = default;

@@ -1,6 +1,5 @@
 #include "services/ordering/algo/fill_order.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "services/ordering/algo/path_key.h"
@@ -26,8 +25,7 @@ Leg LegOf(const FillBlock& block, Point nozzle) {
     const Point at = NearestVertex(block.paths[0]->points, nozzle).at;
     return {at, at, true};
   }
-  const bool reversible = std::all_of(block.paths.begin(), block.paths.end(),
-                                      [](const Path* path) { return path->reversible; });
+  const bool reversible = block.paths.size() == 1 && block.paths[0]->reversible;
   return {StartOf(*block.paths.front()), EndOf(*block.paths.back()), reversible};
 }
 
@@ -38,7 +36,6 @@ void PrintBlock(FillBlock block, bool reversed, Route& route) {
     route.PrintLoop(std::move(loop), start);
     return;
   }
-  if (reversed) std::reverse(block.paths.begin(), block.paths.end());
   for (Path* path : block.paths) route.Print(std::move(*path), reversed);
 }
 

@@ -8,7 +8,7 @@
 
 namespace slicefarm::ordering {
 
-/// Paths that are printed in this order, or all the way round if each may be reversed.
+/// A path, or several that are printed in this order and direction.
 struct FillBlock {
   std::vector<Path*> paths;  ///< not empty
 };

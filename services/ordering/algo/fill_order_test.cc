@@ -43,12 +43,13 @@ TEST(PrintFills, Zigzags) {
 TEST(PrintFills, ABlockStaysInOrder) {
   const std::vector<Path> block = {Line("(0 0, 9 0)"), Line("(9 1, 0 1)"), Line("(0 2, 9 2)")};
   EXPECT_THAT(Starts({block}, Mm(0, 0)), ElementsAre(Mm(0, 0), Mm(9, 1), Mm(0, 2)));
-  EXPECT_THAT(Starts({block}, Mm(9, 3)), ElementsAre(Mm(9, 2), Mm(0, 1), Mm(9, 0)));
+  EXPECT_THAT(Starts({block}, Mm(9, 3)), ElementsAre(Mm(0, 0), Mm(9, 1), Mm(0, 2)));
 }
 
-TEST(PrintFills, ABlockWithAOneWayPathIsNotTurned) {
-  EXPECT_THAT(Starts({{Line("(0 0, 9 0)"), Line("(9 1, 0 1)", /*reversible=*/false)}}, Mm(0, 2)),
-              ElementsAre(Mm(0, 0), Mm(9, 1)));
+TEST(PrintFills, AOneWayPathIsNotTurned) {
+  EXPECT_THAT(Starts({{Line("(0 0, 9 0)")}}, Mm(9, 1)), ElementsAre(Mm(9, 0)));
+  EXPECT_THAT(Starts({{Line("(0 0, 9 0)", /*reversible=*/false)}}, Mm(9, 1)),
+              ElementsAre(Mm(0, 0)));
 }
 
 TEST(PrintFills, LoopsStartNearTheNozzle) {
