@@ -31,6 +31,8 @@ COMPOSITION_ROOTS = {"worker", "cli"}
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
 MAX_LINES, MAX_TEST_LINES = 500, 1000
+TEST_FILE = re.compile(r"_test\.(cc|h)$")  # as in cmake/build_info.cmake
+TEST_ONLY = re.compile(r"^(gtest|gmock)/|_test\.h$")
 
 
 def layer_of(path):
@@ -52,6 +54,8 @@ def check_includes(path, text, layer, service, is_test):
             yield f"{where}: service {service} must not include service {to_service}"
         if included.startswith("tests/") and not is_test:
             yield f"{where}: product code must not include tests/"
+        if TEST_ONLY.search(included) and not is_test:
+            yield f"{where}: only a file named *_test.h or *_test.cc may include {included}"
         if forbidden and not is_test and re.search(forbidden, included):
             yield f"{where}: {layer} must not include {included}"
         if CLIPPER.match(included) and layer != "geometry":
@@ -62,7 +66,7 @@ def check(root, file):
     path = file.relative_to(root).as_posix()
     layer, service = layer_of(path)
     text = file.read_text()
-    is_test = path.endswith("_test.cc")
+    is_test = bool(TEST_FILE.search(path))
     limit = MAX_TEST_LINES if is_test else MAX_LINES
     if (n := text.count("\n")) > limit:
         yield f"{path}: {n} lines, at most {limit}"

@@ -10,7 +10,7 @@
 
 #include "common/model/error.h"
 #include "common/model/sha256.h"
-#include "services/cli/test_coordinator.h"
+#include "services/cli/fake_coordinator_test.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -22,7 +22,7 @@ class JobsClientTest : public testing::Test {
  protected:
   static void Ignore(int64_t) {}
 
-  TestCoordinator server_;
+  FakeCoordinator server_;
   JobsClient client_{{.server = server_.address()}};
 };
 
@@ -152,7 +152,7 @@ TEST_F(JobsClientTest, EndsWhenNobodyWantsTheAnswerAnyMore) {
 TEST(JobsClient, NamesTheServerThatIsOutOfReach) {
   std::string address;
   {
-    const TestCoordinator gone;
+    const FakeCoordinator gone;
     address = gone.address();
   }
   JobsClient client({.server = address, .patience = std::chrono::milliseconds(50)});

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "services/cli/test_picture.h"
+#include "services/cli/picture_test.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "services/cli/exit_code.h"
+#include "services/cli/fake_coordinator_test.h"
 #include "services/cli/files.h"
 #include "services/cli/gcode_layer.h"
 #include "services/cli/layer_drawing.h"
-#include "services/cli/test_coordinator.h"
-#include "services/cli/test_picture.h"
+#include "services/cli/picture_test.h"
 
 extern char** environ;
 
@@ -405,7 +405,7 @@ TEST_F(Program, ListsSettings) {
 }
 
 TEST_F(Program, SubmitsAndFetches) {
-  TestCoordinator server;
+  FakeCoordinator server;
   const Outcome outcome =
       Run({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--report", Path("r.json"),
            "--server", server.address(), "--set", "perimeters=2", "--label", "queue=night"});
@@ -419,7 +419,7 @@ TEST_F(Program, SubmitsAndFetches) {
 }
 
 TEST_F(Program, PrintsTheJobWhenDetached) {
-  TestCoordinator server;
+  FakeCoordinator server;
   const Outcome outcome =
       Run({"submit", Path("cube.obj"), "--detach", "--server", server.address()});
   EXPECT_EQ(outcome.code, ExitCode::kOk);
@@ -427,7 +427,7 @@ TEST_F(Program, PrintsTheJobWhenDetached) {
 }
 
 TEST_F(Program, TellsHowAJobEnded) {
-  TestCoordinator server;
+  FakeCoordinator server;
   const auto watch = [&] { return Run({"watch", "job-1", "--server", server.address()}); };
   EXPECT_EQ(watch().code, ExitCode::kOk);
   server.end_state = v1::JOB_STATE_CANCELLED;
@@ -444,7 +444,7 @@ TEST_F(Program, TellsHowAJobEnded) {
 }
 
 TEST_F(Program, LeavesNoFileWhenTheJobFails) {
-  TestCoordinator server;
+  FakeCoordinator server;
   server.end_state = v1::JOB_STATE_FAILED;
   const Outcome outcome =
       Run({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--server", server.address()});
@@ -453,7 +453,7 @@ TEST_F(Program, LeavesNoFileWhenTheJobFails) {
 }
 
 TEST_F(Program, CancelsTheJobItWaitsForAtCtrlC) {
-  TestCoordinator server;
+  FakeCoordinator server;
   server.hang_watch = true;
   const pid_t pid =
       Start({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--server", server.address()});
@@ -465,7 +465,7 @@ TEST_F(Program, CancelsTheJobItWaitsForAtCtrlC) {
 }
 
 TEST_F(Program, SaysThatAJobIsNotThere) {
-  TestCoordinator server;
+  FakeCoordinator server;
   for (const char* command : {"get", "cancel", "delete"}) {
     const Outcome outcome = Run({command, "job-2", "--server", server.address()});
     EXPECT_EQ(outcome.code, ExitCode::kNotFound) << command;
@@ -474,7 +474,7 @@ TEST_F(Program, SaysThatAJobIsNotThere) {
 }
 
 TEST_F(Program, ListsAllPages) {
-  TestCoordinator server;
+  FakeCoordinator server;
   server.listed_jobs = 250;
   const std::string all = Run({"list", "--limit", "1000", "--server", server.address()}).out;
   EXPECT_THAT(all, HasSubstr("job-0 "));
@@ -485,7 +485,7 @@ TEST_F(Program, ListsAllPages) {
 }
 
 TEST_F(Program, AsksForHealth) {
-  TestCoordinator server;
+  FakeCoordinator server;
   EXPECT_EQ(Run({"health", server.address()}).code, ExitCode::kOk);
 }
 

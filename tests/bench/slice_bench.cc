@@ -6,7 +6,7 @@
 
 #include "services/slicing/algo/layer_heights.h"
 #include "services/slicing/algo/placement.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/sweep.h"
 #include "services/slicing/algo/topology.h"
 #include "tests/bench/benchmarks.h"

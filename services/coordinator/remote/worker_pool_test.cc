@@ -9,7 +9,7 @@
 
 #include "common/model/error.h"
 #include "common/rpc/status_mapping.h"
-#include "services/coordinator/remote/fake_replica.h"
+#include "services/coordinator/remote/fake_replica_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

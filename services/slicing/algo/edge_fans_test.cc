@@ -7,7 +7,7 @@
 
 #include "services/slicing/algo/placement.h"
 #include "services/slicing/algo/rotation.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

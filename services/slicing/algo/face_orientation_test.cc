@@ -6,7 +6,7 @@
 
 #include "services/slicing/algo/mesh_measure.h"
 #include "services/slicing/algo/placement.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

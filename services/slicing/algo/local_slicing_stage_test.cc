@@ -12,7 +12,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
 #include "common/model/error.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/model/error.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

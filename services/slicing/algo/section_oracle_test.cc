@@ -13,7 +13,7 @@
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/mesh_reader.h"
 #include "services/slicing/algo/placement.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -14,7 +14,7 @@
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_measure.h"
 #include "services/slicing/algo/placement.h"
-#include "services/slicing/algo/sample_meshes.h"
+#include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -23,9 +23,9 @@
 namespace slicefarm::cli {
 
 /// For tests: a coordinator as the client sees it, which breaks calls when told to.
-class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
+class FakeCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
  public:
-  TestCoordinator() {
+  FakeCoordinator() {
     grpc::EnableDefaultHealthCheckService(true);
     grpc::ServerBuilder builder;
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
@@ -33,7 +33,7 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
     builder.RegisterService(static_cast<v1::Jobs::Service*>(this));
     server_ = builder.BuildAndStart();
   }
-  ~TestCoordinator() override { server_->Shutdown(std::chrono::system_clock::now()); }
+  ~FakeCoordinator() override { server_->Shutdown(std::chrono::system_clock::now()); }
 
   std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
 
@@ -44,7 +44,7 @@ class TestCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
   std::atomic<int> break_quiet_watches = 0;  ///< watches that break before any event
   std::atomic<bool> hang_watch = false;
   std::atomic<int> overloaded_gets = 0;  ///< GetJob calls that find no free thread
-  bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
+  bool forget_completion = false;        ///< says of a whole mesh that its end is still to come
   std::string mesh;
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;
