@@ -25,6 +25,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kDeadlineExceeded:
     case Reason::kOverloaded:
       return ExitCode::kServerUnavailable;
+    case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's
     case Reason::kRangePoisoned:
     case Reason::kStoreFailed:
     case Reason::kDiskFull:

@@ -12,7 +12,7 @@ enum class ExitCode {
   kBadSettings = 3,        ///< a setting that is unknown, malformed or out of range
   kBadMesh = 4,            ///< the model cannot be read, does not fit or has nothing to print
   kServerUnavailable = 5,  ///< nobody answers, or not in time
-  kJobFailed = 6,          ///< the server gave the job up
+  kJobFailed = 6,          ///< the server gave the job up, or has spoilt bytes
   kCancelled = 7,          ///< by Ctrl-C, or by somebody else
   kNotFound = 8,           ///< no such job, or it has no result (yet)
   kOutputFailed = 9,       ///< the result cannot be written

@@ -26,6 +26,7 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
       {Reason::kNothingToPrint, ExitCode::kBadMesh},
       {Reason::kUnavailable, ExitCode::kServerUnavailable},
       {Reason::kDeadlineExceeded, ExitCode::kServerUnavailable},
+      {Reason::kBlobDigestMismatch, ExitCode::kJobFailed},
       {Reason::kRangePoisoned, ExitCode::kJobFailed},
       {Reason::kCancelled, ExitCode::kCancelled},
       {Reason::kJobNotFound, ExitCode::kNotFound},
@@ -34,6 +35,9 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
     EXPECT_EQ(ExitCodeOf(ErrorOf(reason)), code) << ReasonName(reason);
   }
   EXPECT_EQ(ExitCodeOf(absl::DataLossError("cannot write")), ExitCode::kOutputFailed);
+  const absl::Status spoilt =
+      MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch, "of the download");
+  EXPECT_EQ(ExitCodeOf(spoilt), ExitCode::kJobFailed);
 }
 
 TEST(JobExitCode, IsJobFailedUnlessTheInputIsToBlame) {

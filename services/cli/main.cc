@@ -48,7 +48,7 @@ constexpr char kFooter[] =
     "  3  a setting is unknown, malformed or out of range\n"
     "  4  the model cannot be read, does not fit or has nothing to print\n"
     "  5  the server cannot be reached, or not in time\n"
-    "  6  the job failed on the server\n"
+    "  6  the job failed on the server, or its bytes are spoilt there\n"
     "  7  cancelled\n"
     "  8  no such job, or it has no result\n"
     "  9  the output cannot be written";
