@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "common/config/text.h"
@@ -13,6 +14,11 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr double kDefaultWidthMm = 0.4;  // until the first ;WIDTH:
+/// Nothing is farther out, so that sums and extents of any number of moves stay finite.
+constexpr double kFarthestMm = 1e9;
+
+/// NaN is not near.
+bool Near(double number) { return std::abs(number) <= kFarthestMm; }
 
 /// The words of a command that matter here, by letter.
 struct Words {
@@ -31,7 +37,7 @@ Words ParseWords(std::string_view text) {
     double number = 0;
     const auto [after, error] = std::from_chars(at, end, number);
     if (error == std::errc()) {
-      words.values[letter - 'A'] = number;
+      if (Near(number)) words.values[letter - 'A'] = number;
       at = after;
     }
   }
@@ -66,7 +72,8 @@ class Reader {
       feature_ = std::string(text.substr(5));
     } else if (text.starts_with("WIDTH:")) {
       EndRuns();
-      width_mm_ = config::ToNumber(text.substr(6)).value_or(width_mm_);
+      const double width_mm = config::ToNumber(text.substr(6)).value_or(0);
+      if (width_mm > 0 && Near(width_mm)) width_mm_ = width_mm;
     } else if (Wanted() && text.starts_with("HEIGHT:")) {
       layer_.height_mm = config::ToNumber(text.substr(7)).value_or(0);
     } else if (Wanted() && text.starts_with("Z:")) {

@@ -36,8 +36,9 @@ struct GcodeLayer {
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
 /// ;WIDTH:), which is what slicefarm writes. Follows G0 to G3 (arcs as their chords), G90, G91,
-/// G92, M82 and M83. Errors: OutOfRange naming the last layer; InvalidArgument if there is no
-/// ;LAYER_CHANGE at all. Cost: one pass over the file.
+/// G92, M82 and M83; passes over numbers that no printer has: not finite, beyond 1e9, and widths
+/// not above 0. Errors: REQUEST_MALFORMED naming the last layer, or if there is no ;LAYER_CHANGE at
+/// all. Cost: one pass over the file.
 absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index);
 
 }  // namespace slicefarm::cli

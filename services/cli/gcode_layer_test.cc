@@ -82,6 +82,20 @@ TEST(ReadGcodeLayer, PassesOverWhatItDoesNotKnow) {
   EXPECT_THAT(layer.beads, ElementsAre(BeadRun{"Perimeter", 0.4, {{0, 0}, {1, 0}}}));
 }
 
+TEST(ReadGcodeLayer, PassesOverNumbersThatNoPrinterHas) {
+  for (const std::string number : {"INF", "-inf", "NAN", "nan(1)", "1e300", "1e999", "-2e9"}) {
+    const std::string gcode = "M83\n;LAYER_CHANGE\n;WIDTH:" + number + "\nG1 X1 Y1 E1\nG1 X" +
+                              number + " Y2 E1\nG1 X3 Y2 E" + number + "\n";
+    const GcodeLayer layer = ReadOrDie(gcode, 0);
+    EXPECT_THAT(layer.beads, ElementsAre(BeadRun{"Unknown", 0.4, {{0, 0}, {1, 1}, {1, 2}}}))
+        << number;
+  }
+  for (const std::string width : {"0", "-4"}) {
+    const GcodeLayer layer = ReadOrDie("M83\n;LAYER_CHANGE\n;WIDTH:" + width + "\nG1 X1 E1\n", 0);
+    EXPECT_EQ(layer.beads[0].width_mm, 0.4);
+  }
+}
+
 TEST(ReadGcodeLayer, TakesEmptyLayers) {
   const GcodeLayer layer = ReadOrDie(";LAYER_CHANGE\n;LAYER_CHANGE\n", 1);
   EXPECT_THAT(layer.beads, IsEmpty());
@@ -92,6 +106,7 @@ TEST(ReadGcodeLayer, NamesTheLayersThereAre) {
   for (const int index : {-1, 2, 1000}) {
     const auto layer = ReadGcodeLayer(kTwoLayers, index);
     ASSERT_FALSE(layer.ok());
+    EXPECT_TRUE(absl::IsInvalidArgument(layer.status()));
     EXPECT_THAT(std::string(layer.status().message()), HasSubstr("from 0 to 1"));
   }
   const auto none = ReadGcodeLayer("solid cube\n", 0);

@@ -43,6 +43,16 @@ TEST(DrawLayer, PaintsEachFeatureInItsColour) {
   ExpectColour(picture.At(layout.ToPixel({10, 2.5})), {1, 1, 1});
 }
 
+TEST(LayOut, HoldsAnyLayerThatCanBeRead) {
+  const auto layer = ReadGcodeLayer(
+      "M83\n;LAYER_CHANGE\nG1 XNAN Y1 E1\nG1 XINF Y2 E1\nG1 X1e9 Y-1e9 E1\nG1 X-1e9 Y1e9 E1\n", 0);
+  ASSERT_TRUE(layer.ok());
+  const DrawingOptions options;
+  const Layout layout = LayOut(*layer, options);
+  EXPECT_EQ(layout.part_width_px, options.size_px);
+  EXPECT_EQ(layout.height_px, options.size_px);
+}
+
 TEST(DrawLayer, GivesBeadsTheirWidthAndRoundEnds) {
   const GcodeLayer layer = TwoBeads();
   const Layout layout = LayOut(layer, {});
