@@ -7,14 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "services/slicing/algo/point_hash.h"
+
 namespace slicefarm::slicing {
 
 /// Gives equal points the same number, in order of first appearance. `T` is three 8-byte
 /// coordinates whose bits tell equality (a double zero must be +0.0).
 ///
 /// Open addressing over indices: 4 bytes a slot at most half full, besides the points. Cost: O(1) a
-/// point; the hash is seeded by nothing, so a file made to collide costs O(n) a point and is
-/// bounded by the triangle limit only.
+/// point, also for a file that was made to collide: the hash has random keys. No output depends on
+/// them, as the numbers follow first appearance and not the slots.
 template <typename T>
 class Welder {
   static_assert(sizeof(T) == 24);
@@ -42,21 +44,15 @@ class Welder {
  private:
   static constexpr uint32_t kEmpty = UINT32_MAX;
 
-  static uint64_t Hash(const T& point) {
-    const auto bits = std::bit_cast<std::array<uint64_t, 3>>(point);
-    uint64_t hash = bits[0] * 0x9E3779B97F4A7C15u;
-    hash = (std::rotl(hash, 29) ^ bits[1]) * 0xBF58476D1CE4E5B9u;
-    hash = (std::rotl(hash, 29) ^ bits[2]) * 0x94D049BB133111EBu;
-    return hash ^ (hash >> 32);
+  static std::array<uint64_t, 3> Bits(const T& point) {
+    return std::bit_cast<std::array<uint64_t, 3>>(point);
   }
 
-  static bool SameBits(const T& a, const T& b) {
-    return std::bit_cast<std::array<uint64_t, 3>>(a) == std::bit_cast<std::array<uint64_t, 3>>(b);
-  }
+  static bool SameBits(const T& a, const T& b) { return Bits(a) == Bits(b); }
 
   size_t FindSlot(const T& point) const {
     const size_t mask = slots_.size() - 1;
-    size_t slot = Hash(point) & mask;
+    size_t slot = hash_(Bits(point)) & mask;
     while (slots_[slot] != kEmpty && !SameBits(points_[slots_[slot]], point))
       slot = (slot + 1) & mask;
     return slot;
@@ -67,6 +63,7 @@ class Welder {
     for (uint32_t i = 0; i < points_.size(); ++i) slots_[FindSlot(points_[i])] = i;
   }
 
+  PointHash hash_ = PointHash::OfProcess();
   std::vector<uint32_t> slots_;
   std::vector<T> points_;
 };

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+#include <set>
+
 #include "common/model/mesh.h"
 
 namespace slicefarm::slicing {
@@ -22,6 +26,38 @@ TEST(Welder, GrowsAsNeeded) {
     for (Coord i = 0; i < 50'000; ++i)
       ASSERT_EQ(welder.Add({i % 100, (i / 100) << 32, -i}), static_cast<uint32_t>(i));
   EXPECT_EQ(std::move(welder).TakePoints().size(), 50'000u);
+}
+
+/// The one z that brings (x, y, z) to the same slot as all others of these, had the hash no keys
+/// but were as it was once: rounds of rotate, xor and multiply by known numbers.
+Vertex Crafted(uint64_t x, uint64_t y) {
+  uint64_t hash = x * 0x9E3779B97F4A7C15u;
+  hash = (std::rotl(hash, 29) ^ y) * 0xBF58476D1CE4E5B9u;
+  return {static_cast<Coord>(x), static_cast<Coord>(y), static_cast<Coord>(std::rotl(hash, 29))};
+}
+
+TEST(Welder, IsQuickForPointsMadeToCollide) {
+  constexpr uint32_t kPoints = 400'000;  // took minutes
+  Welder<Vertex> welder(0);
+  for (uint32_t i = 0; i < kPoints; ++i) ASSERT_EQ(welder.Add(Crafted(i, i / 3)), i);
+}
+
+TEST(PointHash, FollowsItsKeys) {
+  const PointHash a({1, 2, 3, 4}), same({1, 2, 3, 4}), b({5, 6, 7, 8});
+  EXPECT_EQ(a({9, 9, 9}), same({9, 9, 9}));
+  EXPECT_NE(a({9, 9, 9}), b({9, 9, 9}));
+  EXPECT_EQ(PointHash::OfProcess()({9, 9, 9}), PointHash::OfProcess()({9, 9, 9}));
+}
+
+TEST(PointHash, SpreadsCoordinatesOfAGrid) {
+  // Doubles of round numbers differ in their high bits only.
+  std::set<uint64_t> slots;
+  for (int x = 0; x < 32; ++x)
+    for (int y = 0; y < 32; ++y)
+      slots.insert(PointHash::OfProcess()({std::bit_cast<uint64_t>(double(x)),
+                                           std::bit_cast<uint64_t>(double(y)), 0}) &
+                   0xffff);
+  EXPECT_GT(slots.size(), 900u);  // 1016 of 1024 are to be expected
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+
+namespace slicefarm::slicing {
+
+/// A hash of three words whose collisions nobody can work out who does not know its keys, so that
+/// no file can be made to fill a hash table with them.
+class PointHash {
+ public:
+  using Keys = std::array<uint64_t, 4>;
+
+  explicit PointHash(const Keys& keys) : keys_(keys) {}
+
+  /// With random keys, the same ones throughout the process.
+  static const PointHash& OfProcess() {
+    static const PointHash hash{RandomKeys()};
+    return hash;
+  }
+
+  uint64_t operator()(const std::array<uint64_t, 3>& words) const {
+    const uint64_t first = Fold(words[0] ^ keys_[0], words[1] ^ keys_[1]);
+    return Fold(first ^ keys_[2], words[2] ^ keys_[3]);
+  }
+
+ private:
+  static Keys RandomKeys() {
+    std::random_device random;
+    Keys keys;
+    for (uint64_t& key : keys) key = uint64_t{random()} << 32 | random();
+    return keys;
+  }
+
+  /// Both halves of the product, so that every bit of it depends on high and low bits of both.
+  static uint64_t Fold(uint64_t a, uint64_t b) {
+    const auto product = static_cast<unsigned __int128>(a) * b;
+    return static_cast<uint64_t>(product) ^ static_cast<uint64_t>(product >> 64);
+  }
+
+  Keys keys_;
+};
+
+}  // namespace slicefarm::slicing
