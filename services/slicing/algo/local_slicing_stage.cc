@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/footprint.h"
@@ -60,13 +62,26 @@ class SlicingRun {
 
  private:
   absl::Status Prepare(SliceInput& input) {
+    for (const MeshFile& file : input.files) names_.push_back(file.name);
     for (size_t i = 0; i < input.files.size(); ++i) {
       absl::StatusOr<PreparedMesh> mesh = PrepareMesh(std::exchange(input.files[i], {}),
                                                       input.placements[i], options_, call_.cancel);
-      if (!mesh.ok()) return mesh.status();
+      if (!mesh.ok()) return OfFile(i, mesh.status());
       meshes_.push_back(*std::move(mesh));
     }
     return absl::OkStatus();
+  }
+
+  /// The error with its file in front, where there are several to look at.
+  absl::Status OfFile(size_t file, const absl::Status& status) const {
+    if (names_.size() == 1 || absl::IsCancelled(status)) return status;
+    ErrorDetail detail = DetailOf(status);
+    detail.metadata["file"] = absl::StrCat(file);
+    // The name is the user's and may hold anything.
+    const std::string name = absl::CEscape(names_[file]);
+    return MakeError(status.code(), detail.reason,
+                     absl::StrCat("file ", file, " (\"", name, "\"): ", status.message()),
+                     std::move(detail.metadata));
   }
 
   absl::Status Plan(SliceInput&) {
@@ -82,7 +97,7 @@ class SlicingRun {
     }
     for (const PreparedMesh& mesh : meshes_) {
       absl::StatusOr<Sweep> sweep = Sweep::Prepare(mesh.connected, heights);
-      if (!sweep.ok()) return sweep.status();
+      if (!sweep.ok()) return OfFile(sweeps_.size(), sweep.status());
       sweeps_.push_back(*std::move(sweep));
     }
     return CheckPointsPerLayer();
@@ -196,6 +211,7 @@ class SlicingRun {
   const StageCall& call_;
   const SlicingOptions& options_;
   SlicedJob job_;
+  std::vector<std::string> names_;  ///< of the files
   std::vector<PreparedMesh> meshes_;
   std::vector<Sweep> sweeps_;
   std::vector<std::vector<GapCounts>> counts_;  ///< by layer, by mesh

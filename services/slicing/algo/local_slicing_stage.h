@@ -7,8 +7,9 @@
 namespace slicefarm::slicing {
 
 /// The slicing stage in this process; README.md lists its steps. Errors: those of ReadMesh,
-/// PlaceMesh, CheckBuildVolume, LayerPlanes, Sweep and RenderThumbnail, with `file` (from 0) in the
-/// message where there are several; NOTHING_TO_PRINT if no layer has an outline; REQUEST_MALFORMED
+/// PlaceMesh, CheckBuildVolume, LayerPlanes, Sweep and RenderThumbnail, those of one file with its
+/// number (from 0, also as `file` in the metadata) and its name in the message where there are
+/// several; NOTHING_TO_PRINT if no layer has an outline; REQUEST_MALFORMED
 /// for files without placements; Cancelled.
 std::unique_ptr<SlicingStage> MakeLocalSlicing();
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
 #include "common/model/error.h"
@@ -210,6 +211,17 @@ TEST(LocalSlicing, RefusesWithAReason) {
   SlicingOptions picture;
   picture.thumbnails_px = {{0, 0}};
   EXPECT_EQ(reason(Input(Cube(0, 0, 0)), picture), Reason::kSettingOutOfRange);
+}
+
+TEST(LocalSlicing, ErrorsNameTheFileWhereThereAreSeveral) {
+  const MeshFile bad = {"b\nd.stl", MeshFormat::kUnknown, "solid"};
+  const absl::Status alone = Slice({{bad}, {{}}}).status();
+  EXPECT_EQ(DetailOf(alone).metadata.count("file"), 0u);
+  const absl::Status second = Slice({{File(Cube(0, 0, 0)), bad}, {{}, {}}}).status();
+  EXPECT_EQ(second.message(), absl::StrCat("file 1 (\"b\\nd.stl\"): ", alone.message()));
+  EXPECT_EQ(second.code(), alone.code());
+  EXPECT_EQ(DetailOf(second).reason, DetailOf(alone).reason);
+  EXPECT_EQ(DetailOf(second).metadata.at("file"), "1");
 }
 
 TEST(LocalSlicing, CanBeCancelledAtAnyPoll) {
