@@ -42,10 +42,13 @@ bool IsSliver(const PolygonWithHoles& region, Coord min_width_nm) {
 
 }  // namespace
 
-std::vector<Path> FillGaps(const std::vector<Gap>& gaps, const GapFillOptions& options) {
+absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
+                                           const GapFillOptions& options,
+                                           const CancelToken& cancel) {
   const MedialAxisOptions axis{options.min_width_nm, kToleranceNm};
   std::vector<Path> paths;
   for (const Gap& gap : gaps) {
+    if (absl::Status status = cancel.Check(); !status.ok()) return status;
     if (IsSliver(gap.region, options.min_width_nm)) continue;
     const MultiPolygon simple = Simplify({gap.region}, kToleranceNm);
     std::vector<ThickLine> lines;

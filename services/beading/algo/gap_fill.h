@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "common/model/cancel_token.h"
 #include "common/model/path.h"
 #include "services/beading/algo/constant_walls.h"
 
@@ -18,6 +20,8 @@ struct GapFillOptions {
 /// less than a dot of about a quarter of a square millimetre's hundredth are left out: they cost a
 /// travel and fill nothing that shows. Paths have Feature::kGapFill, one width a point (one in all
 /// where they are equal), and are in no particular order.
-std::vector<Path> FillGaps(const std::vector<Gap>& gaps, const GapFillOptions& options);
+absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
+                                           const GapFillOptions& options,
+                                           const CancelToken& cancel);
 
 }  // namespace slicefarm::beading

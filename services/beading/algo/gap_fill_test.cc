@@ -11,7 +11,7 @@ namespace slicefarm::beading {
 namespace {
 
 std::vector<Path> Fill(std::string_view text, bool along_outline) {
-  return FillGaps({{MakePolygonsOrDie(text)[0], along_outline}}, {});
+  return *FillGaps({{MakePolygonsOrDie(text)[0], along_outline}}, {}, {});
 }
 
 TEST(GapFill, BetweenWallsTheRectangleFillsTheGap) {
@@ -42,6 +42,15 @@ TEST(GapFill, WidthIsBounded) {
 TEST(GapFill, SliversAndSpecksAreLeftOut) {
   EXPECT_TRUE(Fill("(0 0, 10 0, 10 0.009, 0 0.009)", false).empty());
   EXPECT_TRUE(Fill("(0 0, 0.1 0, 0.1 0.1, 0 0.1)", false).empty());
+}
+
+TEST(GapFill, StopsWhenCancelled) {
+  const Gap gap = {MakePolygonsOrDie("(0 0, 10 0, 10 0.4, 0 0.4)")[0], false};
+  int polls = 0;
+  const CancelToken cancel([&] { return ++polls > 2; });
+  const auto paths = FillGaps({gap, gap, gap, gap}, {}, cancel);
+  EXPECT_TRUE(absl::IsCancelled(paths.status()));
+  EXPECT_EQ(polls, 3);
 }
 
 TEST(GapFill, AWedgeHasAWidthForEachPoint) {

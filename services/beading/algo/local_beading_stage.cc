@@ -28,13 +28,16 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
   }
 }
 
-WalledIsland BeadIsland(int32_t object, const PolygonWithHoles& outline, const WallPlan& plan,
-                        const GapFillOptions& gap_options) {
+absl::StatusOr<WalledIsland> BeadIsland(int32_t object, const PolygonWithHoles& outline,
+                                        const WallPlan& plan, const GapFillOptions& gap_options,
+                                        const CancelToken& cancel) {
   WalledIsland island;
   island.object = object;
   IslandWalls walls = MakeConstantWalls(outline, plan);
   AppendWalls(walls.centre_lines, plan, island.walls);
-  for (Path& path : FillGaps(walls.gaps, gap_options)) island.walls.push_back(std::move(path));
+  auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
+  if (!gap_paths.ok()) return gap_paths.status();
+  for (Path& path : *gap_paths) island.walls.push_back(std::move(path));
   for (Path& path : island.walls) path.object = object;
   island.fill_area = std::move(walls.fill_area);
   return island;
@@ -50,7 +53,7 @@ class LocalBeading : public BeadingStage {
     for (const SlicedLayer& layer : neighbourhood.layers) {
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
       if (absl::Status status = call.cancel.Check(); !status.ok()) return status;
-      auto result = BeadLayer(layer, options);
+      auto result = BeadLayer(layer, options, call.cancel);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
     }
@@ -59,7 +62,8 @@ class LocalBeading : public BeadingStage {
 
  private:
   static absl::StatusOr<WalledLayer> BeadLayer(const SlicedLayer& layer,
-                                               const BeadingOptions& options) {
+                                               const BeadingOptions& options,
+                                               const CancelToken& cancel) {
     const bool first = layer.frame.index == 0;
     const Coord height = layer.frame.height_nm;
     const Coord external = first ? options.first_layer_width_nm : options.external_width_nm;
@@ -73,9 +77,13 @@ class LocalBeading : public BeadingStage {
     const GapFillOptions gap_options{options.min_gap_width_nm, options.max_gap_width_nm, height};
     WalledLayer walled;
     walled.frame = layer.frame;
-    for (const ObjectSection& section : layer.objects)
-      for (const PolygonWithHoles& outline : section.outlines)
-        walled.islands.push_back(BeadIsland(section.object, outline, plan, gap_options));
+    for (const ObjectSection& section : layer.objects) {
+      for (const PolygonWithHoles& outline : section.outlines) {
+        auto island = BeadIsland(section.object, outline, plan, gap_options, cancel);
+        if (!island.ok()) return island.status();
+        walled.islands.push_back(*std::move(island));
+      }
+    }
     return walled;
   }
 };

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numeric>
+#include <queue>
 #include <utility>
 
 #include "services/beading/algo/skeleton.h"
@@ -57,7 +58,7 @@ class AxisGraph {
       const int leaf = leaves.back();
       leaves.pop_back();
       if (degree_[leaf] != 1) continue;
-      const int edge = OnlyEdge(leaf);
+      const int edge = FirstEdge(leaf);
       if (IsFacing(edge)) continue;
       const int other = OtherEnd(edge, leaf);
       Remove(edge);
@@ -65,18 +66,24 @@ class AxisGraph {
     }
   }
 
-  /// Removes branches that end within the circle of the fork they start from, the shortest first.
+  /// Removes branches that end within the circle of the fork they start from, the shortest first
+  /// (of equals, that of the first leaf). Each branch is walked once and goes on from where it
+  /// stood when its fork is gone: O(n log n).
   void PruneShortBranches() {
-    while (true) {
-      int shortest = -1;
-      double length = std::numeric_limits<double>::infinity();
-      for (const int leaf : Leaves()) {
-        const auto [fork, reach] = WalkToFork(leaf);
-        if (fork < 0 || reach > kShortBranch * Node(fork).radius || reach >= length) continue;
-        shortest = leaf, length = reach;
-      }
-      if (shortest < 0) return;
-      RemoveBranch(shortest);
+    branches_.assign(skeleton_.nodes.size(), {});
+    branch_at_edge_.assign(skeleton_.edges.size(), -1);
+    for (const int leaf : Leaves()) {
+      branches_[leaf].at = leaf;
+      WalkOn(leaf, FirstEdge(leaf));
+    }
+    while (!short_branches_.empty()) {
+      const auto [reach, leaf] = short_branches_.top();
+      short_branches_.pop();
+      // Else it was removed, or has gone on since it was queued.
+      if (degree_[leaf] != 1 || branches_[leaf].reach != reach || !IsShort(leaf)) continue;
+      const int fork = branches_[leaf].at;
+      RemoveBranch(leaf);
+      if (degree_[fork] == 2) JoinBranchesAt(fork);
     }
   }
 
@@ -152,7 +159,8 @@ class AxisGraph {
     return leaves;
   }
 
-  int OnlyEdge(int node) const {
+  /// The first edge of a node, its only one if it is a leaf.
+  int FirstEdge(int node) const {
     for (int i = first_[node]; i < first_[node + 1]; ++i)
       if (alive_[incident_[i]]) return incident_[i];
     return -1;
@@ -168,24 +176,38 @@ class AxisGraph {
     --degree_[skeleton_.edges[e].b];
   }
 
-  /// The fork at the end of the branch that starts at `leaf`, -1 if there is none, and the way
-  /// there.
-  std::pair<int, double> WalkToFork(int leaf) const {
-    double length = 0;
-    int node = leaf, edge = OnlyEdge(leaf);
-    while (edge >= 0) {
-      length += EdgeLength(edge);
-      node = OtherEnd(edge, node);
-      if (degree_[node] > 2) return {node, length};
-      edge = NextEdge(node, edge);
+  /// Lets the branch of `leaf` go on over `edge` to the next fork, and queues it there if it is
+  /// short.
+  void WalkOn(int leaf, int edge) {
+    Branch& branch = branches_[leaf];
+    for (; edge >= 0; edge = NextEdge(branch.at, edge)) {
+      branch.reach += EdgeLength(edge);
+      branch.at = OtherEnd(edge, branch.at);
+      if (degree_[branch.at] <= 2) continue;
+      branch_at_edge_[edge] = leaf;
+      if (IsShort(leaf)) short_branches_.push({branch.reach, leaf});
+      return;
     }
-    return {-1, length};
+  }
+
+  /// REQUIRES: the branch ends at a node that is, or was, a fork.
+  bool IsShort(int leaf) const {
+    const Branch& branch = branches_[leaf];
+    return degree_[branch.at] > 2 && branch.reach <= kShortBranch * Node(branch.at).radius;
+  }
+
+  /// The branches that ended at this node, which is no fork any more, go on over its other edge.
+  void JoinBranchesAt(int node) {
+    const int one = FirstEdge(node), other = NextEdge(node, one);
+    const int leaf = branch_at_edge_[one], other_leaf = branch_at_edge_[other];
+    if (leaf >= 0 && branches_[leaf].at == node) WalkOn(leaf, other);
+    if (other_leaf >= 0 && branches_[other_leaf].at == node) WalkOn(other_leaf, one);
   }
 
   void RemoveBranch(int leaf) {
     int node = leaf;
     while (degree_[node] == 1) {
-      const int edge = OnlyEdge(node);
+      const int edge = FirstEdge(node);
       node = OtherEnd(edge, node);
       Remove(edge);
       if (degree_[node] >= 2) return;
@@ -231,12 +253,22 @@ class AxisGraph {
     return nodes;
   }
 
+  /// From a leaf to the next fork, by the leaf.
+  struct Branch {
+    int at = 0;  ///< its fork, or another leaf
+    double reach = 0;
+  };
+  using Queued = std::pair<double, int>;  ///< reach, leaf
+
   Skeleton skeleton_;
   std::vector<bool> alive_;
   std::vector<int> degree_;
   std::vector<int> first_;     ///< of each node in incident_
   std::vector<int> incident_;  ///< edges by node
   std::vector<std::pair<int, int>> pair_;
+  std::vector<Branch> branches_;
+  std::vector<int> branch_at_edge_;  ///< whose last edge, on the way to its fork, this is
+  std::priority_queue<Queued, std::vector<Queued>, std::greater<>> short_branches_;
 };
 
 /// Where an end of a line lies, as the graph knows it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "common/geometry/measure.h"
@@ -86,6 +87,35 @@ TEST(MedialAxis, NothingWhereTooThin) {
 
 TEST(MedialAxis, AWidthStepDoesNotBreakTheLine) {
   EXPECT_EQ(Of("(0 0, 5 0, 5 -0.15, 10 -0.15, 10 0.45, 5 0.45, 5 0.3, 0 0.3)").size(), 1u);
+}
+
+/// A ring 0.4 mm wide with a tooth every tenth of a mm, just wide enough for a branch of the axis.
+PolygonWithHoles Gear(int teeth) {
+  const double radius = teeth * 100'000 / (2 * std::numbers::pi);
+  const auto at = [teeth](double tooth, double r) {
+    const double turn = 2 * std::numbers::pi * tooth / teeth;
+    return Point{std::llround(r * std::cos(turn)), std::llround(r * std::sin(turn))};
+  };
+  PolygonWithHoles region;
+  Polygon& hole = region.holes.emplace_back();
+  for (int i = 0; i < teeth; ++i) {
+    region.outer.push_back(at(i, radius));
+    region.outer.push_back(at(i + 0.42, radius + 70'000 + i % 43 * 1'000));
+    region.outer.push_back(at(i + 0.84, radius));
+    hole.push_back(at(teeth - i, radius - 400'000));
+  }
+  return region;
+}
+
+// The last one took 10 s when each branch that was pruned cost a walk along all others.
+TEST(MedialAxis, ShortBranchesDoNotBreakALine) {
+  for (const int teeth : {50, 1'000, 20'000}) {
+    const auto lines = MedialAxis(Gear(teeth), {});
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_TRUE(lines[0].closed);
+    const double middle_mm = 0.1 * teeth - 2 * std::numbers::pi * 0.2;
+    EXPECT_NEAR(TotalLengthMm(lines), middle_mm, middle_mm * 0.05);
+  }
 }
 
 // The circles of a line stay in the region.
