@@ -16,10 +16,10 @@ struct GapFillOptions {
 };
 
 /// Beads of varying width along the middle of each gap (see MedialAxis). Beside walls a bead is as
-/// wide as makes its rectangle fill the gap; along an outline it stays inside. Beads that print
-/// less than a dot of about a quarter of a square millimetre's hundredth are left out: they cost a
-/// travel and fill nothing that shows. Paths have Feature::kGapFill, one width a point (one in all
-/// where they are equal), and are in no particular order.
+/// wide as makes its rectangle fill the gap; along an outline it stays inside. Beads that cover
+/// less than 0.02 mm2, a dot 0.16 mm wide, are left out: they cost a travel and fill nothing that
+/// shows. Paths have Feature::kGapFill, one width a point (one in all where they are equal), and
+/// are in no particular order.
 absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
                                            const GapFillOptions& options,
                                            const CancelToken& cancel);
