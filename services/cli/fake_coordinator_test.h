@@ -4,15 +4,18 @@
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
+#include <grpcpp/support/server_callback.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/model/error.h"
@@ -22,8 +25,44 @@
 
 namespace slicefarm::cli {
 
+/// One WatchJob call: tells the events and ends; without an end it stands until it is cancelled.
+/// Deletes itself.
+class FakeWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
+ public:
+  FakeWatch(grpc::CallbackServerContext& context, std::vector<v1::JobEvent> events,
+            std::optional<grpc::Status> end)
+      : events_(std::move(events)), end_(std::move(end)) {
+    context.AddInitialMetadata("slicefarm-watch", "open");
+    StartSendInitialMetadata();
+    Advance();
+  }
+
+  void OnWriteDone(bool ok) override {
+    if (!ok) told_ = events_.size();
+    Advance();
+  }
+  void OnCancel() override {
+    if (!end_) Finish(grpc::Status::CANCELLED);
+  }
+  void OnDone() override { delete this; }
+
+ private:
+  void Advance() {
+    if (told_ < events_.size()) {
+      StartWrite(&events_[told_++]);
+    } else if (end_) {
+      Finish(*end_);
+    }
+  }
+
+  const std::vector<v1::JobEvent> events_;
+  const std::optional<grpc::Status> end_;  ///< none only if there are no events
+  size_t told_ = 0;
+};
+
 /// For tests: a coordinator as the client sees it, which breaks calls when told to.
-class FakeCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
+class FakeCoordinator : public v1::Meshes::Service,
+                        public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   FakeCoordinator() {
     grpc::EnableDefaultHealthCheckService(true);
@@ -41,10 +80,10 @@ class FakeCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
   std::atomic<int> break_upload_after = -1;  ///< chunks; then never again
   std::atomic<int> break_watch_after = -1;   ///< events; then never again
   std::atomic<int> break_download_after = -1;
-  std::atomic<int> break_quiet_watches = 0;  ///< watches that break before any event
-  std::atomic<bool> hang_watch = false;
-  std::atomic<int> overloaded_gets = 0;  ///< GetJob calls that find no free thread
-  bool forget_completion = false;        ///< says of a whole mesh that its end is still to come
+  std::deque<grpc::StatusCode> quiet_watch_ends;  ///< of watches that end before any event
+  bool hold_watches = false;                      ///< they tell nothing until they are cancelled
+  std::atomic<int> overloaded_gets = 0;           ///< GetJob calls that find no free thread
+  bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
   std::string mesh;
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;
@@ -128,33 +167,25 @@ class FakeCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status WatchJob(grpc::ServerContext* context, const v1::WatchJobRequest* request,
-                        grpc::ServerWriter<v1::JobEvent>* writer) override {
+  grpc::ServerWriteReactor<v1::JobEvent>* WatchJob(grpc::CallbackServerContext* context,
+                                                   const v1::WatchJobRequest* request) override {
     watch_sequences.push_back(request->after_sequence());
-    ++watches;
-    context->AddInitialMetadata("slicefarm-watch", "open");
-    writer->SendInitialMetadata();
-    if (break_quiet_watches-- > 0) return Broken();
-    while (hang_watch && !context->IsCancelled()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    constexpr int kEvents = 5;
-    int written = 0;
-    for (int64_t sequence = request->after_sequence() + 1; sequence <= kEvents; ++sequence) {
-      if (break_watch_after == written++) {
-        break_watch_after = -1;
-        return Broken();
+    std::optional<grpc::Status> end = grpc::Status::OK;
+    std::vector<v1::JobEvent> events;
+    if (!quiet_watch_ends.empty()) {
+      end = grpc::Status(quiet_watch_ends.front(), "before any event");
+      quiet_watch_ends.pop_front();
+    } else if (hold_watches) {
+      end = std::nullopt;
+    } else {
+      events = EventsAfter(*request);
+      if (break_watch_after >= 0 && break_watch_after < static_cast<int>(events.size())) {
+        events.resize(break_watch_after.exchange(-1));
+        end = Broken();
       }
-      v1::JobEvent event;
-      event.set_sequence(sequence);
-      event.mutable_job()->set_id(request->id());
-      event.mutable_job()->set_state(sequence < kEvents ? v1::JOB_STATE_RUNNING : end_state);
-      event.mutable_job()->mutable_progress()->set_layers_done(static_cast<int>(sequence));
-      if (event.job().state() == v1::JOB_STATE_FAILED)
-        *event.mutable_job()->mutable_error() = end_error;
-      writer->Write(event);
     }
-    return grpc::Status::OK;
+    ++watches;
+    return new FakeWatch(*context, std::move(events), end);
   }
 
   grpc::Status Download(grpc::ServerContext*, const v1::DownloadRequest* request,
@@ -176,6 +207,21 @@ class FakeCoordinator : public v1::Meshes::Service, public v1::Jobs::Service {
 
  private:
   static grpc::Status Broken() { return {grpc::StatusCode::UNAVAILABLE, "the connection broke"}; }
+
+  std::vector<v1::JobEvent> EventsAfter(const v1::WatchJobRequest& request) const {
+    constexpr int kEvents = 5;
+    std::vector<v1::JobEvent> events;
+    for (int64_t sequence = request.after_sequence() + 1; sequence <= kEvents; ++sequence) {
+      v1::JobEvent& event = events.emplace_back();
+      event.set_sequence(sequence);
+      v1::Job& job = *event.mutable_job();
+      job.set_id(request.id());
+      job.set_state(sequence < kEvents ? v1::JOB_STATE_RUNNING : end_state);
+      job.mutable_progress()->set_layers_done(static_cast<int>(sequence));
+      if (job.state() == v1::JOB_STATE_FAILED) *job.mutable_error() = end_error;
+    }
+    return events;
+  }
 
   static grpc::Status Find(const std::string& id) {
     if (id == "job-1") return grpc::Status::OK;

@@ -25,6 +25,8 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kUnaryDeadline{20'000};
 constexpr milliseconds kTransferDeadline{600'000};  // an upload or download goes on after it
+/// A watch that stood goes on after it, however quiet the job is.
+constexpr milliseconds kWatchDeadline{3'600'000};
 constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
@@ -252,7 +254,7 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   v1::Job last;
   const absl::Status status = Persist([&]() -> absl::Status {
     const absl::Status end = ReadStream<v1::JobEvent>(
-        {options_.watch_deadline, options_.cancel},
+        {kWatchDeadline, options_.cancel},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncWatchJob(context, request, queue);
         },
@@ -264,8 +266,6 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
           changed(last);
           return absl::OkStatus();
         });
-    // Keepalive would have found a connection that is dead: the job was quiet.
-    if (DetailOf(end).reason == Reason::kDeadlineExceeded) answered_ = true;
     if (!end.ok() || HasEnded(last)) return end;
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "the server stopped telling of the job before its end");

@@ -20,8 +20,6 @@ struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
   /// How long the server may be out of reach at a stretch before that is an error.
   std::chrono::milliseconds patience{30'000};
-  /// A watch goes on after it, however quiet the job is.
-  std::chrono::milliseconds watch_deadline{3'600'000};
   CancelToken cancel = {};  ///< ends calls as Cancelled
 };
 

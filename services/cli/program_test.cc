@@ -454,7 +454,7 @@ TEST_F(Program, LeavesNoFileWhenTheJobFails) {
 
 TEST_F(Program, CancelsTheJobItWaitsForAtCtrlC) {
   FakeCoordinator server;
-  server.hang_watch = true;
+  server.hold_watches = true;
   const pid_t pid =
       Start({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--server", server.address()});
   while (server.watches == 0) std::this_thread::yield();
