@@ -175,18 +175,12 @@ void AwaitCall(int metrics_port, const std::string& method) {
   }
 }
 
-/// Until the server takes no new connections.
-void AwaitRefusal(const std::string& address) {
-  grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  for (;;) {
-    const auto channel =
-        grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-    if (!channel->WaitForConnected(std::chrono::system_clock::now() +
-                                   std::chrono::milliseconds(50))) {
-      return;
-    }
-  }
+/// The status of a new call over the channel.
+grpc::StatusCode StatusOfACall(const std::shared_ptr<grpc::Channel>& channel) {
+  grpc::ClientContext context;
+  const auto stream = v1::Slicing::NewStub(channel)->Slice(&context);
+  stream->WritesDone();
+  return stream->Finish().error_code();
 }
 
 // SIGTERM in the middle of a call: no new call is taken, this one ends well, and then the program
@@ -198,7 +192,8 @@ TEST(ServerPrograms, DrainCallsInFlight) {
   const SliceInput input = TextBox();
   const std::string& bytes = input.files[0].bytes;
 
-  const auto stub = v1::Slicing::NewStub(rpc::MakeChannel(address));
+  const std::shared_ptr<grpc::Channel> channel = rpc::MakeChannel(address);
+  const auto stub = v1::Slicing::NewStub(channel);
   grpc::ClientContext context;
   const auto stream = stub->Slice(&context);
   v1::SliceRequest request;
@@ -206,7 +201,8 @@ TEST(ServerPrograms, DrainCallsInFlight) {
   ASSERT_TRUE(stream->Write(request));
   AwaitCall(std::stoi(metrics), "Slice");
   process.Signal(SIGTERM);
-  AwaitRefusal(address);
+  channel->WaitForStateChange(GRPC_CHANNEL_READY, gpr_inf_future(GPR_CLOCK_REALTIME));
+  EXPECT_EQ(StatusOfACall(channel), grpc::StatusCode::UNAVAILABLE);
 
   request.set_chunk(bytes);
   ASSERT_TRUE(stream->Write(request));

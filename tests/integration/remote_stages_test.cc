@@ -251,18 +251,16 @@ TEST_P(EveryRemoteCall, CancellationReachesTheAlgorithm) {
   stopped.Await();
 }
 
-TEST_P(EveryRemoteCall, EndsAtItsDeadlineAndSoDoesTheAlgorithm) {
+TEST_P(EveryRemoteCall, EndsAtItsDeadline) {
   Farm farm({4, 0}, {}, milliseconds(100));
-  Event stopped;
-  farm.fakes.before = [&](const StageCall& call) {
+  // The deadline may pass before the call gets here; the farm's end waits for it if it does.
+  farm.fakes.before = [](const StageCall& call) {
     while (!call.cancel.Cancelled()) std::this_thread::yield();
-    stopped.Happen();
     return call.cancel.Check();
   };
   const absl::Status status = Make(farm);
   EXPECT_TRUE(absl::IsDeadlineExceeded(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kDeadlineExceeded);
-  stopped.Await();
 }
 
 TEST_P(EveryRemoteCall, AServerThatGoesAwayIsUnavailable) {
