@@ -10,6 +10,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
+#include "common/geometry/ring_cleaning.h"
 #include "common/geometry/simple_rings.h"
 #include "services/beading/algo/voronoi_traits.h"
 
@@ -46,23 +47,6 @@ struct Boundary {
   int Holes() const { return static_cast<int>(rings.size()) - 1; }
 };
 
-Polygon WithoutCollinearPoints(const Polygon& ring) {
-  Polygon kept;
-  for (const Point p : ring) {
-    while (kept.size() >= 2 && Orientation(kept[kept.size() - 2], kept.back(), p) == 0)
-      kept.pop_back();
-    if (kept.empty() || kept.back() != p) kept.push_back(p);
-  }
-  const auto redundant = [&](size_t before, size_t at, size_t after) {
-    return kept[at] == kept[after] || Orientation(kept[before], kept[at], kept[after]) == 0;
-  };
-  while (kept.size() >= 3 && redundant(kept.size() - 2, kept.size() - 1, 0)) kept.pop_back();
-  size_t first = 0;
-  while (kept.size() - first >= 3 && redundant(kept.size() - 1, first, first + 1)) ++first;
-  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
-  return kept.size() < 3 ? Polygon{} : kept;
-}
-
 Coord Rounded(Coord nm, Coord unit_nm) {
   return std::llround(static_cast<double>(nm) / static_cast<double>(unit_nm));
 }
@@ -73,7 +57,7 @@ bool AppendRing(Polygon ring, Boundary& boundary) {
     p = p - boundary.origin;
     if (boundary.unit_nm != 1) p = {Rounded(p.x, boundary.unit_nm), Rounded(p.y, boundary.unit_nm)};
   }
-  Polygon points = WithoutCollinearPoints(ring);
+  Polygon points = CleanedRing(ring);
   if (points.empty()) return false;
   const int first = static_cast<int>(boundary.edges.size());
   const int count = static_cast<int>(points.size());

@@ -5,6 +5,7 @@
 
 #include "common/geometry/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/predicates.h"
 
 namespace slicefarm::slicing {
@@ -48,11 +49,6 @@ std::vector<Copy> AllCopies(std::span<const Copies> parts) {
   std::sort(copies.begin(), copies.end(),
             [](const Copy& a, const Copy& b) { return a.box.min < b.box.min; });
   return copies;
-}
-
-Polygon Moved(Polygon ring, Point by) {
-  for (Point& p : ring) p = p + by;
-  return ring;
 }
 
 bool Overlap(const Copy& a, const Copy& b, std::span<const Copies> parts) {

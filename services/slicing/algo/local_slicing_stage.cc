@@ -7,6 +7,7 @@
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
+#include "common/geometry/moved.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/footprint.h"
@@ -35,16 +36,6 @@ absl::Status CheckInput(const SliceInput& input) {
     return LimitError(Reason::kRequestTooLarge, "objects, copies included", limits::kMaxObjects,
                       objects);
   return absl::OkStatus();
-}
-
-void Shift(MultiPolygon& polygons, Point by) {
-  const auto shift = [by](Polygon& ring) {
-    for (Point& p : ring) p = p + by;
-  };
-  for (PolygonWithHoles& polygon : polygons) {
-    shift(polygon.outer);
-    for (Polygon& hole : polygon.holes) shift(hole);
-  }
 }
 
 /// One run of the stage.
@@ -154,10 +145,7 @@ class SlicingRun {
     for (size_t i = 0; i < meshes_.size(); ++i) {
       MultiPolygon outlines = Outlines(i, layer, scratch);
       for (const Point center : meshes_[i].centers) {
-        if (!outlines.empty()) {
-          sliced.objects.push_back({object, outlines});
-          Shift(sliced.objects.back().outlines, center);
-        }
+        if (!outlines.empty()) sliced.objects.push_back({object, Moved(outlines, center)});
         ++object;
       }
     }

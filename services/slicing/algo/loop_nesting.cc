@@ -4,17 +4,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/geometry/predicates.h"
+
 namespace slicefarm::slicing {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 constexpr int64_t kTestsPerEdge = 400;
-
-int Turn(Point a, Point b, Point c) {
-  const __int128 left = static_cast<__int128>(b.x - a.x) * (c.y - a.y);
-  const __int128 right = static_cast<__int128>(b.y - a.y) * (c.x - a.x);
-  return left > right ? 1 : left < right ? -1 : 0;
-}
 
 bool IsInside(int winding, FillRule rule) {
   switch (rule) {
@@ -122,18 +118,18 @@ class LoopNester {
 
   bool Meet(const Edge& a, const Edge& b) const {
     if (a.Bottom() > b.Top() || b.Bottom() > a.Top() || AreNeighbours(a, b)) return false;
-    return Turn(a.left, a.right, b.left) * Turn(a.left, a.right, b.right) <= 0 &&
-           Turn(b.left, b.right, a.left) * Turn(b.left, b.right, a.right) <= 0;
+    return Orientation(a.left, a.right, b.left) * Orientation(a.left, a.right, b.right) <= 0 &&
+           Orientation(b.left, b.right, a.left) * Orientation(b.left, b.right, a.right) <= 0;
   }
 
   /// Edges that do not cross and of which some vertical line meets both: is a above b?
   static bool IsAbove(const Edge& a, const Edge& b) {
     if (b.left <= a.left) {
-      const int side = Turn(b.left, b.right, a.left);
-      return (side != 0 ? side : Turn(b.left, b.right, a.right)) > 0;
+      const int side = Orientation(b.left, b.right, a.left);
+      return (side != 0 ? side : Orientation(b.left, b.right, a.right)) > 0;
     }
-    const int side = Turn(a.left, a.right, b.left);
-    return (side != 0 ? side : Turn(a.left, a.right, b.right)) < 0;
+    const int side = Orientation(a.left, a.right, b.left);
+    return (side != 0 ? side : Orientation(a.left, a.right, b.right)) < 0;
   }
 
   /// Looks down from the least corner of a loop: `edge` is its first edge. Edges that end at this x
@@ -143,7 +139,8 @@ class LoopNester {
     Nest& nest = nests_[edge.loop];
     const Edge* nearest = nullptr;
     for (const Edge* other : active_) {
-      if (other->right.x <= corner.x || Turn(other->left, other->right, corner) <= 0) continue;
+      if (other->right.x <= corner.x || Orientation(other->left, other->right, corner) <= 0)
+        continue;
       nest.outside += other->to_right ? 1 : -1;
       if (nearest == nullptr || IsAbove(*other, *nearest)) nearest = other;
     }
@@ -160,7 +157,7 @@ class LoopNester {
     const Polygon& ring = loops_[edge.loop];
     const size_t size = ring.size();
     const size_t at = edge.to_right ? edge.index : (edge.index + 1) % size;
-    return Turn(ring[(at + size - 1) % size], ring[at], ring[(at + 1) % size]) > 0;
+    return Orientation(ring[(at + size - 1) % size], ring[at], ring[(at + 1) % size]) > 0;
   }
 
   bool IsOuter(uint32_t loop) const {

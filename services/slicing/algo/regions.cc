@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "common/geometry/offset.h"
+#include "common/geometry/ring_cleaning.h"
 #include "common/geometry/simplify.h"
 #include "services/slicing/algo/loop_nesting.h"
-#include "services/slicing/algo/ring_cleaning.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -1,11 +1,11 @@
-#include "services/slicing/algo/ring_cleaning.h"
+#include "common/geometry/ring_cleaning.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm {
 namespace {
 
 struct Case {
@@ -51,4 +51,4 @@ TEST(CleanedRing, DoesNotDependOnTheStart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm

@@ -1,10 +1,10 @@
-#include "services/slicing/algo/ring_cleaning.h"
+#include "common/geometry/ring_cleaning.h"
 
 #include <cstddef>
 
 #include "common/geometry/predicates.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm {
 namespace {
 
 /// Adds p to an open line, dropping what it makes superfluous before it.
@@ -35,4 +35,4 @@ Polygon CleanedRing(const Polygon& ring) {
   return {};
 }
 
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm
