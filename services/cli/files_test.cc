@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/model/error.h"
+#include "common/model/temp_directory_test.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -18,25 +19,17 @@ using testing::UnorderedElementsAre;
 
 class Files : public testing::Test {
  protected:
-  Files() {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~Files() override { std::filesystem::remove_all(folder_); }
-
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Path(const std::string& name) const { return folder_.path() + "/" + name; }
 
   std::vector<std::string> Names() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       names.push_back(entry.path().filename().string());
     }
     return names;
   }
 
-  std::filesystem::path folder_;
+  const TempDirectory folder_;
 };
 
 TEST_F(Files, ComeBackAsTheyWere) {
@@ -61,7 +54,7 @@ TEST_F(Files, AreReadUpToTheLimit) {
 TEST_F(Files, SayWhyTheyCannotBeRead) {
   EXPECT_THAT(std::string(ReadFile(Path("none"), 10).status().message()),
               HasSubstr("No such file or directory"));
-  EXPECT_THAT(std::string(ReadFile(folder_.string(), 10).status().message()),
+  EXPECT_THAT(std::string(ReadFile(folder_.path(), 10).status().message()),
               HasSubstr("Is a directory"));
 }
 
@@ -114,7 +107,7 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
   const absl::Status missing = WriteFile(Path("none/a"), "");
   EXPECT_TRUE(absl::IsDataLoss(missing));
   EXPECT_THAT(std::string(missing.message()), HasSubstr("No such file or directory"));
-  EXPECT_THAT(std::string(WriteFile(folder_.string(), "").message()), HasSubstr("directory"));
+  EXPECT_THAT(std::string(WriteFile(folder_.path(), "").message()), HasSubstr("directory"));
   EXPECT_THAT(std::string(WriteFile("/dev/full", std::string(1 << 20, 'x')).message()),
               HasSubstr("No space left on device"));
 }

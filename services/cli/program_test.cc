@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/model/temp_directory_test.h"
 #include "services/cli/exit_code.h"
 #include "services/cli/fake_coordinator_test.h"
 #include "services/cli/files.h"
@@ -48,17 +49,9 @@ constexpr char kCube[] =
 
 class Program : public testing::Test {
  protected:
-  Program() {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("slicefarm_program_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    Put("cube.obj", kCube);
-  }
-  ~Program() override { std::filesystem::remove_all(folder_); }
+  Program() { Put("cube.obj", kCube); }
 
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Path(const std::string& name) const { return folder_.path() + "/" + name; }
   std::string Text(const std::string& name) const {
     const auto text = ReadFile(Path(name), 1 << 30);
     EXPECT_TRUE(text.ok()) << text.status();
@@ -101,7 +94,7 @@ class Program : public testing::Test {
     return Run(arguments);
   }
 
-  std::filesystem::path folder_;
+  const TempDirectory folder_;
 };
 
 TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
@@ -248,7 +241,7 @@ TEST_P(Failure, HasItsExitCodeAndLeavesNoFile) {
   const Outcome outcome = Run(arguments);
   EXPECT_EQ(outcome.code, GetParam().code) << outcome.err;
   EXPECT_THAT(outcome.out + outcome.err, HasSubstr(GetParam().says));
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
     EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("out.gcode")));
   }
 }

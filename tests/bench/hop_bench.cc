@@ -3,28 +3,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/rpc/channel.h"
 #include "common/stage/layer_chain.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/program_wire.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/layer_plan.h"
 #include "services/coordinator/algo/range_split.h"
-#include "services/coordinator/remote/remote_stages.h"
-#include "services/coordinator/remote/remote_worker.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/bench/benchmarks.h"
+#include "tests/corpus_file.h"
+#include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 
 namespace slicefarm::bench {
@@ -141,11 +138,8 @@ class CannedStages : public BeadingStage,
 };
 
 SliceInput Benchy() {
-  std::ifstream file(SLICEFARM_CORPUS "/models/benchy.stl", std::ios::binary);
   SliceInput input;
-  input.files = {{"benchy.stl",
-                  MeshFormat::kStl,
-                  {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}}};
+  input.files = {{"benchy.stl", MeshFormat::kStl, CorpusFile("models/benchy.stl")}};
   input.placements.resize(1);
   return input;
 }
@@ -218,16 +212,17 @@ class Farm {
   explicit Farm(const Job& job) : job_(job), canned_slicing_(job), canned_(job) {}
 
   /// Each returns false if a call failed.
-  bool Slice() const { return slicing_.Slice({}, job_.input, job_.settings.slicing).ok(); }
+  bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
   bool Fused() const {
     return std::ranges::all_of(job_.ranges, [this](LayerRange range) {
       const Neighbourhood n = job_.Around(range);
-      return worker_.Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
+      return remote_.worker
+          .Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
           .ok();
     });
   }
   bool Split() const {
-    const LayerChain chain(beading_, infill_, ordering_, motion_);
+    const LayerChain chain(remote_.beading, remote_.infill, remote_.ordering, remote_.motion);
     return std::ranges::all_of(job_.ranges, [&](LayerRange range) {
       const Neighbourhood n = job_.Around(range);
       return chain.Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
@@ -240,13 +235,7 @@ class Farm {
   const CannedSlicing canned_slicing_;
   const CannedStages canned_;
   StageHost host_{{canned_slicing_, canned_, canned_, canned_, canned_, canned_}};
-  coordinator::SingleReplica replica_{rpc::MakeChannel(host_.Address())};
-  const coordinator::RemoteSlicing slicing_{replica_};
-  const coordinator::RemoteBeading beading_{replica_};
-  const coordinator::RemoteInfill infill_{replica_};
-  const coordinator::RemoteOrdering ordering_{replica_};
-  const coordinator::RemoteMotion motion_{replica_};
-  const coordinator::RemoteWorker worker_{replica_};
+  const RemoteClients remote_{host_.Address()};
 };
 
 void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing, double job_cpu_s,

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 extern char** environ;
 
@@ -78,6 +79,14 @@ int ChildProcess::Wait() {
   }
   ended_ = true;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+ServerProcess::ServerProcess(const std::string& program, std::vector<std::string> arguments)
+    : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {
+  if (!address.empty()) return;
+  process.Signal(SIGKILL);
+  std::fprintf(stderr, "%s does not serve\n", program.c_str());
+  std::abort();
 }
 
 }  // namespace slicefarm

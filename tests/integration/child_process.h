@@ -38,4 +38,13 @@ class ChildProcess {
   bool ended_ = false;
 };
 
+/// A server program, and where it serves.
+struct ServerProcess {
+  /// Dies if it does not serve.
+  explicit ServerProcess(const std::string& program, std::vector<std::string> arguments = {});
+
+  ChildProcess process;
+  const std::string address;
+};
+
 }  // namespace slicefarm

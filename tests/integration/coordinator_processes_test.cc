@@ -6,40 +6,22 @@
 #include <signal.h>
 
 #include <atomic>
-#include <fstream>
 #include <functional>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "common/model/sha256.h"
+#include "common/model/temp_directory_test.h"
 #include "common/rpc/status_mapping.h"
-#include "services/coordinator/store/temp_directory_test.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 #include "tests/integration/http_get.h"
 
 namespace slicefarm {
 namespace {
-
-std::string ReadModel(const std::string& name) {
-  std::ifstream file(std::string(SLICEFARM_CORPUS) + "/models/" + name, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  EXPECT_FALSE(bytes.str().empty()) << name;
-  return bytes.str();
-}
-
-/// A server program, and where it serves.
-struct Server {
-  Server(const std::string& program, std::vector<std::string> arguments = {})
-      : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {}
-
-  ChildProcess process;
-  const std::string address;
-};
 
 /// A client of the coordinator.
 class Client {
@@ -119,12 +101,11 @@ class Client {
 
 class CoordinatorProcessesTest : public testing::Test {
  protected:
-  void StartCoordinator(const coordinator::TempDirectory& state) {
+  void StartCoordinator(const TempDirectory& state) {
     server_.emplace("slicefarm-coordinator",
                     std::vector<std::string>{"--state-dir", state.path(), "--slicing",
                                              slicing_.address, "--motion", motion_.address,
                                              "--workers", first_.address + "," + second_.address});
-    ASSERT_NE(server_->address, "");
     client_.emplace(server_->address);
   }
 
@@ -151,7 +132,7 @@ class CoordinatorProcessesTest : public testing::Test {
 
   /// The digest of the G-code that comes out when nothing goes wrong.
   std::string QuietDigest() {
-    const coordinator::TempDirectory state;
+    const TempDirectory state;
     StartCoordinator(state);
     const v1::JobEvent end = client_->Watch(Submit(), 0);
     EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
@@ -165,15 +146,15 @@ class CoordinatorProcessesTest : public testing::Test {
     EXPECT_EQ(end.job().result().gcode_sha256(), quiet_);
   }
 
-  const std::string mesh_ = ReadModel("textbox.stl");
-  Server slicing_{"slicefarm-slicing"};
-  Server motion_{"slicefarm-motion"};
-  Server first_{"slicefarm-worker", {"--slots", "1"}};
-  Server second_{"slicefarm-worker", {"--slots", "1"}};
-  std::optional<Server> server_;
+  const std::string mesh_ = CorpusFile("models/textbox.stl");
+  ServerProcess slicing_{"slicefarm-slicing"};
+  ServerProcess motion_{"slicefarm-motion"};
+  ServerProcess first_{"slicefarm-worker", {"--slots", "1"}};
+  ServerProcess second_{"slicefarm-worker", {"--slots", "1"}};
+  std::optional<ServerProcess> server_;
   std::optional<Client> client_;
   const std::string quiet_ = QuietDigest();
-  coordinator::TempDirectory state_;
+  TempDirectory state_;
 };
 
 TEST_F(CoordinatorProcessesTest, AnAcknowledgedJobOutlivesTheCoordinator) {
@@ -263,8 +244,8 @@ TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
 }
 
 TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
-  const Server beading("slicefarm-beading"), infill("slicefarm-infill");
-  const Server ordering("slicefarm-ordering");
+  const ServerProcess beading("slicefarm-beading"), infill("slicefarm-infill");
+  const ServerProcess ordering("slicefarm-ordering");
   server_.emplace(
       "slicefarm-coordinator",
       std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
@@ -275,14 +256,14 @@ TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
 }
 
 /// Arguments of a coordinator whose services are not there, which is no reason not to serve.
-std::vector<std::string> Alone(const coordinator::TempDirectory& state) {
+std::vector<std::string> Alone(const TempDirectory& state) {
   return {"--state-dir", state.path(),  "--slicing", "127.0.0.1:1",
           "--motion",    "127.0.0.1:1", "--workers", "127.0.0.1:1"};
 }
 
 TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
   for (int round = 0; round < 5; ++round) {
-    const coordinator::TempDirectory state;
+    const TempDirectory state;
     auto arguments = Alone(state);
     arguments.insert(arguments.end(), {"--metrics-port", "0"});
     ChildProcess process("slicefarm-coordinator", arguments);
@@ -307,7 +288,7 @@ TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
 }
 
 TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
-  const coordinator::TempDirectory state;
+  const TempDirectory state;
   const std::vector<std::string> some = {"--state-dir", state.path(), "--slicing",
                                          "a:1",         "--motion",   "a:1"};
   auto half = some;

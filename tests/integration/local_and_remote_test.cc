@@ -2,16 +2,14 @@
 
 #include <memory>
 
-#include "common/rpc/channel.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/layer_plan.h"
-#include "services/coordinator/remote/remote_stages.h"
-#include "services/coordinator/remote/remote_worker.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 #include "tests/integration/whole_job.h"
 
@@ -45,22 +43,16 @@ class LocalAndRemote : public testing::Test {
   const std::unique_ptr<MotionStage> motion_ = motion::MakeLocalMotion();
   const LayerChain chain_{*beading_, *infill_, *ordering_, *motion_};
   StageHost host_{{*slicing_, *beading_, *infill_, *ordering_, *motion_, chain_}};
-  coordinator::SingleReplica replica_{rpc::MakeChannel(host_.Address())};
-  const coordinator::RemoteSlicing remote_slicing_{replica_};
-  const coordinator::RemoteBeading remote_beading_{replica_};
-  const coordinator::RemoteInfill remote_infill_{replica_};
-  const coordinator::RemoteOrdering remote_ordering_{replica_};
-  const coordinator::RemoteMotion remote_motion_{replica_};
-  const coordinator::RemoteWorker remote_worker_{replica_};
+  const RemoteClients remote_{host_.Address()};
   const StageCall call_;
-  const JobSettings settings_ = JobSettingsOfTest();
+  const JobSettings settings_;
   SlicedJob job_;
   std::vector<LayerPlan> plans_;
   RangeTask task_;
 };
 
 TEST_F(LocalAndRemote, EachStageGivesTheSame) {
-  const auto remote_job = remote_slicing_.Slice(call_, TextBox(), settings_.slicing);
+  const auto remote_job = remote_.slicing.Slice(call_, TextBox(), settings_.slicing);
   ASSERT_TRUE(remote_job.ok()) << remote_job.status();
   EXPECT_EQ(remote_job->layers, job_.layers);
   EXPECT_EQ(remote_job->meshes, job_.meshes);
@@ -70,25 +62,25 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   const Neighbourhood all{task_.range, task_.layer_count, task_.layers};
   const auto walled = beading_->Bead(call_, all, settings_.beading);
   ASSERT_TRUE(walled.ok()) << walled.status();
-  EXPECT_EQ(*remote_beading_.Bead(call_, all, settings_.beading), *walled);
+  EXPECT_EQ(*remote_.beading.Bead(call_, all, settings_.beading), *walled);
 
   const auto filled = infill_->Fill(call_, *walled, all, settings_.infill);
   ASSERT_TRUE(filled.ok()) << filled.status();
-  EXPECT_EQ(*remote_infill_.Fill(call_, *walled, all, settings_.infill), *filled);
+  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, settings_.infill), *filled);
 
   const auto ordered = ordering_->Order(call_, *filled, plans_, settings_.ordering);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
-  EXPECT_EQ(*remote_ordering_.Order(call_, *filled, plans_, settings_.ordering), *ordered);
+  EXPECT_EQ(*remote_.ordering.Order(call_, *filled, plans_, settings_.ordering), *ordered);
 
   const auto programs = motion_->Program(call_, *ordered, settings_.motion);
   ASSERT_TRUE(programs.ok()) << programs.status();
-  EXPECT_EQ(*remote_motion_.Program(call_, *ordered, settings_.motion), *programs);
+  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, settings_.motion), *programs);
 }
 
 TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   const auto local = chain_.Run(call_, task_);
   ASSERT_TRUE(local.ok()) << local.status();
-  const auto remote = remote_worker_.Run(call_, task_);
+  const auto remote = remote_.worker.Run(call_, task_);
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, local->programs);
   EXPECT_GT(remote->times.beading_s, 0);
@@ -101,7 +93,7 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
     std::vector<LayerProgram> programs;
     for (int32_t first = 0; first < task_.layer_count; first += size) {
       const auto part =
-          remote_worker_.Run(call_, TaskOf({first, std::min(first + size, task_.layer_count)}));
+          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, task_.layer_count)}));
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
     }

@@ -28,17 +28,6 @@ using coordinator::Dispatcher;
 using coordinator::StagePool;
 using coordinator::WorkerPool;
 
-/// A server program with its address.
-struct ServerProcess {
-  explicit ServerProcess(const std::string& program, std::vector<std::string> arguments = {})
-      : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {
-    EXPECT_NE(address, "") << program << " does not serve";
-  }
-
-  ChildProcess process;
-  const std::string address;
-};
-
 /// Some processes of one program.
 struct Replicas {
   Replicas(const std::string& program, int count, std::vector<std::string> arguments = {}) {

@@ -10,35 +10,24 @@
 
 #include "common/model/build_info.h"
 #include "common/model/error.h"
-#include "common/rpc/channel.h"
 #include "common/rpc/event_test.h"
 #include "common/rpc/status_mapping.h"
-#include "services/coordinator/remote/remote_worker.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
 #include "tests/integration/fake_stages.h"
+#include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 
 namespace slicefarm {
 namespace {
 
-using coordinator::RemoteOptions;
-using coordinator::SingleReplica;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// Clients of fakes that sit behind a socket.
-struct Farm {
-  explicit Farm(const rpc::CallGateOptions& gate = {4, 0}, const rpc::ServerOptions& options = {},
-                milliseconds deadline = seconds(60))
+/// Fakes behind a socket.
+struct FakeHost {
+  FakeHost(const rpc::CallGateOptions& gate, const rpc::ServerOptions& options)
       : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner},
-             gate, options),
-        replica(rpc::MakeChannel(host.Address())),
-        slicing(replica, RemoteOptions{deadline}),
-        beading(replica, RemoteOptions{deadline}),
-        infill(replica, RemoteOptions{deadline}),
-        ordering(replica, RemoteOptions{deadline}),
-        motion(replica, RemoteOptions{deadline}),
-        worker(replica, RemoteOptions{deadline}) {}
+             gate, options) {}
 
   FakeStages fakes;
   FakeSlicing fake_slicing{fakes};
@@ -48,13 +37,13 @@ struct Farm {
   FakeMotion fake_motion{fakes};
   FakeRunner fake_runner{fakes};
   StageHost host;
-  SingleReplica replica;
-  coordinator::RemoteSlicing slicing;
-  coordinator::RemoteBeading beading;
-  coordinator::RemoteInfill infill;
-  coordinator::RemoteOrdering ordering;
-  coordinator::RemoteMotion motion;
-  coordinator::RemoteWorker worker;
+};
+
+/// And clients of them.
+struct Farm : FakeHost, RemoteClients {
+  explicit Farm(const rpc::CallGateOptions& gate = {4, 0}, const rpc::ServerOptions& options = {},
+                milliseconds deadline = seconds(60))
+      : FakeHost(gate, options), RemoteClients(host.Address(), {deadline}) {}
 };
 
 StageCall NewCall() {

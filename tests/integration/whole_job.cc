@@ -2,8 +2,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "common/stage/layer_chain.h"
@@ -13,6 +11,7 @@
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "tests/corpus_file.h"
 
 namespace slicefarm {
 namespace {
@@ -37,11 +36,8 @@ std::string Computed() {
 }  // namespace
 
 SliceInput TextBox() {
-  std::ifstream file(SLICEFARM_CORPUS "/models/textbox.stl", std::ios::binary);
   SliceInput input;
-  input.files = {{"textbox.stl",
-                  MeshFormat::kStl,
-                  {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}}};
+  input.files = {{"textbox.stl", MeshFormat::kStl, CorpusFile("models/textbox.stl")}};
   input.placements.resize(1);
   return input;
 }

@@ -11,12 +11,12 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/sha256.h"
+#include "common/model/temp_directory_test.h"
 #include "common/rpc/server.h"
 #include "common/rpc/status_mapping.h"
 #include "nlohmann/json.hpp"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/server/fake_stages_test.h"
-#include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/sha256.h"
+#include "common/model/temp_directory_test.h"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/server/failing_job_store_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
@@ -18,7 +19,6 @@
 #include "services/coordinator/server/jobs_wire.h"
 #include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/sqlite_job_store.h"
-#include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

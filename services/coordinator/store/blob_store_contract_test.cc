@@ -9,9 +9,9 @@
 
 #include "common/model/error.h"
 #include "common/model/sha256.h"
+#include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/store_place_test.h"
-#include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/model/error.h"
 #include "common/model/sha256.h"
-#include "services/coordinator/store/temp_directory_test.h"
+#include "common/model/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/sqlite_job_store.h"
 #include "services/coordinator/store/store_place_test.h"
-#include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

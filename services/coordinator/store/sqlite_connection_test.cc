@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/model/error.h"
-#include "services/coordinator/store/temp_directory_test.h"
+#include "common/model/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/sqlite_connection.h"
 #include "services/coordinator/store/sqlite_job_rows.h"
 #include "services/coordinator/store/sqlite_schema.h"
-#include "services/coordinator/store/temp_directory_test.h"
 
 namespace slicefarm::coordinator {
 namespace {

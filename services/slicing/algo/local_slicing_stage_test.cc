@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -14,6 +12,7 @@
 #include "common/geometry/predicates.h"
 #include "common/model/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "tests/corpus_file.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -22,10 +21,6 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 constexpr Coord kMm = kNmPerMm;
-
-RawMesh Cube(double x, double y, double z, double size = 10) {
-  return BoxMesh({x, y, z}, {x + size, y + size, z + size});
-}
 
 MeshFile File(const RawMesh& mesh, std::string name = "part") {
   return {std::move(name), MeshFormat::kUnknown, ToBinaryStl(mesh)};
@@ -258,9 +253,7 @@ TEST(LocalSlicing, ModelsOfTheCorpus) {
       {"thin_walls.stl", 75, 200, 134, 17, 0, 11'760, 11'520},
   };
   for (const ModelCase& c : cases) {
-    std::ifstream in(std::string(SLICEFARM_CORPUS) + "/models/" + c.file, std::ios::binary);
-    ASSERT_TRUE(in) << c.file;
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::string bytes = CorpusFile("models/" + std::string(c.file));
     const auto job = Slice({{{c.file, MeshFormat::kUnknown, bytes}}, {{}}}, {}, 2);
     ASSERT_TRUE(job.ok()) << c.file << job.status();
     const MeshReport& report = job->meshes[0];

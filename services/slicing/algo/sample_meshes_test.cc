@@ -45,6 +45,10 @@ RawMesh BoxMesh(const Position& min, const Position& max) {
   return mesh;
 }
 
+RawMesh Cube(double x, double y, double z, double size) {
+  return BoxMesh({x, y, z}, {x + size, y + size, z + size});
+}
+
 RawMesh TetrahedronMesh(double size) {
   return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}},
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};

@@ -12,6 +12,9 @@ namespace slicefarm::slicing {
 /// A box of 8 vertices and 12 triangles. REQUIRES: min < max in each coordinate.
 RawMesh BoxMesh(const Position& min, const Position& max);
 
+/// A box of three equal sides, its least corner at x, y, z.
+RawMesh Cube(double x, double y, double z, double size = 10);
+
 /// The tetrahedron of the origin and the ends of the three axes of length `size`.
 RawMesh TetrahedronMesh(double size);
 

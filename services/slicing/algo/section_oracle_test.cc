@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "services/slicing/algo/mesh_reader.h"
 #include "services/slicing/algo/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "tests/corpus_file.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -69,11 +68,6 @@ double DistanceToOutlines(Point p, const MultiPolygon& outlines) {
   return nearest;
 }
 
-std::string ModelBytes(const std::string& name) {
-  std::ifstream in(std::string(SLICEFARM_CORPUS) + "/models/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void ExpectLayersMatch(const std::string& name, const std::string& bytes) {
   const MeshFile file{name, MeshFormat::kUnknown, bytes};
   const Placement at_origin{.centers = {{0, 0}}};
@@ -116,7 +110,7 @@ TEST(SectionOracle, AgreesOnMadeShapes) {
 TEST(SectionOracle, AgreesOnModels) {
   for (const char* name :
        {"benchy.stl", "spot.stl", "featuretype.stl", "busted.stl", "textbox.stl"})
-    ExpectLayersMatch(name, ModelBytes(name));
+    ExpectLayersMatch(name, CorpusFile(std::string("models/") + name));
 }
 
 }  // namespace

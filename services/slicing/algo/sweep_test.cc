@@ -21,8 +21,6 @@ namespace {
 
 constexpr Coord kMm = kNmPerMm;
 
-RawMesh Cube(double x, double y, double z) { return BoxMesh({x, y, z}, {x + 10, y + 10, z + 10}); }
-
 ConnectedMesh Connected(const RawMesh& raw) { return *Connect(*PlaceMesh(raw, {}), {}); }
 
 std::vector<Section> CutAll(const ConnectedMesh& mesh, const std::vector<Coord>& planes) {

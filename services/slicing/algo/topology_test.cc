@@ -12,8 +12,6 @@
 namespace slicefarm::slicing {
 namespace {
 
-RawMesh Cube(double x, double y, double z) { return BoxMesh({x, y, z}, {x + 10, y + 10, z + 10}); }
-
 RawMesh WithFlippedFace(RawMesh mesh, size_t face) {
   std::swap(mesh.triangles[face][0], mesh.triangles[face][1]);
   return mesh;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace slicefarm::coordinator {
+namespace slicefarm {
 
 /// A directory for one test, removed at its end.
 class TempDirectory {
@@ -25,4 +25,4 @@ class TempDirectory {
   std::string path_;
 };
 
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "common/rpc/channel.h"
+#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/remote_worker.h"
+
+namespace slicefarm {
+
+/// All stages and the worker of one host, as its clients see them.
+struct RemoteClients {
+  explicit RemoteClients(const std::string& address, const coordinator::RemoteOptions& options = {})
+      : replica(rpc::MakeChannel(address)),
+        slicing(replica, options),
+        beading(replica, options),
+        infill(replica, options),
+        ordering(replica, options),
+        motion(replica, options),
+        worker(replica, options) {}
+
+  coordinator::SingleReplica replica;
+  coordinator::RemoteSlicing slicing;
+  coordinator::RemoteBeading beading;
+  coordinator::RemoteInfill infill;
+  coordinator::RemoteOrdering ordering;
+  coordinator::RemoteMotion motion;
+  coordinator::RemoteWorker worker;
+};
+
+}  // namespace slicefarm
