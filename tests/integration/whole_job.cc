@@ -4,28 +4,28 @@
 #include <cstdlib>
 #include <utility>
 
-#include "common/stage/layer_chain.h"
-#include "services/beading/algo/local_beading_stage.h"
+#include "services/cli/local_pipeline.h"
 #include "services/coordinator/algo/job_pipeline.h"
-#include "services/infill/algo/local_infill_stage.h"
-#include "services/motion/algo/local_motion_stage.h"
-#include "services/ordering/algo/local_ordering_stage.h"
-#include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {
 namespace {
 
+absl::StatusOr<std::string> GcodeBy(const coordinator::JobPipeline& pipeline,
+                                    const std::function<void(int32_t)>& layers_done) {
+  StageCall call;
+  call.job_id = "textbox";
+  absl::StatusOr<coordinator::JobOutput> output =
+      pipeline.Run(call, {TextBox(), {}, "perimeters = 3\n"},
+                   [&](const coordinator::PipelineProgress& progress) {
+                     if (layers_done) layers_done(progress.layers_done);
+                   });
+  if (!output.ok()) return output.status();
+  return std::move(output->gcode);
+}
+
 std::string Computed() {
-  const auto slicing = slicing::MakeLocalSlicing();
-  const auto beading = beading::MakeLocalBeading();
-  const auto infill = infill::MakeLocalInfill();
-  const auto ordering = ordering::MakeLocalOrdering();
-  const auto motion = motion::MakeLocalMotion();
-  coordinator::Dispatcher dispatcher;
-  dispatcher.Join({.name = "here",
-                   .ranges = std::make_shared<LayerChain>(*beading, *infill, *ordering, *motion)});
-  absl::StatusOr<std::string> gcode = GcodeOf(*slicing, *motion, dispatcher);
+  absl::StatusOr<std::string> gcode = GcodeBy(cli::LocalPipeline(1).pipeline(), {});
   if (!gcode.ok()) {
     std::fprintf(stderr, "%s\n", gcode.status().ToString().c_str());
     std::abort();
@@ -42,21 +42,10 @@ SliceInput TextBox() {
   return input;
 }
 
-JobSettings JobSettingsOfTest() { return {}; }
-
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const MotionStage& motion,
                                     coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done) {
-  const coordinator::JobPipeline pipeline(slicing, motion, dispatcher);
-  StageCall call;
-  call.job_id = "textbox";
-  absl::StatusOr<coordinator::JobOutput> output =
-      pipeline.Run(call, {TextBox(), JobSettingsOfTest(), "perimeters = 3\n"},
-                   [&](const coordinator::PipelineProgress& progress) {
-                     if (layers_done) layers_done(progress.layers_done);
-                   });
-  if (!output.ok()) return output.status();
-  return std::move(output->gcode);
+  return GcodeBy(coordinator::JobPipeline(slicing, motion, dispatcher), layers_done);
 }
 
 const std::string& GcodeOfThisProcess() {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/model/settings.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/dispatcher.h"
 
@@ -13,7 +12,6 @@ namespace slicefarm {
 
 /// A job of the corpus: a box with letters on it, 150 layers or so.
 SliceInput TextBox();
-JobSettings JobSettingsOfTest();
 
 /// The way of a whole job, from the text box to its G-code.
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const MotionStage& motion,
