@@ -112,9 +112,7 @@ void Sweep::CutFaces(std::span<const uint32_t> faces, size_t layer, SweepScratch
     if (segment + 2 * kAhead < faces.size()) PrefetchFace(faces[segment + 2 * kAhead], scratch);
     if (segment + kAhead < faces.size()) PrefetchCorners(faces[segment + kAhead]);
     const uint32_t face = faces[segment];
-    const Triangle& t = triangles[face];
-    const unsigned above = (vertices_[t[0]].level > layer) | (vertices_[t[1]].level > layer) << 1 |
-                           (vertices_[t[2]].level > layer) << 2;
+    const unsigned above = Above(triangles[face], layer);
     const uint32_t rising = 3 * face + kRising[above];
     scratch.segment_of_face[face] = segment;
     scratch.ends[segment] = Crossing(rising, z_nm);
@@ -134,11 +132,9 @@ void Sweep::Walk(uint32_t first, SweepScratch& scratch) const {
   } while (segment != first);
 }
 
-Polyline Sweep::Chain(uint32_t first, uint32_t face, Coord z_nm, SweepScratch& scratch) const {
-  const Triangle& t = mesh_->mesh.triangles[face];
-  unsigned above = 0;
-  for (int i = 0; i < 3; ++i) above |= unsigned{vertices_[t[i]].z >= z_nm} << i;
-  scratch.line.assign(1, Crossing(3 * face + kFalling[above], z_nm));
+Polyline Sweep::Chain(uint32_t first, uint32_t face, size_t layer, SweepScratch& scratch) const {
+  const unsigned above = Above(mesh_->mesh.triangles[face], layer);
+  scratch.line.assign(1, Crossing(3 * face + kFalling[above], planes_nm_[layer]));
   Walk(first, scratch);
   return scratch.line;
 }
@@ -165,7 +161,7 @@ Section Sweep::Cut(size_t layer, SweepScratch& scratch) const {
   Section section;
   for (uint32_t segment = 0; !mesh_->closed && segment < faces.size(); ++segment) {
     if (scratch.marks[segment] != kHead) continue;
-    Polyline chain = Chain(segment, faces[segment], planes_nm_[layer], scratch);
+    Polyline chain = Chain(segment, faces[segment], layer, scratch);
     if (chain.size() >= 2) section.chains.push_back(std::move(chain));
   }
   for (uint32_t segment = 0; segment < faces.size(); ++segment) {

@@ -73,7 +73,12 @@ class Sweep {
   void PrefetchCorners(uint32_t face) const;
   /// One segment a face, in the order of `faces`.
   void CutFaces(std::span<const uint32_t> faces, size_t layer, SweepScratch& scratch) const;
-  Polyline Chain(uint32_t first, uint32_t face, Coord z_nm, SweepScratch& scratch) const;
+  /// Bit i is set if corner i lies in or above the plane of the layer.
+  unsigned Above(const Triangle& t, size_t layer) const {
+    return (vertices_[t[0]].level > layer) | (vertices_[t[1]].level > layer) << 1 |
+           (vertices_[t[2]].level > layer) << 2;
+  }
+  Polyline Chain(uint32_t first, uint32_t face, size_t layer, SweepScratch& scratch) const;
   Polygon Loop(uint32_t first, SweepScratch& scratch) const;
   /// Appends the ends of `first` and what follows to scratch.line, until the surface ends or the
   /// way comes back.

@@ -240,20 +240,27 @@ TEST(Sweep, StaysExactAtTheLimits) {
   for (const Section& section : sections) EXPECT_TRUE(section.chains.empty());
 }
 
-TEST(Sweep, RefusesMoreThanALayerMayHold) {
-  // One tall needle fan, repeated: every face is in every layer.
-  IndexedMesh mesh;
-  mesh.vertices = {{0, 0, 0}, {1'000, 0, 0}, {0, 0, 100'000}};
-  mesh.triangles.assign(20'000, {0, 1, 2});
+/// One tall needle, repeated: every face is in every layer.
+absl::Status StatusOfNeedles(size_t faces, size_t layers) {
   ConnectedMesh connected;
-  connected.mesh = mesh;
-  connected.twins.assign(3 * mesh.triangles.size(), kNoTwin);
-  std::vector<Coord> planes(20'000);
-  for (size_t k = 0; k < planes.size(); ++k) planes[k] = static_cast<Coord>(k + 1);
-  const auto sweep = Sweep::Prepare(connected, planes);
-  EXPECT_EQ(DetailOf(sweep.status()).reason, Reason::kMeshTooLarge);
-  EXPECT_EQ(DetailOf(sweep.status()).metadata.at("limit"),
-            std::to_string(limits::kMaxPointsPerMesh));
+  connected.mesh.vertices = {{0, 0, 0}, {1'000, 0, 0}, {0, 0, 100'000}};
+  connected.mesh.triangles.assign(faces, {0, 1, 2});
+  connected.twins.assign(3 * faces, kNoTwin);
+  std::vector<Coord> planes(layers);
+  for (size_t k = 0; k < layers; ++k) planes[k] = static_cast<Coord>(k + 1);
+  return Sweep::Prepare(connected, planes).status();
+}
+
+TEST(Sweep, RefusesMoreThanALayerMayHold) {
+  const absl::Status status = StatusOfNeedles(limits::kMaxPointsPerLayer + 1, 1);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshTooLarge);
+  EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxPointsPerLayer));
+}
+
+TEST(Sweep, RefusesMoreThanAMeshMayHold) {
+  const absl::Status status = StatusOfNeedles(20'000, 20'000);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshTooLarge);
+  EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxPointsPerMesh));
 }
 
 }  // namespace
