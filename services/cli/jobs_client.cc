@@ -4,11 +4,9 @@
 #include <grpcpp/support/async_stream.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <random>
-#include <thread>
 #include <utility>
 
 #include "common/model/error.h"
@@ -16,6 +14,7 @@
 #include "common/model/sha256.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
+#include "common/rpc/retry_after.h"
 #include "common/rpc/status_mapping.h"
 
 namespace slicefarm::cli {
@@ -35,16 +34,6 @@ bool OutOfReach(const absl::Status& status) {
   const Reason reason = DetailOf(status).reason;
   return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded ||
          reason == Reason::kOverloaded;
-}
-
-/// How long the server asks us to wait; 0 if it does not.
-milliseconds AskedRest(const absl::Status& status) {
-  const ErrorDetail detail = DetailOf(status);
-  const auto asked = detail.metadata.find(rpc::kRetryAfterMs);
-  int64_t ms = 0;
-  if (asked == detail.metadata.end()) return milliseconds{0};
-  std::from_chars(asked->second.data(), asked->second.data() + asked->second.size(), ms);
-  return milliseconds{std::clamp<int64_t>(ms, 0, kMaxAskedRest.count())};
 }
 
 /// A UUID, version 4.
@@ -98,15 +87,6 @@ JobsClient::JobsClient(JobsClientOptions options)
       meshes_(v1::Meshes::NewStub(channel_)),
       jobs_(v1::Jobs::NewStub(channel_)) {}
 
-absl::Status JobsClient::Rest(milliseconds time) const {
-  constexpr milliseconds kStep{20};
-  for (milliseconds rested{0}; rested < time; rested += kStep) {
-    if (absl::Status status = options_.cancel.Check(); !status.ok()) return status;
-    std::this_thread::sleep_for(kStep);
-  }
-  return absl::OkStatus();
-}
-
 /// Makes the attempt until it ends otherwise than with the server out of reach. Patience counts
 /// from the first attempt that got no answer at all: a stream that was quiet for long until it
 /// broke says nothing about how long the server is gone. An attempt that gets on a way sets
@@ -130,7 +110,9 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
                        fmt::format("{}: {}", options_.server, std::string(status.message())),
                        detail.metadata);
     }
-    if (absl::Status rested = Rest(std::max(rest, AskedRest(status))); !rested.ok()) return rested;
+    const milliseconds asked = std::min(rpc::RetryAfter(status), kMaxAskedRest);
+    absl::Status rested = rpc::AwaitRetry(std::max(rest, asked), options_.cancel);
+    if (!rested.ok()) return rested;
   }
 }
 

@@ -56,7 +56,6 @@ class JobsClient {
   absl::Status Persist(const Attempt& attempt);
   template <typename Response, typename Request, typename Start>
   absl::StatusOr<Response> Call(const Request& request, const Start& start);
-  absl::Status Rest(std::chrono::milliseconds time) const;
   absl::Status SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
                         const std::function<void(int64_t)>& sent);
 

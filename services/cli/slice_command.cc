@@ -44,6 +44,7 @@ absl::StatusOr<coordinator::JobInput> InputOf(const JobOptions& options,
   input.meshes.placements.push_back(*std::move(placement));
   input.settings = resolved.settings;
   input.settings_text = resolved.effective_text;
+  input.warnings = resolved.warnings;
   return input;
 }
 
@@ -79,8 +80,8 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
   Print(SummaryText({.output = options.output == "-" ? "" : options.output,
                      .layers = report.layer_count,
                      .print_time_s = report.print_time_s,
-                     .filament_mm = report.filament_mm,
-                     .filament_g = report.filament_g,
+                     .filament_mm = report.filament.length_mm,
+                     .filament_g = report.filament.mass_g,
                      .settings_without_effect = static_cast<int64_t>(resolved.no_effect.size()),
                      .report = options.job.report}),
         result_on_stdout);
@@ -99,8 +100,6 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
     const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
     return Fail(mesh ? InFile(options.job.model, output.status()) : output.status());
   }
-  output->report.warnings.insert(output->report.warnings.begin(), resolved->warnings.begin(),
-                                 resolved->warnings.end());
   if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
     return Fail(status);
   }

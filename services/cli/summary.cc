@@ -2,15 +2,15 @@
 
 #include <fmt/core.h>
 
-#include "services/coordinator/algo/report_json.h"
+#include "common/model/duration_text.h"
 
 namespace slicefarm::cli {
 
 std::string SummaryText(const Summary& summary) {
   std::string text = summary.output.empty() ? "" : summary.output + ": ";
   text += fmt::format("{} {}, {} to print, {:.2f} m of filament", summary.layers,
-                      summary.layers == 1 ? "layer" : "layers",
-                      coordinator::DurationText(summary.print_time_s), summary.filament_mm / 1000);
+                      summary.layers == 1 ? "layer" : "layers", DurationText(summary.print_time_s),
+                      summary.filament_mm / 1000);
   if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);
   if (summary.cached) text += "; found by content, not made anew";
   text += '\n';

@@ -121,11 +121,7 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame
   }
   report.print_time_s = frame.time_s;
   report.travel_mm = frame.travel_mm;
-  const double diameter_mm = motion.filament_diameter_mm;
-  report.filament_mm = summary.total.FilamentMm();
-  report.filament_mm3 = report.filament_mm * std::numbers::pi / 4 * diameter_mm * diameter_mm;
-  report.filament_g = report.filament_mm3 * motion.filament_density_g_cm3 / 1000;
-  report.filament_cost = report.filament_g * motion.filament_cost_per_kg / 1000;
+  report.filament = FilamentUseOf(summary.total, motion);
   for (const MeshReport& mesh : report.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) report.warnings.push_back(std::move(warning));
   }
@@ -164,6 +160,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   if (!sliced.ok()) return sliced.status();
   if (absl::Status printable = CheckSliced(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
+  report.warnings = std::move(input.warnings);
   settings.motion.layer_count = static_cast<int32_t>(sliced->layers.size());
 
   auto results = RunRanges(call, std::move(sliced->layers), settings, executor_, progress);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/filament_use.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/range_executor.h"
 
@@ -16,6 +17,7 @@ struct JobInput {
   JobSettings settings;
   std::string settings_text;  ///< effective settings as `key = value` lines, quoted at the end of
                               ///< the G-code
+  std::vector<std::string> warnings = {};  ///< of the settings: the report begins with them
 };
 
 /// What a job came to, besides its G-code.
@@ -26,10 +28,7 @@ struct JobReport {
   double object_height_mm = 0;
   double print_time_s = 0;
   double travel_mm = 0;  ///< between layers included
-  double filament_mm = 0;
-  double filament_g = 0;
-  double filament_mm3 = 0;
-  double filament_cost = 0;
+  FilamentUse filament;
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
 };

@@ -17,8 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Squares, as many layers as the file has bytes; '0' bytes are empty layers, '-' bytes outlines that
-/// no bead fits into.
+/// Squares, as many layers as the file has bytes; '0' bytes are empty layers, '-' bytes outlines
+/// that no bead fits into.
 class FakeSlicing : public SlicingStage {
  public:
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
@@ -89,6 +89,7 @@ class FakeMotion : public MotionStage {
 
 JobInput InputOf(std::string bytes) {
   JobInput input;
+  input.warnings = {"of the settings"};
   input.meshes.files = {{"thing", MeshFormat::kUnknown, std::move(bytes)}};
   input.meshes.placements.resize(1);
   input.settings.ordering.seam = SeamPosition::kNearest;
@@ -149,11 +150,11 @@ TEST_F(JobPipelineTest, ReportsWhatItCameTo) {
   EXPECT_DOUBLE_EQ(report.object_height_mm, 0.6);
   EXPECT_DOUBLE_EQ(report.print_time_s, 106);
   EXPECT_DOUBLE_EQ(report.travel_mm, 50);
-  EXPECT_DOUBLE_EQ(report.filament_mm, 12);
-  EXPECT_NEAR(report.filament_mm3, 12 * 2.405282, 1e-4);
-  EXPECT_NEAR(report.filament_g, 12 * 2.405282 * 1.24e-3, 1e-6);
+  EXPECT_DOUBLE_EQ(report.filament.length_mm, 12);
+  EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
+  EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
   EXPECT_DOUBLE_EQ(report.stage_times.infill_s, 1);
-  EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("1 edge")));
+  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge")));
 }
 
 TEST_F(JobPipelineTest, TellsItsProgress) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "absl/strings/str_cat.h"
+#include "common/model/duration_text.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -61,16 +61,6 @@ Json Travel(const JobReport& report) {
 
 }  // namespace
 
-std::string DurationText(double seconds) {
-  int64_t left = std::llround(std::floor(std::max(seconds, 0.0)));
-  std::string text;
-  for (const auto& [unit, size] : {std::pair{"d", 86400}, {"h", 3600}, {"m", 60}}) {
-    if (left >= size || !text.empty()) absl::StrAppend(&text, left / size, unit, " ");
-    left %= size;
-  }
-  return absl::StrCat(text, left, "s");
-}
-
 std::string ReportJson(const JobReport& report, const ReportContext& context) {
   Json json;
   json["meshes"] = Json::array();
@@ -79,10 +69,10 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["object_height_mm"] = report.object_height_mm;
   json["print_time_s"] = report.print_time_s;
   json["print_time"] = DurationText(report.print_time_s);
-  json["filament"] = {{"mm", report.filament_mm},
-                      {"mm3", report.filament_mm3},
-                      {"g", report.filament_g},
-                      {"cost", report.filament_cost}};
+  json["filament"] = {{"mm", report.filament.length_mm},
+                      {"mm3", report.filament.volume_mm3},
+                      {"g", report.filament.mass_g},
+                      {"cost", report.filament.cost}};
   json["features"] = Features(report.stats);
   json["travel"] = Travel(report);
   json["stage_times_s"] = ToJson(report.stage_times);

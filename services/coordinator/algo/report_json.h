@@ -21,7 +21,4 @@ struct ReportContext {
 /// the names.
 std::string ReportJson(const JobReport& report, const ReportContext& context);
 
-/// 3723.4 -> "1h 2m 3s", as previewers write it.
-std::string DurationText(double seconds);
-
 }  // namespace slicefarm::coordinator

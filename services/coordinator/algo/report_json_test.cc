@@ -15,9 +15,9 @@ TEST(ReportJson, HasWhatTheReportHas) {
   report.object_height_mm = 10;
   report.print_time_s = 3723.4;
   report.travel_mm = 77;
-  report.filament_mm = 1000;
-  report.filament_g = 2.98;
-  report.filament_cost = 0.06;
+  report.filament.length_mm = 1000;
+  report.filament.mass_g = 2.98;
+  report.filament.cost = 0.06;
   report.stage_times.infill_s = 0.5;
   report.stats.features[static_cast<int>(Feature::kGapFill)] = {1, 2, 3, 4};
   report.stats.retractions = 9;
@@ -46,14 +46,6 @@ TEST(ReportJson, SurvivesNamesThatAreNoText) {
   JobReport report;
   report.meshes = {{.name = "\xff\xfe\"\n"}};
   EXPECT_TRUE(nlohmann::json::accept(ReportJson(report, {})));
-}
-
-TEST(DurationText, ShowsWhatIsNeeded) {
-  EXPECT_EQ(DurationText(0), "0s");
-  EXPECT_EQ(DurationText(59.9), "59s");
-  EXPECT_EQ(DurationText(60), "1m 0s");
-  EXPECT_EQ(DurationText(86400 + 5), "1d 0h 0m 5s");
-  EXPECT_EQ(DurationText(-3), "0s");
 }
 
 }  // namespace

@@ -26,16 +26,14 @@ bool IsAway(const absl::Status& status) {
 
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
-  report.warnings.insert(report.warnings.begin(), job.settings.warnings.begin(),
-                         job.settings.warnings.end());
   RunOutput run;
   run.report_json = ReportJson(report, {.settings_without_effect = job.settings.no_effect,
                                         .settings_digest = job.settings_digest,
                                         .build_id = std::string(build_id)});
   run.gcode = std::move(output.gcode);
   run.result.print_time_s = report.print_time_s;
-  run.result.filament_mm = report.filament_mm;
-  run.result.filament_g = report.filament_g;
+  run.result.filament_mm = report.filament.length_mm;
+  run.result.filament_g = report.filament.mass_g;
   run.result.layers = report.layer_count;
   run.result.warnings = std::move(report.warnings);
   return run;
@@ -78,7 +76,8 @@ absl::Status JobRun::Compute(ResolvedJob job) {
   StageCall call;
   call.job_id = job_.id;
   call.cancel = CancelToken([this] { return GivenUp(); });
-  JobInput input{*std::move(meshes), job.settings.settings, job.settings.effective_text};
+  JobInput input{*std::move(meshes), job.settings.settings, job.settings.effective_text,
+                 job.settings.warnings};
   auto output = environment_.pipeline.Run(call, std::move(input),
                                           [this](PipelineProgress p) { Progress(p); });
   if (!output.ok()) return output.status();

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "common/model/build_info.h"
+#include "common/model/duration_text.h"
+#include "common/model/filament_use.h"
 #include "services/motion/algo/comment_text.h"
-#include "services/motion/algo/duration_text.h"
 #include "services/motion/algo/gcode_text.h"
 #include "services/motion/algo/settings_text.h"
 
@@ -27,15 +28,13 @@ void Line(std::string_view key, const std::string& value, GcodeText& out) {
 }
 
 void WriteUse(const MotionOptions& options, const ProgramStats& total, GcodeText& out) {
-  const double cm3 = total.VolumeMm3() / 1000;
-  const double grams = cm3 * options.filament_density_g_cm3;
-  const double cost = grams / 1000 * options.filament_cost_per_kg;
-  Line("filament used [mm]", Number(total.FilamentMm(), 2), out);
-  Line("filament used [cm3]", Number(cm3, 2), out);
-  Line("filament used [g]", Number(grams, 2), out);
-  Line("filament cost", Number(cost, 2), out);
-  Line("total filament used [g]", Number(grams, 2), out);
-  Line("total filament cost", Number(cost, 2), out);
+  const FilamentUse use = FilamentUseOf(total, options);
+  Line("filament used [mm]", Number(use.length_mm, 2), out);
+  Line("filament used [cm3]", Number(use.volume_mm3 / 1000, 2), out);
+  Line("filament used [g]", Number(use.mass_g, 2), out);
+  Line("filament cost", Number(use.cost, 2), out);
+  Line("total filament used [g]", Number(use.mass_g, 2), out);
+  Line("total filament cost", Number(use.cost, 2), out);
 }
 
 void WriteLayers(const ProgramSummary& summary, double time_s, GcodeText& out) {

@@ -7,7 +7,8 @@
 
 #include "absl/strings/numbers.h"
 #include "common/geometry/measure.h"
-#include "services/motion/algo/duration_text.h"
+#include "common/model/duration_text.h"
+#include "common/model/filament_use.h"
 #include "services/motion/algo/settings_text.h"
 #include "services/motion/algo/template_defaults.h"
 
@@ -150,13 +151,13 @@ void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
 }
 
 void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
-  const double grams = total.VolumeMm3() / 1000 * options.filament_density_g_cm3;
-  variables["used_filament"] = {total.FilamentMm() / 1000};
-  variables["extruded_volume"] = variables["extruded_volume_total"] = {total.VolumeMm3()};
+  const FilamentUse use = FilamentUseOf(total, options);
+  variables["used_filament"] = {use.length_mm / 1000};
+  variables["extruded_volume"] = variables["extruded_volume_total"] = {use.volume_mm3};
   for (const char* name : {"total_weight", "extruded_weight", "extruded_weight_total"}) {
-    variables[name] = {grams};
+    variables[name] = {use.mass_g};
   }
-  variables["total_cost"] = {grams / 1000 * options.filament_cost_per_kg};
+  variables["total_cost"] = {use.cost};
   variables["total_wipe_tower_cost"] = variables["total_wipe_tower_filament"] = {0.0};
 }
 

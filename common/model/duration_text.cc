@@ -1,10 +1,10 @@
-#include "services/motion/algo/duration_text.h"
+#include "common/model/duration_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-namespace slicefarm::motion {
+namespace slicefarm {
 
 std::string DurationText(double seconds) {
   int64_t left = std::llround(std::clamp(seconds, 0.0, 1e12));
@@ -23,4 +23,4 @@ std::string DurationText(double seconds) {
   return text;
 }
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm

@@ -1,10 +1,10 @@
-#include "services/motion/algo/duration_text.h"
+#include "common/model/duration_text.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace slicefarm::motion {
+namespace slicefarm {
 namespace {
 
 TEST(DurationText, LeadingUnitsOfZeroAreLeftOut) {
@@ -21,4 +21,4 @@ TEST(DurationText, NonsenseIsBounded) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm

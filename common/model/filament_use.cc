@@ -1,0 +1,14 @@
+#include "common/model/filament_use.h"
+
+namespace slicefarm {
+
+FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options) {
+  FilamentUse use;
+  use.length_mm = total.FilamentMm();
+  use.volume_mm3 = total.VolumeMm3();
+  use.mass_g = use.volume_mm3 / 1000 * options.filament_density_g_cm3;
+  use.cost = use.mass_g / 1000 * options.filament_cost_per_kg;
+  return use;
+}
+
+}  // namespace slicefarm

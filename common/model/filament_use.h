@@ -1,0 +1,20 @@
+#pragma once
+
+#include "common/model/layer.h"
+#include "common/model/settings.h"
+
+namespace slicefarm {
+
+/// What a print takes of its filament.
+struct FilamentUse {
+  double length_mm = 0;
+  double volume_mm3 = 0;
+  double mass_g = 0;
+  double cost = 0;  ///< in the currency of the settings
+
+  friend bool operator==(const FilamentUse&, const FilamentUse&) = default;
+};
+
+FilamentUse FilamentUseOf(const ProgramStats& total, const MotionOptions& options);
+
+}  // namespace slicefarm
