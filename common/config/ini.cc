@@ -6,8 +6,8 @@
 #include <string>
 
 #include "common/config/setting_limits.h"
-#include "common/config/text.h"
 #include "common/model/error.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {

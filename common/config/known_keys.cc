@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "common/config/text.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {

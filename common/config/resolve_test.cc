@@ -12,9 +12,9 @@
 
 #include "common/config/ini.h"
 #include "common/config/settings_table.h"
-#include "common/config/text.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {

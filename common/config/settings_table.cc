@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/config/settings_sections.h"
-#include "common/config/text.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {
@@ -72,8 +72,6 @@ absl::StatusOr<Value> ParseQuantity(const SettingSpec& spec, std::string_view te
   if (absl::Status status = CheckRange(spec, value->number, text); !status.ok()) return status;
   return value;
 }
-
-bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// Control characters would break the line or the G-code that quotes the text.
 absl::StatusOr<Value> ParseText(const SettingSpec& spec, std::string text) {

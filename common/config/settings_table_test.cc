@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/config/known_keys.h"
-#include "common/config/text.h"
 #include "common/model/error.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {

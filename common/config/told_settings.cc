@@ -7,7 +7,7 @@
 
 #include "common/config/known_keys.h"
 #include "common/config/settings_table.h"
-#include "common/config/text.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {
@@ -65,9 +65,7 @@ void Tell(std::string_view key, std::string_view value, ToldSettings& told) {
   const KnownKey* known = FindKnownKey(key);
   if (!IsName(key) || (known != nullptr && !known->told)) return;
   std::string line(value);
-  std::replace_if(
-      line.begin(), line.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  std::replace_if(line.begin(), line.end(), IsControl, ' ');
   told[std::string(key)] = std::string(Trim(line));
 }
 

@@ -8,10 +8,10 @@
 #include <iterator>
 
 #include "absl/status/status.h"
-#include "common/config/text.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/simple_rings.h"
 #include "common/model/limits.h"
+#include "common/model/text.h"
 
 namespace slicefarm::config {
 namespace {

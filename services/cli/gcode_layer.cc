@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "common/config/text.h"
 #include "common/model/error.h"
+#include "common/model/text.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -72,12 +72,12 @@ class Reader {
       feature_ = std::string(text.substr(5));
     } else if (text.starts_with("WIDTH:")) {
       EndRuns();
-      const double width_mm = config::ToNumber(text.substr(6)).value_or(0);
+      const double width_mm = ToNumber(text.substr(6)).value_or(0);
       if (width_mm > 0 && Near(width_mm)) width_mm_ = width_mm;
     } else if (Wanted() && text.starts_with("HEIGHT:")) {
-      layer_.height_mm = config::ToNumber(text.substr(7)).value_or(0);
+      layer_.height_mm = ToNumber(text.substr(7)).value_or(0);
     } else if (Wanted() && text.starts_with("Z:")) {
-      layer_.z_mm = config::ToNumber(text.substr(2)).value_or(0);
+      layer_.z_mm = ToNumber(text.substr(2)).value_or(0);
     }
   }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "common/config/ini.h"
-#include "common/config/text.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/text.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/files.h"
 
@@ -25,12 +25,12 @@ absl::Status Malformed(const std::string& message) {
 absl::StatusOr<std::vector<double>> Numbers(std::string_view option, std::string_view text,
                                             size_t count) {
   std::vector<double> numbers;
-  for (const std::string_view item : config::Split(text, ",")) {
-    const auto number = config::ToNumber(config::Trim(item));
+  for (const std::string_view item : Split(text, ",")) {
+    const auto number = ToNumber(Trim(item));
     if (!number.has_value()) break;
     numbers.push_back(*number);
   }
-  if (numbers.size() != count || config::Split(text, ",").size() != count) {
+  if (numbers.size() != count || Split(text, ",").size() != count) {
     return Malformed(
         fmt::format("{} {}: {} numbers between commas are needed", option, text, count));
   }
@@ -59,7 +59,7 @@ double UnitOf(const std::string& name) {
 
 absl::StatusOr<config::Setting> ParseSet(const std::string& text) {
   const size_t equals = text.find('=');
-  const std::string key(config::Trim(std::string_view(text).substr(0, equals)));
+  const std::string key(Trim(std::string_view(text).substr(0, equals)));
   if (equals == std::string::npos || key.empty()) {
     return Malformed(fmt::format("--set {}: key=value is needed", text));
   }
@@ -79,7 +79,7 @@ absl::Status CheckText(const config::Setting& setting) {
 std::string PartName(std::string_view file) {
   std::string name = rpc::ToUtf8(file, limits::kMaxNameBytes);
   for (char& c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    if (IsControl(c)) c = '?';
   }
   return name;
 }

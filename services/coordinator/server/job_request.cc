@@ -8,15 +8,11 @@
 #include "common/model/error.h"
 #include "common/model/limits.h"
 #include "common/model/sha256.h"
+#include "common/model/text.h"
 #include "common/wire/wire_error.h"
 
 namespace slicefarm::coordinator {
 namespace {
-
-bool HasControlCharacter(std::string_view text) {
-  return std::any_of(text.begin(), text.end(),
-                     [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-}
 
 absl::Status CheckObject(const ObjectRequest& object, size_t index) {
   const auto field = [index](const char* name) {
@@ -31,7 +27,7 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
                       name_bytes);
   }
   // Names end up in G-code comments, where a line end would begin a command.
-  if (HasControlCharacter(object.name)) {
+  if (std::ranges::any_of(object.name, IsControl)) {
     return Malformed(field("name"), "has control characters");
   }
   return absl::OkStatus();

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "common/model/text.h"
+
 namespace slicefarm::motion {
-namespace {
-
-bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-}  // namespace
 
 std::string OneLine(std::string_view text) {
   std::string line;

@@ -9,6 +9,7 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/text.h"
 #include "services/motion/algo/template_expression.h"
 
 namespace slicefarm::motion {
@@ -29,13 +30,6 @@ std::string_view FirstWord(std::string_view text) {
     ++end;
   }
   return text.substr(0, end);
-}
-
-std::string_view Stripped(std::string_view text) {
-  const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 bool IsName(std::string_view text) {
@@ -86,7 +80,7 @@ class Expander {
   absl::Status Bracket() {
     const auto close = ClosingBracket();
     if (!close) return absl::InvalidArgumentError("\"[\" without \"]\"");
-    const std::string_view inside = Stripped(text_.substr(at_ + 1, *close - at_ - 1));
+    const std::string_view inside = Trim(text_.substr(at_ + 1, *close - at_ - 1));
     const std::string_view name = FirstWord(inside);
     const std::string_view index = inside.substr(name.size());
     if (!IsName(name) || (!index.empty() && (index.front() != '[' || index.back() != ']'))) {
@@ -126,7 +120,7 @@ class Expander {
   absl::Status Brace() {
     const auto close = ClosingBrace();
     if (!close) return absl::InvalidArgumentError("\"{\" without \"}\"");
-    const std::string_view inside = Stripped(text_.substr(at_ + 1, *close - at_ - 1));
+    const std::string_view inside = Trim(text_.substr(at_ + 1, *close - at_ - 1));
     const std::string_view word = FirstWord(inside);
     const std::string_view rest = inside.substr(word.size());
     absl::Status status;

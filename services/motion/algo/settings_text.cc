@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "common/model/text.h"
+
 namespace slicefarm::motion {
 namespace {
-
-std::string_view Trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
 
 /// Lists of texts that come without quotes, as long as no text needs them. Other settings of one
 /// text may hold a ';' of their own.
@@ -42,7 +38,7 @@ std::vector<std::pair<std::string_view, std::string_view>> SettingLines(std::str
     text.remove_prefix(std::min(end + 1, text.size()));
     const size_t equals = line.find('=');
     if (equals == std::string_view::npos) continue;
-    lines.emplace_back(Trimmed(line.substr(0, equals)), Trimmed(line.substr(equals + 1)));
+    lines.emplace_back(Trim(line.substr(0, equals)), Trim(line.substr(equals + 1)));
   }
   return lines;
 }
@@ -70,7 +66,7 @@ std::vector<std::string> SettingItems(std::string_view key, std::string_view val
   std::vector<std::string> items;
   for (size_t begin = 0; begin <= value.size();) {
     const size_t end = ItemEnd(value, begin);
-    items.push_back(UnescapeSetting(Trimmed(value.substr(begin, end - begin))));
+    items.push_back(UnescapeSetting(Trim(value.substr(begin, end - begin))));
     begin = end + 1;
   }
   return items;

@@ -4,7 +4,10 @@
 #include <string_view>
 #include <vector>
 
-namespace slicefarm::config {
+namespace slicefarm {
+
+/// A character that ends a line, moves the cursor or shows as nothing.
+constexpr bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// Without blanks, tabs and line ends at both sides.
 std::string_view Trim(std::string_view text);
@@ -15,4 +18,4 @@ std::vector<std::string_view> Split(std::string_view text, std::string_view sepa
 /// All of `text` as a decimal number, "-1.5e3". NaN, infinities and hexadecimals are none.
 std::optional<double> ToNumber(std::string_view text);
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm

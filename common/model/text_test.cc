@@ -1,9 +1,9 @@
-#include "common/config/text.h"
+#include "common/model/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::config {
+namespace slicefarm {
 namespace {
 
 using testing::ElementsAre;
@@ -29,4 +29,4 @@ TEST(ToNumber, TakesAllOfTheTextOrNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm

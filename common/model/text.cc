@@ -1,9 +1,9 @@
-#include "common/config/text.h"
+#include "common/model/text.h"
 
 #include <charconv>
 #include <cmath>
 
-namespace slicefarm::config {
+namespace slicefarm {
 
 std::string_view Trim(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n\v\f";
@@ -32,4 +32,4 @@ std::optional<double> ToNumber(std::string_view text) {
   return number;
 }
 
-}  // namespace slicefarm::config
+}  // namespace slicefarm
