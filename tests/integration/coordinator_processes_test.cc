@@ -14,8 +14,7 @@
 
 #include "common/model/sha256.h"
 #include "common/model/temp_directory_test.h"
-#include "common/rpc/status_mapping.h"
-#include "slicefarm/v1/jobs.grpc.pb.h"
+#include "services/coordinator/server/coordinator_client_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 #include "tests/integration/http_get.h"
@@ -23,57 +22,9 @@
 namespace slicefarm {
 namespace {
 
-/// A client of the coordinator.
-class Client {
+class Client : public coordinator::CoordinatorClient {
  public:
-  explicit Client(const std::string& address) {
-    const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
-    jobs_ = v1::Jobs::NewStub(channel);
-    meshes_ = v1::Meshes::NewStub(channel);
-  }
-
-  /// Sends the bytes of [from, to) of a mesh.
-  v1::Upload Upload(const std::string& bytes, size_t from, size_t to) {
-    grpc::ClientContext context;
-    v1::Upload upload;
-    const auto stream = meshes_->UploadMesh(&context, &upload);
-    for (size_t at = from; at < to; at += 65'536) {
-      v1::UploadMeshRequest request;
-      if (at == from) {
-        request.set_sha256(Sha256Hex(bytes));
-        request.set_size(static_cast<int64_t>(bytes.size()));
-        request.set_write_offset(static_cast<int64_t>(from));
-      }
-      request.set_data(bytes.substr(at, std::min<size_t>(65'536, to - at)));
-      if (!stream->Write(request)) break;
-    }
-    stream->WritesDone();
-    const grpc::Status status = stream->Finish();
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return upload;
-  }
-
-  v1::Upload GetUpload(const std::string& digest) {
-    grpc::ClientContext context;
-    v1::GetUploadRequest request;
-    request.set_sha256(digest);
-    v1::Upload upload;
-    EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
-    return upload;
-  }
-
-  v1::Job Create(const std::string& mesh, const std::string& request_id = "") {
-    grpc::ClientContext context;
-    v1::CreateJobRequest request;
-    request.set_request_id(request_id);
-    v1::Object* object = request.mutable_spec()->add_objects();
-    object->set_mesh_sha256(Sha256Hex(mesh));
-    object->set_name("part.stl");
-    v1::Job job;
-    const grpc::Status status = jobs_->CreateJob(&context, request, &job);
-    EXPECT_TRUE(status.ok()) << status.error_message();
-    return job;
-  }
+  explicit Client(const std::string& address) { Connect(address); }
 
   /// Watches until `enough` says so, or the stream ends; the last event.
   v1::JobEvent Watch(const std::string& id, int64_t after,
@@ -93,10 +44,6 @@ class Client {
     (void)stream->Finish();
     return event;
   }
-
- private:
-  std::unique_ptr<v1::Jobs::Stub> jobs_;
-  std::unique_ptr<v1::Meshes::Stub> meshes_;
 };
 
 class CoordinatorProcessesTest : public testing::Test {
@@ -124,8 +71,16 @@ class CoordinatorProcessesTest : public testing::Test {
   }
 
   std::string Submit(const std::string& request_id = "") {
-    client_->Upload(mesh_, 0, mesh_.size());
-    return client_->Create(mesh_, request_id).id();
+    EXPECT_TRUE(client_->Upload(mesh_).ok());
+    return Create(request_id).id();
+  }
+
+  v1::Job Create(const std::string& request_id = "") {
+    v1::CreateJobRequest request = Client::RequestFor(mesh_);
+    request.set_request_id(request_id);
+    const auto job = client_->Create(request);
+    EXPECT_TRUE(job.ok()) << job.status();
+    return job.value_or(v1::Job());
   }
 
   static bool IsSliced(const v1::Job& job) { return job.progress().layers_total() > 0; }
@@ -227,12 +182,12 @@ TEST_F(CoordinatorProcessesTest, AStoppedWorkerHoldsNothingUp) {
 TEST_F(CoordinatorProcessesTest, AnUploadGoesOnAfterAKill) {
   StartCoordinator(state_);
   const std::string digest = Sha256Hex(mesh_);
-  EXPECT_EQ(client_->Upload(mesh_, 0, 65'536).committed_size(), 65'536);
+  EXPECT_EQ(client_->Upload(mesh_, 0, 65'536)->committed_size(), 65'536);
   KillCoordinator();
   StartCoordinator(state_);
   EXPECT_EQ(client_->GetUpload(digest).committed_size(), 65'536);
-  EXPECT_TRUE(client_->Upload(mesh_, 65'536, mesh_.size()).complete());
-  ExpectTheSame(client_->Watch(client_->Create(mesh_).id(), 0));
+  EXPECT_TRUE(client_->Upload(mesh_, 65'536)->complete());
+  ExpectTheSame(client_->Watch(Create().id(), 0));
 }
 
 TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
@@ -240,7 +195,7 @@ TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
   const std::string id = Submit("one-and-only");
   KillCoordinator();
   StartCoordinator(state_);
-  EXPECT_EQ(client_->Create(mesh_, "one-and-only").id(), id);
+  EXPECT_EQ(Create("one-and-only").id(), id);
 }
 
 TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {

@@ -16,6 +16,7 @@
 #include "common/rpc/status_mapping.h"
 #include "nlohmann/json.hpp"
 #include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/coordinator_client_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
 
 namespace slicefarm::coordinator {
@@ -25,7 +26,7 @@ using testing::AnyOf;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-class CoordinatorTest : public testing::Test {
+class CoordinatorTest : public testing::Test, protected CoordinatorClient {
  protected:
   CoordinatorTest() {
     dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
@@ -52,10 +53,7 @@ class CoordinatorTest : public testing::Test {
     auto server = rpc::Server::Start({}, coordinator_->services(), metrics_);
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
-    const auto channel = grpc::CreateChannel(absl::StrCat("127.0.0.1:", server_->port()),
-                                             grpc::InsecureChannelCredentials());
-    jobs_ = v1::Jobs::NewStub(channel);
-    meshes_ = v1::Meshes::NewStub(channel);
+    Connect(absl::StrCat("127.0.0.1:", server_->port()));
     ASSERT_TRUE(coordinator_->Start().ok());
   }
 
@@ -66,54 +64,6 @@ class CoordinatorTest : public testing::Test {
     server_->Drain(std::chrono::seconds(10));
     server_.reset();
     coordinator_.reset();
-  }
-
-  absl::Status Upload(const std::string& bytes, int64_t offset = 0, int64_t until = -1,
-                      std::string digest = "") {
-    if (digest.empty()) digest = Sha256Hex(bytes);
-    grpc::ClientContext context;
-    v1::Upload upload;
-    const auto stream = meshes_->UploadMesh(&context, &upload);
-    const int64_t end = until < 0 ? std::ssize(bytes) : until;
-    bool first = true;
-    for (int64_t at = offset; first || at < end; at += 65'536) {
-      v1::UploadMeshRequest request;
-      if (first) {
-        request.set_sha256(digest);
-        request.set_size(std::ssize(bytes));
-        request.set_write_offset(offset);
-      }
-      first = false;
-      request.set_data(bytes.substr(at, std::min<int64_t>(65'536, end - at)));
-      if (!stream->Write(request)) break;
-    }
-    stream->WritesDone();
-    return rpc::FromGrpc(stream->Finish());
-  }
-
-  v1::Upload GetUpload(const std::string& digest) {
-    grpc::ClientContext context;
-    v1::GetUploadRequest request;
-    request.set_sha256(digest);
-    v1::Upload upload;
-    EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
-    return upload;
-  }
-
-  static v1::CreateJobRequest RequestFor(const std::string& mesh) {
-    v1::CreateJobRequest request;
-    v1::Object* object = request.mutable_spec()->add_objects();
-    object->set_mesh_sha256(Sha256Hex(mesh));
-    object->set_name("part.stl");
-    return request;
-  }
-
-  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request) {
-    grpc::ClientContext context;
-    v1::Job job;
-    const absl::Status status = rpc::FromGrpc(jobs_->CreateJob(&context, request, &job));
-    if (!status.ok()) return status;
-    return job;
   }
 
   /// Uploads the mesh and makes a job of it.
@@ -237,8 +187,6 @@ class CoordinatorTest : public testing::Test {
   rpc::CallMetrics metrics_{registry_};
   std::unique_ptr<Coordinator> coordinator_;
   std::unique_ptr<rpc::Server> server_;
-  std::unique_ptr<v1::Jobs::Stub> jobs_;
-  std::unique_ptr<v1::Meshes::Stub> meshes_;
 };
 
 TEST_F(CoordinatorTest, AMeshGoesInAndGcodeComesOut) {
@@ -264,7 +212,7 @@ TEST_F(CoordinatorTest, UploadsGoOnWhereTheyEnded) {
   EXPECT_EQ(GetUpload(digest).committed_size(), 131'072);
   EXPECT_FALSE(GetUpload(digest).complete());
   EXPECT_EQ(DetailOf(Create(RequestFor(mesh)).status()).reason, Reason::kBlobNotFound);
-  const absl::Status hole = Upload(mesh, 200'000);
+  const absl::Status hole = Upload(mesh, 200'000).status();
   EXPECT_EQ(DetailOf(hole).reason, Reason::kUploadOffset);
   EXPECT_EQ(DetailOf(hole).metadata.at("committed_size"), "131072");
   ASSERT_TRUE(Upload(mesh, 131'072).ok());
@@ -273,8 +221,10 @@ TEST_F(CoordinatorTest, UploadsGoOnWhereTheyEnded) {
 }
 
 TEST_F(CoordinatorTest, UploadsAreChecked) {
-  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, Sha256Hex("other"))).reason, Reason::kBlobDigestMismatch);
-  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, "../../passwd")).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, Sha256Hex("other")).status()).reason,
+            Reason::kBlobDigestMismatch);
+  EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, "../../passwd").status()).reason,
+            Reason::kRequestMalformed);
 }
 
 TEST_F(CoordinatorTest, AnUploadOnWhichNothingMovesIsCutOff) {
@@ -350,7 +300,7 @@ TEST_F(CoordinatorTest, UploadsBeyondTheCapAreRefusedAndTheRestGoesOn) {
   EXPECT_TRUE(Download(id, v1::ARTIFACT_GCODE).ok()) << "downloads have turns of their own";
   open.front()->context.TryCancel();
   open.front()->stream->Finish();
-  while (absl::IsResourceExhausted(Upload("three"))) std::this_thread::yield();
+  while (absl::IsResourceExhausted(Upload("three").status())) std::this_thread::yield();
   EXPECT_TRUE(GetUpload(Sha256Hex("three")).complete());
   open.back()->context.TryCancel();
   open.back()->stream->Finish();

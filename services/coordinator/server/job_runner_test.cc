@@ -67,6 +67,15 @@ class JobRunnerTest : public testing::Test {
     return created->job.id;
   }
 
+  /// A job that is being worked on until LetGo.
+  std::string SubmitHeld(JobRunner& runner, const std::string& mesh = "xx") {
+    ranges_->Hold();
+    std::string id = Submit(mesh);
+    runner.Wake();
+    ranges_->AwaitCall();
+    return id;
+  }
+
   JobRecord AwaitEnd(const std::string& id) {
     std::mutex mutex;
     std::condition_variable changed;
@@ -123,11 +132,8 @@ TEST_F(JobRunnerTest, RunsManyJobs) {
 }
 
 TEST_F(JobRunnerTest, JobsOfTheSameWorkLeaveRoomForOthers) {
-  ranges_->Hold();
   const auto runner = Runner();
-  const std::string first = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string first = SubmitHeld(*runner);
   const std::string same = Submit("xx");
   const std::string other = Submit("xxx");
   runner->Wake();
@@ -153,20 +159,14 @@ TEST_F(JobRunnerTest, ProgressIsNotToldLayerByLayer) {
 
 TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   const auto runner = Runner();
-  ranges_->Hold();
-  const std::string id = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner);
   ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());  // as another coordinator's client would
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 
 TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
-  ranges_->Hold();
   const auto runner = Runner("me");
-  const std::string id = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner);
   // Another coordinator takes the job over, as if ours had been silent too long.
   ASSERT_TRUE(jobs_->Release("me").ok());
   const auto taken = jobs_->Claim("you", NowUs(), NowUs() + 60'000'000);
@@ -180,11 +180,8 @@ TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
 }
 
 TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
-  ranges_->Hold();
   const auto runner = Runner();
-  const std::string id = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner);
   failing_.Fail(Call::kRenew, absl::InternalError("away"));
   AwaitCalls(Call::kRenew, 2);  // the one that may have been on its way has been answered
   const int64_t until_us = jobs_->Get(id)->owner_until_us;
@@ -201,11 +198,8 @@ TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
 }
 
 TEST_F(JobRunnerTest, AShortAbsenceOfTheStoreCostsNothing) {
-  ranges_->Hold();
   const auto runner = Runner();
-  const std::string id = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner);
   failing_.Fail(Call::kRenew, absl::InternalError("away"));
   AwaitCalls(Call::kRenew, 2);
   now_us_ = jobs_->Get(id)->owner_until_us - 3 * kSecondUs;
@@ -252,11 +246,8 @@ TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {
 }
 
 TEST_F(JobRunnerTest, StopHandsBack) {
-  ranges_->Hold();
   auto runner = Runner();
-  const std::string id = Submit("xxx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner, "xxx");
   runner->Stop();
   const JobRecord job = *jobs_->Get(id);
   EXPECT_EQ(job.state, JobState::kQueued);
@@ -281,11 +272,8 @@ TEST_F(JobRunnerTest, AJobOfAnotherBuildIsFiledUnderThisOne) {
 }
 
 TEST_F(JobRunnerTest, JobsOfAnotherBuildWaitForTheSameWorkOfThisOne) {
-  ranges_->Hold();
   const auto runner = Runner();
-  const std::string ours = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string ours = SubmitHeld(*runner);
   const std::string theirs = Submit("xx", "another build");
   runner->Wake();
   while (jobs_->Get(theirs)->build_id != "build") std::this_thread::yield();
@@ -296,11 +284,8 @@ TEST_F(JobRunnerTest, JobsOfAnotherBuildWaitForTheSameWorkOfThisOne) {
 }
 
 TEST_F(JobRunnerTest, AnEndThatCannotBeWrittenComesAgain) {
-  ranges_->Hold();
   const auto runner = Runner();
-  const std::string id = Submit("xx");
-  runner->Wake();
-  ranges_->AwaitCall();
+  const std::string id = SubmitHeld(*runner);
   failing_.Fail(Call::kUpdate, absl::InternalError("away"));
   ranges_->LetGo();
   runner->Stop();

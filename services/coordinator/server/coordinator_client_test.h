@@ -1,0 +1,81 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/model/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// For tests: the calls of a client of the coordinator that sends meshes and makes jobs of them,
+/// one by one and without retries.
+class CoordinatorClient {
+ public:
+  void Connect(const std::string& address) {
+    const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
+    jobs_ = v1::Jobs::NewStub(channel);
+    meshes_ = v1::Meshes::NewStub(channel);
+  }
+
+  /// Sends the bytes of [from, to) of a mesh, -1 being its end, under its digest or another.
+  absl::StatusOr<v1::Upload> Upload(const std::string& bytes, int64_t from = 0, int64_t to = -1,
+                                    const std::string& digest = "") {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    const int64_t end = to < 0 ? std::ssize(bytes) : to;
+    v1::UploadMeshRequest request;
+    request.set_sha256(digest.empty() ? Sha256Hex(bytes) : digest);
+    request.set_size(std::ssize(bytes));
+    request.set_write_offset(from);
+    int64_t at = from;
+    do {
+      request.set_data(bytes.substr(at, std::min<int64_t>(65'536, end - at)));
+      if (!stream->Write(request)) break;
+      request.Clear();
+      at += 65'536;
+    } while (at < end);
+    stream->WritesDone();
+    const absl::Status status = rpc::FromGrpc(stream->Finish());
+    if (!status.ok()) return status;
+    return upload;
+  }
+
+  v1::Upload GetUpload(const std::string& digest) {
+    grpc::ClientContext context;
+    v1::GetUploadRequest request;
+    request.set_sha256(digest);
+    v1::Upload upload;
+    EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
+    return upload;
+  }
+
+  static v1::CreateJobRequest RequestFor(const std::string& mesh) {
+    v1::CreateJobRequest request;
+    v1::Object* object = request.mutable_spec()->add_objects();
+    object->set_mesh_sha256(Sha256Hex(mesh));
+    object->set_name("part.stl");
+    return request;
+  }
+
+  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request) {
+    grpc::ClientContext context;
+    v1::Job job;
+    const absl::Status status = rpc::FromGrpc(jobs_->CreateJob(&context, request, &job));
+    if (!status.ok()) return status;
+    return job;
+  }
+
+  std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Meshes::Stub> meshes_;
+};
+
+}  // namespace slicefarm::coordinator
