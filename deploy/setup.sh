@@ -7,11 +7,11 @@
 set -euo pipefail
 
 build=(
-  build-essential cmake ninja-build ccache pkg-config python3 git ca-certificates
+  build-essential cmake ninja-build ccache pkg-config python3
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libboost-dev libpolyclipping-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev
-  libsqlite3-dev sqlite3 libssl-dev libpng-dev libcairo2-dev
+  libsqlite3-dev libssl-dev libpng-dev libcairo2-dev
   libgtest-dev libgmock-dev
   clang clang-format clang-tidy libclang-rt-14-dev
 )

@@ -71,7 +71,7 @@ bool LooksLikeGcode(std::string_view text) {
 std::string_view QuotedPart(std::string_view text) {
   const size_t begin = LastLine(text, kQuoteBegin);
   if (begin != std::string_view::npos) {
-    const size_t end = text.find(kQuoteEnd, begin);
+    const size_t end = text.find(fmt::format("\n{}", kQuoteEnd), begin);
     return text.substr(begin + kQuoteBegin.size(),
                        end == std::string_view::npos ? end : end - begin - kQuoteBegin.size());
   }

@@ -1,7 +1,10 @@
 #include "common/model/bead_section.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "common/model/error.h"
 
@@ -16,11 +19,13 @@ Coord Spacing(Coord width_nm, Coord height_nm) {
   return width_nm - std::llround(static_cast<double>(height_nm) * kRoundLoss);
 }
 
-absl::Status CheckSpacing(Coord width_nm, Coord height_nm) {
+absl::Status CheckSpacing(std::string_view setting, Coord width_nm, Coord height_nm) {
   if (Spacing(width_nm, height_nm) > 0) return absl::OkStatus();
-  return LimitError(Reason::kSettingOutOfRange,
-                    "extrusion width too small for the layer height: spacing of beads in nm", 1,
-                    Spacing(width_nm, height_nm));
+  const double width_mm = ToMm(static_cast<double>(width_nm));
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{} = {} mm leaves no spacing between beads of layers of {} mm",
+                               setting, width_mm, ToMm(static_cast<double>(height_nm))),
+                   {{"setting", std::string(setting)}, {"value", fmt::format("{}", width_mm)}});
 }
 
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm) {

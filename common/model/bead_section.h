@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "absl/status/status.h"
 #include "common/geometry/point.h"
 
@@ -12,8 +14,8 @@ namespace slicefarm {
 /// Distance of neighbours of the same width: width - height (1 - pi/4).
 Coord Spacing(Coord width_nm, Coord height_nm);
 
-/// InvalidArgument SETTING_OUT_OF_RANGE with `limit` and `got`, if neighbours would not lie apart.
-absl::Status CheckSpacing(Coord width_nm, Coord height_nm);
+/// SETTING_OUT_OF_RANGE that names the setting of the width, if neighbours would not lie apart.
+absl::Status CheckSpacing(std::string_view setting, Coord width_nm, Coord height_nm);
 
 /// The width whose spacing is `spacing_nm`.
 Coord WidthForSpacing(Coord spacing_nm, Coord height_nm);

@@ -34,9 +34,13 @@ TEST(BeadSection, FillsAStripOfAnyWidth) {
 }
 
 TEST(BeadSection, BeadsThatDoNotLieApartAreRefused) {
-  EXPECT_TRUE(CheckSpacing(42'921, 200'000).ok());
-  EXPECT_EQ(DetailOf(CheckSpacing(42'920, 200'000)).reason, Reason::kSettingOutOfRange);
-  EXPECT_EQ(DetailOf(CheckSpacing(-450'000, 200'000)).reason, Reason::kSettingOutOfRange);
+  EXPECT_TRUE(CheckSpacing("extrusion_width", 42'921, 200'000).ok());
+  EXPECT_EQ(DetailOf(CheckSpacing("extrusion_width", 42'920, 200'000)).reason,
+            Reason::kSettingOutOfRange);
+  const ErrorDetail detail = DetailOf(CheckSpacing("extrusion_width", -450'000, 200'000));
+  EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(detail.metadata.at("setting"), "extrusion_width");
+  EXPECT_EQ(detail.metadata.at("value"), "-0.45");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "common/rpc/status_mapping.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <string>

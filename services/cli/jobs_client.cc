@@ -15,7 +15,6 @@
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
 #include "common/rpc/retry_after.h"
-#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 extern char** environ;
@@ -85,8 +86,7 @@ ServerProcess::ServerProcess(const std::string& program, std::vector<std::string
     : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {
   if (!address.empty()) return;
   process.Signal(SIGKILL);
-  std::fprintf(stderr, "%s does not serve\n", program.c_str());
-  std::abort();
+  throw std::runtime_error(program + " does not serve");  // a fixture's others are to end with it
 }
 
 }  // namespace slicefarm

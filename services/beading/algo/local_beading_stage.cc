@@ -68,8 +68,12 @@ class LocalBeading : public BeadingStage {
     const Coord height = layer.frame.height_nm;
     const Coord external = first ? options.first_layer_width_nm : options.external_width_nm;
     const Coord inner = first ? options.first_layer_width_nm : options.inner_width_nm;
-    for (const Coord width : {external, inner})
-      if (absl::Status status = CheckSpacing(width, height); !status.ok()) return status;
+    absl::Status status =
+        CheckSpacing(first ? "first_layer_extrusion_width" : "external_perimeter_extrusion_width",
+                     external, height);
+    status.Update(CheckSpacing(first ? "first_layer_extrusion_width" : "perimeter_extrusion_width",
+                               inner, height));
+    if (!status.ok()) return status;
 
     WallPlan plan = WallPlan::Make(options.perimeters, external, inner, height);
     plan.gap_fill = options.gap_fill;

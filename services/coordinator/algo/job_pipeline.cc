@@ -1,7 +1,6 @@
 #include "services/coordinator/algo/job_pipeline.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "absl/strings/str_cat.h"

@@ -3,8 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include "absl/status/status.h"
-
 namespace slicefarm::coordinator {
 
 /// The life of a job. A job ends exactly once: SUCCEEDED, FAILED and CANCELLED are left by nothing.

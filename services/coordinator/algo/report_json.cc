@@ -1,6 +1,5 @@
 #include "services/coordinator/algo/report_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/model/duration_text.h"

@@ -1,6 +1,5 @@
 #include "services/coordinator/remote/remote_stages.h"
 
-#include <string>
 #include <utility>
 
 #include "common/rpc/client_call.h"

@@ -125,7 +125,10 @@ void JobRun::Conclude(const absl::Status& status) {
                          {"code", absl::StatusCodeToString(status.code())},
                          {"reason", std::string(ReasonName(DetailOf(status).reason))},
                          {"error", std::string(status.message())}});
-  Write(update).IgnoreError();  // then the lease runs out and the job is claimed again
+  const absl::Status written = Write(update);
+  if (written.ok() || lost_) return;
+  environment_.log.Warn("job's state not written: it will be claimed again",
+                        {{"job", job_.id}, {"error", std::string(written.message())}});
 }
 
 JobUpdate JobRun::Conclusion(const absl::Status& status) const {

@@ -95,6 +95,7 @@ bool JobRunner::Adopt(JobRecord& job) {
   if (!environment_.jobs.Adopt(lease, *identity).ok()) return false;
   if (Busy().contains(identity->action_digest)) {
     environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
+    environment_.feed.Changed(job.id);
     Wake();  // there may be others
     return false;
   }

@@ -20,13 +20,16 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
     return NotHeld(lease);
   }
-  const bool begins = job.state == JobState::kQueued && update.state == JobState::kRunning;
-  if (update.state != job.state && !MayFollow(job.state, update.state)) {
+  // Who was asked to end it and puts it back instead did not know: nobody is to wait for the rest.
+  const bool ends = update.state == JobState::kQueued && job.cancel_requested;
+  const JobState to = ends ? JobState::kCancelled : update.state;
+  const bool begins = job.state == JobState::kQueued && to == JobState::kRunning;
+  if (to != job.state && !MayFollow(job.state, to)) {
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                      fmt::format("job {} cannot go from {} to {}", job.id, JobStateName(job.state),
-                                 JobStateName(update.state)));
+                                 JobStateName(to)));
   }
-  job.state = update.state;
+  job.state = to;
   job.layers_total = update.layers_total;
   job.layers_done = update.layers_done;
   job.error = update.error;

@@ -60,7 +60,7 @@ struct ListQuery {
   int32_t limit = 50;
 };
 
-/// How long a request_id is remembered.
+/// How long a request_id is remembered, at most: it goes with its job.
 inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
 
 /// Jobs, their events, idempotency keys and the index of results. Whatever a call acknowledged is
@@ -101,7 +101,8 @@ class JobStore {
   virtual absl::Status Release(const std::string& owner) = 0;
 
   /// Writes state and progress and appends an event. A state that may not follow is Internal. An
-  /// ended job and one that is QUEUED again are let go. A result that is not `cached` enters the
+  /// ended job and one that is QUEUED again are let go; one whose end was requested does not become
+  /// QUEUED but CANCELLED. A result that is not `cached` enters the
   /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise).
   virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                            int64_t now_us) = 0;
@@ -110,8 +111,9 @@ class JobStore {
   /// to an ended one nothing happens.
   virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
 
-  /// Removes an ended job with its events. Gives the digests of the blobs that no job refers to any
-  /// more; results that consist of them leave the index. Errors: JOB_NOT_FINISHED.
+  /// Removes an ended job with its events and its request_id. Gives the digests of the blobs that
+  /// no job refers to any more; results that consist of them leave the index. Errors:
+  /// JOB_NOT_FINISHED.
   virtual absl::StatusOr<std::vector<std::string>> Delete(const std::string& id) = 0;
 
   /// Events with a sequence above `after`, at most `limit`.

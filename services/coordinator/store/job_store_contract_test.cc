@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <memory>
 #include <set>
 #include <thread>
@@ -421,6 +420,16 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   ASSERT_TRUE(Update(lease, kCancelled).ok());
   const int64_t sequence = store_->Get("a")->last_sequence;
   EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
+}
+
+TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(store_->RequestCancel("a", 9).ok());
+  ASSERT_TRUE(Update(lease, kQueued).ok());
+  EXPECT_EQ(store_->Get("a")->state, kCancelled);
+  EXPECT_EQ(store_->Get("a")->end_us, now_);
+  EXPECT_EQ(*store_->Claim("me", 10'000'000, 20'000'000), std::nullopt);
 }
 
 TEST_P(JobStoreTest, ARequestIdGoesWithItsJob) {

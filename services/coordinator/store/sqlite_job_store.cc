@@ -151,7 +151,8 @@ absl::Status SqliteJobStore::Adopt(const Lease& lease, const JobIdentity& identi
                     " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
   adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
              lease.epoch);
-  const bool held = adopt.Next();
+  bool held = false;
+  while (adopt.Next()) held = true;  // to the end, where it is committed
   if (!adopt.status().ok() || held) return adopt.status();
   return NotHeld(lease);
 }

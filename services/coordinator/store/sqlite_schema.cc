@@ -72,6 +72,9 @@ CREATE INDEX results_by_report ON results (report_sha256);
     R"(
 ALTER TABLE jobs ADD COLUMN store_failures INTEGER NOT NULL DEFAULT 0;
 )",
+    R"(
+CREATE INDEX requests_by_job ON requests (job_id);
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

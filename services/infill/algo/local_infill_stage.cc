@@ -177,12 +177,19 @@ class LocalInfill : public InfillStage {
  private:
   /// Lines less than nothing apart would be infinitely many.
   static absl::Status CheckWidths(const LayerFrame& frame, const InfillOptions& options) {
-    if (frame.index == 0) return CheckSpacing(options.first_layer_width_nm, frame.height_nm);
-    for (const Coord width :
-         {options.sparse_width_nm, options.solid_width_nm, options.top_width_nm}) {
-      if (absl::Status status = CheckSpacing(width, frame.height_nm); !status.ok()) return status;
+    if (frame.index == 0) {
+      return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
+                          frame.height_nm);
     }
-    return absl::OkStatus();
+    absl::Status status =
+        CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, frame.height_nm);
+    status.Update(
+        CheckSpacing("top_infill_extrusion_width", options.top_width_nm, frame.height_nm));
+    if (options.density > 0) {
+      status.Update(
+          CheckSpacing("infill_extrusion_width", options.sparse_width_nm, frame.height_nm));
+    }
+    return status;
   }
 
   static absl::StatusOr<FilledLayer> FillLayer(WalledLayer walled, const Surroundings& surroundings,

@@ -91,6 +91,7 @@ absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const Motio
   const size_t approach = std::min(path.approach, path.moves.size());
   writer.Write(path, 0, approach, out);
   out.Lines(code->after);
+  if (!code->after.empty()) writer.Forget();
   writer.Write(path, approach, path.moves.size(), out);
   program.gcode = out.Take();
   if (!layer.paths.empty()) {

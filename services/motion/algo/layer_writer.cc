@@ -25,8 +25,6 @@ void WriteFan(int32_t percent, GcodeText& out) {
 }
 
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, GcodeText& out) {
-  feed_rate_ = -1;
-  acceleration_ = -1;
   for (size_t i = first; i < last; ++i) WriteMove(path.moves[i], out);
 }
 

@@ -26,10 +26,15 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
-  /// Appends the moves [first, last). May be called for one stretch after the other, with other
-  /// text in between: feed rate and acceleration are told anew, as that text may have set its own.
-  /// A fan that it sets stays as it is.
+  /// Appends the moves [first, last). May be called for one stretch after the other.
   void Write(const Toolpath& path, size_t first, size_t last, GcodeText& out);
+
+  /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
+  /// that it sets stays as it is.
+  void Forget() {
+    feed_rate_ = -1;
+    acceleration_ = -1;
+  }
 
  private:
   void WriteMove(const Move& move, GcodeText& out);

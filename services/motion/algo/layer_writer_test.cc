@@ -70,18 +70,20 @@ TEST(LayerWriter, MovesOfEachKind) {
             "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0\n");
 }
 
-TEST(LayerWriter, AStretchSaysItsFeedRateAnew) {
+TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
   Toolpath path;
-  path.moves = {Travel(1'000), Travel(2'000)};
+  path.moves = {Travel(1'000), Travel(2'000), Travel(3'000)};
   GcodeText out;
   LayerWriter writer(GcodeFlavor::kMarlin2, {}, {});
   writer.Write(path, 0, 1, out);
   writer.Write(path, 1, 2, out);
-  EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0 F9000\n");
+  writer.Forget();
+  writer.Write(path, 2, 3, out);
+  EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0\nG1 X3 Y0 F9000\n");
 }
 
 // The text between them, a profile's layer_gcode, may hold an M204 of its own.
-TEST(LayerWriter, AStretchSaysItsAccelerationAnew) {
+TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   Toolpath path;
   path.moves = {Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)};
   Accelerations accelerations;
@@ -90,6 +92,7 @@ TEST(LayerWriter, AStretchSaysItsAccelerationAnew) {
   GcodeText out;
   LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
   writer.Write(path, 0, 1, out);
+  writer.Forget();
   writer.Write(path, 1, 2, out);
   EXPECT_EQ(out.text(),
             ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000 T3000\nG1 X1 Y0 E.03 F1800\n"

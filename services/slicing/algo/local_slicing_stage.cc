@@ -69,7 +69,7 @@ class SlicingRun {
     ErrorDetail detail = DetailOf(status);
     detail.metadata["file"] = absl::StrCat(file);
     // The name is the user's and may hold anything.
-    const std::string name = absl::CEscape(names_[file]);
+    const std::string name = absl::Utf8SafeCEscape(names_[file]);
     return MakeError(status.code(), detail.reason,
                      absl::StrCat("file ", file, " (\"", name, "\"): ", status.message()),
                      std::move(detail.metadata));

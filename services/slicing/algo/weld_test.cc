@@ -36,10 +36,14 @@ Vertex Crafted(uint64_t x, uint64_t y) {
   return {static_cast<Coord>(x), static_cast<Coord>(y), static_cast<Coord>(std::rotl(hash, 29))};
 }
 
-TEST(Welder, IsQuickForPointsMadeToCollide) {
-  constexpr uint32_t kPoints = 400'000;  // took minutes
-  Welder<Vertex> welder(0);
-  for (uint32_t i = 0; i < kPoints; ++i) ASSERT_EQ(welder.Add(Crafted(i, i / 3)), i);
+TEST(PointHash, SpreadsPointsMadeToCollide) {
+  constexpr size_t kPoints = 65'536;
+  std::set<uint64_t> slots;
+  for (uint64_t i = 0; i < kPoints; ++i) {
+    const Vertex point = Crafted(i, i / 3);
+    slots.insert(PointHash::OfProcess()(std::bit_cast<std::array<uint64_t, 3>>(point)) % (1 << 20));
+  }
+  EXPECT_GT(slots.size(), kPoints * 9 / 10);  // 97 % are to be expected
 }
 
 TEST(PointHash, FollowsItsKeys) {
