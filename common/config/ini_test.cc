@@ -102,13 +102,16 @@ TEST(ReadIni, ValuesMayHoldTheMarksOfGcode) {
       "perimeters = 3\n");
   ASSERT_TRUE(settings.ok()) << settings.status();
   EXPECT_EQ(settings->size(), 3);
-  const auto quoted = ReadIni(
+}
+
+TEST(ReadIni, QuotedValuesMayHoldTheEndMark) {
+  const auto settings = ReadIni(
       "G1 X1\n; prusaslicer_config = begin\n"
       "; end_gcode = ; prusaslicer_config = end\\nM84\n; perimeters = 3\n"
       "; prusaslicer_config = end\n; after = 1\n");
-  ASSERT_TRUE(quoted.ok()) << quoted.status();
-  ASSERT_EQ(quoted->size(), 2);
-  EXPECT_EQ(quoted->front().value, "; prusaslicer_config = end\\nM84");
+  ASSERT_TRUE(settings.ok()) << settings.status();
+  EXPECT_THAT(*settings, ElementsAre(Of("end_gcode", "; prusaslicer_config = end\\nM84"),
+                                     Of("perimeters", "3")));
 }
 
 TEST(ReadIni, BoundsNumberAndSize) {
