@@ -70,10 +70,17 @@ struct WorkerPool::Member {
 /// another build, it leaves, once.
 class WorkerPool::Ranges : public RangeRunner {
  public:
-  explicit Ranges(MemberPtr member) : member_(std::move(member)) {}
+  Ranges(MemberPtr member, rpc::JsonLog log) : member_(std::move(member)), log_(std::move(log)) {}
 
   absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
     auto result = member_->worker.Run(call, task);
+    if (IsReplicasFault(result.status())) {
+      log_.Warn("worker failed", {{"address", member_->address},
+                                  {"job", call.job_id},
+                                  {"layer_first", int64_t{task.range.first}},
+                                  {"layer_last", int64_t{task.range.last - 1}},
+                                  {"error", std::string(result.status().message())}});
+    }
     if (DetailOf(result.status()).reason != Reason::kBuildMismatch || misfit_.exchange(true)) {
       return result;
     }
@@ -84,6 +91,7 @@ class WorkerPool::Ranges : public RangeRunner {
 
  private:
   const MemberPtr member_;
+  const rpc::JsonLog log_;
   mutable std::atomic<bool> misfit_ = false;
 };
 
@@ -190,7 +198,7 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
 void WorkerPool::Join(const MemberPtr& member, int slots) {
   Runner runner;
   runner.name = member->address;
-  runner.ranges = std::make_shared<Ranges>(member);
+  runner.ranges = std::make_shared<Ranges>(member, log_);
   runner.slots = slots;
   runner.await_ready = [channel = member->replica.channel()](milliseconds patience) {
     return channel->WaitForConnected(system_clock::now() + patience);
