@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "services/beading/algo/strategy/beading_strategy.h"
+
+namespace slicefarm::beading {
+
+/// At most `max_count` beads, half of them on either side; what is between is the infill's, and
+/// markers (beads of width 0) tell its border. A count of max_count + 1 stands for places so thick
+/// that beads have their optimal widths and something is left over between them.
+///
+/// REQUIRES: max_count is even.
+class LimitedStrategy : public BeadingStrategy {
+ public:
+  LimitedStrategy(int max_count, std::unique_ptr<const BeadingStrategy> parent)
+      : max_count_(max_count), parent_(std::move(parent)) {}
+
+  Beading Compute(Coord thickness_nm, int count) const override;
+  int OptimalCount(Coord thickness_nm) const override;
+  Coord OptimalThickness(int count) const override;
+  Coord TransitionThickness(int lower_count) const override;
+  Coord TransitionLength(int lower_count) const override;
+  double TransitionAnchor(int lower_count) const override;
+  std::vector<Coord> Kinks() const override;
+
+ private:
+  int max_count_;
+  std::unique_ptr<const BeadingStrategy> parent_;
+};
+
+}  // namespace slicefarm::beading
