@@ -8,19 +8,13 @@
 #include <optional>
 #include <utility>
 
-#include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
-#include "common/geometry/ring_cleaning.h"
-#include "common/geometry/simple_rings.h"
+#include "services/beading/algo/boundary.h"
 #include "services/beading/algo/voronoi_traits.h"
 
 namespace slicefarm::beading {
 namespace {
 
-/// The diagram's unit: on a grid coarser than nm fewer edges are almost but not quite parallel, and
-/// these are what costs its precision. Regions that do not survive the rounding are tried again in
-/// nm.
-constexpr Coord kCoarseUnitNm = 1'000;
 /// Nodes nearer than this are one: far below what a printer resolves.
 constexpr double kMergeNm = 1'000;
 /// How far a node's distances to its sources may differ before the diagram is called wrong.
@@ -28,47 +22,6 @@ constexpr double kRadiusErrorNm = 1'000;
 constexpr int kMaxChords = 64;  ///< of one parabola
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
-
-/// A directed edge of the boundary, the region to its left; and where the boundary goes on.
-struct BoundaryEdge {
-  Point from;
-  Point to;
-  int previous = 0;
-  int next = 0;
-};
-
-/// The boundary of a region, in multiples of `unit_nm` from `origin`.
-struct Boundary {
-  Point origin;
-  Coord unit_nm = 1;
-  std::vector<Polygon> rings;
-  std::vector<BoundaryEdge> edges;
-
-  int Holes() const { return static_cast<int>(rings.size()) - 1; }
-};
-
-Coord Rounded(Coord nm, Coord unit_nm) {
-  return std::llround(static_cast<double>(nm) / static_cast<double>(unit_nm));
-}
-
-/// False for a ring that has no inside.
-bool AppendRing(Polygon ring, Boundary& boundary) {
-  for (Point& p : ring) {
-    p = p - boundary.origin;
-    if (boundary.unit_nm != 1) p = {Rounded(p.x, boundary.unit_nm), Rounded(p.y, boundary.unit_nm)};
-  }
-  Polygon points = CleanedRing(ring);
-  if (points.empty()) return false;
-  const int first = static_cast<int>(boundary.edges.size());
-  const int count = static_cast<int>(points.size());
-  for (int i = 0; i < count; ++i) {
-    const int next = i + 1 == count ? 0 : i + 1;
-    boundary.edges.push_back(
-        {points[i], points[next], first + (i == 0 ? count - 1 : i - 1), first + next});
-  }
-  boundary.rings.push_back(std::move(points));
-  return true;
-}
 
 double Side(Point a, Point b, double x, double y) {
   return static_cast<double>(b.x - a.x) * (y - static_cast<double>(a.y)) -
@@ -243,24 +196,6 @@ class SkeletonBuilder {
   std::vector<SkeletonEdge> edges_;
 };
 
-/// The boundary, if the Voronoi diagram can be made of it.
-std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm) {
-  const Box box = Bounds(region.outer);
-  const Coord limit = INT32_MAX * unit_nm;
-  if (box.Empty() || box.max.x - box.min.x > limit || box.max.y - box.min.y > limit)
-    return std::nullopt;
-  Boundary boundary;
-  boundary.origin = {box.min.x + (box.max.x - box.min.x) / 2,
-                     box.min.y + (box.max.y - box.min.y) / 2};
-  boundary.unit_nm = unit_nm;
-  if (!AppendRing(region.outer, boundary)) return std::nullopt;
-  for (const Polygon& hole : region.holes) AppendRing(hole, boundary);
-  std::vector<const Polygon*> rings;
-  for (const Polygon& ring : boundary.rings) rings.push_back(&ring);
-  if (!AreSimple(rings)) return std::nullopt;
-  return boundary;
-}
-
 /// False if the diagram is wrong.
 template <typename Traits>
 bool BuildWith(const Boundary& boundary, Coord tolerance_nm, Skeleton& skeleton) {
@@ -304,8 +239,7 @@ void MergeShortEdges(Skeleton& skeleton) {
 }  // namespace
 
 Skeleton MakeSkeleton(const PolygonWithHoles& region, Coord tolerance_nm) {
-  std::optional<Boundary> boundary = MakeBoundary(region, kCoarseUnitNm);
-  if (!boundary) boundary = MakeBoundary(region, 1);
+  const std::optional<Boundary> boundary = MakeBoundary(region);
   Skeleton skeleton;
   if (!boundary) return skeleton;
   skeleton.origin = boundary->origin;
