@@ -42,8 +42,9 @@ inline Coord Point::*SweepAxis(const std::vector<BoxedEdge>& edges) {
   return x <= y ? &Point::x : &Point::y;
 }
 
-/// Looking at more pairs than this many times the number of edges is not faster than a proper
-/// sweep: the search gives up.
+/// The search gives up on more pairs than these, a few milliseconds' and as many for each edge:
+/// it would not be faster than a proper sweep.
+inline constexpr size_t kPairsAnyway = 1'000'000;
 inline constexpr size_t kPairsPerEdge = 64;
 
 /// Calls visit(e, f) for all pairs whose boxes meet. Stops and returns false as soon as visit does,
@@ -56,7 +57,7 @@ bool ForEachNearPair(std::vector<BoxedEdge>& edges, Visit visit) {
   std::sort(edges.begin(), edges.end(), [along](const BoxedEdge& a, const BoxedEdge& b) {
     return a.min.*along < b.min.*along;
   });
-  size_t budget = kPairsPerEdge * edges.size();
+  size_t budget = kPairsAnyway + kPairsPerEdge * edges.size();
   for (size_t i = 0; i < edges.size(); ++i) {
     const BoxedEdge& e = edges[i];
     for (size_t j = i + 1; j < edges.size() && edges[j].min.*along <= e.max.*along; ++j) {
@@ -79,7 +80,7 @@ bool ForEachNearPair(std::vector<BoxedEdge>& a, std::vector<BoxedEdge>& b, Visit
       return e.min.*along < f.min.*along;
     });
   }
-  size_t budget = kPairsPerEdge * (a.size() + b.size());
+  size_t budget = kPairsAnyway + kPairsPerEdge * (a.size() + b.size());
   const auto sweep = [&](const BoxedEdge& e, const std::vector<BoxedEdge>& others, size_t from,
                          auto call) {
     for (size_t k = from; k < others.size() && others[k].min.*along <= e.max.*along; ++k) {

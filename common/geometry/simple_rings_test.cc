@@ -60,5 +60,19 @@ TEST(SimpleRingsLimits, CombIsSimple) {
   EXPECT_TRUE(AreSimple(std::vector<const Polygon*>{&comb}));
 }
 
+// In both directions, by the hundred.
+TEST(SimpleRingsLimits, SlantedCombIsSimple) {
+  Polygon comb;
+  for (Coord i = 0; i < 200; ++i) {
+    const Coord x = 2000 * i, y = -2000 * i;
+    comb.push_back({x + i % 2, y});
+    comb.push_back({x + 90'000'000, y + 90'000'000});
+    comb.push_back({x + 90'001'000, y + 89'999'000});
+    comb.push_back({x + 1010, y - 990});
+  }
+  comb.push_back({0, -1'000'000});
+  EXPECT_TRUE(AreSimple(std::vector<const Polygon*>{&comb}));
+}
+
 }  // namespace
 }  // namespace slicefarm
