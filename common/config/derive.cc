@@ -57,6 +57,13 @@ void DeriveWidths(Draft& draft) {
   TakePercentage(draft, "extrusion_width");
 }
 
+void DeriveVariableWalls(Draft& draft) {
+  for (const std::string_view key : {"wall_transition_length", "wall_transition_filter_deviation",
+                                     "min_feature_size", "min_bead_width", "max_bead_width"}) {
+    TakePercentage(draft, key);
+  }
+}
+
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key : {"external_perimeter_speed", "small_perimeter_speed",
                                      "solid_infill_speed", "top_solid_infill_speed"}) {
@@ -133,6 +140,7 @@ absl::Status CheckPercentages(const Draft& draft) {
 absl::Status Derive(Draft& draft) {
   TakePercentage(draft, "first_layer_height");
   DeriveWidths(draft);
+  DeriveVariableWalls(draft);
   TakePercentage(draft, "infill_overlap");
   DeriveSpeeds(draft);
   DeriveAccelerations(draft);

@@ -72,8 +72,6 @@ constexpr KnownKey kSwitches[] = {
     {"ooze_prevention", kNotYet, "0", true},
     {"overhangs", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
-    {"perimeter_generator", "not supported yet: walls have a constant width, as with classic",
-     "classic", true},
     {"prefer_clockwise_movements", kNotYet, "0", true},
     {"resolution", "outline_resolution is the setting here", "0", true},
     {"retract_layer_change", "every layer starts with the filament retracted", "1", true},
@@ -82,7 +80,6 @@ constexpr KnownKey kSwitches[] = {
     {"solid_infill_extruder", kNotYet, "1", true},
     {"staggered_inner_seams", kNotYet, "0", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
-    {"thin_walls", kNotYet, "0", true},
     {"thumbnails_format", "only PNG pictures are made", "PNG", true},
     {"toolchange_gcode", kNotYet, "", true},
     {"top_one_perimeter_type", kNotYet, "none", true},
@@ -117,7 +114,7 @@ constexpr Group kGroups[] = {
      "filament_unload_time filament_unloading_* first_layer_infill_speed "
      "first_layer_speed_over_raft fuzzy_skin_* gcode_label_objects gcode_resolution "
      "high_current_on_filament_swap idle_temperature infill_anchor infill_anchor_max "
-     "interlocking_* ironing_* max_layer_height min_bead_width min_feature_size "
+     "interlocking_* ironing_* max_layer_height "
      "min_layer_height min_skirt_length mmu_* multimaterial_purging nozzle_high_flow "
      "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode raft_* "
      "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
@@ -125,7 +122,7 @@ constexpr Group kGroups[] = {
      "single_extruder_multi_material_priming skirt_* small_area_infill_flow_compensation* "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
      "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
-     "travel_slope variable_layer_height wall_distribution_count wall_transition_* "
+     "travel_slope variable_layer_height "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,
      "bed_custom_model bed_custom_texture color_change_* default_filament_profile "

@@ -91,7 +91,8 @@ TEST(Resolve, ReadsThePeersProfile) {
   const BeadingOptions walls = {.perimeters = 3,
                                 .external_width_nm = 450'000,
                                 .inner_width_nm = 450'000,
-                                .first_layer_width_nm = 450'000};
+                                .first_layer_width_nm = 450'000,
+                                .thin_walls = false};
   EXPECT_EQ(s.beading, walls);
   const InfillOptions infill = {.angle_rad = std::numbers::pi / 4};  // the rest is the model's
   EXPECT_EQ(s.infill, infill);
@@ -132,8 +133,7 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.end_gcode, "M84");
   EXPECT_THAT(resolved.warnings, IsEmpty());
   EXPECT_THAT(resolved.no_effect,
-              ElementsAre(HasSubstr("perimeter_generator = arachne: not supported yet"),
-                          HasSubstr("use_relative_e_distances = 0: extrusion is always relative")));
+              ElementsAre(HasSubstr("use_relative_e_distances = 0: extrusion is always relative")));
 }
 
 // Everything PrusaSlicer 2.5 writes when it saves its own defaults.
@@ -151,6 +151,7 @@ TEST(Resolve, TakesAWholeProfile) {
   // documentation.
   JobSettings ours = Job({});
   ours.motion.filament_density_g_cm3 = 0;
+  ours.infill.overlap_nm = 112'500;
   ours.slicing.thumbnails_px.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
@@ -216,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "infill_overlap",
                     "0.05"},
         DerivedCase{
-            "OverlapPercentOfAuto", {{"nozzle_diameter", "0.8"}}, "infill_overlap", "0.225"},
+            "OverlapPercentOfAuto", {{"nozzle_diameter", "0.8"}}, "infill_overlap", "0.315"},
         DerivedCase{"OverlapInMm", {{"infill_overlap", "0.15"}}, "infill_overlap", "0.15"}),
     [](const auto& info) { return info.param.name; });
 

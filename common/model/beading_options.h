@@ -6,14 +6,32 @@
 
 namespace slicefarm {
 
+enum class WallGenerator : uint8_t {
+  kArachne,  ///< as many walls as fit, as wide as makes them fill the place
+  kClassic,  ///< walls of constant width, with gap fill where they do not fit
+};
+
+/// Walls of kArachne depend on so many layers above and below.
+inline constexpr int32_t kBeadingHaloLayers = 2;
+
 struct BeadingOptions {
-  int32_t perimeters = 3;                ///< perimeters
-  Coord external_width_nm = 450'000;     ///< external_perimeter_extrusion_width
-  Coord inner_width_nm = 450'000;        ///< perimeter_extrusion_width
+  WallGenerator generator = WallGenerator::kArachne;  ///< perimeter_generator
+  int32_t perimeters = 3;                             ///< perimeters
+  Coord external_width_nm = 450'000;                  ///< external_perimeter_extrusion_width
+  Coord inner_width_nm = 450'000;                     ///< perimeter_extrusion_width
   Coord first_layer_width_nm = 450'000;  ///< first_layer_extrusion_width, for all walls of layer 0
   bool gap_fill = true;                  ///< gap_fill_enabled
   Coord min_gap_width_nm = 80'000;       ///< gap_fill_min_width: narrower gaps stay empty
   Coord max_gap_width_nm = 800'000;      ///< wider gaps are the infill's
+  bool thin_walls = true;                ///< thin_walls: of kClassic; kArachne always prints them
+  Coord transition_length_nm = 400'000;  ///< wall_transition_length
+  double transition_angle = 10 * 3.14159265358979323846 / 180;  ///< wall_transition_angle, radians
+  Coord transition_deviation_nm = 100'000;  ///< wall_transition_filter_deviation
+  int32_t distribution_count = 1;           ///< wall_distribution_count
+  Coord min_feature_nm = 100'000;           ///< min_feature_size
+  Coord min_bead_width_nm = 340'000;        ///< min_bead_width
+  Coord max_bead_width_nm = 800'000;        ///< max_bead_width
+  bool lock_outer_width = false;            ///< lock_outer_width
 
   friend bool operator==(const BeadingOptions&, const BeadingOptions&) = default;
 };

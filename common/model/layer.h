@@ -15,11 +15,12 @@ namespace slicefarm {
 ///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
 ///   motion -> LayerProgram
 
-/// Where a layer lies.
+/// Where a layer lies, and what all stages after the one that finds it out pass on.
 struct LayerFrame {
   int32_t index = 0;
   Coord print_z_nm = 0;  ///< height of the nozzle: the layer's top
   Coord height_nm = 0;
+  int32_t plain_islands = 0;  ///< that got walls of constant width, as others could not be made
 
   friend bool operator==(const LayerFrame&, const LayerFrame&) = default;
 };

@@ -23,7 +23,7 @@ struct JobSettings {
 /// Neighbours on each side that a layer's result depends on.
 int32_t HaloLayers(const JobSettings& settings);
 
-/// Of those, how many the walls depend on: none, as long as they are told from their own outlines.
+/// Of those, how many the walls depend on.
 int32_t BeadingHaloLayers(const JobSettings& settings);
 
 }  // namespace slicefarm

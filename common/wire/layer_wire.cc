@@ -95,6 +95,7 @@ void ToProto(const LayerFrame& frame, v1::LayerFrame* proto) {
   proto->set_index(frame.index);
   proto->set_print_z_nm(frame.print_z_nm);
   proto->set_height_nm(frame.height_nm);
+  proto->set_plain_islands(frame.plain_islands);
 }
 
 absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto) {
@@ -103,7 +104,8 @@ absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto) {
   }
   if (!IsHeight(proto.print_z_nm())) return Malformed("frame.print_z_nm", "is not a height");
   if (!IsHeight(proto.height_nm())) return Malformed("frame.height_nm", "is not a height");
-  return LayerFrame{proto.index(), proto.print_z_nm(), proto.height_nm()};
+  if (proto.plain_islands() < 0) return Malformed("frame.plain_islands", "is negative");
+  return LayerFrame{proto.index(), proto.print_z_nm(), proto.height_nm(), proto.plain_islands()};
 }
 
 v1::LayerRange ToProto(LayerRange range) {

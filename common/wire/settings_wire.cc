@@ -18,6 +18,8 @@ namespace {
 static_assert(v1::FILL_RULE_NON_ZERO == static_cast<int>(FillRule::kNonZero) + 1);
 static_assert(v1::FILL_RULE_EVEN_ODD == static_cast<int>(FillRule::kEvenOdd) + 1);
 static_assert(v1::FILL_RULE_POSITIVE == static_cast<int>(FillRule::kPositive) + 1);
+static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kArachne) + 1);
+static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
 static_assert(v1::SPARSE_PATTERN_RECTILINEAR == static_cast<int>(SparsePattern::kRectilinear) + 1);
 static_assert(v1::SPARSE_PATTERN_GRID == static_cast<int>(SparsePattern::kGrid) + 1);
 static_assert(v1::SOLID_PATTERN_MONOTONIC == static_cast<int>(SolidPattern::kMonotonic) + 1);
@@ -31,6 +33,8 @@ template <typename Model, typename Proto>
 Model Known(Proto value) {
   return static_cast<Model>(static_cast<int>(value) - 1);
 }
+
+constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
 
 struct NamedLength {
   std::string_view field;
@@ -93,7 +97,18 @@ absl::Status Check(const v1::BeadingOptions& proto) {
                                {"inner_width_nm", proto.inner_width_nm()},
                                {"first_layer_width_nm", proto.first_layer_width_nm()}}));
   status.Update(CheckNotNegative({{"min_gap_width_nm", proto.min_gap_width_nm()},
-                                  {"max_gap_width_nm", proto.max_gap_width_nm()}}));
+                                  {"max_gap_width_nm", proto.max_gap_width_nm()},
+                                  {"transition_length_nm", proto.transition_length_nm()},
+                                  {"transition_deviation_nm", proto.transition_deviation_nm()},
+                                  {"min_feature_nm", proto.min_feature_nm()},
+                                  {"min_bead_width_nm", proto.min_bead_width_nm()},
+                                  {"max_bead_width_nm", proto.max_bead_width_nm()}}));
+  if (!(proto.transition_angle() > 0 && proto.transition_angle() < kMaxTransitionAngle)) {
+    status.Update(Malformed("transition_angle", "is out of range"));
+  }
+  if (proto.distribution_count() < 1 || proto.distribution_count() > limits::kMaxPerimeters) {
+    status.Update(Malformed("distribution_count", "is out of range"));
+  }
   return status;
 }
 
@@ -174,6 +189,16 @@ v1::BeadingOptions ToProto(const BeadingOptions& options) {
   proto.set_gap_fill(options.gap_fill);
   proto.set_min_gap_width_nm(options.min_gap_width_nm);
   proto.set_max_gap_width_nm(options.max_gap_width_nm);
+  proto.set_generator(EnumToProto<v1::WallGenerator>(options.generator));
+  proto.set_thin_walls(options.thin_walls);
+  proto.set_transition_length_nm(options.transition_length_nm);
+  proto.set_transition_angle(options.transition_angle);
+  proto.set_transition_deviation_nm(options.transition_deviation_nm);
+  proto.set_distribution_count(options.distribution_count);
+  proto.set_min_feature_nm(options.min_feature_nm);
+  proto.set_min_bead_width_nm(options.min_bead_width_nm);
+  proto.set_max_bead_width_nm(options.max_bead_width_nm);
+  proto.set_lock_outer_width(options.lock_outer_width);
   return proto;
 }
 
@@ -187,6 +212,16 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   options.gap_fill = proto.gap_fill();
   options.min_gap_width_nm = proto.min_gap_width_nm();
   options.max_gap_width_nm = proto.max_gap_width_nm();
+  options.generator = Known<WallGenerator>(proto.generator());
+  options.thin_walls = proto.thin_walls();
+  options.transition_length_nm = proto.transition_length_nm();
+  options.transition_angle = proto.transition_angle();
+  options.transition_deviation_nm = proto.transition_deviation_nm();
+  options.distribution_count = proto.distribution_count();
+  options.min_feature_nm = proto.min_feature_nm();
+  options.min_bead_width_nm = proto.min_bead_width_nm();
+  options.max_bead_width_nm = proto.max_bead_width_nm();
+  options.lock_outer_width = proto.lock_outer_width();
   return options;
 }
 
@@ -233,6 +268,7 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
   proto.set_seam(EnumToProto<v1::SeamPosition>(options.seam));
   proto.set_external_perimeters_first(options.external_perimeters_first);
+  proto.set_inner_outer_inner(options.inner_outer_inner);
   proto.set_infill_first(options.infill_first);
   proto.set_improvement_moves(options.improvement_moves);
   return proto;
@@ -244,6 +280,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   OrderingOptions options;
   options.seam = Known<SeamPosition>(proto.seam());
   options.external_perimeters_first = proto.external_perimeters_first();
+  options.inner_outer_inner = proto.inner_outer_inner();
   options.infill_first = proto.infill_first();
   options.improvement_moves = proto.improvement_moves();
   return options;

@@ -47,8 +47,11 @@ SlicingOptions DistinctSlicing() {
 
 BeadingOptions DistinctBeading() {
   BeadingOptions options;
-  auto& [perimeters, external_width, inner_width, first_layer_width, gap_fill, min_gap_width,
-         max_gap_width] = options;
+  auto& [generator, perimeters, external_width, inner_width, first_layer_width, gap_fill,
+         min_gap_width, max_gap_width, thin_walls, transition_length, transition_angle,
+         transition_deviation, distribution_count, min_feature, min_bead_width, max_bead_width,
+         lock_outer_width] = options;
+  generator = WallGenerator::kClassic;
   perimeters = 201;
   external_width = 202;
   inner_width = 203;
@@ -56,6 +59,15 @@ BeadingOptions DistinctBeading() {
   gap_fill = false;
   min_gap_width = 206;
   max_gap_width = 207;
+  thin_walls = false;
+  transition_length = 209;
+  transition_angle = 0.21;
+  transition_deviation = 211;
+  distribution_count = 212;
+  min_feature = 213;
+  min_bead_width = 214;
+  max_bead_width = 215;
+  lock_outer_width = true;
   return options;
 }
 
@@ -83,7 +95,8 @@ InfillOptions DistinctInfill() {
 
 OrderingOptions DistinctOrdering() {
   OrderingOptions options;
-  auto& [seam, external_first, infill_first, improvement_moves] = options;
+  auto& [seam, external_first, inner_outer_inner, infill_first, improvement_moves] = options;
+  inner_outer_inner = true;
   seam = SeamPosition::kRear;
   external_first = true;
   infill_first = false;
@@ -220,6 +233,16 @@ constexpr char kDistinct[] = R"pb(
     gap_fill: false
     min_gap_width_nm: 206
     max_gap_width_nm: 207
+    generator: WALL_GENERATOR_CLASSIC
+    thin_walls: false
+    transition_length_nm: 209
+    transition_angle: 0.21
+    transition_deviation_nm: 211
+    distribution_count: 212
+    min_feature_nm: 213
+    min_bead_width_nm: 214
+    max_bead_width_nm: 215
+    lock_outer_width: true
   }
   infill {
     top_solid_layers: 301
@@ -240,6 +263,7 @@ constexpr char kDistinct[] = R"pb(
   ordering {
     seam: SEAM_POSITION_REAR
     external_perimeters_first: true
+    inner_outer_inner: true
     infill_first: false
     improvement_moves: 404
   }
