@@ -15,9 +15,9 @@ struct BoundaryEdge {
   int next = 0;
 };
 
-/// The boundary of one connected region as the Voronoi diagram of segments needs it, in multiples of
-/// `unit_nm` from `origin`. INVARIANT: no two edges cross or touch but for neighbours in the corner
-/// they share, and no corner lies on the line through its neighbours; both decided exactly.
+/// The boundary of one connected region as the Voronoi diagram of segments needs it, in multiples
+/// of `unit_nm` from `origin`. INVARIANT: no two edges cross or touch but for neighbours in the
+/// corner they share, and no corner lies on the line through its neighbours; both decided exactly.
 struct Boundary {
   Point origin;
   Coord unit_nm = 1;
@@ -30,8 +30,8 @@ struct Boundary {
   bool StartsConvex(int edge) const;
 };
 
-/// The boundary of `region` on a grid of `unit_nm`; nothing if it does not meet the invariant there,
-/// or is wider than 32 bits of the unit. Cost: that of AreSimple.
+/// The boundary of `region` on a grid of `unit_nm`; nothing if it does not meet the invariant
+/// there, or is wider than 32 bits of the unit. Cost: that of AreSimple.
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_nm);
 
 /// On a grid of um if that will do, else of nm. On the coarser one fewer edges are almost but not

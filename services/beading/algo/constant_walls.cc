@@ -69,19 +69,24 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
     if (!IsWideThroughout(region, to_centre + fit)) {
       const MultiPolygon core = FastOffset(centre, -fit);
       centre = Opened(centre, core, fit);
-      if (plan.gap_fill) AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
+      if (inset == 0 ? plan.thin_walls : plan.gap_fill)
+        AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
     }
     region = FastOffset(centre, -spacing / 2);
     walls.centre_lines.push_back(std::move(centre));
   }
   walls.fill_area = std::move(region);
-  const Coord half_gap = plan.max_gap_width_nm / 2;
-  if (plan.gap_fill && plan.perimeters > 0 && !IsWideThroughout(walls.fill_area, half_gap)) {
-    const MultiPolygon core = FastOffset(walls.fill_area, -half_gap);
-    AppendGaps(Residue(walls.fill_area, core, half_gap), false, walls.gaps);
-    walls.fill_area = Opened(walls.fill_area, core, half_gap);
-  }
+  if (plan.gap_fill && plan.perimeters > 0)
+    TakeNarrowParts(plan.max_gap_width_nm, walls.fill_area, walls.gaps);
   return walls;
+}
+
+void TakeNarrowParts(Coord width_nm, MultiPolygon& fill_area, std::vector<Gap>& gaps) {
+  const Coord half = width_nm / 2;
+  if (IsWideThroughout(fill_area, half)) return;
+  const MultiPolygon core = FastOffset(fill_area, -half);
+  AppendGaps(Residue(fill_area, core, half), false, gaps);
+  fill_area = Opened(fill_area, core, half);
 }
 
 }  // namespace slicefarm::beading

@@ -15,7 +15,8 @@ struct WallPlan {
   Coord inner_width_nm = 0;
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
-  bool gap_fill = false;       ///< whether to look for gaps at all
+  bool gap_fill = false;       ///< whether to look for gaps between walls
+  bool thin_walls = false;     ///< whether to look for places too thin for two walls
   Coord max_gap_width_nm = 0;  ///< what the infill gets is at least this wide
 
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
@@ -43,5 +44,8 @@ struct IslandWalls {
 /// and the stripe of (width - spacing) / 2 along the outline. Cost: with no gap O(n) a wall; else a
 /// handful of polygon sweeps a wall.
 IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan);
+
+/// Takes what is narrower than `width_nm` out of a fill area.
+void TakeNarrowParts(Coord width_nm, MultiPolygon& fill_area, std::vector<Gap>& gaps);
 
 }  // namespace slicefarm::beading

@@ -1,47 +1,50 @@
 #include "services/beading/algo/local_beading_stage.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "common/model/bead_section.h"
-#include "services/beading/algo/constant_walls.h"
-#include "services/beading/algo/gap_fill.h"
+#include "common/model/settings.h"
+#include "services/beading/algo/arachne_island.h"
+#include "services/beading/algo/classic_island.h"
+#include "services/beading/algo/neighbour_outlines.h"
 
 namespace slicefarm::beading {
 namespace {
 
-void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& plan,
-                 std::vector<Path>& paths) {
-  for (size_t inset = 0; inset < centre_lines.size(); ++inset) {
-    for (const PolygonWithHoles& rings : centre_lines[inset]) {
-      const auto append = [&](const Polygon& ring) {
-        Path& path = paths.emplace_back();
-        path.feature = inset == 0 ? Feature::kExternalPerimeter : Feature::kPerimeter;
-        path.inset = static_cast<int32_t>(inset);
-        path.closed = true;
-        path.points = ring;
-        path.widths_nm = {inset == 0 ? plan.external_width_nm : plan.inner_width_nm};
-      };
-      append(rings.outer);
-      for (const Polygon& hole : rings.holes) append(hole);
-    }
+/// The walls of one layer.
+class LayerWalls {
+ public:
+  /// Of the layer `index` of those that `neighbours` knows.
+  LayerWalls(const BeadingOptions& options, const WallPlan& plan, const GapFillOptions& gap_options,
+             const NeighbourOutlines& neighbours, size_t index)
+      : plan_(plan), gap_options_(gap_options) {
+    if (options.generator != WallGenerator::kArachne || plan.perimeters == 0) return;
+    const auto band = static_cast<double>(options.transition_deviation_nm);
+    arachne_.emplace(options, plan, gap_options,
+                     [&neighbours, index, band](double x, double y, double radius_nm) {
+                       return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm,
+                                                    band);
+                     });
   }
-}
 
-absl::StatusOr<WalledIsland> BeadIsland(int32_t object, const PolygonWithHoles& outline,
-                                        const WallPlan& plan, const GapFillOptions& gap_options,
-                                        const CancelToken& cancel) {
-  WalledIsland island;
-  island.object = object;
-  IslandWalls walls = MakeConstantWalls(outline, plan);
-  AppendWalls(walls.centre_lines, plan, island.walls);
-  auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
-  if (!gap_paths.ok()) return gap_paths.status();
-  for (Path& path : *gap_paths) island.walls.push_back(std::move(path));
-  for (Path& path : island.walls) path.object = object;
-  island.fill_area = std::move(walls.fill_area);
-  return island;
-}
+  absl::StatusOr<WalledIsland> Make(const PolygonWithHoles& outline, const CancelToken& cancel,
+                                    LayerFrame& frame) const {
+    if (arachne_) {
+      auto island = arachne_->Make(outline, cancel);
+      if (!island.ok()) return island.status();
+      if (*island) return **std::move(island);
+      ++frame.plain_islands;
+    }
+    return MakeClassicIsland(outline, plan_, gap_options_, cancel);
+  }
+
+ private:
+  WallPlan plan_;
+  GapFillOptions gap_options_;
+  std::optional<ArachneIslands> arachne_;
+};
 
 class LocalBeading : public BeadingStage {
  public:
@@ -50,10 +53,12 @@ class LocalBeading : public BeadingStage {
                                                 const BeadingOptions& options) const override {
     std::vector<WalledLayer> walled;
     walled.reserve(neighbourhood.range.size());
-    for (const SlicedLayer& layer : neighbourhood.layers) {
+    const NeighbourOutlines neighbours(neighbourhood.layers);
+    for (size_t i = 0; i < neighbourhood.layers.size(); ++i) {
+      const SlicedLayer& layer = neighbourhood.layers[i];
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
       if (absl::Status status = call.cancel.Check(); !status.ok()) return status;
-      auto result = BeadLayer(layer, options, call.cancel);
+      auto result = BeadLayer(neighbours, i, layer, options, call.cancel);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
     }
@@ -61,7 +66,8 @@ class LocalBeading : public BeadingStage {
   }
 
  private:
-  static absl::StatusOr<WalledLayer> BeadLayer(const SlicedLayer& layer,
+  static absl::StatusOr<WalledLayer> BeadLayer(const NeighbourOutlines& neighbours, size_t index,
+                                               const SlicedLayer& layer,
                                                const BeadingOptions& options,
                                                const CancelToken& cancel) {
     const bool first = layer.frame.index == 0;
@@ -77,14 +83,18 @@ class LocalBeading : public BeadingStage {
 
     WallPlan plan = WallPlan::Make(options.perimeters, external, inner, height);
     plan.gap_fill = options.gap_fill;
+    plan.thin_walls = options.thin_walls || options.generator == WallGenerator::kArachne;
     plan.max_gap_width_nm = options.max_gap_width_nm;
     const GapFillOptions gap_options{options.min_gap_width_nm, options.max_gap_width_nm, height};
+    const LayerWalls walls(options, plan, gap_options, neighbours, index);
     WalledLayer walled;
     walled.frame = layer.frame;
     for (const ObjectSection& section : layer.objects) {
       for (const PolygonWithHoles& outline : section.outlines) {
-        auto island = BeadIsland(section.object, outline, plan, gap_options, cancel);
+        auto island = walls.Make(outline, cancel, walled.frame);
         if (!island.ok()) return island.status();
+        island->object = section.object;
+        for (Path& path : island->walls) path.object = section.object;
         walled.islands.push_back(*std::move(island));
       }
     }

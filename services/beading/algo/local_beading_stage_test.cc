@@ -26,11 +26,17 @@ absl::StatusOr<std::vector<WalledLayer>> Bead(const std::vector<SlicedLayer>& la
                                   options);
 }
 
+BeadingOptions Classic() {
+  BeadingOptions options;
+  options.generator = WallGenerator::kClassic;
+  return options;
+}
+
 constexpr std::string_view kTwoIslands =
     "(0 0, 20 0, 20 20, 0 20) (8 8, 12 8, 12 12, 8 12) ; (30 0, 40 0, 40 0.4, 30 0.4)";
 
 TEST(LocalBeading, PathsSayWhatTheyAre) {
-  const auto walled = Bead(Layers(2, kTwoIslands), {1, 2});
+  const auto walled = Bead(Layers(2, kTwoIslands), {1, 2}, Classic());
   ASSERT_TRUE(walled.ok()) << walled.status();
   ASSERT_EQ(walled->size(), 1u);
   EXPECT_EQ((*walled)[0].frame.index, 1);
@@ -48,6 +54,20 @@ TEST(LocalBeading, PathsSayWhatTheyAre) {
   EXPECT_EQ(blade.walls[0].feature, Feature::kGapFill);
   EXPECT_EQ(blade.walls[0].object, 7);
   EXPECT_TRUE(blade.fill_area.empty());
+}
+
+TEST(LocalBeading, ABladeIsAWallOfItsWidth) {
+  const auto walled = Bead(Layers(2, kTwoIslands), {1, 2});
+  ASSERT_TRUE(walled.ok()) << walled.status();
+  ASSERT_EQ((*walled)[0].islands.size(), 2u);
+  EXPECT_EQ((*walled)[0].islands[0].walls.size(), 6u);
+  const WalledIsland& blade = (*walled)[0].islands[1];
+  ASSERT_EQ(blade.walls.size(), 1u);
+  EXPECT_EQ(blade.walls[0].feature, Feature::kExternalPerimeter);
+  EXPECT_FALSE(blade.walls[0].closed);
+  EXPECT_EQ(blade.walls[0].object, 7);
+  EXPECT_EQ(blade.walls[0].widths_nm, std::vector<Coord>{400'000});
+  EXPECT_EQ((*walled)[0].frame.plain_islands, 0);
 }
 
 TEST(LocalBeading, FirstLayerHasItsOwnWidth) {

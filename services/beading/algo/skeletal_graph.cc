@@ -4,6 +4,7 @@
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "services/beading/algo/voronoi_traits.h"
@@ -14,7 +15,7 @@ namespace {
 /// How far a node's distances to its features may differ.
 constexpr double kRadiusErrorNm = 1'000;
 /// How far a node may lie from the corner in which its edge is to end.
-constexpr double kCornerErrorNm = 1'000;
+constexpr double kCornerErrorNm = 20'000;
 /// Points on a curved edge that are nearer to each other than this are one.
 constexpr double kLeastChordNm = 5'000;
 constexpr int kMaxChords = 256;  ///< of one edge
@@ -50,10 +51,15 @@ class Builder {
     graph_.origin = boundary.origin;
     graph_.boundary = boundary.edges;
     for (BoundaryEdge& edge : graph_.boundary)
-      for (Point* p : {&edge.from, &edge.to}) *p = {p->x * boundary.unit_nm, p->y * boundary.unit_nm};
+      for (Point* p : {&edge.from, &edge.to})
+        *p = {p->x * boundary.unit_nm, p->y * boundary.unit_nm};
   }
 
-  bool Build() { return MakeCells() && MakeHalfEdges() && LinkRings() && HasRightShape(); }
+  bool Build() {
+    if (!MakeCells() || !MakeHalfEdges() || !LinkRings() || !HasRightShape()) return false;
+    MergeCoincidentNodes();
+    return true;
+  }
   SkeletalGraph Take() { return std::move(graph_); }
 
  private:
@@ -75,60 +81,73 @@ class Builder {
     return {vertex.x() * unit_, vertex.y() * unit_};
   }
 
-  /// Whether the part of the diagram to the left of `edge` is the region's.
-  bool IsInside(const Edge& edge) const {
-    if (edge.is_secondary() || edge.is_infinite()) return false;
-    const Place a = PlaceOf(*edge.vertex0()), b = PlaceOf(*edge.vertex1());
-    const Place middle = {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    const Feature feature = FeatureOf(*edge.cell());
-    const BoundaryEdge& after = graph_.boundary[feature.edge];
-    if (!feature.is_corner) return Side(after, middle) > 0;
-    if (!boundary_.StartsReflex(feature.edge)) return false;
-    return Side(graph_.boundary[after.previous], middle) > 0 || Side(after, middle) > 0;
-  }
-
-  /// The diagram's edges within the region, for each feature in their order around it. False if
-  /// those of a feature are not in one piece.
+  /// The diagram's edges within the region, for each feature in their order around it. By how the
+  /// cells hang together and not by where their edges lie, which a diagram knows less exactly.
   bool MakeCells() {
-    inside_.resize(diagram_.num_edges());
-    for (const Edge& edge : diagram_.edges()) {
-      const bool inside = IsInside(edge);
-      inside_[IndexOf(edge)] = inside;
-    }
-    for (const Edge& edge : diagram_.edges())
-      if (inside_[IndexOf(edge)] != inside_[IndexOf(*edge.twin())]) return false;
+    inside_.assign(diagram_.num_edges(), false);
     const size_t count = boundary_.edges.size();
     edge_chain_.assign(count, {});
     corner_chain_.assign(count, {});
     for (const Diagram::cell_type& cell : diagram_.cells()) {
       if (cell.is_degenerate()) continue;
       const Feature feature = FeatureOf(cell);
+      if (feature.is_corner && !boundary_.StartsReflex(feature.edge)) continue;
       auto& chain = (feature.is_corner ? corner_chain_ : edge_chain_)[feature.edge];
-      if (!CollectChain(cell, chain)) return false;
+      const bool found = feature.is_corner ? CollectAroundCorner(cell, chain)
+                                           : CollectBeside(cell, feature.edge, chain);
+      if (!found) return false;
+      for (const Edge* edge : chain) inside_[IndexOf(*edge)] = true;
+    }
+    for (const Edge& edge : diagram_.edges())
+      if (inside_[IndexOf(edge)] != inside_[IndexOf(*edge.twin())]) return false;
+    return true;
+  }
+
+  /// A reflex corner's cell is bounded by two secondary edges that meet in the corner; the others
+  /// are the chain.
+  static bool CollectAroundCorner(const Diagram::cell_type& cell, std::vector<const Edge*>& chain) {
+    const Edge* start = nullptr;
+    const Edge* edge = cell.incident_edge();
+    do {
+      if (edge->is_secondary() && !edge->next()->is_secondary()) {
+        if (start != nullptr) return false;
+        start = edge->next();
+      }
+      edge = edge->next();
+    } while (edge != cell.incident_edge());
+    if (start == nullptr) return false;
+    for (edge = start; !edge->is_secondary(); edge = edge->next()) {
+      if (edge->is_infinite()) return false;
+      chain.push_back(edge);
     }
     return true;
   }
 
-  bool CollectChain(const Diagram::cell_type& cell, std::vector<const Edge*>& chain) {
-    const Edge* const first = cell.incident_edge();
-    size_t inside = 0;
-    const Edge* start = nullptr;
-    const Edge* edge = first;
+  /// The cell of an edge surrounds it; the chain goes from its end to its start. Where these are
+  /// is told by the one secondary edge that the cell has with that of each of the two corners: it
+  /// lies within the region at a reflex corner, on the other side of the edge at a convex one.
+  bool CollectBeside(const Diagram::cell_type& cell, int index, std::vector<const Edge*>& chain) {
+    const int next = boundary_.edges[index].next;
+    const Edge* at_end = nullptr;
+    const Edge* at_start = nullptr;
+    const Edge* edge = cell.incident_edge();
     do {
-      if (inside_[IndexOf(*edge)]) {
-        ++inside;
-        if (!inside_[IndexOf(*edge->prev())]) {
-          if (start != nullptr) return false;
-          start = edge;
-        }
+      const Diagram::cell_type& beside = *edge->twin()->cell();
+      if (edge->is_secondary() && beside.contains_point()) {
+        const int corner = FeatureOf(beside).edge;
+        if (corner == next) at_end = edge;
+        if (corner == index) at_start = edge;
       }
       edge = edge->next();
-    } while (edge != first);
-    if (inside == 0) return true;
-    if (start == nullptr) return false;
-    for (edge = start; inside_[IndexOf(*edge)] && chain.size() < inside; edge = edge->next())
-      chain.push_back(edge);
-    return chain.size() == inside;
+    } while (edge != cell.incident_edge());
+    if (at_end == nullptr || at_start == nullptr) return false;
+    const Edge* const start = boundary_.StartsReflex(next) ? at_end : at_end->next();
+    const Edge* const end = boundary_.StartsReflex(index) ? at_start->next() : at_start;
+    for (edge = start; edge != end; edge = edge->next()) {
+      if (edge->is_infinite()) return false;
+      if (!edge->is_secondary()) chain.push_back(edge);
+    }
+    return true;
   }
 
   // --- nodes and half-edges ----------------------------------------------------------------------
@@ -138,8 +157,8 @@ class Builder {
     if (feature.is_corner) return std::hypot(p.x - Of(edge.from).x, p.y - Of(edge.from).y);
     const Point d = edge.to - edge.from;
     const Place from = Of(edge.from), to = Of(edge.to);
-    const double along = (p.x - from.x) * static_cast<double>(d.x) +
-                         (p.y - from.y) * static_cast<double>(d.y);
+    const double along =
+        (p.x - from.x) * static_cast<double>(d.x) + (p.y - from.y) * static_cast<double>(d.y);
     if (along <= 0) return std::hypot(p.x - from.x, p.y - from.y);
     if (along >= SquaredNorm(d)) return std::hypot(p.x - to.x, p.y - to.y);
     return std::abs(Side(edge, p)) / Norm(d);
@@ -175,8 +194,8 @@ class Builder {
       if (left.is_corner && right.is_corner) {
         between = BetweenCorners(left, right, from, to);
       } else if (left.is_corner || right.is_corner) {
-        between = AlongParabola(left.is_corner ? left : right, left.is_corner ? right : left, from,
-                                to);
+        between =
+            AlongParabola(left.is_corner ? left : right, left.is_corner ? right : left, from, to);
       }
       AddChords(edge, left, right, from, between, to);
     }
@@ -245,8 +264,7 @@ class Builder {
     };
     const double mark = height * std::tan(options_.transition_angle / 2);
     std::vector<SkeletalNode> nodes;
-    for (const double t :
-         Parameters(along(from), along(to), {-mark, 0, mark}, StepFor(height))) {
+    for (const double t : Parameters(along(from), along(to), {-mark, 0, mark}, StepFor(height))) {
       const double radius = (t * t + height * height) / (2 * height);
       const double rise = radius - height;
       nodes.push_back({{focus.x + t * ux - rise * uy, focus.y + t * uy + rise * ux}, radius});
@@ -266,9 +284,15 @@ class Builder {
       return (at.x - middle.x) * ux + (at.y - middle.y) * uy;
     };
     const double mark = half * std::tan(options_.transition_angle / 2);
+    // The farther out, the straighter the radius: even steps of u in t = half sinh(u) have an error
+    // of at most half u^2 / 8.
+    const auto stretched = [&](double t) { return half * std::asinh(t / half); };
     std::vector<SkeletalNode> nodes;
-    for (const double t : Parameters(along(from), along(to), {-mark, 0, mark}, StepFor(half)))
+    for (const double u : Parameters(stretched(along(from)), stretched(along(to)),
+                                     {-stretched(mark), 0, stretched(mark)}, StepFor(half))) {
+      const double t = half * std::sinh(u / half);
       nodes.push_back({{middle.x + t * ux, middle.y + t * uy}, std::hypot(t, half)});
+    }
     return nodes;
   }
 
@@ -328,6 +352,54 @@ class Builder {
     return edges - static_cast<int>(graph_.nodes.size()) + 1 == boundary_.Holes();
   }
 
+  // --- coincident nodes --------------------------------------------------------------------------
+
+  /// Where more than three sides are equally far away there are several nodes in one place, with
+  /// radii that differ by rounding: one of them would be the top of the others.
+  void MergeCoincidentNodes() {
+    constexpr double kCoincidentNm = 100;
+    std::vector<int> same(graph_.nodes.size());
+    std::iota(same.begin(), same.end(), 0);
+    const auto find = [&](int node) {
+      while (same[node] != node) node = same[node] = same[same[node]];
+      return node;
+    };
+    std::vector<char> gone(graph_.half_edges.size() / 2);
+    for (int half = 0; half < static_cast<int>(graph_.half_edges.size()); half += 2) {
+      if (graph_.Length(half) > kCoincidentNm) continue;
+      const int a = find(graph_.half_edges[half].from), b = find(graph_.To(half));
+      const bool at_corner = graph_.nodes[a].radius == 0 || graph_.nodes[b].radius == 0;
+      if (a == b || at_corner) continue;
+      same[std::max(a, b)] = std::min(a, b);
+      gone[half / 2] = true;
+      for (const int dropped : {half, half ^ 1})
+        Link(graph_.half_edges[dropped].previous, graph_.half_edges[dropped].next);
+    }
+    for (HalfEdge& edge : graph_.half_edges) edge.from = find(edge.from);
+    Compact(gone);
+  }
+
+  void Compact(const std::vector<char>& gone) {
+    std::vector<int> half_now(graph_.half_edges.size(), -1), node_now(graph_.nodes.size(), -1);
+    SkeletalGraph kept{graph_.origin, {}, {}, std::move(graph_.boundary)};
+    for (size_t half = 0; half < half_now.size(); ++half) {
+      if (gone[half / 2]) continue;
+      half_now[half] = static_cast<int>(kept.half_edges.size());
+      kept.half_edges.push_back(graph_.half_edges[half]);
+    }
+    for (HalfEdge& edge : kept.half_edges) {
+      edge.next = half_now[edge.next];
+      edge.previous = half_now[edge.previous];
+      int& node = node_now[edge.from];
+      if (node < 0) {
+        node = static_cast<int>(kept.nodes.size());
+        kept.nodes.push_back(graph_.nodes[edge.from]);
+      }
+      edge.from = node;
+    }
+    graph_ = std::move(kept);
+  }
+
   const Boundary& boundary_;
   const Diagram& diagram_;
   const SkeletalOptions& options_;
@@ -373,6 +445,13 @@ Place SkeletalGraph::Foot(int half, const SkeletalNode& node) const {
   return {from.x + t * static_cast<double>(d.x), from.y + t * static_cast<double>(d.y)};
 }
 
+std::vector<int> SkeletalGraph::Leaving() const {
+  std::vector<int> leaving(nodes.size(), -1);
+  for (int half = static_cast<int>(half_edges.size()) - 1; half >= 0; --half)
+    leaving[half_edges[half].from] = half;
+  return leaving;
+}
+
 int SkeletalGraph::Split(int half, const SkeletalNode& node) {
   const int middle = static_cast<int>(nodes.size());
   nodes.push_back(node);
@@ -396,7 +475,7 @@ int SkeletalGraph::Split(int half, const SkeletalNode& node) {
 
 std::optional<SkeletalGraph> MakeSkeletalGraph(const Boundary& boundary,
                                                const SkeletalOptions& options) {
-  std::optional<SkeletalGraph> graph = BuildWith<UntrackedTraits>(boundary, options);
+  std::optional<SkeletalGraph> graph = BuildWith<LooseTraits>(boundary, options);
   if (graph) return graph;
   return BuildWith<boost::polygon::detail::voronoi_ctype_traits<int32_t>>(boundary, options);
 }

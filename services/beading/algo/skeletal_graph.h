@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "services/beading/algo/boundary.h"
@@ -48,14 +49,25 @@ struct SkeletalGraph {
   double Length(int half) const;
   /// The nearest point of the half-edge's feature.
   Place Foot(int half, const SkeletalNode& node) const;
+  /// By node: a half-edge that leaves it.
+  std::vector<int> Leaving() const;
+  /// Calls visit(half) for each half-edge that leaves the node that `leaving` leaves, around it.
+  template <typename Visit>
+  void ForEachLeaving(int leaving, const Visit& visit) const {
+    int half = leaving;
+    do {
+      visit(half);
+      half = half_edges[half].previous ^ 1;
+    } while (half != leaving);
+  }
   /// Puts a node into an edge: `half` and its twin end and begin there from now on. Returns the new
   /// half-edge that goes on from the node in `half`'s direction.
   int Split(int half, const SkeletalNode& node);
 };
 
 struct SkeletalOptions {
-  double tolerance_nm = 2'000;      ///< of parabolas and their radii, where chords take their place
-  double step_nm = 800'000;         ///< the longest chord
+  double tolerance_nm = 2'000;  ///< of parabolas and their radii, where chords take their place
+  double step_nm = 800'000;     ///< the longest chord
   double transition_angle = 0.1745;  ///< radians: chords end where centrality changes
 };
 

@@ -243,7 +243,7 @@ Skeleton MakeSkeleton(const PolygonWithHoles& region, Coord tolerance_nm) {
   Skeleton skeleton;
   if (!boundary) return skeleton;
   skeleton.origin = boundary->origin;
-  if (!BuildWith<UntrackedTraits>(*boundary, tolerance_nm, skeleton) &&
+  if (!BuildWith<LooseTraits>(*boundary, tolerance_nm, skeleton) &&
       !BuildWith<boost::polygon::detail::voronoi_ctype_traits<int32_t>>(*boundary, tolerance_nm,
                                                                         skeleton)) {
     return {};

@@ -10,16 +10,36 @@ namespace {
 Coord Mix(Coord a, Coord b, double t) { return a + std::llround(t * static_cast<double>(b - a)); }
 Point Mix(Point a, Point b, double t) { return {Mix(a.x, b.x, t), Mix(a.y, b.y, t)}; }
 
-/// How far point i lies from the straight line between points a and b, in place or in thickness.
-double Deviation(const ThickLine& line, size_t a, size_t b, size_t i) {
-  const Point ab = line.points[b] - line.points[a], ai = line.points[i] - line.points[a];
-  const double squared = SquaredNorm(ab);
-  const double t = squared > 0 ? std::clamp(Dot(ab, ai) / squared, 0.0, 1.0) : 0;
-  const double place = std::hypot(static_cast<double>(ai.x) - t * static_cast<double>(ab.x),
-                                  static_cast<double>(ai.y) - t * static_cast<double>(ab.y));
-  const Coord thickness = Mix(line.thickness_nm[a], line.thickness_nm[b], t);
-  return std::max(place, static_cast<double>(std::abs(line.thickness_nm[i] - thickness)));
-}
+/// The straight line between two points of a line, its thickness going evenly from one's to the
+/// other's.
+class Chord {
+ public:
+  Chord(const ThickLine& line, size_t a, size_t b)
+      : line_(line),
+        a_(a),
+        x_(static_cast<double>(line.points[b].x - line.points[a].x)),
+        y_(static_cast<double>(line.points[b].y - line.points[a].y)),
+        thicker_(static_cast<double>(line.thickness_nm[b] - line.thickness_nm[a])) {
+    const double squared = x_ * x_ + y_ * y_;
+    inverse_ = squared > 0 ? 1 / squared : 0;
+  }
+
+  /// The square of how far a point lies from it, in place or in thickness.
+  double SquaredDeviation(size_t i) const {
+    const auto x = static_cast<double>(line_.points[i].x - line_.points[a_].x);
+    const auto y = static_cast<double>(line_.points[i].y - line_.points[a_].y);
+    const double t = std::clamp((x * x_ + y * y_) * inverse_, 0.0, 1.0);
+    const double dx = x - t * x_, dy = y - t * y_;
+    const auto thicker = static_cast<double>(line_.thickness_nm[i] - line_.thickness_nm[a_]);
+    const double dt = thicker - t * thicker_;
+    return std::max(dx * dx + dy * dy, dt * dt);
+  }
+
+ private:
+  const ThickLine& line_;
+  size_t a_;
+  double x_, y_, thicker_, inverse_;
+};
 
 }  // namespace
 
@@ -83,10 +103,11 @@ ThickLine SimplifyThickLine(const ThickLine& line, Coord tolerance_nm) {
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
-    double worst = static_cast<double>(tolerance_nm);
+    const Chord chord(line, from, to);
+    double worst = static_cast<double>(tolerance_nm) * static_cast<double>(tolerance_nm);
     size_t at = from;
     for (size_t i = from + 1; i < to; ++i) {
-      const double deviation = Deviation(line, from, to, i);
+      const double deviation = chord.SquaredDeviation(i);
       if (deviation > worst) worst = deviation, at = i;
     }
     if (at == from) continue;

@@ -17,6 +17,8 @@ std::vector<Coord> Half(const Beading& beading) {
 
 Beading RedistributeStrategy::Compute(Coord thickness_nm, int count) const {
   if (count == 0) return LayOut(thickness_nm, 0, {});
+  if (count == 2 && options_.lock_outer_width && thickness_nm >= TransitionThickness(2))
+    return LayOut(thickness_nm, count, {options_.outer_width_nm});
   if (count <= 2)
     return LayOut(thickness_nm, count, {std::min(thickness_nm / count, options_.max_width_nm)});
   const Coord least_inner = options_.min_width_nm * (count - 2);

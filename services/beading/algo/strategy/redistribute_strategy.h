@@ -13,6 +13,8 @@ struct RedistributeOptions {
   double min_outer_share = 0.5;  ///< of the outer width: thinner places get no bead
   double split_threshold =
       0.7;  ///< of the outer width, that a lone bead grows by before it is split
+  /// Two beads that are in transition to three do not get wider than the outer width.
+  bool lock_outer_width = false;
 };
 
 /// Keeps the outermost two beads at their width; the parent lays out what is between them. One bead

@@ -127,8 +127,12 @@ TEST_P(Property, BeadsAreSymmetricAndInOrder) {
         const int j = b.count() - 1 - i;
         ASSERT_EQ(b.widths_nm[i], b.widths_nm[j]);
         // A marker in the middle stands for both sides; its place is that of the first one.
-        if (b.widths_nm[i] > 0) ASSERT_NEAR(b.locations_nm[i], d - b.locations_nm[j], 1);
-        if (i > 0) ASSERT_GE(b.locations_nm[i], b.locations_nm[i - 1] - 1) << d << " in " << n;
+        if (b.widths_nm[i] > 0) {
+          ASSERT_NEAR(b.locations_nm[i], d - b.locations_nm[j], 1);
+        }
+        if (i > 0) {
+          ASSERT_GE(b.locations_nm[i], b.locations_nm[i - 1] - 1) << d << " in " << n;
+        }
       }
     }
   }
@@ -157,7 +161,9 @@ TEST_P(Property, OptimalWidthsAreWithinBounds) {
     const int n = strategy_->OptimalCount(d);
     for (const Coord width : strategy_->Compute(d, n).widths_nm) {
       if (width == 0) continue;
-      if (n > 2 || options.widen_thin_places) ASSERT_GE(width, options.min_width_nm - 5'001) << d;
+      if (n > 2 || options.widen_thin_places) {
+        ASSERT_GE(width, options.min_width_nm - 5'001) << d;
+      }
       ASSERT_LE(width, std::max(options.max_width_nm, options.inner_width_nm)) << d;
     }
   }

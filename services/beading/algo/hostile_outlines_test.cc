@@ -1,0 +1,206 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "services/beading/algo/sample_outlines_test.h"
+#include "services/beading/algo/strategy/strategy_factory.h"
+#include "services/beading/algo/variable_walls.h"
+
+// Outlines by seed; a failure tells the seed, and so does a crash. What the environment sets:
+//   SLICEFARM_HOSTILE_OUTLINES   how many (300)
+//   SLICEFARM_HOSTILE_SEED       the first one (1); a failure again: its seed, and 1 outline
+
+namespace slicefarm::beading {
+namespace {
+
+constexpr Coord kWidthNm = 500'000;
+constexpr Coord kMaxWidthNm = 2 * kWidthNm;
+/// Beads overlap where their number changes and at the tips of acute corners. Of 380,000 islands
+/// all but 4 with saw teeth keep to this; of 1 mm2 and more, those of other kinds reach 1.23 times
+/// their area. Nothing is asked for on the lower side, as what is thinner than a bead stays free.
+constexpr double kMaxCover = 1.25;
+constexpr double kSlackNm2 = 0.3e12;
+
+uint64_t FromEnvironment(const char* name, uint64_t otherwise) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
+}
+
+/// As `slicefarm beads` lays beads out.
+std::unique_ptr<const BeadingStrategy> Strategy(int max_walls) {
+  StrategyOptions options;
+  options.outer_width_nm = options.inner_width_nm = kWidthNm;
+  options.min_width_nm = options.min_split_width_nm = options.min_feature_nm = 300'000;
+  options.max_width_nm = kMaxWidthNm;
+  options.distribution_count = 3;
+  options.transition_length_nm = 650'000;
+  options.max_walls = max_walls;
+  return MakeStrategy(options);
+}
+
+VariableWallOptions WallOptions() {
+  VariableWallOptions options;
+  options.transition_angle = std::numbers::pi / 4;
+  options.transition_length_nm = 650'000;
+  options.tolerance_nm = 500;
+  return options;
+}
+
+bool IsWithin(const Box& box, const std::vector<Point>& points) {
+  return std::all_of(points.begin(), points.end(), [&box](Point p) {
+    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
+  });
+}
+
+std::string WrongWithLine(const ThickLine& line, const Box& box) {
+  const size_t least = line.closed ? 3 : 2;
+  if (line.points.size() < least) return fmt::format("a line of {} points", line.points.size());
+  if (line.thickness_nm.size() != line.points.size()) return "not a width for each point";
+  for (const Coord width : line.thickness_nm)
+    if (width <= 0 || width > kMaxWidthNm) return fmt::format("a width of {} nm", width);
+  return IsWithin(box, line.points) ? "" : "a bead outside";
+}
+
+double Covered(const VariableWalls& walls) {
+  double covered = Area(walls.fill_area);
+  for (const WallLine& wall : walls.lines) covered += Area(wall.line);
+  return covered;
+}
+
+/// What does not hold for walls of an island; empty if all does.
+std::string WrongWith(const VariableWalls& walls, const PolygonWithHoles& island) {
+  const Box box = Bounds(island.outer).Grown(kMaxWidthNm / 2);
+  for (const WallLine& wall : walls.lines) {
+    const std::string wrong = WrongWithLine(wall.line, box);
+    if (!wrong.empty()) return wrong;
+  }
+  bool inside = true;
+  ForEachRing(walls.fill_area, [&](const Polygon& ring) { inside &= IsWithin(box, ring); });
+  if (!inside) return "fill outside";
+  const double area = Area(island), covered = Covered(walls);
+  if (covered < 0 || covered > kMaxCover * area + kSlackNm2)
+    return fmt::format("covers {:.6f} of {:.6f} mm2", covered * 1e-12, area * 1e-12);
+  return "";
+}
+
+bool AreSame(const std::optional<VariableWalls>& a, const std::optional<VariableWalls>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->fill_area == b->fill_area &&
+         std::equal(a->lines.begin(), a->lines.end(), b->lines.begin(), b->lines.end(),
+                    [](const WallLine& x, const WallLine& y) {
+                      return x.inset == y.inset && x.is_middle == y.is_middle && x.line == y.line;
+                    });
+}
+
+/// On a crash, tells the seed.
+class SeedWatch {
+ public:
+  SeedWatch() {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) std::signal(signal, Tell);
+  }
+  ~SeedWatch() {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) std::signal(signal, SIG_DFL);
+  }
+  void Begin(uint64_t seed) {
+    std::snprintf(text_, sizeof text_, "crashed: seed %llu\n",
+                  static_cast<unsigned long long>(seed));
+  }
+
+ private:
+  static void Tell(int signal) {
+    const auto length = static_cast<size_t>(std::find(text_, text_ + sizeof text_, '\0') - text_);
+    if (write(STDERR_FILENO, text_, length) < 0) _exit(1);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  static inline char text_[64] = {};
+};
+
+struct KindTotals {
+  int outlines = 0;
+  int islands = 0;
+  int fallbacks = 0;
+  int failures = 0;
+  double worst_cover = 0;  ///< of islands of 1 mm2 and more
+  double worst_excess_mm2 = 0;
+};
+
+void CheckIsland(const PolygonWithHoles& island, const BeadingStrategy& strategy,
+                 const std::string& name, KindTotals& totals) {
+  const auto walls = MakeVariableWalls(island, strategy, WallOptions());
+  std::string wrong = walls ? WrongWith(*walls, island) : "";
+  if (wrong.empty() && !AreSame(walls, MakeVariableWalls(island, strategy, WallOptions())))
+    wrong = "not the same on another call";
+  ++totals.islands;
+  if (!walls) {
+    ++totals.fallbacks;
+    fmt::print("fallback: {}\n", name);
+  }
+  totals.failures += !wrong.empty();
+  if (walls) {
+    const double area = Area(island), covered = Covered(*walls);
+    if (area >= 1e12) totals.worst_cover = std::max(totals.worst_cover, covered / area);
+    totals.worst_excess_mm2 = std::max(totals.worst_excess_mm2, (covered - area) * 1e-12);
+  }
+  EXPECT_EQ(wrong, "") << name;
+}
+
+TEST(HostileOutlines, KeepTheInvariants) {
+  const uint64_t count = FromEnvironment("SLICEFARM_HOSTILE_OUTLINES", 300);
+  const uint64_t first = FromEnvironment("SLICEFARM_HOSTILE_SEED", 1);
+  const auto filled = Strategy(0), three_walls = Strategy(3);
+  SeedWatch watch;
+  std::map<std::string_view, KindTotals> all;
+  for (uint64_t seed = first; seed < first + count; ++seed) {
+    watch.Begin(seed);
+    const HostileOutline outline = MakeHostileOutline(seed);
+    KindTotals& totals = all[outline.kind];
+    ++totals.outlines;
+    for (size_t i = 0; i < outline.islands.size(); ++i)
+      CheckIsland(outline.islands[i], seed % 2 == 0 ? *filled : *three_walls,
+                  fmt::format("seed {}, island {}", seed, i), totals);
+  }
+  for (const auto& [kind, totals] : all) {
+    fmt::print("{}: outlines {} islands {} fallbacks {} failures {} cover {:.3f} excess {:.3f}\n",
+               kind, totals.outlines, totals.islands, totals.fallbacks, totals.failures,
+               totals.worst_cover, totals.worst_excess_mm2);
+  }
+}
+
+// Teeth whose nodes coincide, and a blend that went past a branch: beads lay there twice and more.
+// A level edge (31837), which was split from both ends.
+TEST(HostileOutlines, ThoseThatFailedOnce) {
+  const auto filled = Strategy(0), three_walls = Strategy(3);
+  KindTotals totals;
+  for (const uint64_t seed : {3121, 20095, 31837, 71467, 74338}) {
+    const HostileOutline outline = MakeHostileOutline(seed);
+    for (const PolygonWithHoles& island : outline.islands)
+      CheckIsland(island, seed % 2 == 0 ? *filled : *three_walls, fmt::format("seed {}", seed),
+                  totals);
+  }
+}
+
+TEST(HostileOutlines, AHundredThousandPoints) {
+  const PolygonWithHoles island = WavyRing(100'000);
+  const auto walls = MakeVariableWalls(island, *Strategy(0), WallOptions());
+  ASSERT_TRUE(walls.has_value());
+  EXPECT_EQ(WrongWith(*walls, island), "");
+  EXPECT_GT(Covered(*walls), 0.98 * Area(island));
+}
+
+}  // namespace
+}  // namespace slicefarm::beading
