@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "common/model/error.h"
 #include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/layer_plan.h"
@@ -111,6 +112,25 @@ std::string Assemble(ProgramFrame frame, std::vector<RangeResult> results) {
   return gcode;
 }
 
+/// Nothing if all islands got the walls that were asked for.
+std::string WallWarning(const ProgramSummary& summary) {
+  int64_t islands = 0;
+  std::vector<int32_t> layers;
+  for (const LayerSummary& layer : summary.layers) {
+    if (layer.frame.plain_islands > 0) layers.push_back(layer.frame.index);
+    islands += layer.frame.plain_islands;
+  }
+  if (islands == 0) return {};
+  constexpr size_t kNamed = 5;
+  const size_t named = std::min(kNamed, layers.size());
+  return absl::StrCat(
+      islands,
+      " islands got walls of constant width and gap fill, as no trustworthy medial axis "
+      "of their outlines was found; in layers ",
+      absl::StrJoin(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+      layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
+}
+
 void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame& frame,
             const MotionOptions& motion) {
   report.stats = summary.total;
@@ -124,6 +144,8 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame
   for (const MeshReport& mesh : report.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) report.warnings.push_back(std::move(warning));
   }
+  if (std::string warning = WallWarning(summary); !warning.empty())
+    report.warnings.push_back(std::move(warning));
 }
 
 /// Plan, ranges, executor: outlines to programs. The outlines are freed at the end.

@@ -59,6 +59,7 @@ class FakeRanges : public RangeRunner {
       if (!objects.empty() && Area(objects[0].outlines) > 1e12) {
         program.gcode = absl::StrCat("layer ", i, " at ", ToText(plan.entry), "\n");
         program.stats.features[0] = {2, 3, 4, 5};
+        if (i == 1) program.frame.plain_islands = 3;
       }
       result.programs.push_back(program);
     }
@@ -154,7 +155,8 @@ TEST_F(JobPipelineTest, ReportsWhatItCameTo) {
   EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
   EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
   EXPECT_DOUBLE_EQ(report.stage_times.infill_s, 1);
-  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge")));
+  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge"),
+                                           HasSubstr("3 islands got walls of constant width")));
 }
 
 TEST_F(JobPipelineTest, TellsItsProgress) {

@@ -77,6 +77,11 @@ std::vector<FillBlock> BlocksOf(std::vector<FillGroup>& fills) {
   return blocks;
 }
 
+InsetOrder OrderOf(const OrderingOptions& options) {
+  if (options.inner_outer_inner) return InsetOrder::kInnerOuterInner;
+  return options.external_perimeters_first ? InsetOrder::kOuterFirst : InsetOrder::kInnerFirst;
+}
+
 void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
                  std::span<const Point> seams, Route& route, WorkBudget& budget) {
   std::vector<Path*> walls;
@@ -89,7 +94,7 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
     }
   }
   std::vector<FillBlock> fills = BlocksOf(island.fills);
-  const WallRules rules{options.external_perimeters_first, seams};
+  const WallRules rules{OrderOf(options), seams};
   if (options.infill_first) {
     PrintFills(std::move(fills), {}, route, budget);
     PrintWalls(walls, rules, route, budget);

@@ -42,6 +42,14 @@ void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& r
   }
 }
 
+/// Turns levels, the outermost first, into the order of printing.
+void Arrange(InsetOrder order, std::vector<std::vector<Path*>>& levels) {
+  if (order == InsetOrder::kOuterFirst) return;
+  std::reverse(levels.begin(), levels.end());
+  if (order == InsetOrder::kInnerOuterInner && levels.size() > 1)
+    std::swap(levels.back(), levels[levels.size() - 2]);
+}
+
 }  // namespace
 
 void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
@@ -58,7 +66,7 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
   }
   for (const Visit visit : OrderByTravel({route.at(), {}}, legs, budget)) {
     WallGroup& group = groups[visit.leg];
-    if (!rules.external_first) std::reverse(group.levels.begin(), group.levels.end());
+    Arrange(rules.order, group.levels);
     for (const auto& level : group.levels) PrintLevel(level, starts[visit.leg], route, budget);
   }
 }

@@ -9,13 +9,19 @@
 
 namespace slicefarm::ordering {
 
+enum class InsetOrder {
+  kInnerFirst,
+  kOuterFirst,
+  kInnerOuterInner,  ///< all from the innermost to the third, then the outermost, then the second
+};
+
 struct WallRules {
-  bool external_first = false;
+  InsetOrder order = InsetOrder::kInnerFirst;
   std::span<const Point> seams;  ///< start loops near these; empty: near the nozzle
 };
 
-/// Prints the walls of an island, contour by contour, each from the inside out (or from the outside
-/// in). The paths are moved from. Deterministic; does not depend on the order of the walls.
+/// Prints the walls of an island, contour by contour, each in the order of the rules. The paths are
+/// moved from. Deterministic; does not depend on the order of the walls.
 void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
                 WorkBudget& budget);
 

@@ -48,7 +48,15 @@ TEST(PrintWalls, InsideOutContourByContour) {
 }
 
 TEST(PrintWalls, OutsideIn) {
-  EXPECT_THAT(Insets(Printed(TwoContours(), {true, {}}, Mm(0, 0))), ElementsAre(0, 1, 0, 1));
+  EXPECT_THAT(Insets(Printed(TwoContours(), {InsetOrder::kOuterFirst, {}}, Mm(0, 0))),
+              ElementsAre(0, 1, 0, 1));
+}
+
+TEST(PrintWalls, TheOuterWallLastButOne) {
+  std::vector<Path> walls = TwoContours();
+  walls.push_back(Wall(2, "(2 2, 38 2, 38 38, 2 38)"));
+  EXPECT_THAT(Insets(Printed(walls, {InsetOrder::kInnerOuterInner, {}}, Mm(0, 0))),
+              ElementsAre(2, 0, 1, 0, 1));
 }
 
 TEST(PrintWalls, NearestContourFirst) {
@@ -60,7 +68,7 @@ TEST(PrintWalls, NearestContourFirst) {
 
 TEST(PrintWalls, LoopsOfAContourStartAtItsSeam) {
   const std::vector<Point> seams = {Mm(40, 0), Mm(15, 25)};
-  const auto printed = Printed(TwoContours(), {false, seams}, Mm(0, 0));
+  const auto printed = Printed(TwoContours(), {InsetOrder::kInnerFirst, seams}, Mm(0, 0));
   std::vector<Point> starts;
   for (const Path& path : printed) starts.push_back(path.points[0]);
   EXPECT_THAT(starts, testing::UnorderedElementsAre(Mm(39, 1), Mm(40, 0), Mm(14, 26), Mm(15, 25)));
