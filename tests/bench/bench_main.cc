@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdio>
+#include <string>
 #include <string_view>
 
 #include "tests/bench/benchmarks.h"
@@ -8,26 +9,34 @@ namespace {
 
 struct Benchmark {
   std::string_view name;
+  std::string_view argument;  ///< what has to follow the name; empty: nothing
   std::string_view what;
-  int (*run)();
+  int (*run)(const std::string& argument);
 };
 
-/// slicefarm-bench NAME prints `key value` rows. Add a benchmark by a line here.
+/// slicefarm-bench NAME [ARGUMENT] prints `key value` rows. Add a benchmark by a line here.
 constexpr std::array kBenchmarks = {
-    Benchmark{"slice", "1,000,000 triangles into 400 layers on one thread",
-              slicefarm::bench::BenchSlice},
-    Benchmark{"hop", "bytes and time per layer between processes, fused and split",
-              slicefarm::bench::BenchHop},
+    Benchmark{"slice", "", "1,000,000 triangles into 400 layers on one thread",
+              [](const std::string&) { return slicefarm::bench::BenchSlice(); }},
+    Benchmark{"hop", "", "bytes and time per layer between processes, fused and split",
+              [](const std::string&) { return slicefarm::bench::BenchHop(); }},
+    Benchmark{"walls", "DIR_OF_OUTLINES", "walls of variable width beside a Voronoi diagram alone",
+              slicefarm::bench::BenchWalls},
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view wanted = argc == 2 ? argv[1] : "";
-  for (const Benchmark& benchmark : kBenchmarks)
-    if (benchmark.name == wanted) return benchmark.run();
-  std::fprintf(stderr, "usage: slicefarm-bench NAME\n");
-  for (const Benchmark& benchmark : kBenchmarks)
-    std::fprintf(stderr, "  %-12s %s\n", benchmark.name.data(), benchmark.what.data());
+  const std::string_view wanted = argc > 1 ? argv[1] : "";
+  for (const Benchmark& benchmark : kBenchmarks) {
+    const bool has_argument = !benchmark.argument.empty();
+    if (benchmark.name == wanted && argc == (has_argument ? 3 : 2))
+      return benchmark.run(has_argument ? argv[2] : "");
+  }
+  std::fprintf(stderr, "usage: slicefarm-bench NAME [ARGUMENT]\n");
+  for (const Benchmark& benchmark : kBenchmarks) {
+    std::fprintf(stderr, "  %-6s %-16s %s\n", benchmark.name.data(), benchmark.argument.data(),
+                 benchmark.what.data());
+  }
   return 2;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <string>
+
 namespace slicefarm::bench {
 
 /// Each prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
 int BenchHop();
+int BenchWalls(const std::string& outlines);
 
 }  // namespace slicefarm::bench
