@@ -4,9 +4,10 @@
 #include <chrono>
 #include <iterator>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 #include "services/beading/algo/constant_walls.h"
+#include "services/beading/algo/gap_fill.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 #include "services/beading/algo/wide_walls.h"
 
@@ -20,14 +21,26 @@ using beading::WallLine;
 constexpr int kEnoughWalls = 10'000;
 /// Transitions are this many tenths of a width long: longer ones overlap less and leave more gaps.
 constexpr int kTransition = 13;
+/// Beads this low have square sides, so that their width is what they fill.
+constexpr Coord kFlatNm = 1;
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+WallLine LineOf(const Path& path) {
+  std::vector<Coord> widths = path.widths_nm;
+  widths.resize(path.points.size(), widths.back());
+  return {path.inset, true, {path.closed, path.points, std::move(widths)}};
+}
 
 }  // namespace
 
-BeadMaker::BeadMaker(const BeadMakerOptions& options) : width_nm_(FromMm(options.width_mm)) {
-  const Coord least = FromMm(options.min_feature_mm);
+BeadMaker::BeadMaker(const BeadMakerOptions& options)
+    : width_nm_(FromMm(options.width_mm)), least_nm_(FromMm(options.min_feature_mm)) {
   beading::StrategyOptions strategy;
   strategy.outer_width_nm = strategy.inner_width_nm = width_nm_;
-  strategy.min_width_nm = strategy.min_split_width_nm = strategy.min_feature_nm = least;
+  strategy.min_width_nm = strategy.min_split_width_nm = strategy.min_feature_nm = least_nm_;
   strategy.max_width_nm = 2 * width_nm_;
   strategy.distribution_count = 3;
   strategy.transition_length_nm = kTransition * width_nm_ / 10;
@@ -44,20 +57,25 @@ std::vector<WallLine> BeadMaker::Make(const MultiPolygon& islands, BeadTotals& t
   const auto start = std::chrono::steady_clock::now();
   std::vector<WallLine> lines;
   for (const PolygonWithHoles& island : islands) {
-    std::optional<VariableWalls> walls;
-    if (walls_ > 0) walls = beading::TryWideWalls(island, *strategy_, walls_, walls_options_);
-    if (!walls) walls = beading::MakeVariableWalls(island, *strategy_, walls_options_);
-    if (!walls) {
-      walls = Constant(island);
-      ++totals.fallbacks;
-    }
-    totals.diagram_s += walls->diagram_s;
-    std::move(walls->lines.begin(), walls->lines.end(), std::back_inserter(lines));
+    VariableWalls walls = MakeIsland(island, totals);
+    std::move(walls.lines.begin(), walls.lines.end(), std::back_inserter(lines));
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  totals.seconds += taken.count();
+  totals.seconds += SecondsSince(start);
   ++totals.outlines;
   return lines;
+}
+
+VariableWalls BeadMaker::MakeIsland(const PolygonWithHoles& island, BeadTotals& totals) const {
+  if (walls_ > 0) {
+    auto walls = beading::TryWideWalls(island, *strategy_, walls_, walls_options_);
+    if (walls) return *std::move(walls);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  auto skeletons = beading::MakeSkeletons(island, walls_options_);
+  totals.diagram_s += SecondsSince(start);
+  if (skeletons) return beading::WallsAlong(*std::move(skeletons), *strategy_, walls_options_);
+  ++totals.fallbacks;
+  return Constant(island);
 }
 
 VariableWalls BeadMaker::Constant(const PolygonWithHoles& island) const {
@@ -75,6 +93,10 @@ VariableWalls BeadMaker::Constant(const PolygonWithHoles& island) const {
       walls.lines.push_back({static_cast<int>(inset), false, {true, ring, widths}});
     });
   }
+  const auto gap_lines =
+      beading::FillGaps(constant.gaps, {least_nm_, plan.max_gap_width_nm, kFlatNm}, CancelToken());
+  if (gap_lines.ok())  // only a cancelled call fails
+    for (const Path& path : *gap_lines) walls.lines.push_back(LineOf(path));
   return walls;
 }
 

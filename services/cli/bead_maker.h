@@ -33,9 +33,12 @@ class BeadMaker {
   std::vector<beading::WallLine> Make(const MultiPolygon& islands, BeadTotals& totals) const;
 
  private:
+  beading::VariableWalls MakeIsland(const PolygonWithHoles& island, BeadTotals& totals) const;
+  /// Where there is no skeleton: constant insets, and lines along the gaps between them.
   beading::VariableWalls Constant(const PolygonWithHoles& island) const;
 
   Coord width_nm_ = 0;
+  Coord least_nm_ = 0;
   int walls_ = 0;
   std::unique_ptr<const beading::BeadingStrategy> strategy_;
   beading::VariableWallOptions walls_options_;

@@ -1,7 +1,6 @@
 #include "services/beading/algo/variable_walls.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -98,27 +97,31 @@ void AddBeads(SkeletalGraph graph, const BeadingStrategy& strategy,
   }
 }
 
-double SecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}  // namespace
+
+std::optional<std::vector<SkeletalGraph>> MakeSkeletons(const PolygonWithHoles& island,
+                                                        const VariableWallOptions& options) {
+  const SkeletalOptions for_graph = ForGraph(options);
+  auto graphs = MakeGraphs({island}, for_graph);
+  return graphs ? std::move(graphs) : MakeGraphs(Offset({island}, -kOpenNm), for_graph);
 }
 
-}  // namespace
+VariableWalls WallsAlong(std::vector<SkeletalGraph> skeletons, const BeadingStrategy& strategy,
+                         const VariableWallOptions& options) {
+  VariableWalls walls;
+  std::vector<Polygon> markers;
+  for (SkeletalGraph& graph : skeletons)
+    AddBeads(std::move(graph), strategy, options, walls, markers);
+  if (!markers.empty()) walls.fill_area = Union(markers, FillRule::kEvenOdd);
+  return walls;
+}
 
 std::optional<VariableWalls> MakeVariableWalls(const PolygonWithHoles& island,
                                                const BeadingStrategy& strategy,
                                                const VariableWallOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const SkeletalOptions for_graph = ForGraph(options);
-  auto graphs = MakeGraphs({island}, for_graph);
-  if (!graphs) graphs = MakeGraphs(Offset({island}, -kOpenNm), for_graph);
-  if (!graphs) return std::nullopt;
-  VariableWalls walls;
-  walls.diagram_s = SecondsSince(start);
-  std::vector<Polygon> markers;
-  for (SkeletalGraph& graph : *graphs)
-    AddBeads(std::move(graph), strategy, options, walls, markers);
-  if (!markers.empty()) walls.fill_area = Union(markers, FillRule::kEvenOdd);
-  return walls;
+  auto skeletons = MakeSkeletons(island, options);
+  if (!skeletons) return std::nullopt;
+  return WallsAlong(*std::move(skeletons), strategy, options);
 }
 
 }  // namespace slicefarm::beading

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "services/beading/algo/skeletal_graph.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
 #include "services/beading/algo/thick_line.h"
 
@@ -31,15 +32,23 @@ struct WallLine {
 struct VariableWalls {
   std::vector<WallLine> lines;
   MultiPolygon fill_area;  ///< what lies within the markers
-  double diagram_s = 0;    ///< of the time taken
 };
+
+/// The skeletal graphs of an island, of as many parts as it falls into. nullopt where no Voronoi
+/// diagram of the outline could be trusted, although it was tried as it is, and with what is nearer
+/// to itself than 3 um opened.
+/// Cost: O(n log n), about two thirds of MakeVariableWalls.
+std::optional<std::vector<SkeletalGraph>> MakeSkeletons(const PolygonWithHoles& island,
+                                                        const VariableWallOptions& options);
+
+/// The beads along these skeletons.
+VariableWalls WallsAlong(std::vector<SkeletalGraph> skeletons, const BeadingStrategy& strategy,
+                         const VariableWallOptions& options);
 
 /// Beads along the outline of an island, as many and as wide as `strategy` says for each place's
 /// thickness. What comes out covers the island but for the markers' insides.
 ///
-/// nullopt where no Voronoi diagram of the outline could be trusted, although it was tried as it
-/// is, and with what is nearer to itself than 3 um opened.
-/// Cost: O(n log n); the diagram takes about two thirds of it.
+/// nullopt where there are no skeletons.
 /// Source: Kuipers et al. 2020.
 std::optional<VariableWalls> MakeVariableWalls(const PolygonWithHoles& island,
                                                const BeadingStrategy& strategy,
