@@ -21,7 +21,7 @@ struct Beading {
 
 /// Decides for each thickness how many beads lie side by side, and how wide and where they are.
 ///
-/// What every strategy keeps (strategy_test.cc):
+/// What every strategy keeps (strategy_checks_test.h):
 ///   - Compute: widths and left-over sum up to the thickness exactly; widths and locations are
 ///     symmetric; for one count each width is continuous and non-decreasing in the thickness
 ///   - OptimalCount is non-decreasing, and TransitionThickness(n) is the least thickness at which
