@@ -95,8 +95,8 @@ void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
     const SkeletalNode from = graph.FromNode(half), to = graph.ToNode(half);
     const auto node = static_cast<size_t>(graph.half_edges[half].from);
     if (node >= bottoms.size()) continue;  // the edge was split already, from its other end
-    if (from.radius > to.radius || counts[graph.To(half)].decided() || bottoms[node].node < 0)
-      continue;
+    const bool both_decided = counts[node].decided() && counts[graph.To(half)].decided();
+    if (from.radius > to.radius || both_decided || bottoms[node].node < 0) continue;
     const double left = transition_length - bottoms[node].distance, length = graph.Length(half);
     if (left < kLeastPieceNm || length - left < kLeastPieceNm) continue;
     const double t = left / length;
