@@ -35,6 +35,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kBlobNotFound, "BLOB_NOT_FOUND"},
     {Reason::kBlobDigestMismatch, "BLOB_DIGEST_MISMATCH"},
     {Reason::kUploadOffset, "UPLOAD_OFFSET"},
+    {Reason::kQueueFull, "QUEUE_FULL"},
     {Reason::kCancelled, "CANCELLED"},
     {Reason::kDeadlineExceeded, "DEADLINE_EXCEEDED"},
     {Reason::kUnavailable, "UNAVAILABLE"},

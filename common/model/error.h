@@ -37,6 +37,7 @@ enum class Reason {
   kBlobNotFound,
   kBlobDigestMismatch,
   kUploadOffset,
+  kQueueFull,
   // Running.
   kCancelled,
   kDeadlineExceeded,

@@ -117,8 +117,8 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
   const std::string& token = request.page_token();
   if (!token.empty()) {
     const char* end = token.data() + token.size();
-    const auto [read, error] = std::from_chars(token.data(), end, query.before_number);
-    if (error != std::errc() || read != end || query.before_number < 1) {
+    const auto [read, error] = std::from_chars(token.data(), end, query.after_number);
+    if (error != std::errc() || read != end || query.after_number < 1) {
       return Malformed("page_token", "is none that a list gave");
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,6 +14,14 @@ namespace slicefarm::coordinator {
 struct BlobStatus {
   int64_t committed_size = 0;  ///< bytes that are here
   bool complete = false;       ///< all are, and their digest is the blob's name
+};
+
+/// A blob or an upload in a listing.
+struct BlobEntry {
+  std::string digest;
+  int64_t size = 0;
+  bool complete = false;
+  double idle_s = 0;  ///< since it was last written or completed again
 };
 
 /// A blob whose content was checked against its name when it was opened.
@@ -57,6 +66,10 @@ class BlobStore {
 
   /// Removes a blob, or an upload. Does nothing if there is none.
   virtual absl::Status Delete(const std::string& digest) = 0;
+
+  /// Calls visit for each blob and upload, in no particular order; those that come or go meanwhile
+  /// may be missing.
+  virtual absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) = 0;
 };
 
 }  // namespace slicefarm::coordinator

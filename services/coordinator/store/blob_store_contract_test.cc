@@ -10,6 +10,9 @@
 #include "common/model/sha256.h"
 #include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/directory_blob_store.h"
+#include "services/coordinator/store/postgres_blob_store.h"
+#include "services/coordinator/store/postgres_database.h"
+#include "services/coordinator/store/shared_postgres_test.h"
 #include "services/coordinator/store/store_place_test.h"
 
 namespace slicefarm::coordinator {
@@ -27,8 +30,21 @@ class DirectoryPlace : public StorePlace<BlobStore> {
   TempDirectory directory_;
 };
 
+class PostgresPlace : public StorePlace<BlobStore> {
+ public:
+  std::unique_ptr<BlobStore> Open() override {
+    auto database = PostgresDatabase::Open(database_);
+    EXPECT_TRUE(database.ok()) << database.status();
+    return std::make_unique<PostgresBlobStore>(*std::move(database));
+  }
+
+ private:
+  const std::string database_ = SharedPostgres().NewDatabase();
+};
+
 const std::vector<StoreKind<BlobStore>> kStores = {
     {"Directory", [] { return std::make_unique<DirectoryPlace>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
 
 class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {

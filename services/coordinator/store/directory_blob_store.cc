@@ -1,12 +1,14 @@
 #include "services/coordinator/store/directory_blob_store.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/sha256.h"
+#include "services/coordinator/store/blob_errors.h"
 #include "services/coordinator/store/posix_file.h"
 
 namespace slicefarm::coordinator {
@@ -15,12 +17,6 @@ namespace {
 constexpr int64_t kReadBytes = 1 << 20;
 
 using Lock = std::lock_guard<std::mutex>;
-
-absl::Status CheckName(const std::string& digest) {
-  if (IsSha256Hex(digest)) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   "a blob's name is a SHA-256 of 64 lower-case hex digits");
-}
 
 absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
   Sha256 sha;
@@ -33,18 +29,10 @@ absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
   }
 }
 
-absl::Status OffsetError(const std::string& digest, int64_t committed, int64_t got) {
-  return MakeError(
-      absl::StatusCode::kFailedPrecondition, Reason::kUploadOffset,
-      absl::StrCat("the upload of ", digest, " goes on at ", committed, ", not at ", got),
-      {{"committed_size", absl::StrCat(committed)}, {"got", absl::StrCat(got)}});
-}
-
-absl::Status MismatchError(absl::StatusCode code, const std::string& digest,
-                           const std::string& got) {
-  return MakeError(code, Reason::kBlobDigestMismatch,
-                   absl::StrCat("the bytes of blob ", digest, " have the digest ", got),
-                   {{"sha256", digest}, {"got", got}});
+/// So that it counts as new for what removes old blobs.
+void Touch(const std::string& path) {
+  std::error_code ignored;  // a blob that is taken for older than it is, at worst
+  std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
 }
 
 class FileReader : public BlobReader {
@@ -63,8 +51,7 @@ class FileReader : public BlobReader {
 absl::StatusOr<PosixFile> OpenBlob(const std::string& path, const std::string& digest) {
   auto file = PosixFile::OpenToRead(path);
   if (!absl::IsNotFound(file.status())) return file;
-  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
-                   absl::StrCat("there is no blob ", digest), {{"sha256", digest}});
+  return BlobNotFound(digest);
 }
 
 }  // namespace
@@ -104,19 +91,19 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& d
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   return StatusLocked(digest);
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest, int64_t offset,
                                                       std::string_view bytes) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   auto status = StatusLocked(digest);
   if (!status.ok() || status->complete) return status;
   const int64_t committed = status->committed_size;
-  if (offset < 0 || offset > committed) return OffsetError(digest, committed, offset);
+  if (offset < 0 || offset > committed) return UploadOffset(digest, committed, offset);
   const auto known = std::min<int64_t>(committed - offset, static_cast<int64_t>(bytes.size()));
   bytes.remove_prefix(known);
   if (bytes.empty()) return status;
@@ -143,11 +130,12 @@ absl::Status DirectoryBlobStore::Complete(const std::string& path,
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest, int64_t size) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   const auto status = StatusLocked(digest);
+  if (status.ok() && status->complete) Touch(BlobPath(digest));
   if (!status.ok() || status->complete) return status;
-  if (status->committed_size < size) return OffsetError(digest, status->committed_size, size);
+  if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
   const std::string path = UploadPath(digest);
   const auto file = PosixFile::OpenToWrite(path);  // also makes the file of an empty blob
   if (!file.ok()) return file.status();
@@ -155,7 +143,7 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   if (!got.ok()) return got.status();
   if (*got != digest) {
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
-    return MismatchError(absl::StatusCode::kInvalidArgument, digest, *got);
+    return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
   }
   if (absl::Status done = Complete(path, digest); !done.ok()) return done;
   return BlobStatus{status->committed_size, /*complete=*/true};
@@ -166,7 +154,10 @@ absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
   Lock lock(MutexOf(digest));
   if (const auto old = PosixFile::OpenToRead(BlobPath(digest)); old.ok()) {
     const auto got = DigestOf(*old);
-    if (got.ok() && *got == digest) return digest;
+    if (got.ok() && *got == digest) {
+      Touch(BlobPath(digest));
+      return digest;
+    }
   }
   const std::string path = absl::StrCat(root_, "/tmp/", next_tmp_++);
   absl::Status written = [&]() -> absl::Status {
@@ -191,11 +182,11 @@ absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::s
     const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
     RenameDurably(BlobPath(digest), aside).IgnoreError();  // the error below is the one that counts
   }
-  return MismatchError(absl::StatusCode::kDataLoss, digest, got);
+  return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> DirectoryBlobStore::Open(const std::string& digest) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   auto file = OpenBlob(BlobPath(digest), digest);
   if (!file.ok()) return file.status();
   const auto got = DigestOf(*file);
@@ -207,7 +198,7 @@ absl::StatusOr<std::unique_ptr<BlobReader>> DirectoryBlobStore::Open(const std::
 }
 
 absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const auto file = OpenBlob(BlobPath(digest), digest);
   if (!file.ok()) return file.status();
   const auto size = file->Size();
@@ -220,10 +211,33 @@ absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
 }
 
 absl::Status DirectoryBlobStore::Delete(const std::string& digest) {
-  if (absl::Status named = CheckName(digest); !named.ok()) return named;
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   if (absl::Status removed = RemoveFile(BlobPath(digest)); !removed.ok()) return removed;
   return RemoveFile(UploadPath(digest));
+}
+
+absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
+  namespace fs = std::filesystem;
+  const auto now = fs::file_time_type::clock::now();
+  for (const bool complete : {true, false}) {
+    std::error_code error;
+    fs::recursive_directory_iterator files(root_ + (complete ? "/blobs" : "/uploads"), error);
+    for (; !error && files != fs::recursive_directory_iterator(); files.increment(error)) {
+      std::error_code gone;
+      BlobEntry entry{files->path().filename(), 0, complete, 0};
+      if (!files->is_regular_file(gone) || !IsSha256Hex(entry.digest)) continue;
+      entry.size = static_cast<int64_t>(files->file_size(gone));
+      const auto written = files->last_write_time(gone);
+      entry.idle_s = std::chrono::duration<double>(now - written).count();
+      if (!gone) visit(entry);
+    }
+    if (error) {
+      return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                       absl::StrCat("list ", root_, ": ", error.message()));
+    }
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace slicefarm::coordinator

@@ -30,6 +30,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::Status Delete(const std::string& digest) override;
+  absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
  private:
   explicit DirectoryBlobStore(std::string root) : root_(std::move(root)) {}

@@ -62,8 +62,6 @@ std::string ToJson(const JobResult& result) {
 
 std::string ToJson(const std::map<std::string, std::string>& labels) { return Dump(Json(labels)); }
 
-std::string ToJson(const std::set<std::string>& list) { return Dump(Json(list)); }
-
 absl::Status FromJson(const std::string& text, JobError& error) {
   Json json;
   if (absl::Status parsed = ParseObject(text, json); !parsed.ok()) return parsed;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -46,17 +45,27 @@ struct JobIdentity {
   std::string build_id;
 };
 
+/// Who is served first, among the jobs of a tenant.
+enum class Priority { kBulk = 0, kNormal = 1, kInteractive = 2 };
+
+/// A deadline of jobs that have none.
+inline constexpr int64_t kNoDeadlineUs = INT64_MAX;
+
 /// A job as the store has it. Times are microseconds since 1970 on the clock of the caller; 0: not
 /// yet.
 struct JobRecord {
   int64_t number = 0;  ///< counts up in the order of creation
   std::string id;
+  std::string tenant;
   JobState state = JobState::kQueued;
-  std::string spec;  ///< opaque to the store
+  Priority priority = Priority::kNormal;
+  int64_t deadline_us = kNoDeadlineUs;  ///< what has not ended by then is of no use
+  std::string spec;                     ///< opaque to the store
   std::map<std::string, std::string> labels;
   std::string settings_digest;
   std::string action_digest;  ///< equal digests: equal results
   std::string build_id;
+  std::string traceparent;  ///< of the call that made it (W3C Trace Context); may be empty
   int64_t create_us = 0;
   int64_t start_us = 0;
   int64_t end_us = 0;
@@ -92,8 +101,6 @@ struct JobEventRecord {
 std::string ToJson(const JobError& error);
 std::string ToJson(const JobResult& result);
 std::string ToJson(const std::map<std::string, std::string>& labels);
-/// For queries: SQL has no parameter that is a list.
-std::string ToJson(const std::set<std::string>& list);
 absl::Status FromJson(const std::string& json, JobError& error);
 absl::Status FromJson(const std::string& json, JobResult& result);
 absl::Status FromJson(const std::string& json, std::map<std::string, std::string>& labels);

@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -78,6 +79,12 @@ absl::Status RequestIdReused(const std::string& request_id) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestIdReused,
                    absl::StrCat("request_id ", request_id, " was used for another job"),
                    {{"request_id", request_id}});
+}
+
+absl::Status QueueFull(int64_t limit) {
+  return MakeError(absl::StatusCode::kResourceExhausted, Reason::kQueueFull,
+                   absl::StrCat("there are ", limit, " jobs already that have not ended"),
+                   {{"limit", absl::StrCat(limit)}, {rpc::kRetryAfterMs, "5000"}});
 }
 
 }  // namespace slicefarm::coordinator

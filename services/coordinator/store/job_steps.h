@@ -23,5 +23,6 @@ absl::Status JobNotFound(const std::string& id);
 absl::Status JobNotFinished(const std::string& id);
 absl::Status CachedResultGone(const std::string& id);
 absl::Status RequestIdReused(const std::string& request_id);
+absl::Status QueueFull(int64_t limit);
 
 }  // namespace slicefarm::coordinator

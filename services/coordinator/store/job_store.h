@@ -14,13 +14,19 @@ namespace slicefarm::coordinator {
 
 struct NewJob {
   std::string id;
-  std::string request_id;   ///< empty: the call is not idempotent
+  std::string tenant;
+  std::string request_id;   ///< of the tenant's; empty: the call is not idempotent
   std::string spec_digest;  ///< equal for equal requests
   std::string spec;
   std::map<std::string, std::string> labels;
+  Priority priority = Priority::kNormal;
+  int64_t deadline_us = kNoDeadlineUs;
+  std::vector<std::string> inputs;  ///< digests of the blobs that it needs
   std::string settings_digest;
   std::string action_digest;
   std::string build_id;
+  std::string traceparent;
+  int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
 };
 
 struct Created {
@@ -54,9 +60,16 @@ struct JobUpdate {
   bool store_failed = false;  ///< with QUEUED: because a store failed
 };
 
+/// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
 struct ListQuery {
-  std::vector<JobState> states;  ///< none: all
-  int64_t before_number = 0;     ///< only jobs with a smaller number; 0: all
+  std::string tenant = {};
+  std::vector<JobState> states = {};
+  std::map<std::string, std::string> labels = {};
+  std::optional<Priority> priority = {};
+  int64_t created_from_us = 0;
+  int64_t created_before_us = INT64_MAX;
+  bool oldest_first = false;
+  int64_t after_number = 0;  ///< what comes after this job in that order; 0: from the beginning
   int32_t limit = 50;
 };
 
@@ -74,16 +87,17 @@ class JobStore {
   virtual ~JobStore() = default;
 
   /// Makes a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id made
-  /// another job's spec.
+  /// another job's spec; QUEUE_FULL if the tenant has `max_open` jobs that have not ended.
   virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
 
   virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
 
-  /// Newest first.
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
-  /// Gives the oldest job that is QUEUED or RUNNING and that nobody holds to `owner` until
-  /// `until_us`; none if there is none. Passes over jobs whose action_digest is one of `busy`.
+  /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
+  /// if there is none. Passes over jobs whose action_digest is one of `busy`. Tenants take turns,
+  /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
+  /// those with the earlier deadline, then the older ones.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(
       const std::string& owner, int64_t now_us, int64_t until_us,
       const std::set<std::string>& busy = {}) = 0;
@@ -128,6 +142,12 @@ class JobStore {
   virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
 
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
+
+  /// Of these digests, those of inputs and results of jobs.
+  virtual absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) = 0;
+
+  /// Jobs that ended before, the oldest first, at most `limit`.
+  virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
 };
 
 }  // namespace slicefarm::coordinator

@@ -10,7 +10,9 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/temp_directory_test.h"
-#include "services/coordinator/store/sqlite_job_store.h"
+#include "services/coordinator/store/postgres_database.h"
+#include "services/coordinator/store/shared_postgres_test.h"
+#include "services/coordinator/store/sql_job_store.h"
 #include "services/coordinator/store/store_place_test.h"
 
 namespace slicefarm::coordinator {
@@ -26,7 +28,7 @@ using enum JobState;
 class SqlitePlace : public StorePlace<JobStore> {
  public:
   std::unique_ptr<JobStore> Open() override {
-    auto store = SqliteJobStore::Open(directory_.path() + "/jobs.db");
+    auto store = OpenSqliteJobStore(directory_.path() + "/jobs.db");
     EXPECT_TRUE(store.ok()) << store.status();
     return *std::move(store);
   }
@@ -35,8 +37,21 @@ class SqlitePlace : public StorePlace<JobStore> {
   TempDirectory directory_;
 };
 
+class PostgresPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override {
+    auto database = PostgresDatabase::Open(database_);
+    EXPECT_TRUE(database.ok()) << database.status();
+    return std::make_unique<SqlJobStore>(*std::move(database));
+  }
+
+ private:
+  const std::string database_ = SharedPostgres().NewDatabase();
+};
+
 const std::vector<StoreKind<JobStore>> kStores = {
     {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
 
 NewJob JobOf(const std::string& id) {
@@ -192,13 +207,13 @@ TEST_P(JobStoreTest, RequestIdRacedByManyMakesOneJob) {
 TEST_P(JobStoreTest, ListsNewestFirstAndByPages) {
   for (const char* id : {"a", "b", "c", "d", "e"}) Make(id);
   std::vector<std::string> ids;
-  ListQuery query{.states = {}, .before_number = 0, .limit = 2};
+  ListQuery query{.states = {}, .after_number = 0, .limit = 2};
   while (true) {
     const auto page = store_->List(query);
     ASSERT_TRUE(page.ok()) << page.status();
     if (page->empty()) break;
     for (const JobRecord& job : *page) ids.push_back(job.id);
-    query.before_number = page->back().number;
+    query.after_number = page->back().number;
     Make(absl::StrCat("new", ids.size()));  // does not disturb the pages that follow
   }
   EXPECT_THAT(ids, ElementsAre("e", "d", "c", "b", "a"));

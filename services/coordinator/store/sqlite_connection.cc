@@ -9,6 +9,76 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr int kBusyTimeoutMs = 5000;
+/// From its beginning no other connection writes, which is all the locking there is.
+constexpr SqlDialect kDialect = {
+    .begin = "BEGIN IMMEDIATE", .for_update = "", .skip_locked = "", .notify = ""};
+
+/// DISK_FULL, or STORE_FAILED with SQLite's words.
+absl::Status ErrorOf(sqlite3* db, int code) {
+  if (code == SQLITE_OK) return absl::OkStatus();
+  const std::string message = absl::StrCat("SQLite: ", sqlite3_errmsg(db));
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, message);
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, message);
+    default:
+      return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, message);
+  }
+}
+
+class SqliteStatement : public SqlStatement {
+ public:
+  SqliteStatement(sqlite3* db, absl::StatusOr<sqlite3_stmt*> statement)
+      : db_(db), statement_(statement.ok() ? *statement : nullptr), status_(statement.status()) {}
+  ~SqliteStatement() override {
+    if (statement_ == nullptr) return;
+    sqlite3_reset(statement_);
+    sqlite3_clear_bindings(statement_);
+  }
+  SqliteStatement(const SqliteStatement&) = delete;
+  SqliteStatement& operator=(const SqliteStatement&) = delete;
+
+  void Bind(int64_t value) override {
+    if (status_.ok()) Check(sqlite3_bind_int64(statement_, ++bound_, value));
+  }
+  void Bind(std::string_view value) override {
+    if (!status_.ok()) return;
+    Check(sqlite3_bind_text64(statement_, ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
+                              SQLITE_UTF8));
+  }
+  void Bind(Blob value) override {
+    if (!status_.ok()) return;
+    Check(sqlite3_bind_blob64(statement_, ++bound_, value.bytes.data(), value.bytes.size(),
+                              SQLITE_TRANSIENT));
+  }
+
+  bool Next() override {
+    if (!status_.ok()) return false;
+    const int code = sqlite3_step(statement_);
+    if (code == SQLITE_ROW) return true;
+    if (code != SQLITE_DONE) Check(code);
+    return false;
+  }
+  const absl::Status& status() const override { return status_; }
+
+  int64_t Int(int column) const override { return sqlite3_column_int64(statement_, column); }
+  std::string Text(int column) const override {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+    return std::string(bytes == nullptr ? "" : bytes, sqlite3_column_bytes(statement_, column));
+  }
+
+ private:
+  void Check(int code) {
+    if (code != SQLITE_OK && status_.ok()) status_ = ErrorOf(db_, code);
+  }
+
+  sqlite3* db_;
+  sqlite3_stmt* statement_;
+  int bound_ = 0;
+  absl::Status status_;
+};
 
 }  // namespace
 
@@ -17,7 +87,7 @@ absl::StatusOr<std::unique_ptr<SqliteConnection>> SqliteConnection::Open(const s
   const int code = sqlite3_open_v2(
       path.c_str(), &db, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
   std::unique_ptr<SqliteConnection> connection(new SqliteConnection(db));
-  if (code != SQLITE_OK) return connection->Error(code);
+  if (code != SQLITE_OK) return ErrorOf(db, code);
   sqlite3_extended_result_codes(db, 1);
   sqlite3_busy_timeout(db, kBusyTimeoutMs);
   const absl::Status ready = connection->Execute(
@@ -31,104 +101,24 @@ SqliteConnection::~SqliteConnection() {
   sqlite3_close(db_);
 }
 
+const SqlDialect& SqliteConnection::dialect() const { return kDialect; }
+
 absl::Status SqliteConnection::Execute(const std::string& sql) {
-  return Error(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr));
+  return ErrorOf(db_, sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
-absl::Status SqliteConnection::Error(int code) const {
-  if (code == SQLITE_OK) return absl::OkStatus();
-  const std::string message = absl::StrCat("SQLite: ", sqlite3_errmsg(db_));
-  switch (code & 0xff) {
-    case SQLITE_FULL:
-      return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, message);
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, message);
-    default:
-      return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, message);
-  }
+std::unique_ptr<SqlStatement> SqliteConnection::Prepare(std::string_view sql) {
+  return std::make_unique<SqliteStatement>(db_, Find(sql));
 }
 
-absl::StatusOr<sqlite3_stmt*> SqliteConnection::Prepare(std::string_view sql) {
+absl::StatusOr<sqlite3_stmt*> SqliteConnection::Find(std::string_view sql) {
   if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v3(db_, sql.data(), static_cast<int>(sql.size()),
                                       SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
-  if (code != SQLITE_OK) return Error(code);
+  if (code != SQLITE_OK) return ErrorOf(db_, code);
   prepared_.emplace(sql, statement);
   return statement;
-}
-
-SqliteQuery::SqliteQuery(SqliteConnection& connection, std::string_view sql)
-    : connection_(connection) {
-  auto statement = connection.Prepare(sql);
-  if (statement.ok()) {
-    statement_ = *statement;
-  } else {
-    status_ = statement.status();
-  }
-}
-
-SqliteQuery::~SqliteQuery() {
-  if (statement_ == nullptr) return;
-  sqlite3_reset(statement_);
-  sqlite3_clear_bindings(statement_);
-}
-
-void SqliteQuery::Check(int code) {
-  if (code != SQLITE_OK && status_.ok()) status_ = connection_.Error(code);
-}
-
-void SqliteQuery::BindNext(int64_t value) {
-  if (status_.ok()) Check(sqlite3_bind_int64(statement_, ++bound_, value));
-}
-
-void SqliteQuery::BindNext(std::string_view value) {
-  if (!status_.ok()) return;
-  Check(sqlite3_bind_text64(statement_, ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
-                            SQLITE_UTF8));
-}
-
-void SqliteQuery::BindNext(Blob value) {
-  if (!status_.ok()) return;
-  Check(sqlite3_bind_blob64(statement_, ++bound_, value.bytes.data(), value.bytes.size(),
-                            SQLITE_TRANSIENT));
-}
-
-bool SqliteQuery::Next() {
-  if (!status_.ok()) return false;
-  const int code = sqlite3_step(statement_);
-  if (code == SQLITE_ROW) return true;
-  if (code != SQLITE_DONE) Check(code);
-  return false;
-}
-
-absl::Status SqliteQuery::Run() {
-  while (Next()) {
-  }
-  return status_;
-}
-
-int64_t SqliteQuery::Int(int column) const { return sqlite3_column_int64(statement_, column); }
-
-std::string SqliteQuery::Text(int column) const {
-  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
-  return std::string(bytes == nullptr ? "" : bytes, sqlite3_column_bytes(statement_, column));
-}
-
-SqliteTransaction::SqliteTransaction(SqliteConnection& connection) : connection_(connection) {
-  status_ = SqliteQuery(connection_, "BEGIN IMMEDIATE").Run();
-  open_ = status_.ok();
-}
-
-SqliteTransaction::~SqliteTransaction() {
-  if (open_) SqliteQuery(connection_, "ROLLBACK").Run().IgnoreError();
-}
-
-absl::Status SqliteTransaction::Commit() {
-  absl::Status committed = SqliteQuery(connection_, "COMMIT").Run();
-  open_ = !committed.ok();
-  return committed;
 }
 
 }  // namespace slicefarm::coordinator

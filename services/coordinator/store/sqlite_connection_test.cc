@@ -13,7 +13,7 @@ class SqliteConnectionTest : public testing::Test {
   void SetUp() override { ASSERT_TRUE(db_->Execute("CREATE TABLE t (a INTEGER, b TEXT)").ok()); }
 
   int64_t Count() {
-    SqliteQuery query(*db_, "SELECT count(*) FROM t");
+    SqlQuery query(*db_, "SELECT count(*) FROM t");
     return query.Next() ? query.Int(0) : -1;
   }
 
@@ -22,9 +22,9 @@ class SqliteConnectionTest : public testing::Test {
 };
 
 TEST_F(SqliteConnectionTest, BindsAndReads) {
-  SqliteQuery insert(*db_, "INSERT INTO t VALUES (?, ?)");
+  SqlQuery insert(*db_, "INSERT INTO t VALUES (?, ?)");
   ASSERT_TRUE(insert.Bind(int64_t{1} << 60, "it's").Run().ok());
-  SqliteQuery query(*db_, "SELECT a, b, NULL FROM t");
+  SqlQuery query(*db_, "SELECT a, b, NULL FROM t");
   ASSERT_TRUE(query.Next());
   EXPECT_EQ(query.Int(0), int64_t{1} << 60);
   EXPECT_EQ(query.Text(1), "it's");
@@ -34,13 +34,13 @@ TEST_F(SqliteConnectionTest, BindsAndReads) {
 
 TEST_F(SqliteConnectionTest, StatementsCanRunAgain) {
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(SqliteQuery(*db_, "INSERT INTO t VALUES (?, '')").Bind(i).Run().ok());
+    ASSERT_TRUE(SqlQuery(*db_, "INSERT INTO t VALUES (?, '')").Bind(i).Run().ok());
   }
   EXPECT_EQ(Count(), 3);
 }
 
 TEST_F(SqliteConnectionTest, ErrorsStick) {
-  SqliteQuery query(*db_, "SELECT nonsense FROM nowhere");
+  SqlQuery query(*db_, "SELECT nonsense FROM nowhere");
   query.Bind(1);
   EXPECT_FALSE(query.Next());
   EXPECT_EQ(DetailOf(query.status()).reason, Reason::kStoreFailed);
@@ -48,11 +48,11 @@ TEST_F(SqliteConnectionTest, ErrorsStick) {
 
 TEST_F(SqliteConnectionTest, TransactionsRollBack) {
   {
-    SqliteTransaction transaction(*db_);
+    SqlTransaction transaction(*db_);
     ASSERT_TRUE(db_->Execute("INSERT INTO t VALUES (1, '')").ok());
   }
   EXPECT_EQ(Count(), 0);
-  SqliteTransaction transaction(*db_);
+  SqlTransaction transaction(*db_);
   ASSERT_TRUE(db_->Execute("INSERT INTO t VALUES (1, '')").ok());
   ASSERT_TRUE(transaction.Commit().ok());
   EXPECT_EQ(Count(), 1);
@@ -60,7 +60,7 @@ TEST_F(SqliteConnectionTest, TransactionsRollBack) {
 
 TEST_F(SqliteConnectionTest, IsDurable) {
   const auto pragma = [&](const char* sql) {
-    SqliteQuery query(*db_, sql);
+    SqlQuery query(*db_, sql);
     return query.Next() ? query.Text(0) : "";
   };
   EXPECT_EQ(pragma("PRAGMA journal_mode"), "wal");
@@ -69,7 +69,7 @@ TEST_F(SqliteConnectionTest, IsDurable) {
 
 TEST_F(SqliteConnectionTest, AFullDatabaseIsToldAsSuch) {
   ASSERT_TRUE(db_->Execute("PRAGMA max_page_count = 4").ok());
-  SqliteQuery insert(*db_, "INSERT INTO t VALUES (1, ?)");
+  SqlQuery insert(*db_, "INSERT INTO t VALUES (1, ?)");
   EXPECT_EQ(DetailOf(insert.Bind(std::string(1 << 20, 'x')).Run()).reason, Reason::kDiskFull);
 }
 

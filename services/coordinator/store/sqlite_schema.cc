@@ -1,5 +1,6 @@
 #include "services/coordinator/store/sqlite_schema.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -75,10 +76,59 @@ ALTER TABLE jobs ADD COLUMN store_failures INTEGER NOT NULL DEFAULT 0;
     R"(
 CREATE INDEX requests_by_job ON requests (job_id);
 )",
+    R"(
+ALTER TABLE jobs ADD COLUMN tenant TEXT NOT NULL DEFAULT '';
+ALTER TABLE jobs ADD COLUMN priority INTEGER NOT NULL DEFAULT 1;
+ALTER TABLE jobs ADD COLUMN deadline_us INTEGER NOT NULL DEFAULT 9223372036854775807;
+ALTER TABLE jobs ADD COLUMN traceparent TEXT NOT NULL DEFAULT '';
+DROP INDEX jobs_open;
+CREATE INDEX jobs_open ON jobs (tenant, priority DESC, deadline_us, number)
+  WHERE state IN ('QUEUED', 'RUNNING');
+CREATE INDEX jobs_held ON jobs (tenant) WHERE state IN ('QUEUED', 'RUNNING') AND owner <> '';
+CREATE INDEX jobs_by_owner ON jobs (owner) WHERE owner <> '';
+CREATE INDEX jobs_by_tenant ON jobs (tenant, number);
+CREATE INDEX jobs_by_end ON jobs (end_us) WHERE end_us > 0;
+
+CREATE TABLE tenants (
+  tenant     TEXT    PRIMARY KEY,
+  claimed_us INTEGER NOT NULL  -- a job of it, last
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE labels (
+  job   INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+  key   TEXT    NOT NULL,
+  value TEXT    NOT NULL,
+  PRIMARY KEY (job, key)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX labels_by_value ON labels (key, value, job);
+INSERT INTO labels (job, key, value)
+  SELECT jobs.number, label.key, label.value FROM jobs, json_each(jobs.labels) AS label;
+
+CREATE TABLE inputs (
+  job    INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+  digest TEXT    NOT NULL,
+  PRIMARY KEY (job, digest)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX inputs_by_digest ON inputs (digest);
+
+ALTER TABLE requests RENAME TO old_requests;
+CREATE TABLE requests (
+  tenant      TEXT    NOT NULL,
+  request_id  TEXT    NOT NULL,
+  job_id      TEXT    NOT NULL,
+  spec_digest TEXT    NOT NULL,
+  create_us   INTEGER NOT NULL,
+  PRIMARY KEY (tenant, request_id)
+) STRICT, WITHOUT ROWID;
+INSERT INTO requests SELECT '', request_id, job_id, spec_digest, create_us FROM old_requests;
+DROP TABLE old_requests;
+CREATE INDEX requests_by_age ON requests (create_us);
+CREATE INDEX requests_by_job ON requests (job_id);
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
-  SqliteQuery query(db, "PRAGMA user_version");
+  SqlQuery query(db, "PRAGMA user_version");
   const int64_t version = query.Next() ? query.Int(0) : 0;
   if (!query.status().ok()) return query.status();
   return version;
@@ -86,17 +136,17 @@ absl::StatusOr<int64_t> Version(SqliteConnection& db) {
 
 }  // namespace
 
-absl::Status MigrateSqlite(SqliteConnection& db) {
+absl::Status MigrateSqlite(SqliteConnection& db, int64_t to) {
   while (true) {
-    SqliteTransaction transaction(db);
+    SqlTransaction transaction(db);
     if (!transaction.status().ok()) return transaction.status();
     const auto version = Version(db);
     if (!version.ok()) return version.status();
-    if (*version == static_cast<int64_t>(kMigrations.size())) return transaction.Commit();
-    if (*version > static_cast<int64_t>(kMigrations.size())) {
+    const auto known = static_cast<int64_t>(kMigrations.size());
+    if (*version == std::min(to, known)) return transaction.Commit();
+    if (*version > known) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
-                       absl::StrCat("the database has version ", *version, ", this build knows ",
-                                    kMigrations.size()));
+                       absl::StrCat("the database has version ", *version, ", this build knows ", known));
     }
     const std::string step =
         absl::StrCat(kMigrations[*version], "PRAGMA user_version = ", *version + 1, ";");

@@ -1,20 +1,17 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "services/coordinator/store/job_store.h"
-#include "services/coordinator/store/sqlite_connection.h"
+#include "services/coordinator/store/sql.h"
 
 namespace slicefarm::coordinator {
 
-/// A JobStore in one file, for one machine. Writes go over one connection and reads over another,
-/// so that no reader waits for a writer's fsync.
-class SqliteJobStore : public JobStore {
+/// A JobStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
+class SqlJobStore : public JobStore {
  public:
-  /// Opens or creates the database and brings it to the present schema.
-  static absl::StatusOr<std::unique_ptr<SqliteJobStore>> Open(const std::string& path);
+  explicit SqlJobStore(std::unique_ptr<SqlDatabase> database) : database_(std::move(database)) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
@@ -36,15 +33,14 @@ class SqliteJobStore : public JobStore {
   absl::Status ForgetResult(const std::string& action_digest) override;
   absl::Status ExpireRequestIds(int64_t now_us) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override;
+  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
 
  private:
-  SqliteJobStore(std::unique_ptr<SqliteConnection> writer, std::unique_ptr<SqliteConnection> reader)
-      : writer_(std::move(writer)), reader_(std::move(reader)) {}
-
-  std::mutex write_mutex_;
-  std::unique_ptr<SqliteConnection> writer_;
-  std::mutex read_mutex_;
-  std::unique_ptr<SqliteConnection> reader_;
+  std::unique_ptr<SqlDatabase> database_;
 };
+
+/// A database in a file of this machine; see SqliteDatabase.
+absl::StatusOr<std::unique_ptr<JobStore>> OpenSqliteJobStore(const std::string& path);
 
 }  // namespace slicefarm::coordinator

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# A PostgreSQL server of its own in a directory, reached over a socket there and from nowhere else: for one machine, and
+# for tests. A farm has its own server; slicefarm needs an empty database on it and the right to make tables.
+#
+#   deploy/postgres/server.sh start DIR [SETTING=VALUE...]    starts it, makes it first if need be; prints a connection string
+#   deploy/postgres/server.sh stop DIR                        stops it, if it runs; what was committed stays
+#   deploy/postgres/server.sh kill DIR                        the same with SIGKILL to all of its processes
+set -euo pipefail
+
+usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 2; }
+[[ $# -ge 2 ]] || usage
+command=$1
+mkdir -p "$2"
+dir=$(cd "$2" && pwd)
+shift 2
+bin=$(find /usr/lib/postgresql -maxdepth 2 -name bin 2>/dev/null | sort -V | tail -1)
+[[ -n $bin ]] || { echo "server.sh: the package postgresql is not installed; deploy/setup.sh does it" >&2; exit 1; }
+cd / # a directory that the server's user may enter
+as=()
+if [[ $(id -u) -eq 0 ]]; then # PostgreSQL refuses to run as root
+  chown postgres "$dir"
+  as=(setpriv --reuid=postgres --regid=postgres --clear-groups)
+fi
+
+start() {
+  if [[ ! -s $dir/data/PG_VERSION ]]; then
+    "${as[@]}" "$bin/initdb" -D "$dir/data" -U slicefarm -A trust -E UTF8 --locale=C >"$dir/initdb.log" 2>&1 ||
+      { cat "$dir/initdb.log" >&2; exit 1; }
+  fi
+  local options="-c listen_addresses='' -c unix_socket_directories='$dir'"
+  for setting in "$@"; do options+=" -c $setting"; done
+  # After a kill the first tries fail while processes of the last life still hold its memory.
+  for try in 1 2 3 4 5 6 7 8 9 10; do
+    "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -l "$dir/log" -o "$options" -w -s start >/dev/null 2>&1 && break
+    [[ $try -lt 10 ]] || { tail -20 "$dir/log" >&2; exit 1; }
+    sleep 0.5
+  done
+  "$bin/createdb" -h "$dir" -U slicefarm slicefarm 2>/dev/null || true # it is there already
+  echo "host=$dir user=slicefarm dbname=slicefarm"
+}
+
+processes() {
+  local leader
+  leader=$(head -1 "$dir/data/postmaster.pid" 2>/dev/null) || return 0
+  echo "$leader $(pgrep -P "$leader" | tr '\n' ' ')"
+}
+
+case $command in
+  start) start "$@" ;;
+  stop) "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop >/dev/null 2>&1 || true ;;
+  kill) read -ra all < <(processes) && kill -9 "${all[@]}" ;;
+  *) usage ;;
+esac

@@ -1,0 +1,131 @@
+#include "services/coordinator/store/job_rows.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+#include "services/coordinator/store/job_steps.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// Columns of a row, one after the other.
+class Columns {
+ public:
+  explicit Columns(const SqlQuery& query) : query_(query) {}
+
+  void Read(int64_t& value) { value = query_.Int(next_++); }
+  void Read(int32_t& value) { value = static_cast<int32_t>(query_.Int(next_++)); }
+  void Read(bool& value) { value = query_.Int(next_++) != 0; }
+  void Read(std::string& value) { value = query_.Text(next_++); }
+  void Read(Priority& value) { value = static_cast<Priority>(query_.Int(next_++)); }
+  void Read(JobState& value) {
+    const auto state = JobStateFromName(query_.Text(next_++));
+    if (state) value = *state;
+    known_ = known_ && state;
+  }
+  void Read(std::map<std::string, std::string>& value) { ReadJson(value); }
+  template <typename T>
+  void Read(std::optional<T>& value) {
+    if (query_.Text(next_).empty()) {
+      ++next_;
+    } else {
+      ReadJson(value.emplace());
+    }
+  }
+
+  template <typename... Values>
+  void ReadAll(Values&... values) {
+    (Read(values), ...);
+  }
+
+  absl::Status status(const std::string& job_id) const {
+    if (known_) return status_;
+    return MakeError(absl::StatusCode::kDataLoss, Reason::kStoreFailed,
+                     absl::StrCat("job ", job_id, " has no state that is known"));
+  }
+
+ private:
+  template <typename T>
+  void ReadJson(T& value) {
+    status_.Update(FromJson(query_.Text(next_++), value));
+  }
+
+  const SqlQuery& query_;
+  int next_ = 0;
+  bool known_ = true;
+  absl::Status status_;
+};
+
+absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& sql,
+                                    const std::string& id) {
+  SqlQuery query(db, sql);
+  query.Bind(id);
+  if (query.Next()) return ReadJob(query);
+  return query.status().ok() ? JobNotFound(id) : query.status();
+}
+
+}  // namespace
+
+absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
+  JobRecord job;
+  Columns columns(query);
+  columns.ReadAll(job.number, job.id, job.tenant, job.state, job.priority, job.deadline_us, job.spec,
+                  job.labels, job.settings_digest, job.action_digest, job.build_id, job.traceparent,
+                  job.create_us, job.start_us, job.end_us, job.layers_total, job.layers_done,
+                  job.error, job.result, job.cancel_requested, job.retries, job.store_failures,
+                  job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us);
+  if (absl::Status read = columns.status(job.id); !read.ok()) return read;
+  return job;
+}
+
+absl::StatusOr<std::vector<JobRecord>> ReadJobs(SqlQuery& query) {
+  std::vector<JobRecord> jobs;
+  while (query.Next()) {
+    auto job = ReadJob(query);
+    if (!job.ok()) return job.status();
+    jobs.push_back(*std::move(job));
+  }
+  if (!query.status().ok()) return query.status();
+  return jobs;
+}
+
+absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id) {
+  return SelectJob(db, "SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?", id);
+}
+
+absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id) {
+  return SelectJob(db,
+                   absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
+                                std::string(db.dialect().for_update)),
+                   id);
+}
+
+absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
+  ++job.last_sequence;
+  SqlQuery update(
+      db,
+      "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
+      " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
+      " report_sha256 = ?, cancel_requested = ?, retries = ?, store_failures = ?,"
+      " last_sequence = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
+  update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
+              job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
+              job.result ? job.result->gcode_sha256 : "",
+              job.result ? job.result->report_sha256 : "", job.cancel_requested, job.retries,
+              job.store_failures, job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us,
+              job.number);
+  if (absl::Status done = update.Run(); !done.ok()) return done;
+
+  SqlQuery event(db,
+                    "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
+                    " VALUES (?, ?, ?, ?, ?, ?)");
+  event.Bind(job.number, job.last_sequence, now_us, JobStateName(job.state), job.layers_total,
+             job.layers_done);
+  if (absl::Status done = event.Run(); !done.ok() || db.dialect().notify.empty()) return done;
+  return SqlQuery(db, db.dialect().notify).Bind(job.id).Run();
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/store/job_record.h"
+#include "services/coordinator/store/sql.h"
+
+namespace slicefarm::coordinator {
+
+/// The columns that ReadJob reads, in its order.
+#define SLICEFARM_JOB_COLUMNS                                                                   \
+  "number, id, tenant, state, priority, deadline_us, spec, labels, settings_digest, "           \
+  "action_digest, build_id, traceparent, create_us, start_us, end_us, layers_total, "           \
+  "layers_done, error, result, cancel_requested, retries, store_failures, last_sequence, owner, " \
+  "owner_epoch, owner_until_us"
+
+/// States in which a job has not ended.
+#define SLICEFARM_OPEN "state IN ('QUEUED', 'RUNNING')"
+
+/// The job of the row that `query` stands on. Errors: STORE_FAILED if it is damaged.
+absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query);
+
+/// All rows. Errors: those of the query and of ReadJob.
+absl::StatusOr<std::vector<JobRecord>> ReadJobs(SqlQuery& query);
+
+/// The job, or JOB_NOT_FOUND.
+absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id);
+
+/// The same in a transaction that will write to it: nobody else does before its end.
+absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id);
+
+/// Writes all columns of `job` that change in its life, with an event of its present state. In a
+/// transaction.
+absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,178 @@
+#include "services/coordinator/store/postgres_connection.h"
+
+#include <libpq-fe.h>
+
+#include <array>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/strip.h"
+#include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr SqlDialect kDialect = {
+    .begin = "BEGIN",
+    .for_update = " FOR UPDATE",
+    .skip_locked = " FOR UPDATE SKIP LOCKED",
+    .notify = "SELECT pg_notify('slicefarm_jobs', ?)",
+};
+
+/// Later settings of a connection string win, so these are only what `conninfo` does not say.
+constexpr std::array<const char*, 8> kKeywords = {
+    "connect_timeout",  "keepalives_idle",  "keepalives_interval", "keepalives_count",
+    "tcp_user_timeout", "application_name", "dbname",              nullptr,
+};
+
+using Result = std::unique_ptr<pg_result, void (*)(pg_result*)>;
+Result Own(pg_result* result) { return {result, PQclear}; }
+
+/// libpq ends what it says with a line end.
+std::string Message(const std::string& text) {
+  return absl::StrCat("PostgreSQL: ", absl::StripTrailingAsciiWhitespace(text));
+}
+
+absl::Status Away(const std::string& text) {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, Message(text),
+                   {{std::string(rpc::kRetryAfterMs), "1000"}});
+}
+
+/// SQLSTATE classes: https://www.postgresql.org/docs/15/errcodes-appendix.html
+absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
+  const ExecStatusType status = PQresultStatus(result);
+  if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) return absl::OkStatus();
+  const char* code = PQresultErrorField(result, PG_DIAG_SQLSTATE);
+  const std::string_view state = code == nullptr ? "" : code;
+  if (state == "53100") {
+    return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull,
+                     Message(PQresultErrorMessage(result)));
+  }
+  // Lost connections; transactions that the server gave up on (deadlock); no more connections; the
+  // server is being stopped or just starts.
+  const bool away = PQstatus(connection) != CONNECTION_OK || state.starts_with("08") ||
+                    state.starts_with("40") || state.starts_with("53") || state.starts_with("57");
+  const char* text = PQresultErrorMessage(result);
+  if (away) return Away(*text == '\0' ? PQerrorMessage(connection) : text);
+  return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, Message(text));
+}
+
+/// `?` to `$1`, `$2`, ... No text in our statements has a question mark.
+std::string Numbered(std::string_view sql) {
+  std::string numbered;
+  int next = 1;
+  for (const char c : sql) {
+    if (c == '?') {
+      absl::StrAppend(&numbered, "$", next++);
+    } else {
+      numbered += c;
+    }
+  }
+  return numbered;
+}
+
+int64_t FromNetwork(const char* bytes, int length) {
+  uint64_t value = 0;
+  for (int i = 0; i < length; ++i) value = value << 8 | static_cast<uint8_t>(bytes[i]);
+  const int unused = 64 - 8 * length;
+  return length == 0 ? 0 : static_cast<int64_t>(value << unused) >> unused;
+}
+
+}  // namespace
+
+class PostgresStatement : public SqlStatement {
+ public:
+  PostgresStatement(PostgresConnection& connection, absl::StatusOr<std::string> name)
+      : connection_(connection), status_(name.status()), result_(Own(nullptr)) {
+    if (name.ok()) name_ = *std::move(name);
+  }
+
+  void Bind(int64_t value) override { Add(absl::StrCat(value), /*binary=*/false); }
+  void Bind(std::string_view value) override { Add(std::string(value), /*binary=*/false); }
+  void Bind(Blob value) override { Add(std::string(value.bytes), /*binary=*/true); }
+
+  bool Next() override {
+    if (!status_.ok()) return false;
+    if (row_ < 0) Run();
+    return status_.ok() && ++row_ < PQntuples(result_.get());
+  }
+  const absl::Status& status() const override { return status_; }
+
+  int64_t Int(int column) const override {
+    return FromNetwork(PQgetvalue(result_.get(), row_, column),
+                       PQgetlength(result_.get(), row_, column));
+  }
+  std::string Text(int column) const override {
+    return std::string(PQgetvalue(result_.get(), row_, column),
+                       PQgetlength(result_.get(), row_, column));
+  }
+
+ private:
+  void Add(std::string value, bool binary) {
+    values_.push_back(std::move(value));
+    formats_.push_back(binary ? 1 : 0);
+  }
+
+  void Run() {
+    std::vector<const char*> values;
+    std::vector<int> lengths;
+    for (const std::string& value : values_) {
+      values.push_back(value.c_str());
+      lengths.push_back(static_cast<int>(value.size()));
+    }
+    result_ = Own(PQexecPrepared(connection_.raw(), name_.c_str(),
+                                 static_cast<int>(values.size()), values.data(), lengths.data(),
+                                 formats_.data(), /*resultFormat=*/1));
+    status_ = ErrorOf(connection_.raw(), result_.get());
+  }
+
+  PostgresConnection& connection_;
+  std::string name_;
+  absl::Status status_;
+  std::vector<std::string> values_;
+  std::vector<int> formats_;
+  Result result_;
+  int row_ = -1;
+};
+
+absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
+    const std::string& conninfo) {
+  constexpr std::array<const char*, kKeywords.size()> kValues = {
+      "5", "5", "2", "3", "10000", "slicefarm", nullptr, nullptr};
+  std::array<const char*, kKeywords.size()> values = kValues;
+  values[kKeywords.size() - 2] = conninfo.c_str();
+  std::unique_ptr<PostgresConnection> connection(new PostgresConnection(
+      PQconnectdbParams(kKeywords.data(), values.data(), /*expand_dbname=*/1)));
+  if (!connection->alive()) return Away(PQerrorMessage(connection->connection_));
+  PQsetNoticeProcessor(connection->connection_, [](void*, const char*) {}, nullptr);
+  absl::Status ready = connection->Execute("SET statement_timeout = '30s'");
+  if (!ready.ok()) return ready;
+  return connection;
+}
+
+PostgresConnection::~PostgresConnection() { PQfinish(connection_); }
+
+const SqlDialect& PostgresConnection::dialect() const { return kDialect; }
+
+bool PostgresConnection::alive() const { return PQstatus(connection_) == CONNECTION_OK; }
+
+absl::Status PostgresConnection::Execute(const std::string& sql) {
+  return ErrorOf(connection_, Own(PQexec(connection_, sql.c_str())).get());
+}
+
+std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) {
+  return std::make_unique<PostgresStatement>(*this, Find(sql));
+}
+
+absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
+  if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
+  const std::string name = absl::StrCat("s", prepared_.size());
+  const Result result =
+      Own(PQprepare(connection_, name.c_str(), Numbered(sql).c_str(), 0, nullptr));
+  if (absl::Status prepared = ErrorOf(connection_, result.get()); !prepared.ok()) return prepared;
+  prepared_.emplace(sql, name);
+  return name;
+}
+
+}  // namespace slicefarm::coordinator

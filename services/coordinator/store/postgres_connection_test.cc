@@ -1,0 +1,85 @@
+#include "services/coordinator/store/postgres_connection.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
+#include "services/coordinator/store/postgres_database.h"
+#include "services/coordinator/store/shared_postgres_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+class PostgresConnectionTest : public testing::Test {
+ protected:
+  const std::string database_ = SharedPostgres().NewDatabase();
+  std::unique_ptr<PostgresConnection> db_ = *PostgresConnection::Open(database_);
+};
+
+TEST_F(PostgresConnectionTest, BindsAndReads) {
+  ASSERT_TRUE(db_->Execute("CREATE TABLE t (a BIGINT, b TEXT, c BYTEA)").ok());
+  SqlQuery insert(*db_, "INSERT INTO t VALUES (?, ?, ?)");
+  const std::string bytes("a\0\xff", 3);
+  ASSERT_TRUE(insert.Bind(-(int64_t{1} << 60), "it's", Blob{bytes}).Run().ok());
+  SqlQuery query(*db_, "SELECT a, b, c, NULL, 7::INT4, true FROM t");
+  ASSERT_TRUE(query.Next());
+  EXPECT_EQ(query.Int(0), -(int64_t{1} << 60));
+  EXPECT_EQ(query.Text(1), "it's");
+  EXPECT_EQ(query.Text(2), bytes);
+  EXPECT_EQ(query.Text(3), "");
+  EXPECT_EQ(query.Int(4), 7);
+  EXPECT_EQ(query.Int(5), 1);
+  EXPECT_FALSE(query.Next());
+  EXPECT_TRUE(query.status().ok());
+}
+
+TEST_F(PostgresConnectionTest, ErrorsStick) {
+  SqlQuery query(*db_, "SELECT nonsense FROM nowhere");
+  query.Bind(1);
+  EXPECT_FALSE(query.Next());
+  EXPECT_EQ(DetailOf(query.status()).reason, Reason::kStoreFailed);
+  EXPECT_TRUE(db_->alive());
+}
+
+TEST_F(PostgresConnectionTest, TransactionsRollBack) {
+  ASSERT_TRUE(db_->Execute("CREATE TABLE t (a BIGINT)").ok());
+  {
+    SqlTransaction transaction(*db_);
+    ASSERT_TRUE(db_->Execute("INSERT INTO t VALUES (1)").ok());
+  }
+  SqlQuery query(*db_, "SELECT count(*) FROM t");
+  ASSERT_TRUE(query.Next());
+  EXPECT_EQ(query.Int(0), 0);
+}
+
+TEST(PostgresConnection, APlaceThatCannotBeSaysWhenToTryAgain) {
+  const absl::Status status = PostgresConnection::Open("host=/nowhere dbname=x").status();
+  EXPECT_TRUE(absl::IsUnavailable(status));
+  EXPECT_EQ(DetailOf(status).reason, Reason::kStoreFailed);
+  EXPECT_TRUE(DetailOf(status).metadata.contains(rpc::kRetryAfterMs));
+}
+
+TEST_F(PostgresConnectionTest, RefusesANewerSchema) {
+  ASSERT_TRUE(PostgresDatabase::Open(database_).ok());
+  ASSERT_TRUE(db_->Execute("UPDATE slicefarm_schema SET version = 999").ok());
+  EXPECT_TRUE(absl::IsFailedPrecondition(PostgresDatabase::Open(database_).status()));
+}
+
+TEST_F(PostgresConnectionTest, ServesAgainAfterTheServerWasKilled) {
+  PostgresServer server;
+  const auto database = *PostgresDatabase::Open(server.NewDatabase());
+  server.Kill();
+  {
+    const auto session = *database->Read();
+    EXPECT_TRUE(absl::IsUnavailable(SqlQuery(*session, "SELECT 1").Run()));
+  }
+  server.Start();
+  const auto session = *database->Read();
+  EXPECT_TRUE(SqlQuery(*session, "SELECT 1").Run().ok());
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,55 @@
+#include "services/coordinator/store/postgres_database.h"
+
+#include <utility>
+
+#include "services/coordinator/store/postgres_schema.h"
+
+namespace slicefarm::coordinator {
+
+absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
+    const std::string& conninfo, int max_connections) {
+  std::unique_ptr<PostgresDatabase> database(new PostgresDatabase(conninfo, max_connections));
+  const auto session = database->Take();
+  if (!session.ok()) return session.status();
+  if (absl::Status ready = MigratePostgres(**session); !ready.ok()) return ready;
+  return database;
+}
+
+absl::StatusOr<SqlSession> PostgresDatabase::Take() {
+  std::unique_ptr<PostgresConnection> connection;
+  {
+    std::unique_lock lock(mutex_);
+    given_back_.wait(lock, [this] { return free_ > 0; });
+    --free_;
+    if (!idle_.empty()) {
+      connection = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!connection) {
+    auto opened = PostgresConnection::Open(conninfo_);
+    if (!opened.ok()) {
+      GiveBack(nullptr);
+      return opened.status();
+    }
+    connection = *std::move(opened);
+  }
+  return SqlSession(connection.release(), [this](SqlConnection* used) {
+    GiveBack(std::unique_ptr<PostgresConnection>(static_cast<PostgresConnection*>(used)));
+  });
+}
+
+/// When one broke, the server was away: so have the others.
+void PostgresDatabase::GiveBack(std::unique_ptr<PostgresConnection> connection) {
+  std::vector<std::unique_ptr<PostgresConnection>> broken;
+  std::lock_guard lock(mutex_);
+  if (connection && connection->alive()) {
+    idle_.push_back(std::move(connection));
+  } else {
+    broken.swap(idle_);
+  }
+  ++free_;
+  given_back_.notify_one();
+}
+
+}  // namespace slicefarm::coordinator
