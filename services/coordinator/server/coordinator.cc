@@ -3,10 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "services/coordinator/store/directory_blob_store.h"
-#include "services/coordinator/store/posix_file.h"
-#include "services/coordinator/store/sqlite_job_store.h"
-
 namespace slicefarm::coordinator {
 namespace {
 
@@ -23,41 +19,55 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
                                                                const MotionStage& motion,
                                                                RangeExecutor& executor,
                                                                const rpc::JsonLog& log) {
-  const std::string directory = options.state_dir;
-  if (absl::Status made = MakeDirectory(directory); !made.ok()) return made;
-  auto lock = StateLock::Take(directory);
-  if (!lock.ok()) return lock.status();
-  auto jobs = SqliteJobStore::Open(directory + "/jobs.db");
-  if (!jobs.ok()) return jobs.status();
-  auto blobs = DirectoryBlobStore::OpenAt(directory);
-  if (!blobs.ok()) return blobs.status();
-  return std::unique_ptr<Coordinator>(new Coordinator(std::move(options), *std::move(lock),
-                                                      *std::move(jobs), *std::move(blobs), slicing,
-                                                      motion, executor, log));
+  auto stores = OpenStores(options.stores);
+  if (!stores.ok()) return stores.status();
+  return std::unique_ptr<Coordinator>(
+      new Coordinator(std::move(options), *std::move(stores), slicing, motion, executor, log));
 }
 
-Coordinator::Coordinator(CoordinatorOptions options, std::unique_ptr<StateLock> lock,
-                         std::unique_ptr<JobStore> jobs, std::unique_ptr<BlobStore> blobs,
-                         const SlicingStage& slicing, const MotionStage& motion,
-                         RangeExecutor& executor, const rpc::JsonLog& log)
-    : lock_(std::move(lock)),
-      jobs_(std::move(jobs)),
-      blobs_(std::move(blobs)),
+Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
+                         const MotionStage& motion, RangeExecutor& executor,
+                         const rpc::JsonLog& log)
+    : options_(std::move(options)),
+      stores_(std::move(stores)),
+      log_(log),
       pipeline_(slicing, motion, executor),
-      results_(*jobs_, *blobs_),
-      intake_(*jobs_, *blobs_, options.build_id, NowUs),
-      runner_(
-          RunEnvironment{*jobs_, *blobs_, results_, pipeline_, feed_, NowUs, options.build_id, log},
-          options.runner),
-      meshes_service_(*blobs_, options.transfers),
-      jobs_service_(JobsBackend{*jobs_, *blobs_, results_, intake_, runner_, feed_, NowUs, log},
-                    options.transfers) {}
+      results_(*stores_.jobs, *stores_.blobs),
+      intake_(*stores_.jobs, *stores_.blobs, options_.build_id, NowUs),
+      runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
+                             options_.build_id, log},
+              options_.runner),
+      meshes_service_(*stores_.blobs, options_.transfers),
+      jobs_service_(JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_, NowUs, log},
+                    options_.transfers) {}
 
 Coordinator::~Coordinator() { Stop(); }
 
+absl::Status Coordinator::Start() {
+  if (absl::Status started = runner_.Start(); !started.ok()) return started;
+  changes_ = ListenForChanges(options_.stores,
+                              [this](const std::optional<JobChange>& change) { Changed(change); });
+  maintenance_.emplace(*stores_.jobs, *stores_.blobs, options_.maintenance, NowUs, log_);
+  return absl::OkStatus();
+}
+
 void Coordinator::Stop() {
+  maintenance_.reset();
+  changes_.reset();
   feed_.Close();
   runner_.Stop();
+}
+
+/// Another coordinator, or this one, wrote to a job.
+void Coordinator::Changed(const std::optional<JobChange>& change) {
+  if (!change) {
+    feed_.AllChanged();
+    runner_.Wake();
+    return;
+  }
+  feed_.Changed(change->job_id);
+  if (change->state == JobState::kQueued) runner_.Wake();
+  if (change->cancel_requested) runner_.Cancel(change->job_id);
 }
 
 }  // namespace slicefarm::coordinator

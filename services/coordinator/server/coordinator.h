@@ -1,24 +1,27 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "services/coordinator/server/jobs_service.h"
+#include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/meshes_service.h"
-#include "services/coordinator/server/state_lock.h"
+#include "services/coordinator/server/stores.h"
 
 namespace slicefarm::coordinator {
 
 struct CoordinatorOptions {
-  std::string state_dir;
+  StoreOptions stores;
   JobRunnerOptions runner;
   std::string build_id;
   TransferOptions transfers = {};
+  Maintenance::Options maintenance = {};
 };
 
-/// The coordinator put together: stores, intake, runner and services over given stages. Its state
-/// lives in `state_dir`: jobs.db (SQLite), blobs/, uploads/, lock.
+/// The coordinator put together: stores, intake, runner and services over given stages. Several may
+/// share one PostgreSQL database; all of them are active.
 class Coordinator {
  public:
   /// The stages and the executor must outlive it. Errors: those of the stores; Unavailable if
@@ -31,23 +34,22 @@ class Coordinator {
   ~Coordinator();
 
   /// Begins to run jobs, those of an earlier life first.
-  absl::Status Start() { return runner_.Start(); }
+  absl::Status Start();
 
   /// Hands running jobs back, and ends the calls that watch.
   void Stop();
 
   std::vector<grpc::Service*> services() { return {&meshes_service_, &jobs_service_}; }
-  JobStore& jobs() { return *jobs_; }
+  JobStore& jobs() { return *stores_.jobs; }
 
  private:
-  Coordinator(CoordinatorOptions options, std::unique_ptr<StateLock> lock,
-              std::unique_ptr<JobStore> jobs, std::unique_ptr<BlobStore> blobs,
-              const SlicingStage& slicing, const MotionStage& motion, RangeExecutor& executor,
-              const rpc::JsonLog& log);
+  Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
+              const MotionStage& motion, RangeExecutor& executor, const rpc::JsonLog& log);
+  void Changed(const std::optional<JobChange>& change);
 
-  std::unique_ptr<StateLock> lock_;
-  std::unique_ptr<JobStore> jobs_;
-  std::unique_ptr<BlobStore> blobs_;
+  const CoordinatorOptions options_;
+  const Stores stores_;
+  const rpc::JsonLog log_;
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
@@ -55,6 +57,8 @@ class Coordinator {
   JobRunner runner_;
   MeshesService meshes_service_;
   JobsService jobs_service_;
+  std::unique_ptr<JobChanges> changes_;
+  std::optional<Maintenance> maintenance_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -1,6 +1,9 @@
 #include "services/coordinator/server/coordinator_flags.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <array>
 
 #include "common/model/limits.h"
 #include "services/coordinator/remote/address_watch.h"
@@ -18,7 +21,17 @@ static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
 /// Whatever one connection has open, it does not take all threads.
 constexpr int kStreamsPerConnection = 128;
 
+/// A container's host name is its own.
+std::string DefaultName() {
+  std::array<char, 256> host = {};
+  gethostname(host.data(), host.size() - 1);
+  return host.data();
+}
+
 void Check(const CoordinatorFlags& flags) {
+  if (flags.stores.state_dir.empty() == flags.stores.postgres.empty()) {
+    throw CLI::ValidationError("one of --state-dir and --postgres is needed");
+  }
   const bool all = !flags.beading.empty() && !flags.infill.empty() && !flags.ordering.empty();
   const bool any = !flags.beading.empty() || !flags.infill.empty() || !flags.ordering.empty();
   if (any && !all) {
@@ -31,18 +44,39 @@ void Check(const CoordinatorFlags& flags) {
 
 }  // namespace
 
+Maintenance::Options CoordinatorFlags::maintenance() const {
+  Maintenance::Options options;
+  options.sweep.keep_jobs_s = keep_jobs_days * 24 * 3600;
+  options.sweep.keep_blobs_s = keep_blobs_hours * 3600;
+  return options;
+}
+
 SplitStages::Names CoordinatorFlags::split_names() const {
   return {SplitAddresses(beading), SplitAddresses(infill), SplitAddresses(ordering)};
 }
 
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
-  flags->runner.owner = "coordinator";
+  flags->runner.owner = DefaultName();
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
   flags->serve.server.max_streams_per_connection = kStreamsPerConnection;
   AddServeFlags(app, &flags->serve);
-  app.add_option("--state-dir", flags->state_dir, "Directory for jobs and blobs; made if needed")
-      ->required();
+  app.add_option("--state-dir", flags->stores.state_dir,
+                 "Directory for jobs and blobs, of this coordinator alone; made if needed");
+  app.add_option("--postgres", flags->stores.postgres,
+                 "Or a PostgreSQL database, which coordinators share: its connection string")
+      ->envname("SLICEFARM_POSTGRES");
+  app.add_option("--name", flags->runner.owner,
+                 "Of this coordinator among those that share a database; the same after a restart")
+      ->capture_default_str();
+  app.add_option("--keep-jobs", flags->keep_jobs_days,
+                 "Days after which ended jobs are removed; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--keep-blobs", flags->keep_blobs_hours,
+                 "Hours for which meshes and results that no job refers to are kept")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
   app.add_option("--slicing", flags->slicing, "Addresses of slicing services, host:port,...")
       ->required();
   app.add_option("--motion", flags->motion, "Addresses of motion services")->required();

@@ -4,7 +4,9 @@
 
 #include "common/rpc/serve.h"
 #include "services/coordinator/server/job_runner.h"
+#include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/split_stages.h"
+#include "services/coordinator/server/stores.h"
 
 namespace slicefarm::coordinator {
 
@@ -12,7 +14,7 @@ namespace slicefarm::coordinator {
 /// each name may stand for any number of replicas.
 struct CoordinatorFlags {
   rpc::ServeFlags serve;
-  std::string state_dir;
+  StoreOptions stores;
   std::string slicing;
   std::string motion;
   std::string workers;  ///< fused; or the three below
@@ -21,9 +23,12 @@ struct CoordinatorFlags {
   std::string ordering;
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
+  double keep_jobs_days = 0;
+  double keep_blobs_hours = 24;
 
   bool split() const { return !beading.empty(); }
   SplitStages::Names split_names() const;
+  Maintenance::Options maintenance() const;
 };
 
 /// Also checks that either workers or all split stages are given.

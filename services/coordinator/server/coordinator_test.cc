@@ -41,7 +41,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
 
   void Open() {
     CoordinatorOptions options;
-    options.state_dir = directory_.path();
+    options.stores.state_dir = directory_.path();
     options.build_id = "test-build";
     options.runner.owner = "coordinator";
     options.runner.jobs = 2;
@@ -640,7 +640,7 @@ TEST_F(CoordinatorTest, AStopHandsJobsBackAndTheNextLifeGoesOn) {
 
 TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
-  options.state_dir = directory_.path();
+  options.stores.state_dir = directory_.path();
   const auto second =
       Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();

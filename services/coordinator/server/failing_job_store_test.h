@@ -61,9 +61,7 @@ class FailingJobStore : public JobStore {
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override {
     return store_.RequestCancel(id, now_us);
   }
-  absl::StatusOr<std::vector<std::string>> Delete(const std::string& id) override {
-    return store_.Delete(id);
-  }
+  absl::Status Delete(const std::string& id) override { return store_.Delete(id); }
   absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                      int32_t limit) override {
     return store_.Events(id, after, limit);
@@ -78,6 +76,12 @@ class FailingJobStore : public JobStore {
   absl::Status ExpireRequestIds(int64_t now_us) override { return store_.ExpireRequestIds(now_us); }
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
     return store_.CountByState();
+  }
+  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
+    return store_.Referenced(digests);
+  }
+  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override {
+    return store_.EndedBefore(time_us, limit);
   }
 
  private:

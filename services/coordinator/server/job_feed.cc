@@ -31,10 +31,14 @@ void JobFeed::Changed(const std::string& job_id) {
   for (auto i = first; i != last; ++i) entries_.at(i->second).listener();
 }
 
-void JobFeed::Close() {
+void JobFeed::AllChanged() {
   std::lock_guard lock(mutex_);
-  closed_ = true;
   for (const auto& [ticket, entry] : entries_) entry.listener();
+}
+
+void JobFeed::Close() {
+  closed_ = true;
+  AllChanged();
 }
 
 }  // namespace slicefarm::coordinator

@@ -22,6 +22,8 @@ class JobFeed {
   void Forget(int64_t ticket);
 
   void Changed(const std::string& job_id);
+  /// Any of them may have.
+  void AllChanged();
 
   /// The coordinator ends: calls all listeners, for which closed() is true from now on.
   void Close();

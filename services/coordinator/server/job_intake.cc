@@ -42,6 +42,12 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.spec_digest = Sha256Hex(submission.spec);
   job.spec = std::move(submission.spec);
   job.labels = std::move(submission.labels);
+  job.priority = submission.priority;
+  job.deadline_us = submission.deadline_us;
+  job.traceparent = std::move(submission.traceparent);
+  job.max_open = limits::kMaxOpenJobs;
+  for (const ObjectRequest& object : resolved->request.objects)
+    job.inputs.push_back(object.mesh_sha256);
   job.settings_digest = resolved->settings_digest;
   job.action_digest = resolved->action_digest;
   job.build_id = build_id_;
@@ -51,7 +57,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
 absl::Status JobIntake::CheckMeshes(const JobRequest& request) {
   int64_t bytes = 0;
   for (const ObjectRequest& object : request.objects) {
-    const auto status = blobs_.Status(object.mesh_sha256);
+    const auto status = blobs_.Keep(object.mesh_sha256);
     if (!status.ok()) return status.status();
     if (!status->complete) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,

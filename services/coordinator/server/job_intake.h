@@ -15,6 +15,9 @@ struct Submission {
   std::string spec;  ///< the request as it will be kept
   JobRequest request;
   std::map<std::string, std::string> labels;
+  Priority priority = Priority::kNormal;
+  int64_t deadline_us = kNoDeadlineUs;
+  std::string traceparent = {};
 };
 
 /// The edge where requests become jobs: what comes behind it has been checked.

@@ -1,6 +1,5 @@
 #include "services/coordinator/server/job_results.h"
 
-#include <mutex>
 #include <utility>
 
 namespace slicefarm::coordinator {
@@ -18,7 +17,6 @@ JobUpdate Success(JobResult result) {
 
 absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, RunOutput output,
                                               int64_t now_us) {
-  std::shared_lock lock(mutex_);
   JobResult result = std::move(output.result);
   result.gcode_size = static_cast<int64_t>(output.gcode.size());
   auto gcode = blobs_.Put(output.gcode);
@@ -32,7 +30,6 @@ absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, RunOutput outp
 
 absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(
     const Lease& lease, const std::string& action_digest, int64_t now_us) {
-  std::shared_lock lock(mutex_);
   auto found = jobs_.FindResult(action_digest);
   if (!found.ok()) return found.status();
   if (!*found) return std::nullopt;
@@ -53,22 +50,12 @@ absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(
 /// True if both artifacts are there, unchanged.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
   for (const std::string& digest : {result.gcode_sha256, result.report_sha256}) {
-    const absl::Status opened = blobs_.Open(digest).status();
+    absl::Status opened = blobs_.Keep(digest).status();
+    if (opened.ok()) opened = blobs_.Open(digest).status();
     if (absl::IsNotFound(opened) || absl::IsDataLoss(opened)) return false;
     if (!opened.ok()) return opened;
   }
   return true;
-}
-
-absl::Status JobResults::Delete(const std::string& job_id) {
-  std::unique_lock lock(mutex_);
-  const auto unneeded = jobs_.Delete(job_id);
-  if (!unneeded.ok()) return unneeded.status();
-  for (const std::string& digest : *unneeded) {
-    // The record is gone: a blob that cannot be removed now is only waste.
-    blobs_.Delete(digest).IgnoreError();
-  }
-  return absl::OkStatus();
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <shared_mutex>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_store.h"
@@ -16,8 +15,8 @@ struct RunOutput {
   JobResult result;  ///< without digests and size
 };
 
-/// Results of jobs: record and blobs together, so that no job refers to a blob that is not there. A
-/// deletion waits for results that are being written, and the other way round.
+/// Results of jobs: record and blobs together, so that no job refers to a blob that is not there.
+/// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
 class JobResults {
  public:
   JobResults(JobStore& jobs, BlobStore& blobs) : jobs_(jobs), blobs_(blobs) {}
@@ -31,15 +30,11 @@ class JobResults {
                                                             const std::string& action_digest,
                                                             int64_t now_us);
 
-  /// Removes an ended job, and the blobs that were its alone.
-  absl::Status Delete(const std::string& job_id);
-
  private:
   absl::StatusOr<bool> Complete(const JobResult& result);
 
   JobStore& jobs_;
   BlobStore& blobs_;
-  std::shared_mutex mutex_;  ///< exclusive: deletions
 };
 
 }  // namespace slicefarm::coordinator

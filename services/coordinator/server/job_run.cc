@@ -58,6 +58,7 @@ void JobRun::Run() {
 
 /// OK: the job has ended as SUCCEEDED.
 absl::Status JobRun::Work() {
+  if (Overdue()) return absl::DeadlineExceededError("before it began");
   auto request = ReadSpec(job_.spec);
   if (!request.ok()) return request.status();
   auto resolved = ResolveJob(*std::move(request), environment_.build_id);
@@ -141,6 +142,12 @@ JobUpdate JobRun::Conclusion(const absl::Status& status) const {
     update.layers_done = told_.layers_done;
   } else if (handed_back_) {
     update.claimable_from_us = now_us;
+  } else if (Overdue()) {
+    update.state = JobState::kFailed;
+    update.layers_done = told_.layers_done;
+    update.error =
+        JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
+                             "the job's deadline has passed"));
   } else if (DetailOf(status).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
   } else if (DetailOf(status).reason == Reason::kStoreFailed) {

@@ -55,7 +55,8 @@ class JobRun {
   JobUpdate Conclusion(const absl::Status& status) const;
   absl::Status Write(const JobUpdate& update);
   absl::Status Written(const absl::Status& status);
-  bool GivenUp() const { return cancelled_ || handed_back_ || lost_; }
+  bool GivenUp() const { return cancelled_ || handed_back_ || lost_ || Overdue(); }
+  bool Overdue() const { return environment_.now_us() >= job_.deadline_us; }
 
   RunEnvironment& environment_;
   const JobRecord job_;

@@ -18,7 +18,7 @@
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/jobs_wire.h"
 #include "services/coordinator/store/directory_blob_store.h"
-#include "services/coordinator/store/sqlite_job_store.h"
+#include "services/coordinator/store/sql_job_store.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -104,7 +104,7 @@ class JobRunnerTest : public testing::Test {
   }
 
   TempDirectory directory_;
-  std::unique_ptr<JobStore> jobs_ = *SqliteJobStore::Open(directory_.path() + "/jobs.db");
+  std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
   FailingJobStore failing_{*jobs_};
   std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
   FakeSlicing slicing_;

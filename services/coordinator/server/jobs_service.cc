@@ -92,7 +92,7 @@ grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobReq
 
 grpc::Status JobsService::DeleteJob(grpc::ServerContext*, const v1::DeleteJobRequest* request,
                                     google::protobuf::Empty*) {
-  return rpc::ToGrpc(backend_.results.Delete(request->id()));
+  return rpc::ToGrpc(backend_.jobs.Delete(request->id()));
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(

@@ -5,7 +5,6 @@
 #include "common/rpc/json_log.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
-#include "services/coordinator/server/job_results.h"
 #include "services/coordinator/server/job_runner.h"
 #include "services/coordinator/server/transfers.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -16,7 +15,6 @@ namespace slicefarm::coordinator {
 struct JobsBackend {
   JobStore& jobs;
   BlobStore& blobs;
-  JobResults& results;
   JobIntake& intake;
   JobRunner& runner;
   JobFeed& feed;

@@ -118,7 +118,7 @@ TEST(JobsWire, PagesFollowEachOther) {
   second.number = 11;
   const v1::ListJobsResponse page = ToProto({first, second}, *query);
   request.set_page_token(page.next_page_token());
-  EXPECT_EQ(FromProto(request)->before_number, 11);
+  EXPECT_EQ(FromProto(request)->after_number, 11);
   EXPECT_EQ(ToProto(std::vector<JobRecord>{first}, *query).next_page_token(), "")
       << "a page that is not full is the last";
 }

@@ -32,7 +32,10 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   }
   if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
 
-  CoordinatorOptions options{flags.state_dir, flags.runner, std::string(BuildId())};
+  CoordinatorOptions options{.stores = flags.stores,
+                             .runner = flags.runner,
+                             .build_id = std::string(BuildId()),
+                             .maintenance = flags.maintenance()};
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
   if (!coordinator.ok()) {

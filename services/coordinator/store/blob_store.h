@@ -21,7 +21,7 @@ struct BlobEntry {
   std::string digest;
   int64_t size = 0;
   bool complete = false;
-  double idle_s = 0;  ///< since it was last written or completed again
+  double idle_s = 0;  ///< since it was last used: written, put or finished again, kept
 };
 
 /// A blob whose content was checked against its name when it was opened.
@@ -44,6 +44,9 @@ class BlobStore {
   /// What is there of a blob; of an unknown one, nothing.
   virtual absl::StatusOr<BlobStatus> Status(const std::string& digest) = 0;
 
+  /// The same; a complete blob counts as used just now.
+  virtual absl::StatusOr<BlobStatus> Keep(const std::string& digest) = 0;
+
   /// Adds bytes to an upload. What is there already may be sent again and is skipped. Survives a
   /// restart. Errors: UPLOAD_OFFSET (metadata `committed_size`) if `offset` lies beyond what is
   /// there.
@@ -64,8 +67,9 @@ class BlobStore {
   /// Open, and all of its bytes.
   virtual absl::StatusOr<std::string> Get(const std::string& digest) = 0;
 
-  /// Removes a blob, or an upload. Does nothing if there is none.
-  virtual absl::Status Delete(const std::string& digest) = 0;
+  /// Removes a blob or an upload, unless it was used in the last `idle_s` seconds. False: nothing
+  /// was removed.
+  virtual absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) = 0;
 
   /// Calls visit for each blob and upload, in no particular order; those that come or go meanwhile
   /// may be missing.

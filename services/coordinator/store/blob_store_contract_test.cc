@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -144,17 +145,45 @@ TEST_P(BlobStoreTest, NamesAreDigests) {
     EXPECT_FALSE(store_->Finish(name, 0).ok());
     EXPECT_FALSE(store_->Open(name).ok());
     EXPECT_FALSE(store_->Get(name).ok());
-    EXPECT_FALSE(store_->Delete(name).ok());
+    EXPECT_FALSE(store_->Keep(name).ok());
+    EXPECT_FALSE(store_->Delete(name, 0).ok());
   }
 }
 
 TEST_P(BlobStoreTest, DeletedBlobsAreGone) {
   ASSERT_TRUE(store_->Put(bytes_).ok());
-  ASSERT_TRUE(store_->Delete(digest_).ok());
-  EXPECT_TRUE(store_->Delete(digest_).ok());
+  EXPECT_TRUE(*store_->Delete(digest_, 0));
+  EXPECT_FALSE(*store_->Delete(digest_, 0));
   EXPECT_EQ(DetailOf(store_->Get(digest_).status()).reason, Reason::kBlobNotFound);
   EXPECT_EQ(DetailOf(store_->Open(digest_).status()).reason, Reason::kBlobNotFound);
   EXPECT_EQ(store_->Status(digest_)->committed_size, 0);
+}
+
+TEST_P(BlobStoreTest, WhatWasUsedIsNotDeletedAsIdle) {
+  ASSERT_TRUE(store_->Put(bytes_).ok());
+  EXPECT_FALSE(*store_->Delete(digest_, 3600));
+  const auto kept = store_->Keep(digest_);
+  EXPECT_TRUE(kept->complete);
+  EXPECT_EQ(kept->committed_size, static_cast<int64_t>(bytes_.size()));
+  EXPECT_EQ(*store_->Get(digest_), bytes_);
+  EXPECT_FALSE(store_->Keep(std::string(64, 'b'))->complete);
+}
+
+TEST_P(BlobStoreTest, ListsBlobsAndUploads) {
+  ASSERT_TRUE(store_->Put(bytes_).ok());
+  const std::string upload(64, 'a');
+  ASSERT_TRUE(store_->Append(upload, 0, "part").ok());
+  std::map<std::string, std::pair<int64_t, bool>> listed;
+  ASSERT_TRUE(store_
+                  ->ForEach([&](const BlobEntry& blob) {
+                    listed[blob.digest] = {blob.size, blob.complete};
+                    EXPECT_GE(blob.idle_s, -1);
+                    EXPECT_LT(blob.idle_s, 3600);
+                  })
+                  .ok());
+  EXPECT_THAT(listed, testing::UnorderedElementsAre(
+                          testing::Pair(digest_, testing::Pair(std::ssize(bytes_), true)),
+                          testing::Pair(upload, testing::Pair(4, false))));
 }
 
 TEST_P(BlobStoreTest, ManyMayUploadTheSame) {

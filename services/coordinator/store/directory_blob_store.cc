@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -33,6 +34,15 @@ absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
 void Touch(const std::string& path) {
   std::error_code ignored;  // a blob that is taken for older than it is, at worst
   std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
+}
+
+/// Since the file was last written or touched; none if it is not there.
+std::optional<double> IdleSeconds(const std::filesystem::path& path) {
+  std::error_code gone;
+  const auto written = std::filesystem::last_write_time(path, gone);
+  if (gone) return std::nullopt;
+  const auto now = std::filesystem::file_time_type::clock::now();
+  return std::chrono::duration<double>(now - written).count();
 }
 
 class FileReader : public BlobReader {
@@ -210,16 +220,28 @@ absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
   return bytes;
 }
 
-absl::Status DirectoryBlobStore::Delete(const std::string& digest) {
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
-  if (absl::Status removed = RemoveFile(BlobPath(digest)); !removed.ok()) return removed;
-  return RemoveFile(UploadPath(digest));
+  Touch(BlobPath(digest));
+  return StatusLocked(digest);
+}
+
+absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  bool deleted = false;
+  for (const std::string& path : {BlobPath(digest), UploadPath(digest)}) {
+    const auto idle = IdleSeconds(path);
+    if (!idle || *idle < idle_s) continue;
+    if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    deleted = true;
+  }
+  return deleted;
 }
 
 absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
   namespace fs = std::filesystem;
-  const auto now = fs::file_time_type::clock::now();
   for (const bool complete : {true, false}) {
     std::error_code error;
     fs::recursive_directory_iterator files(root_ + (complete ? "/blobs" : "/uploads"), error);
@@ -228,9 +250,10 @@ absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntr
       BlobEntry entry{files->path().filename(), 0, complete, 0};
       if (!files->is_regular_file(gone) || !IsSha256Hex(entry.digest)) continue;
       entry.size = static_cast<int64_t>(files->file_size(gone));
-      const auto written = files->last_write_time(gone);
-      entry.idle_s = std::chrono::duration<double>(now - written).count();
-      if (!gone) visit(entry);
+      const auto idle = IdleSeconds(files->path());
+      if (gone || !idle) continue;
+      entry.idle_s = *idle;
+      visit(entry);
     }
     if (error) {
       return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,

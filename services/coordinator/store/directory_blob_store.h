@@ -23,13 +23,14 @@ class DirectoryBlobStore : public BlobStore {
   static absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> OpenAt(const std::string& root);
 
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
+  absl::StatusOr<BlobStatus> Keep(const std::string& digest) override;
   absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
                                     std::string_view bytes) override;
   absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
   absl::StatusOr<std::string> Put(std::string_view bytes) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
-  absl::Status Delete(const std::string& digest) override;
+  absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
  private:

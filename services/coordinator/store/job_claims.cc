@@ -29,7 +29,8 @@ absl::StatusOr<std::optional<JobRecord>> ClaimOf(SqlConnection& db, const std::s
   const std::string sql = absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
-      ClaimableSql(request), std::string(db.dialect().skip_locked), ") RETURNING " SLICEFARM_JOB_COLUMNS);
+      ClaimableSql(request), std::string(db.dialect().skip_locked),
+      ") RETURNING " SLICEFARM_JOB_COLUMNS);
   SqlQuery claim(db, sql);
   claim.Bind(request.owner, request.until_us);
   BindClaimable(claim, tenant, request);
@@ -58,7 +59,8 @@ std::string TenantsSql() {
          " SELECT o.tenant FROM open_tenants o LEFT JOIN tenants t ON t.tenant = o.tenant"
          " WHERE o.tenant IS NOT NULL"
          " ORDER BY (SELECT count(*) FROM jobs h WHERE h.tenant = o.tenant"
-         "  AND h." SLICEFARM_OPEN " AND h.owner <> '' AND h.owner_until_us > ?),"
+         "  AND h." SLICEFARM_OPEN
+         " AND h.owner <> '' AND h.owner_until_us > ?),"
          " coalesce(t.claimed_us, 0), o.tenant";
 }
 

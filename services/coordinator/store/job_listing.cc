@@ -14,8 +14,7 @@ std::string ListSql(const ListQuery& list) {
   if (list.priority) sql += " AND priority = ?";
   if (list.created_from_us > 0) sql += " AND create_us >= ?";
   if (list.created_before_us < INT64_MAX) sql += " AND create_us < ?";
-  for (size_t i = 0; i < list.states.size(); ++i)
-    sql += i == 0 ? " AND state IN (?" : ", ?";
+  for (size_t i = 0; i < list.states.size(); ++i) sql += i == 0 ? " AND state IN (?" : ", ?";
   if (!list.states.empty()) sql += ")";
   for (size_t i = 0; i < list.labels.size(); ++i)
     sql += " AND number IN (SELECT job FROM labels WHERE key = ? AND value = ?)";

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_steps.h"
 
 namespace slicefarm::coordinator {
@@ -72,11 +73,12 @@ absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& sql,
 absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
   JobRecord job;
   Columns columns(query);
-  columns.ReadAll(job.number, job.id, job.tenant, job.state, job.priority, job.deadline_us, job.spec,
-                  job.labels, job.settings_digest, job.action_digest, job.build_id, job.traceparent,
-                  job.create_us, job.start_us, job.end_us, job.layers_total, job.layers_done,
-                  job.error, job.result, job.cancel_requested, job.retries, job.store_failures,
-                  job.last_sequence, job.owner, job.owner_epoch, job.owner_until_us);
+  columns.ReadAll(job.number, job.id, job.tenant, job.state, job.priority, job.deadline_us,
+                  job.spec, job.labels, job.settings_digest, job.action_digest, job.build_id,
+                  job.traceparent, job.create_us, job.start_us, job.end_us, job.layers_total,
+                  job.layers_done, job.error, job.result, job.cancel_requested, job.retries,
+                  job.store_failures, job.last_sequence, job.owner, job.owner_epoch,
+                  job.owner_until_us);
   if (absl::Status read = columns.status(job.id); !read.ok()) return read;
   return job;
 }
@@ -120,12 +122,13 @@ absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
   SqlQuery event(db,
-                    "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
-                    " VALUES (?, ?, ?, ?, ?, ?)");
+                 "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
+                 " VALUES (?, ?, ?, ?, ?, ?)");
   event.Bind(job.number, job.last_sequence, now_us, JobStateName(job.state), job.layers_total,
              job.layers_done);
   if (absl::Status done = event.Run(); !done.ok() || db.dialect().notify.empty()) return done;
-  return SqlQuery(db, db.dialect().notify).Bind(job.id).Run();
+  const JobChange change = {job.id, job.state, job.cancel_requested};
+  return SqlQuery(db, db.dialect().notify).Bind(ToText(change)).Run();
 }
 
 }  // namespace slicefarm::coordinator

@@ -125,10 +125,9 @@ class JobStore {
   /// to an ended one nothing happens.
   virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
 
-  /// Removes an ended job with its events and its request_id. Gives the digests of the blobs that
-  /// no job refers to any more; results that consist of them leave the index. Errors:
-  /// JOB_NOT_FINISHED.
-  virtual absl::StatusOr<std::vector<std::string>> Delete(const std::string& id) = 0;
+  /// Removes an ended job with its events and its request_id. Results of whose blobs no job is left
+  /// leave the index. Errors: JOB_NOT_FINISHED.
+  virtual absl::Status Delete(const std::string& id) = 0;
 
   /// Events with a sequence above `after`, at most `limit`.
   virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
@@ -144,7 +143,8 @@ class JobStore {
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
 
   /// Of these digests, those of inputs and results of jobs.
-  virtual absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) = 0;
+  virtual absl::StatusOr<std::set<std::string>> Referenced(
+      const std::set<std::string>& digests) = 0;
 
   /// Jobs that ended before, the oldest first, at most `limit`.
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;

@@ -62,6 +62,8 @@ NewJob JobOf(const std::string& id) {
   job.labels = {{"order", "17"}};
   job.settings_digest = "settings";
   job.action_digest = "action-" + id;
+  job.inputs = {"mesh of " + id};
+  job.traceparent = "00-trace-" + id;
   job.build_id = "build";
   return job;
 }
@@ -143,9 +145,8 @@ TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
 
 TEST_P(JobStoreTest, UnknownJobsAreNotFound) {
   for (const absl::Status& status :
-       {store_->Get("x").status(), store_->RequestCancel("x", 1).status(),
-        store_->Delete("x").status(), store_->Events("x", 0, 9).status(),
-        store_->Update({"x", 1}, {}, 1).status()}) {
+       {store_->Get("x").status(), store_->RequestCancel("x", 1).status(), store_->Delete("x"),
+        store_->Events("x", 0, 9).status(), store_->Update({"x", 1}, {}, 1).status()}) {
     EXPECT_EQ(DetailOf(status).reason, Reason::kJobNotFound) << status;
   }
 }
@@ -460,20 +461,146 @@ TEST_P(JobStoreTest, ARequestIdGoesWithItsJob) {
 
 TEST_P(JobStoreTest, DeleteIsForEndedJobs) {
   Make("a");
-  EXPECT_EQ(DetailOf(store_->Delete("a").status()).reason, Reason::kJobNotFinished);
+  EXPECT_EQ(DetailOf(store_->Delete("a")).reason, Reason::kJobNotFinished);
   ASSERT_TRUE(store_->RequestCancel("a", 1).ok());
   EXPECT_TRUE(store_->Delete("a").ok());
   EXPECT_TRUE(absl::IsNotFound(store_->Get("a").status()));
 }
 
-TEST_P(JobStoreTest, DeleteGivesTheBlobsThatNobodyNeeds) {
+TEST_P(JobStoreTest, ResultsGoWithTheLastJobThatRefersToThem) {
   MakeDone("a", ResultOf("gcode", "report-a"));
   MakeDone("b", ResultOf("gcode", "report-b"));
-  EXPECT_THAT(*store_->Delete("a"), ElementsAre("report-a"));
+  const std::set<std::string> blobs = {"gcode", "report-a", "report-b", "mesh of a", "other"};
+  EXPECT_THAT(*store_->Referenced(blobs),
+              ElementsAre("gcode", "mesh of a", "report-a", "report-b"));
+  ASSERT_TRUE(store_->Delete("a").ok());
   EXPECT_FALSE(store_->FindResult("action-a")->has_value());
   EXPECT_TRUE(store_->FindResult("action-b")->has_value());
-  EXPECT_THAT(*store_->Delete("b"), ElementsAre("gcode", "report-b"));
+  EXPECT_THAT(*store_->Referenced(blobs), ElementsAre("gcode", "report-b"));
+  ASSERT_TRUE(store_->Delete("b").ok());
   EXPECT_FALSE(store_->FindResult("action-b")->has_value());
+  EXPECT_THAT(*store_->Referenced(blobs), IsEmpty());
+}
+
+TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {
+  MakeDone("a", ResultOf("g", "r"));
+  const int64_t between_us = ++now_;
+  MakeDone("b", ResultOf("g", "r"));
+  Make("c");
+  EXPECT_THAT(*store_->EndedBefore(between_us, 10), ElementsAre("a"));
+  EXPECT_THAT(*store_->EndedBefore(now_ + 1, 10), ElementsAre("a", "b"));
+  EXPECT_THAT(*store_->EndedBefore(now_ + 1, 1), ElementsAre("a"));
+}
+
+TEST_P(JobStoreTest, UrgentJobsComeFirst) {
+  const auto make = [&](const std::string& id, Priority priority, int64_t deadline_us) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    job.deadline_us = deadline_us;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  };
+  make("bulk", Priority::kBulk, 50);
+  make("normal", Priority::kNormal, kNoDeadlineUs);
+  make("normal soon", Priority::kNormal, 1'000'000);
+  make("interactive", Priority::kInteractive, kNoDeadlineUs);
+  for (const char* id : {"interactive", "normal soon", "normal", "bulk"}) {
+    EXPECT_EQ(Claim().job_id, id);
+  }
+}
+
+TEST_P(JobStoreTest, TenantsTakeTurns) {
+  const auto make = [&](const std::string& tenant, int count) {
+    for (int i = 0; i < count; ++i) {
+      NewJob job = JobOf(absl::StrCat(tenant, i));
+      job.tenant = tenant;
+      ASSERT_TRUE(store_->Create(job, ++now_).ok());
+    }
+  };
+  make("many", 5);
+  make("few", 2);
+  make("one", 1);
+  std::vector<std::string> order;
+  for (int i = 0; i < 8; ++i) order.push_back(Claim().job_id);
+  EXPECT_THAT(order,
+              ElementsAre("few0", "many0", "one0", "few1", "many1", "many2", "many3", "many4"));
+}
+
+TEST_P(JobStoreTest, ATenantWhoseJobsAreDoneIsNotBehind) {
+  for (const char* id : {"a0", "a1", "b0", "b1"}) {
+    NewJob job = JobOf(id);
+    job.tenant = std::string(id, 1);
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  const Lease first = Claim();
+  EXPECT_EQ(first.job_id, "a0");
+  ASSERT_TRUE(Update(first, kRunning).ok());
+  ASSERT_TRUE(Succeed(first, ResultOf("g", "r")).ok());
+  EXPECT_EQ(Claim().job_id, "b0") << "whose turn was longer ago";
+  EXPECT_EQ(Claim().job_id, "a1") << "of which none is held";
+}
+
+TEST_P(JobStoreTest, ATenantsQueueIsBounded) {
+  NewJob job = JobOf("a");
+  job.max_open = 2;
+  for (const char* id : {"a", "b"}) {
+    job.id = id;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  job.id = "c";
+  job.request_id = "again";
+  const absl::Status full = store_->Create(job, ++now_).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(full));
+  EXPECT_EQ(DetailOf(full).reason, Reason::kQueueFull);
+  EXPECT_EQ(DetailOf(full).metadata["retry_after_ms"], "5000");
+  job.tenant = "another";
+  EXPECT_TRUE(store_->Create(job, ++now_).ok());
+  job.tenant = "";
+  ASSERT_TRUE(store_->RequestCancel("a", ++now_).ok());
+  EXPECT_TRUE(store_->Create([&] { return job.id = "d", job; }(), ++now_)->fresh)
+      << "the refused call has not used its request_id up";
+}
+
+TEST_P(JobStoreTest, RequestIdsBelongToATenant) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, 1).ok());
+  job.id = "b";
+  job.tenant = "another";
+  EXPECT_TRUE(store_->Create(job, 2)->fresh);
+}
+
+TEST_P(JobStoreTest, ListsWhatIsAskedFor) {
+  const auto make = [&](const std::string& id, const std::string& tenant, Priority priority,
+                        std::map<std::string, std::string> labels) {
+    NewJob job = JobOf(id);
+    job.tenant = tenant;
+    job.priority = priority;
+    job.labels = std::move(labels);
+    ASSERT_TRUE(store_->Create(job, now_ += 10).ok());
+  };
+  make("a", "", Priority::kNormal, {{"order", "1"}, {"printer", "x"}});
+  make("b", "", Priority::kBulk, {{"order", "1"}});
+  make("c", "", Priority::kNormal, {{"order", "2"}, {"printer", "x"}});
+  make("d", "another", Priority::kNormal, {{"order", "1"}});
+  const auto ids = [&](const ListQuery& query) {
+    std::vector<std::string> found;
+    const auto jobs = store_->List(query);
+    EXPECT_TRUE(jobs.ok()) << jobs.status();
+    for (const JobRecord& job : *jobs) found.push_back(job.id);
+    return found;
+  };
+  EXPECT_THAT(ids({}), ElementsAre("c", "b", "a"));
+  EXPECT_THAT(ids({.oldest_first = true}), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(ids({.labels = {{"order", "1"}}}), ElementsAre("b", "a"));
+  EXPECT_THAT(ids({.labels = {{"order", "1"}, {"printer", "x"}}}), ElementsAre("a"));
+  EXPECT_THAT(ids({.labels = {{"order", "x"}}}), IsEmpty());
+  EXPECT_THAT(ids({.priority = Priority::kBulk}), ElementsAre("b"));
+  EXPECT_THAT(ids({.created_from_us = now_ - 25, .created_before_us = now_ - 10}),
+              ElementsAre("b"));
+  EXPECT_THAT(ids({.tenant = "another"}), ElementsAre("d"));
+  const int64_t b = store_->Get("b")->number;
+  EXPECT_THAT(ids({.oldest_first = true, .after_number = b}), ElementsAre("c"));
+  EXPECT_THAT(ids({.after_number = b}), ElementsAre("a"));
 }
 
 TEST_P(JobStoreTest, FindsResultsByContent) {

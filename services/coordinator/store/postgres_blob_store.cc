@@ -219,11 +219,27 @@ absl::StatusOr<std::string> PostgresBlobStore::Get(const std::string& digest) {
   return (*reader)->Read(0, (*reader)->size());
 }
 
-absl::Status PostgresBlobStore::Delete(const std::string& digest) {
+absl::StatusOr<BlobStatus> PostgresBlobStore::Keep(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
-  return Remove(**session, digest);
+  SqlQuery touch(**session, "UPDATE blobs SET touched = now() WHERE digest = ? AND complete = 1");
+  if (absl::Status done = touch.Bind(digest).Run(); !done.ok()) return done;
+  return SelectStatus(**session, digest, /*lock=*/false);
+}
+
+absl::StatusOr<bool> PostgresBlobStore::Delete(const std::string& digest, double idle_s) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery remove(**session,
+                  "DELETE FROM blobs WHERE digest = ?"
+                  " AND touched <= now() - ? * interval '1 microsecond' RETURNING digest");
+  remove.Bind(digest, static_cast<int64_t>(idle_s * 1e6));
+  bool deleted = false;
+  while (remove.Next()) deleted = true;
+  if (!remove.status().ok()) return remove.status();
+  return deleted;
 }
 
 absl::Status PostgresBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {

@@ -22,8 +22,14 @@ constexpr SqlDialect kDialect = {
 
 /// Later settings of a connection string win, so these are only what `conninfo` does not say.
 constexpr std::array<const char*, 8> kKeywords = {
-    "connect_timeout",  "keepalives_idle",  "keepalives_interval", "keepalives_count",
-    "tcp_user_timeout", "application_name", "dbname",              nullptr,
+    "connect_timeout",
+    "keepalives_idle",
+    "keepalives_interval",
+    "keepalives_count",
+    "tcp_user_timeout",
+    "application_name",
+    "dbname",
+    nullptr,
 };
 
 using Result = std::unique_ptr<pg_result, void (*)(pg_result*)>;
@@ -121,9 +127,9 @@ class PostgresStatement : public SqlStatement {
       values.push_back(value.c_str());
       lengths.push_back(static_cast<int>(value.size()));
     }
-    result_ = Own(PQexecPrepared(connection_.raw(), name_.c_str(),
-                                 static_cast<int>(values.size()), values.data(), lengths.data(),
-                                 formats_.data(), /*resultFormat=*/1));
+    result_ =
+        Own(PQexecPrepared(connection_.raw(), name_.c_str(), static_cast<int>(values.size()),
+                           values.data(), lengths.data(), formats_.data(), /*resultFormat=*/1));
     status_ = ErrorOf(connection_.raw(), result_.get());
   }
 
@@ -145,7 +151,8 @@ absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
   std::unique_ptr<PostgresConnection> connection(new PostgresConnection(
       PQconnectdbParams(kKeywords.data(), values.data(), /*expand_dbname=*/1)));
   if (!connection->alive()) return Away(PQerrorMessage(connection->connection_));
-  PQsetNoticeProcessor(connection->connection_, [](void*, const char*) {}, nullptr);
+  PQsetNoticeProcessor(
+      connection->connection_, [](void*, const char*) {}, nullptr);
   absl::Status ready = connection->Execute("SET statement_timeout = '30s'");
   if (!ready.ok()) return ready;
   return connection;

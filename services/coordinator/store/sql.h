@@ -36,7 +36,7 @@ class SqlStatement {
   /// To the next row; false: there is none.
   virtual bool Next() = 0;
   virtual const absl::Status& status() const = 0;
-  virtual int64_t Int(int column) const = 0;      ///< of a truth value: 0 or 1
+  virtual int64_t Int(int column) const = 0;       ///< of a truth value: 0 or 1
   virtual std::string Text(int column) const = 0;  ///< of a blob: its bytes
 };
 

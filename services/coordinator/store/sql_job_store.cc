@@ -44,8 +44,7 @@ absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t
 
 absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
   if (job.max_open == INT64_MAX) return absl::OkStatus();
-  SqlQuery query(db,
-                 "SELECT 1 FROM jobs WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
+  SqlQuery query(db, "SELECT 1 FROM jobs WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
   const bool full = query.Bind(job.tenant, job.max_open - 1).Next();
   if (!query.status().ok()) return query.status();
   return full ? QueueFull(job.max_open) : absl::OkStatus();
@@ -103,13 +102,11 @@ absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& digest) {
   return referenced;
 }
 
-/// `digest` if no job refers to it any more; results made of it leave the index.
-absl::Status DropUnreferenced(SqlConnection& db, const std::string& digest,
-                              std::vector<std::string>& dropped) {
+/// Results made of what no job refers to any more leave the index.
+absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& digest) {
   if (digest.empty()) return absl::OkStatus();
   const auto referenced = IsArtifact(db, digest);
   if (!referenced.ok() || *referenced) return referenced.status();
-  dropped.push_back(digest);
   SqlQuery forget(db, "DELETE FROM results WHERE gcode_sha256 = ? OR report_sha256 = ?");
   return forget.Bind(digest, digest).Run();
 }
@@ -153,7 +150,7 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
   return Created{*std::move(record), /*fresh=*/true};
 }
 
-absl::StatusOr<std::vector<std::string>> DeleteIn(SqlConnection& db, const std::string& id) {
+absl::Status DeleteIn(SqlConnection& db, const std::string& id) {
   const auto job = LockJob(db, id);
   if (!job.ok()) return job.status();
   if (!IsTerminal(job->state)) return JobNotFinished(id);
@@ -161,12 +158,11 @@ absl::StatusOr<std::vector<std::string>> DeleteIn(SqlConnection& db, const std::
   if (absl::Status done = forget.Bind(id).Run(); !done.ok()) return done;
   SqlQuery remove(db, "DELETE FROM jobs WHERE number = ?");
   if (absl::Status done = remove.Bind(job->number).Run(); !done.ok()) return done;
-  std::vector<std::string> dropped;
-  if (!job->result) return dropped;
+  if (!job->result) return absl::OkStatus();
   for (const std::string& digest : {job->result->gcode_sha256, job->result->report_sha256}) {
-    if (absl::Status done = DropUnreferenced(db, digest, dropped); !done.ok()) return done;
+    if (absl::Status done = ForgetUnreferenced(db, digest); !done.ok()) return done;
   }
-  return dropped;
+  return absl::OkStatus();
 }
 
 }  // namespace
@@ -232,32 +228,34 @@ absl::Status SqlJobStore::Release(const std::string& owner) {
 
 absl::StatusOr<JobRecord> SqlJobStore::Update(const Lease& lease, const JobUpdate& update,
                                               int64_t now_us) {
-  return InTransaction<JobRecord>(
-      *database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
-        auto job = LockJob(db, lease.job_id);
-        if (!job.ok()) return job.status();
-        if (absl::Status done = ApplyUpdate(*job, lease, update, now_us); !done.ok()) return done;
-        if (job->result) {
-          if (absl::Status done = IndexResult(db, *job); !done.ok()) return done;
-        }
-        if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
-        return job;
-      });
+  return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
+    auto job = LockJob(db, lease.job_id);
+    if (!job.ok()) return job.status();
+    if (absl::Status done = ApplyUpdate(*job, lease, update, now_us); !done.ok()) return done;
+    if (job->result) {
+      if (absl::Status done = IndexResult(db, *job); !done.ok()) return done;
+    }
+    if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+    return job;
+  });
 }
 
 absl::StatusOr<JobRecord> SqlJobStore::RequestCancel(const std::string& id, int64_t now_us) {
-  return InTransaction<JobRecord>(
-      *database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
-        auto job = LockJob(db, id);
-        if (!job.ok() || !ApplyCancel(*job, now_us)) return job;
-        if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
-        return job;
-      });
+  return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
+    auto job = LockJob(db, id);
+    if (!job.ok() || !ApplyCancel(*job, now_us)) return job;
+    if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+    return job;
+  });
 }
 
-absl::StatusOr<std::vector<std::string>> SqlJobStore::Delete(const std::string& id) {
-  return InTransaction<std::vector<std::string>>(
-      *database_, [&](SqlConnection& db) { return DeleteIn(db, id); });
+absl::Status SqlJobStore::Delete(const std::string& id) {
+  return InTransaction<bool>(*database_,
+                             [&](SqlConnection& db) -> absl::StatusOr<bool> {
+                               if (absl::Status done = DeleteIn(db, id); !done.ok()) return done;
+                               return true;
+                             })
+      .status();
 }
 
 absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::string& id,
@@ -267,8 +265,7 @@ absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::strin
   return ListEvents(**session, id, after, limit);
 }
 
-absl::StatusOr<std::optional<JobResult>> SqlJobStore::FindResult(
-    const std::string& action_digest) {
+absl::StatusOr<std::optional<JobResult>> SqlJobStore::FindResult(const std::string& action_digest) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
   SqlQuery query(**session, "SELECT result FROM results WHERE action_digest = ?");

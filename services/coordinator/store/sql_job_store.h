@@ -26,7 +26,7 @@ class SqlJobStore : public JobStore {
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override;
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
-  absl::StatusOr<std::vector<std::string>> Delete(const std::string& id) override;
+  absl::Status Delete(const std::string& id) override;
   absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
                                                      int32_t limit) override;
   absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;

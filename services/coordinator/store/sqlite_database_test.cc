@@ -8,9 +8,9 @@
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "common/model/temp_directory_test.h"
+#include "services/coordinator/store/job_claims.h"
 #include "services/coordinator/store/sql_job_store.h"
 #include "services/coordinator/store/sqlite_connection.h"
-#include "services/coordinator/store/job_claims.h"
 #include "services/coordinator/store/sqlite_schema.h"
 
 namespace slicefarm::coordinator {

@@ -145,8 +145,9 @@ absl::Status MigrateSqlite(SqliteConnection& db, int64_t to) {
     const auto known = static_cast<int64_t>(kMigrations.size());
     if (*version == std::min(to, known)) return transaction.Commit();
     if (*version > known) {
-      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
-                       absl::StrCat("the database has version ", *version, ", this build knows ", known));
+      return MakeError(
+          absl::StatusCode::kFailedPrecondition, Reason::kStoreFailed,
+          absl::StrCat("the database has version ", *version, ", this build knows ", known));
     }
     const std::string step =
         absl::StrCat(kMigrations[*version], "PRAGMA user_version = ", *version + 1, ";");

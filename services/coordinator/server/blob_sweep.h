@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/job_store.h"
+
+namespace slicefarm::coordinator {
+
+struct SweepOptions {
+  /// Ended jobs are removed after so long; 0: never.
+  double keep_jobs_s = 0;
+  /// Blobs that no job refers to are removed if they were not used for so long: longer than from an
+  /// upload to its job, and from a result to its record.
+  double keep_blobs_s = 24 * 3600;
+};
+
+struct Swept {
+  int64_t jobs = 0;
+  int64_t blobs = 0;
+  int64_t bytes = 0;
+};
+
+/// Removes what nobody needs any more: jobs that ended long ago; blobs that are no input and no
+/// result of a job; uploads that were given up. Safe beside other coordinators, which may use a
+/// blob at any moment: using it comes before referring to it, and keeps it. Errors: the stores'.
+absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStore& blobs, const SweepOptions& options,
+                            int64_t now_us);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,100 @@
+#include "services/coordinator/server/blob_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "common/model/temp_directory_test.h"
+#include "services/coordinator/store/directory_blob_store.h"
+#include "services/coordinator/store/sql_job_store.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+class BlobSweepTest : public testing::Test {
+ protected:
+  std::string MakeJob(const std::string& id, const std::string& mesh) {
+    NewJob job;
+    job.id = id;
+    job.action_digest = id;
+    job.inputs = {mesh};
+    EXPECT_TRUE(jobs_->Create(job, ++now_us_).ok());
+    return id;
+  }
+
+  /// Claims the next job and ends it.
+  void Succeed(const std::string& gcode, const std::string& report) {
+    ++now_us_;
+    const auto job = *jobs_->Claim("me", now_us_, now_us_ + 1000);
+    const Lease lease = {job->id, job->owner_epoch};
+    JobUpdate update;
+    ASSERT_TRUE(jobs_->Update(lease, update, now_us_).ok());
+    update.state = JobState::kSucceeded;
+    update.result.emplace().gcode_sha256 = gcode;
+    update.result->report_sha256 = report;
+    ASSERT_TRUE(jobs_->Update(lease, update, now_us_).ok());
+  }
+
+  Swept Sweep(const SweepOptions& options) {
+    const auto swept = coordinator::Sweep(*jobs_, *blobs_, options, now_us_);
+    EXPECT_TRUE(swept.ok()) << swept.status();
+    return *swept;
+  }
+
+  bool Has(const std::string& digest) { return blobs_->Open(digest).ok(); }
+
+  TempDirectory directory_;
+  std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
+  std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
+  int64_t now_us_ = 0;
+};
+
+TEST_F(BlobSweepTest, KeepsWhatJobsReferTo) {
+  const std::string mesh = *blobs_->Put("mesh"), other = *blobs_->Put("other mesh");
+  const std::string gcode = *blobs_->Put("gcode"), report = *blobs_->Put("report");
+  const std::string nobodys = *blobs_->Put("nobody's");
+  MakeJob("done", mesh);
+  Succeed(gcode, report);
+  MakeJob("waiting", other);
+  const Swept swept = Sweep({.keep_jobs_s = 0, .keep_blobs_s = 0});
+  EXPECT_EQ(swept.blobs, 1);
+  EXPECT_EQ(swept.bytes, 8);
+  EXPECT_FALSE(Has(nobodys));
+  for (const std::string& digest : {mesh, other, gcode, report}) EXPECT_TRUE(Has(digest));
+}
+
+TEST_F(BlobSweepTest, KeepsWhatWasJustUsed) {
+  const std::string blob = *blobs_->Put("about to be referred to");
+  EXPECT_EQ(Sweep({.keep_jobs_s = 0, .keep_blobs_s = 3600}).blobs, 0);
+  EXPECT_TRUE(Has(blob));
+}
+
+TEST_F(BlobSweepTest, ADeletedJobsBlobsGo) {
+  const std::string mesh = *blobs_->Put("mesh"), gcode = *blobs_->Put("gcode");
+  const std::string id = MakeJob("a", mesh);
+  Succeed(gcode, "");
+  ASSERT_TRUE(jobs_->Delete(id).ok());
+  EXPECT_EQ(Sweep({.keep_jobs_s = 0, .keep_blobs_s = 0}).blobs, 2);
+}
+
+TEST_F(BlobSweepTest, JobsGoAfterTheirTime) {
+  MakeJob("a", *blobs_->Put("mesh"));
+  Succeed("", "");
+  MakeJob("still waiting", *blobs_->Put("mesh"));
+  now_us_ += 10'000'000;
+  EXPECT_EQ(Sweep({.keep_jobs_s = 11, .keep_blobs_s = 3600}).jobs, 0);
+  EXPECT_EQ(Sweep({.keep_jobs_s = 9, .keep_blobs_s = 3600}).jobs, 1);
+  EXPECT_TRUE(absl::IsNotFound(jobs_->Get("a").status()));
+  EXPECT_TRUE(jobs_->Get("still waiting").ok());
+}
+
+TEST_F(BlobSweepTest, UploadsThatWereGivenUpGo) {
+  const std::string digest(64, 'a');
+  ASSERT_TRUE(blobs_->Append(digest, 0, "the first part").ok());
+  EXPECT_EQ(Sweep({.keep_jobs_s = 0, .keep_blobs_s = 0}).blobs, 1);
+  EXPECT_EQ(blobs_->Status(digest)->committed_size, 0);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

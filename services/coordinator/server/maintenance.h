@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "common/rpc/json_log.h"
+#include "services/coordinator/server/blob_sweep.h"
+
+namespace slicefarm::coordinator {
+
+/// Sweeps the stores from time to time, from a thread of its own.
+class Maintenance {
+ public:
+  struct Options {
+    SweepOptions sweep;
+    std::chrono::seconds every{600};
+  };
+
+  Maintenance(JobStore& jobs, BlobStore& blobs, Options options, std::function<int64_t()> now_us,
+              rpc::JsonLog log);
+  ~Maintenance();
+
+ private:
+  void Run();
+  void SweepOnce();
+
+  JobStore& jobs_;
+  BlobStore& blobs_;
+  const Options options_;
+  const std::function<int64_t()> now_us_;
+  const rpc::JsonLog log_;
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace slicefarm::coordinator
