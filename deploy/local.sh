@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Every service as a process of its own on this machine, without containers.
 #
-#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P]
+#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N]
 #   deploy/local.sh status
 #   deploy/local.sh down
 #
 # up       starts the services and waits until the coordinator answers on 127.0.0.1:P (default 50050; the others take the
 #          ports above it). fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
+#          sqlite: jobs and blobs in a directory. postgres: in a database, which N coordinators share, all of them active;
+#          it is SLICEFARM_POSTGRES (a connection string), or one of a server that is started here.
 # down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
 #
 # SLICEFARM_BIN     where the programs are (default build/bin)
@@ -17,7 +19,7 @@ cd "$(dirname "$0")/.."
 bin=${SLICEFARM_BIN:-build/bin}
 state=${SLICEFARM_STATE:-build/local}
 
-usage() { sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { sed -n '2,16s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
 # Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
@@ -49,17 +51,22 @@ await() {
 }
 
 up() {
-  local workers=2 mode=fused port=50050
+  local workers=2 mode=fused port=50050 store=sqlite coordinators=1
   while [[ $# -gt 0 ]]; do
     case "$1" in
       --workers) workers=${2:?}; shift 2 ;;
       --mode) mode=${2:?}; shift 2 ;;
       --port) port=${2:?}; shift 2 ;;
+      --store) store=${2:?}; shift 2 ;;
+      --coordinators) coordinators=${2:?}; shift 2 ;;
       *) usage ;;
     esac
   done
   [[ "$workers" =~ ^[1-9][0-9]*$ ]] || die "--workers $workers: a number from 1 is needed"
   [[ "$mode" == fused || "$mode" == split ]] || die "--mode $mode: fused or split"
+  [[ "$store" == sqlite || "$store" == postgres ]] || die "--store $store: sqlite or postgres"
+  [[ "$coordinators" =~ ^[1-9][0-9]*$ ]] || die "--coordinators $coordinators: a number from 1 is needed"
+  [[ "$coordinators" -eq 1 || "$store" == postgres ]] || die "--coordinators $coordinators: several share a database: --store postgres"
   [[ -x "$bin/slicefarm-coordinator" ]] || die "no programs in $bin: run deploy/setup.sh, then cmake --preset release && cmake --build --preset release"
   mkdir -p "$state/log" "$state/pid" "$state/coordinator"
   for pid in "$state"/pid/*.pid; do running "$pid" && die "already up: deploy/local.sh down stops it"; done
@@ -83,9 +90,21 @@ up() {
   else
     for stage in beading infill ordering motion; do replicas "$stage" "$workers" "$stage"; done
   fi
-  start coordinator "$bin/slicefarm-coordinator" --listen "127.0.0.1:$port" --state-dir "$state/coordinator" "${pools[@]}"
-  await coordinator "127.0.0.1:$port"
-  echo "up: $mode, $workers replicas; submit to 127.0.0.1:$port"
+  if [[ "$store" == sqlite ]]; then
+    pools+=(--state-dir "$state/coordinator")
+  else
+    [[ -n "${SLICEFARM_POSTGRES:-}" ]] || SLICEFARM_POSTGRES=$(deploy/postgres/server.sh start "$state/postgres")
+    export SLICEFARM_POSTGRES # its password is not to show in the list of processes
+  fi
+  local addresses=()
+  for i in $(seq "$coordinators"); do
+    local at=$port
+    [[ $i -eq 1 ]] || { at=$next; next=$((next + 1)); }
+    start "coordinator-$i" "$bin/slicefarm-coordinator" --listen "127.0.0.1:$at" --name "coordinator-$i" "${pools[@]}"
+    await "coordinator-$i" "127.0.0.1:$at"
+    addresses+=("127.0.0.1:$at")
+  done
+  echo "up: $mode, $workers replicas; submit to $(IFS=,; echo "${addresses[*]}")"
 }
 
 status() {
@@ -99,12 +118,13 @@ status() {
 }
 
 down() {
-  for pid in "$state"/pid/coordinator.pid "$state"/pid/*.pid; do running "$pid" && kill -TERM "$(cat "$pid")"; done
+  for pid in "$state"/pid/coordinator-*.pid "$state"/pid/*.pid; do running "$pid" && kill -TERM "$(cat "$pid")"; done
   for pid in "$state"/pid/*.pid; do
     [[ -f "$pid" ]] || continue
     while running "$pid"; do sleep 0.1; done
     rm -f "$pid"
   done
+  [[ ! -d "$state/postgres" ]] || deploy/postgres/server.sh stop "$state/postgres"
   echo "down"
 }
 
