@@ -3,7 +3,7 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is geometry <- model <- config, stage, algo <- wire, rpc <- remote, store, server; a service never includes another
+The way is geometry <- model <- config, stage, algo <- wire, rpc <- remote, store, server, client; a service never includes another
 one, except in the two places where whole programs are put together: services/worker and services/cli.
 """
 import pathlib
@@ -26,6 +26,7 @@ LAYERS = [
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
     ("server", r"services/(\w+)/server/", EDGE | {"remote", "store", "server"}, None),
     ("cli", r"services/(cli)/", EDGE | {"remote", "cli"}, None),
+    ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]
 COMPOSITION_ROOTS = {"worker", "cli"}
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
