@@ -3,7 +3,11 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
+<<<<<<< HEAD
 The way is geometry <- model <- config, stage, algo <- wire, rpc <- remote, store, server, client; a service never includes another
+=======
+The way is geometry <- model <- config, stage, algo <- wire, rpc, sandbox <- remote, store, server; a service never includes another
+>>>>>>> 4072e13 (Meshes are read in a process of their own, shut in by limits and seccomp)
 one, except in the two places where whole programs are put together: services/worker and services/cli.
 """
 import pathlib
@@ -22,9 +26,10 @@ LAYERS = [
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),
     ("algo", r"services/(\w+)/algo/", PURE | {"algo", "stage"}, f"{WIRE}|{GRPC}"),
+    ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote"}, None),
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
-    ("server", r"services/(\w+)/server/", EDGE | {"remote", "store", "server"}, None),
+    ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "server"}, None),
     ("cli", r"services/(cli)/", EDGE | {"remote", "cli"}, None),
     ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]

@@ -20,6 +20,8 @@ enum class Reason {
   kMeshNotFinite,
   kMeshEmpty,
   kMeshTooLarge,
+  kMeshTooExpensive,
+  kMeshReaderCrashed,
   // The mesh, as placed.
   kOutOfRange,
   kOutOfBuildVolume,
@@ -42,6 +44,7 @@ enum class Reason {
   kCancelled,
   kDeadlineExceeded,
   kUnavailable,
+  kMeshReaderKilled,
   kOverloaded,
   kBuildMismatch,
   kRangePoisoned,

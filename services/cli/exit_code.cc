@@ -17,11 +17,14 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kMeshNotFinite:
     case Reason::kMeshEmpty:
     case Reason::kMeshTooLarge:
+    case Reason::kMeshTooExpensive:
+    case Reason::kMeshReaderCrashed:
     case Reason::kOutOfRange:
     case Reason::kOutOfBuildVolume:
     case Reason::kNothingToPrint:
       return ExitCode::kBadMesh;
     case Reason::kUnavailable:
+    case Reason::kMeshReaderKilled:
     case Reason::kDeadlineExceeded:
     case Reason::kOverloaded:
       return ExitCode::kServerUnavailable;

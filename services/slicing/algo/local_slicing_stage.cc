@@ -41,8 +41,8 @@ absl::Status CheckInput(const SliceInput& input) {
 /// One run of the stage.
 class SlicingRun {
  public:
-  SlicingRun(const StageCall& call, const SlicingOptions& options)
-      : call_(call), options_(options) {}
+  SlicingRun(const StageCall& call, const MeshSource& source, const SlicingOptions& options)
+      : call_(call), source_(source), options_(options) {}
 
   absl::StatusOr<SlicedJob> Run(SliceInput input) {
     for (auto step : {&SlicingRun::Prepare, &SlicingRun::Plan, &SlicingRun::Draw})
@@ -55,7 +55,7 @@ class SlicingRun {
   absl::Status Prepare(SliceInput& input) {
     for (const MeshFile& file : input.files) names_.push_back(file.name);
     for (size_t i = 0; i < input.files.size(); ++i) {
-      absl::StatusOr<PreparedMesh> mesh = PrepareMesh(std::exchange(input.files[i], {}),
+      absl::StatusOr<PreparedMesh> mesh = PrepareMesh(std::exchange(input.files[i], {}), source_,
                                                       input.placements[i], options_, call_.cancel);
       if (!mesh.ok()) return OfFile(i, mesh.status());
       meshes_.push_back(*std::move(mesh));
@@ -197,6 +197,7 @@ class SlicingRun {
   }
 
   const StageCall& call_;
+  const MeshSource& source_;
   const SlicingOptions& options_;
   SlicedJob job_;
   std::vector<std::string> names_;  ///< of the files
@@ -207,15 +208,22 @@ class SlicingRun {
 
 class LocalSlicing : public SlicingStage {
  public:
+  explicit LocalSlicing(std::unique_ptr<const MeshSource> source) : source_(std::move(source)) {}
+
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                   const SlicingOptions& options) const override {
     if (absl::Status status = CheckInput(input); !status.ok()) return status;
-    return SlicingRun(call, options).Run(std::move(input));
+    return SlicingRun(call, *source_, options).Run(std::move(input));
   }
+
+ private:
+  const std::unique_ptr<const MeshSource> source_;
 };
 
 }  // namespace
 
-std::unique_ptr<SlicingStage> MakeLocalSlicing() { return std::make_unique<LocalSlicing>(); }
+std::unique_ptr<SlicingStage> MakeLocalSlicing(std::unique_ptr<const MeshSource> source) {
+  return std::make_unique<LocalSlicing>(std::move(source));
+}
 
 }  // namespace slicefarm::slicing

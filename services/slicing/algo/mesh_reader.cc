@@ -37,21 +37,20 @@ MeshFormat DetectFormat(std::string_view bytes) {
   return MeshFormat::kStl;
 }
 
-absl::StatusOr<RawMesh> ReadMesh(const MeshFile& file, double coordinate_limit,
+absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, double coordinate_limit,
                                  const CancelToken& cancel) {
-  if (file.bytes.empty())
+  if (bytes.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty, "the file is empty");
-  if (static_cast<int64_t>(file.bytes.size()) > limits::kMaxMeshBytes)
+  if (static_cast<int64_t>(bytes.size()) > limits::kMaxMeshBytes)
     return LimitError(Reason::kMeshTooLarge, "bytes of the mesh file", limits::kMaxMeshBytes,
-                      static_cast<int64_t>(file.bytes.size()));
-  const MeshFormat format =
-      file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
+                      static_cast<int64_t>(bytes.size()));
+  if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
   if (format == MeshFormat::kUnknown)
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
                      "neither STL nor OBJ; export the part in one of these formats");
   absl::StatusOr<RawMesh> mesh = format == MeshFormat::kObj
-                                     ? ReadObj(file.bytes, coordinate_limit, cancel)
-                                     : ReadStl(file.bytes, coordinate_limit, cancel);
+                                     ? ReadObj(bytes, coordinate_limit, cancel)
+                                     : ReadStl(bytes, coordinate_limit, cancel);
   if (mesh.ok() && mesh->triangles.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                      "the file has no triangles");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "absl/status/statusor.h"
 #include "common/model/cancel_token.h"
 #include "common/model/mesh.h"
@@ -15,6 +17,7 @@ MeshFormat DetectFormat(std::string_view bytes);
 
 /// Reads a mesh file of any format this service knows, and welds corners at exactly the same place.
 ///
+/// `format`: what the file is said to be; kUnknown: told from the content.
 /// `coordinate_limit`: the largest absolute coordinate accepted, in the units of the file.
 /// Errors: InvalidArgument with reason
 ///   MESH_FORMAT_UNKNOWN  not a format of MeshFormat
@@ -25,7 +28,7 @@ MeshFormat DetectFormat(std::string_view bytes);
 ///   MESH_TOO_LARGE       more bytes or triangles than limits.h allows (`limit`, `got`)
 ///   MESH_EMPTY           no triangle
 /// and Cancelled. Cost: one pass over the bytes, O(1) a triangle; memory for the result only.
-absl::StatusOr<RawMesh> ReadMesh(const MeshFile& file, double coordinate_limit,
+absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, double coordinate_limit,
                                  const CancelToken& cancel);
 
 }  // namespace slicefarm::slicing

@@ -13,8 +13,8 @@ namespace {
 
 RawMesh Box() { return BoxMesh({0, 0, 0}, {10, 20, 30}); }
 
-absl::StatusOr<RawMesh> Read(std::string bytes, MeshFormat format = MeshFormat::kUnknown) {
-  return ReadMesh({"part", format, std::move(bytes)}, 10'000, {});
+absl::StatusOr<RawMesh> Read(std::string_view bytes, MeshFormat format = MeshFormat::kUnknown) {
+  return ReadMesh(bytes, format, 10'000, {});
 }
 
 TEST(ReadMesh, TellsTheFormatByContent) {

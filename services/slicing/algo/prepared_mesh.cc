@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "services/slicing/algo/build_volume.h"
-#include "services/slicing/algo/mesh_reader.h"
 #include "services/slicing/algo/placement.h"
 
 namespace slicefarm::slicing {
@@ -21,12 +20,13 @@ void ReportEdgesOfFile(const RawMesh& raw, MeshReport& report) {
 
 }  // namespace
 
-absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const Placement& placement,
-                                         const SlicingOptions& options, const CancelToken& cancel) {
+absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const MeshSource& source,
+                                         const Placement& placement, const SlicingOptions& options,
+                                         const CancelToken& cancel) {
   if (absl::Status status = CheckPlacement(placement); !status.ok()) return status;
-  absl::StatusOr<RawMesh> raw = ReadMesh(file, CoordinateLimit(placement), cancel);
+  absl::StatusOr<RawMesh> raw =
+      source.Read(std::move(file.bytes), file.format, CoordinateLimit(placement), cancel);
   if (!raw.ok()) return raw.status();
-  file.bytes = std::string();
   absl::StatusOr<IndexedMesh> placed = PlaceMesh(*raw, placement);
   if (!placed.ok()) return placed.status();
   PreparedMesh prepared;

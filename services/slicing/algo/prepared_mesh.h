@@ -7,6 +7,7 @@
 #include "common/model/cancel_token.h"
 #include "common/model/mesh.h"
 #include "common/model/slicing_options.h"
+#include "services/slicing/algo/mesh_source.h"
 #include "services/slicing/algo/topology.h"
 
 namespace slicefarm::slicing {
@@ -18,9 +19,10 @@ struct PreparedMesh {
   MeshReport report;
 };
 
-/// Reads, places, checks and connects one file, whose bytes are freed on the way. Errors: those of
-/// the steps.
-absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const Placement& placement,
-                                         const SlicingOptions& options, const CancelToken& cancel);
+/// Reads by `source`, places, checks and connects one file, whose bytes are freed on the way.
+/// Errors: those of the steps.
+absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const MeshSource& source,
+                                         const Placement& placement, const SlicingOptions& options,
+                                         const CancelToken& cancel);
 
 }  // namespace slicefarm::slicing

@@ -11,7 +11,8 @@ namespace slicefarm::slicing {
 namespace {
 
 absl::StatusOr<PreparedMesh> Prepare(std::string bytes, const Placement& placement = {}) {
-  return PrepareMesh({"part.stl", MeshFormat::kUnknown, std::move(bytes)}, placement, {}, {});
+  return PrepareMesh({"part.stl", MeshFormat::kUnknown, std::move(bytes)}, *MakeDirectMeshSource(),
+                     placement, {}, {});
 }
 
 TEST(PrepareMesh, PutsOneCopyInTheMiddleOfTheBed) {

@@ -42,7 +42,7 @@ TEST(SampleMeshes, SnappedTorusLiesOnThePlanes) {
 TEST(SampleMeshes, FilesSayTheSame) {
   const RawMesh torus = TorusMesh({.around = 8, .sides = 6});
   for (const std::string& bytes : {ToAsciiStl(torus), ToObj(torus)}) {
-    const auto read = ReadMesh({"x", MeshFormat::kUnknown, bytes}, 1e4, {});
+    const auto read = ReadMesh(bytes, MeshFormat::kUnknown, 1e4, {});
     ASSERT_TRUE(read.ok()) << read.status();
     ASSERT_EQ(read->triangles.size(), torus.triangles.size());
     for (size_t i = 0; i < torus.triangles.size(); ++i)

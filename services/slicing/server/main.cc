@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
 
 #include "common/rpc/serve.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"
 
 int main(int argc, char** argv) {
@@ -13,9 +16,18 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads, "Threads that one call may use")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  auto sandbox = slicefarm::slicing::MeshSandbox::kStrict;
+  AddMeshSandboxFlag(app, &sandbox);
   CLI11_PARSE(app, argc, argv);
 
-  const auto stage = slicefarm::slicing::MakeLocalSlicing();
+  auto meshes = slicefarm::slicing::MakeMeshSource(sandbox);
+  if (!meshes.ok()) {
+    program.log().Error("cannot serve", {{"error", std::string(meshes.status().message())}});
+    return 1;
+  }
+  program.log().Info("how meshes are read",
+                     {{"mesh_sandbox", std::string(MeshSandboxName(sandbox))}});
+  const auto stage = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   slicefarm::slicing::SlicingService service(*stage, gate, threads);
   return program.Run(flags, {&service});

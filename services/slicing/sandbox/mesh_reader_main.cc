@@ -1,0 +1,10 @@
+#include "services/slicing/algo/mesh_reader.h"
+#include "services/slicing/sandbox/reader_side.h"
+
+// slicefarm-mesh-reader: reads one mesh for slicefarm-slicing, which starts it, and ends.
+int main() {
+  using namespace slicefarm::slicing;
+  RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double coordinate_limit) {
+    return ReadMesh(bytes, format, coordinate_limit, {});
+  });
+}

@@ -1,0 +1,171 @@
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/model/error.h"
+#include "services/slicing/algo/mesh_reader.h"
+#include "services/slicing/sandbox/reader_protocol.h"
+#include "services/slicing/sandbox/reader_side.h"
+
+// A program for tests in the place of slicefarm-mesh-reader: a reader that a mesh has taken over.
+// The file says what it does then; a file that says nothing of the kind is read.
+
+namespace slicefarm::slicing {
+namespace {
+
+using Answer = absl::StatusOr<RawMesh>;
+
+/// Comes back to the test as the error of a mesh.
+Answer Tell(const std::string& what) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, what);
+}
+
+Answer TellErrno(int result) { return Tell(result < 0 ? strerrorname_np(errno) : "done"); }
+
+Answer Crash() {
+  volatile int* volatile nowhere = nullptr;
+  *nowhere = 1;
+  return Tell("still here");
+}
+
+Answer Eat() {
+  for (std::vector<std::string> eaten;;) eaten.emplace_back(1 << 20, 'x');
+}
+
+Answer Spin() {
+  for (;;) std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+/// An unheard-of end: stdout is closed, the process lives on.
+Answer Hide() {
+  close(STDOUT_FILENO);
+  for (;;) pause();
+}
+
+[[noreturn]] void Say(const void* bytes, size_t size) {
+  (void)!write(STDOUT_FILENO, bytes, size);
+  _exit(0);
+}
+
+Answer Babble() {
+  const std::string noise(1000, 'x');
+  Say(noise.data(), noise.size());
+}
+
+[[noreturn]] void SayHead(AnswerHead head) {
+  head.build_id = ThisBuild();
+  Say(&head, sizeof head);
+}
+
+Answer Break() { SayHead({.positions = 3, .triangles = 1}); }
+Answer Boast() { SayHead({.positions = 30'000'000, .triangles = 10'000'000}); }
+Answer Wrap() { SayHead({.positions = UINT64_MAX / 8, .triangles = UINT64_MAX / 8}); }
+Answer Invent() { SayHead({.kind = static_cast<AnswerKind>(77)}); }
+Answer Ramble() { SayHead({.kind = AnswerKind::kError, .error_bytes = 0xffffffff}); }
+Answer BeAnother() {
+  const AnswerHead head = {.build_id = {'a', 'n', 'o', 't', 'h', 'e', 'r'}};
+  Say(&head, sizeof head);
+}
+
+/// An error that would have the job tried again and again.
+Answer Excuse() {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "try again");
+}
+
+RawMesh Triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}; }
+
+Answer Overreach() {
+  RawMesh mesh = Triangle();
+  mesh.triangles[0][2] = 3;
+  return mesh;
+}
+
+Answer WithCorner(double x) {
+  RawMesh mesh = Triangle();
+  mesh.positions[0].x = x;
+  return mesh;
+}
+
+/// SIGTERM and the like do not reach a reader whose service still waits for it.
+std::string DeafTo() {
+  std::string deaf = "deaf to";
+  sigset_t blocked;
+  sigprocmask(SIG_SETMASK, nullptr, &blocked);
+  for (int signal = 1; signal < 32; ++signal)
+    if (sigismember(&blocked, signal) == 1) deaf += " " + std::to_string(signal);
+  return deaf;
+}
+
+/// What a reader finds around it: "SECRET", descriptors above stderr, traits.
+Answer LookAround() {
+  int open = 0;
+  for (int fd = 3; fd < 1024; ++fd) open += fcntl(fd, F_GETFD) >= 0;
+  return Tell(std::string(getenv("SECRET") != nullptr ? "told" : "untold") + " " +
+              std::to_string(open) + " open, dumpable " + std::to_string(prctl(PR_GET_DUMPABLE)) +
+              ", no new privileges " + std::to_string(prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0)) +
+              ", " + DeafTo());
+}
+
+Answer TryFile() { return TellErrno(open("/etc/passwd", O_RDONLY)); }
+Answer TrySocket() { return TellErrno(socket(AF_INET, SOCK_STREAM, 0)); }
+Answer TryWrite() { return TellErrno(static_cast<int>(write(STDERR_FILENO, "x", 1))); }
+Answer TryFork() {
+  const pid_t pid = fork();
+  if (pid == 0) _exit(0);
+  return TellErrno(pid);
+}
+Answer TryProgram() { return TellErrno(execl("/bin/true", "true", nullptr)); }
+
+const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() {
+  static const std::map<std::string_view, std::function<Answer()>, std::less<>> deeds = {
+      {"crash", Crash},
+      {"eat", Eat},
+      {"spin", Spin},
+      {"hide", Hide},
+      {"babble", Babble},
+      {"break", Break},
+      {"boast", Boast},
+      {"wrap", Wrap},
+      {"invent", Invent},
+      {"ramble", Ramble},
+      {"be another", BeAnother},
+      {"excuse", Excuse},
+      {"overreach", Overreach},
+      {"say nan", [] { return WithCorner(std::numeric_limits<double>::quiet_NaN()); }},
+      {"say infinity", [] { return WithCorner(std::numeric_limits<double>::infinity()); }},
+      {"say far", [] { return WithCorner(-1e9); }},
+      {"look around", LookAround},
+      {"open", TryFile},
+      {"socket", TrySocket},
+      {"write", TryWrite},
+      {"fork", TryFork},
+      {"exec", TryProgram},
+  };
+  return deeds;
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing
+
+int main() {
+  using namespace slicefarm::slicing;
+  (void)Deeds();  // made while all is allowed
+  RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double limit) {
+    // Padded with blanks, as the size of a file bounds what may be answered.
+    const std::string_view deed = bytes.substr(0, bytes.find_last_not_of(' ') + 1);
+    const auto found = Deeds().find(deed);
+    return found != Deeds().end() ? found->second() : ReadMesh(bytes, format, limit, {});
+  });
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+namespace slicefarm::slicing {
+
+/// What one reader process may use.
+struct ReaderLimits {
+  int64_t memory_bytes = 0;  ///< of address space, its program and the file included
+  int64_t cpu_s = 0;
+
+  friend bool operator==(const ReaderLimits&, const ReaderLimits&) = default;
+};
+
+/// Generous for any file within limits.h, whatever is in it: the most hostile OBJ takes 20 bytes of
+/// memory for each of its own while it is read, and the slowest format 10 ns.
+ReaderLimits ReaderLimitsFor(int64_t file_bytes);
+
+}  // namespace slicefarm::slicing

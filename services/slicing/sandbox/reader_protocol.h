@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "common/model/mesh.h"
+#include "services/slicing/algo/raw_mesh.h"
+#include "services/slicing/sandbox/confinement.h"
+
+namespace slicefarm::slicing {
+
+/// What the service and a reader process say to each other: a request file (this head, then the
+/// bytes of the mesh) is the reader's stdin, and its answer (a head, then what it announces) comes
+/// from its stdout. Both are programs of one build on one machine, so structs travel as they are.
+struct RequestHead {
+  Confinement confinement = Confinement::kStrict;
+  MeshFormat format = MeshFormat::kUnknown;
+  double coordinate_limit = 0;
+  ReaderLimits limits;
+  int64_t service_pid = 0;
+};
+
+enum class AnswerKind : uint32_t {
+  kMesh,         ///< `positions`, then `triangles`
+  kError,        ///< of reading: `error_bytes` of an encoded error
+  kNotConfined,  ///< `error_bytes` of a text that says why; the mesh was not looked at
+};
+
+using BuildIdBytes = std::array<char, 16>;
+BuildIdBytes ThisBuild();
+
+struct AnswerHead {
+  BuildIdBytes build_id = {};
+  AnswerKind kind = AnswerKind::kMesh;
+  uint32_t error_bytes = 0;
+  uint64_t positions = 0;
+  uint64_t triangles = 0;
+};
+
+/// The exit code of a reader that got no more memory.
+inline constexpr int kNoMemoryExit = 3;
+
+std::string EncodeError(const absl::Status& error);
+
+// The rest takes nothing for granted: a reader that a mesh has taken over may answer anything.
+
+/// Errors: BUILD_MISMATCH; MESH_READER_CRASHED for numbers that no reader would send about a file
+/// of `file_bytes`: what is announced decides how much memory the service takes.
+absl::Status CheckHead(const AnswerHead& head, int64_t file_bytes);
+
+/// The error of an encoded one: always InvalidArgument, with one of the reasons of ReadMesh; what
+/// else it may say is MESH_READER_CRASHED.
+absl::Status DecodeError(std::string_view encoded);
+
+/// Whether the mesh is what RawMesh promises: valid indices, finite coordinates within the limit.
+/// Errors: MESH_READER_CRASHED. Cost: one pass.
+absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit);
+
+/// InvalidArgument, MESH_READER_CRASHED: the mesh is at fault, and trying again is of no use.
+absl::Status ReaderCrashed(std::string_view how, std::map<std::string, std::string> metadata = {});
+
+}  // namespace slicefarm::slicing

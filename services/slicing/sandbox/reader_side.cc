@@ -1,0 +1,77 @@
+#include "services/slicing/sandbox/reader_side.h"
+
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <new>
+#include <string>
+
+#include "services/slicing/algo/point_hash.h"
+#include "services/slicing/sandbox/reader_protocol.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+constexpr int kNoRequestExit = 2;
+
+/// The service is gone, or hands out requests that are none: there is nobody to tell.
+[[noreturn]] void EndUnheard() { _exit(kNoRequestExit); }
+
+std::string_view MapRequest() {
+  struct stat file = {};
+  if (fstat(STDIN_FILENO, &file) != 0 || file.st_size < static_cast<off_t>(sizeof(RequestHead)))
+    EndUnheard();
+  const auto size = static_cast<size_t>(file.st_size);
+  void* begin = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, STDIN_FILENO, 0);
+  if (begin == MAP_FAILED) EndUnheard();
+  close(STDIN_FILENO);
+  return {static_cast<const char*>(begin), size};
+}
+
+void Write(const void* data, size_t size) {
+  for (const char* at = static_cast<const char*>(data); size > 0;) {
+    const ssize_t written = write(STDOUT_FILENO, at, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) EndUnheard();
+    at += written;
+    size -= static_cast<size_t>(written);
+  }
+}
+
+[[noreturn]] void AnswerError(AnswerKind kind, std::string_view text) {
+  const AnswerHead head = {
+      .build_id = ThisBuild(), .kind = kind, .error_bytes = static_cast<uint32_t>(text.size())};
+  Write(&head, sizeof head);
+  Write(text.data(), text.size());
+  _exit(0);
+}
+
+[[noreturn]] void AnswerMesh(const RawMesh& mesh) {
+  const AnswerHead head = {.build_id = ThisBuild(),
+                           .kind = AnswerKind::kMesh,
+                           .positions = mesh.positions.size(),
+                           .triangles = mesh.triangles.size()};
+  Write(&head, sizeof head);
+  Write(mesh.positions.data(), mesh.positions.size() * sizeof mesh.positions[0]);
+  Write(mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+  _exit(0);
+}
+
+}  // namespace
+
+void RunReader(const ReadFunction& read) {
+  std::set_new_handler([] { _exit(kNoMemoryExit); });
+  PointHash::OfProcess();  // its keys may come from a file, which cannot be opened later
+  const std::string_view request = MapRequest();
+  const RequestHead& head = *reinterpret_cast<const RequestHead*>(request.data());
+  const absl::Status confined = Confine(head.confinement, head.limits, head.service_pid);
+  if (!confined.ok()) AnswerError(AnswerKind::kNotConfined, std::string(confined.message()));
+  const absl::StatusOr<RawMesh> mesh =
+      read(request.substr(sizeof head), head.format, head.coordinate_limit);
+  if (!mesh.ok()) AnswerError(AnswerKind::kError, EncodeError(mesh.status()));
+  AnswerMesh(*mesh);
+}
+
+}  // namespace slicefarm::slicing

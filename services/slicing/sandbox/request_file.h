@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "common/model/cancel_token.h"
+#include "services/slicing/sandbox/fd.h"
+#include "services/slicing/sandbox/reader_protocol.h"
+
+namespace slicefarm::slicing {
+
+/// The request as a file in memory that nobody can change any more. Errors: Unavailable if the
+/// system gives no memory; Cancelled.
+absl::StatusOr<Fd> MakeRequestFile(const RequestHead& head, std::string_view bytes,
+                                   const CancelToken& cancel);
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace slicefarm::slicing {
+
+/// Whether this build is instrumented by the address or the thread sanitizer. Their runtimes
+/// reserve terabytes of address space, make system calls of their own, take options from the
+/// environment and report on stderr: all of which a mesh reader is otherwise denied.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitizedBuild = true;
+#elif defined(__has_feature)
+inline constexpr bool kSanitizedBuild =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kSanitizedBuild = false;
+#endif
+
+}  // namespace slicefarm::slicing
