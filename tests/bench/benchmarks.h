@@ -7,6 +7,7 @@ namespace slicefarm::bench {
 /// Each prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
 int BenchHop();
+int BenchMesh();
 int BenchWalls(const std::string& outlines);
 
 }  // namespace slicefarm::bench

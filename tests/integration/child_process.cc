@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -27,7 +28,7 @@ namespace {
 
 ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments,
                            Stderr errors) {
-  const std::string path = std::string(SLICEFARM_BIN) + "/" + program;
+  const std::string path = std::filesystem::path(SLICEFARM_BIN) / program;
   std::vector<char*> argv = {const_cast<char*>(path.c_str())};
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

@@ -13,7 +13,7 @@ class ChildProcess {
  public:
   enum class Stderr { kDropped, kWithStdout };
 
-  /// `program`: a name in build/bin. Dies if it cannot be started.
+  /// `program`: a name in build/bin, or a whole path. Dies if it cannot be started.
   ChildProcess(const std::string& program, std::vector<std::string> arguments,
                Stderr errors = Stderr::kDropped);
   ~ChildProcess();

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <dirent.h>
 #include <sys/types.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,20 +17,37 @@ inline int OpenFiles(const std::string& pid = "self") {
   return static_cast<int>(std::distance(begin(files), end(files)));
 }
 
+/// The first line of /proc/PID/`name`; empty if there is none.
+inline std::string ProcText(pid_t pid, const std::string& name) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/" + name);
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+/// What stands behind the name in `PID (NAME) STATE PARENT ...`; empty if there is no such process.
+inline std::string StateAndParent(pid_t pid) {
+  const std::string stat = ProcText(pid, "stat");
+  const size_t name_end = stat.rfind(") ");
+  return name_end == std::string::npos ? "" : stat.substr(name_end + 2);
+}
+
 /// The children of a process, the dead that nobody reaped among them.
 inline std::vector<pid_t> ChildrenOf(pid_t parent) {
   std::vector<pid_t> children;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream file(entry.path() / "stat");
-    std::string stat;
-    if (!std::getline(file, stat)) continue;
-    // PID (NAME) STATE PARENT ...
-    const size_t name_end = stat.rfind(')');
-    if (name_end == std::string::npos) continue;
-    if (std::atoi(stat.c_str() + name_end + 4) == parent)
-      children.push_back(std::atoi(stat.c_str()));
+    const pid_t pid = std::atoi(entry.path().filename().c_str());
+    if (pid == 0) continue;
+    const std::string state = StateAndParent(pid);
+    if (!state.empty() && std::atoi(state.c_str() + 2) == parent) children.push_back(pid);
   }
   return children;
+}
+
+/// Whether a process still runs: one that ended and was not reaped does not.
+inline bool IsRunning(pid_t pid) {
+  const std::string state = StateAndParent(pid);
+  return !state.empty() && state[0] != 'Z' && state[0] != 'X';
 }
 
 }  // namespace slicefarm::slicing

@@ -136,9 +136,11 @@ absl::StatusOr<ProcessEnd> ReaderProcess::AwaitEnd(const CancelToken& cancel) {
       end.cpu_s = Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
       return end;
     }
-    if (ended < 0 && errno != EINTR)
+    if (ended < 0 && errno != EINTR) {
+      pid_ = 0;  // the number may be another process's by now
       return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                        "a mesh reader's end was taken by somebody else");
+    }
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     poll(nullptr, 0, kEndPollMs);
   }

@@ -1,5 +1,6 @@
 #include "services/slicing/sandbox/reader_side.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <string>
 
 #include "services/slicing/algo/point_hash.h"
+#include "services/slicing/sandbox/fd.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 
 namespace slicefarm::slicing {
@@ -18,6 +20,14 @@ constexpr int kNoRequestExit = 2;
 
 /// The service is gone, or hands out requests that are none: there is nobody to tell.
 [[noreturn]] void EndUnheard() { _exit(kNoRequestExit); }
+
+/// Where memory runs out, the system is to end this process rather than the service. Where it may
+/// not be asked, it chooses by itself.
+void StepForwardWhenMemoryRunsOut() {
+  const Fd file(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
+  constexpr std::string_view kFirst = "1000";
+  (void)!write(file.number(), kFirst.data(), kFirst.size());
+}
 
 std::string_view MapRequest() {
   struct stat file = {};
@@ -63,6 +73,7 @@ void Write(const void* data, size_t size) {
 
 void RunReader(const ReadFunction& read) {
   std::set_new_handler([] { _exit(kNoMemoryExit); });
+  StepForwardWhenMemoryRunsOut();
   PointHash::OfProcess();  // its keys may come from a file, which cannot be opened later
   const std::string_view request = MapRequest();
   const RequestHead& head = *reinterpret_cast<const RequestHead*>(request.data());

@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/model/error.h"
+#include "common/model/temp_directory_test.h"
+#include "services/slicing/sandbox/processes_test.h"
+#include "tests/corpus_file.h"
+#include "tests/integration/child_process.h"
+#include "tests/integration/remote_clients.h"
+
+namespace slicefarm {
+namespace {
+
+namespace fs = std::filesystem;
+using slicing::ChildrenOf;
+using slicing::IsRunning;
+using slicing::OpenFiles;
+
+SliceInput InputOf(std::string bytes) {
+  SliceInput input;
+  input.files = {{"part", MeshFormat::kUnknown, std::move(bytes)}};
+  input.placements.resize(1);
+  return input;
+}
+
+/// slicefarm-slicing, copied to a place where another program is its mesh reader.
+class SlicingElsewhere {
+ public:
+  /// `reader`: the path of that program; empty: there is none.
+  explicit SlicingElsewhere(const std::string& reader) {
+    fs::copy_file(fs::path(SLICEFARM_BIN) / "slicefarm-slicing", program());
+    if (!reader.empty()) fs::copy_file(reader, directory_.path() + "/slicefarm-mesh-reader");
+  }
+
+  std::string program() const { return directory_.path() + "/slicefarm-slicing"; }
+
+ private:
+  const TempDirectory directory_;
+};
+
+// A reader that does what the file says stands for one that a file has taken over.
+TEST(MeshSandbox, TheServiceOutlivesItsReaders) {
+  const SlicingElsewhere elsewhere(MISBEHAVING_READER);
+  const ServerProcess server(elsewhere.program());
+  const RemoteClients remote(server.address);
+  const std::string good = CorpusFile("models/textbox.stl");
+  const auto slice = [&](const std::string& bytes) {
+    return remote.slicing.Slice({}, InputOf(bytes), {});
+  };
+  const auto before = slice(good);
+  ASSERT_TRUE(before.ok()) << before.status();
+  const std::string pid = std::to_string(server.process.pid());
+  const int files = OpenFiles(pid);
+  for (int i = 0; i < 50; ++i) {
+    for (const std::string deed : {"crash", "socket", "break  ", "excuse"}) {
+      const auto job = slice(deed);
+      EXPECT_TRUE(absl::IsInvalidArgument(job.status())) << deed << job.status();
+      EXPECT_EQ(DetailOf(job.status()).reason, Reason::kMeshReaderCrashed) << deed;
+    }
+    EXPECT_EQ(DetailOf(slice(good.substr(0, 1000)).status()).reason, Reason::kMeshTruncated);
+  }
+  EXPECT_EQ(OpenFiles(pid), files);
+  EXPECT_THAT(ChildrenOf(server.process.pid()), testing::IsEmpty());
+  const auto after = slice(good);
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_EQ(after->layers, before->layers);
+}
+
+TEST(MeshSandbox, AClientThatGivesUpEndsItsReader) {
+  const SlicingElsewhere elsewhere(MISBEHAVING_READER);
+  const ServerProcess server(elsewhere.program());
+  const RemoteClients remote(server.address);
+  const pid_t pid = server.process.pid();
+  const CancelToken once_it_reads([pid] { return !ChildrenOf(pid).empty(); });
+  const auto job =
+      remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, InputOf("spin"), {});
+  EXPECT_TRUE(absl::IsCancelled(job.status())) << job.status();
+  while (!ChildrenOf(pid).empty()) {
+  }
+}
+
+TEST(MeshSandbox, AReaderEndsWithItsService) {
+  const SlicingElsewhere elsewhere(MISBEHAVING_READER);
+  ServerProcess server(elsewhere.program());
+  const RemoteClients remote(server.address);
+  std::vector<pid_t> readers;
+  const CancelToken once_it_reads([&] {
+    readers = ChildrenOf(server.process.pid());
+    if (readers.empty()) return false;
+    server.process.Signal(SIGKILL);
+    return true;
+  });
+  (void)remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, InputOf("spin"), {});
+  ASSERT_EQ(readers.size(), 1u);
+  while (IsRunning(readers[0])) {
+  }
+}
+
+TEST(MeshSandbox, EachModeGivesTheSameAndIsNamedInTheLog) {
+  const std::string good = CorpusFile("models/textbox.stl");
+  std::vector<SlicedJob> jobs;
+  for (const std::string mode : {"off", "limits", "strict"}) {
+    ChildProcess process("slicefarm-slicing", {"--mesh-sandbox", mode},
+                         ChildProcess::Stderr::kWithStdout);
+    EXPECT_THAT(process.AwaitLine("{"), testing::HasSubstr("\"mesh_sandbox\":\"" + mode + "\""));
+    const RemoteClients remote(process.AwaitLine("listening on "));
+    auto job = remote.slicing.Slice({}, InputOf(good), {});
+    ASSERT_TRUE(job.ok()) << mode << job.status();
+    jobs.push_back(*std::move(job));
+  }
+  for (const SlicedJob& job : jobs) {
+    EXPECT_EQ(job.layers, jobs[0].layers);
+    EXPECT_EQ(job.meshes, jobs[0].meshes);
+    EXPECT_EQ(job.thumbnails, jobs[0].thumbnails);
+  }
+}
+
+TEST(MeshSandbox, WithoutAReaderTheServiceRefusesToStartAndSaysWhatToDo) {
+  const SlicingElsewhere alone("");
+  ChildProcess refused(alone.program(), {}, ChildProcess::Stderr::kWithStdout);
+  EXPECT_THAT(refused.AwaitLine("{"), testing::HasSubstr("--mesh-sandbox off"));
+  EXPECT_EQ(refused.Wait(), 1);
+  const ServerProcess trusting(alone.program(), {"--mesh-sandbox", "off"});
+}
+
+}  // namespace
+}  // namespace slicefarm
