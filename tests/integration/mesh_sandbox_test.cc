@@ -128,5 +128,15 @@ TEST(MeshSandbox, WithoutAReaderTheServiceRefusesToStartAndSaysWhatToDo) {
   const ServerProcess trusting(alone.program(), {"--mesh-sandbox", "off"});
 }
 
+TEST(MeshSandbox, WithoutSeccompTheServiceRefusesToStartUnlessLimitsAreEnough) {
+  const std::string slicing = SLICEFARM_BIN "/slicefarm-slicing";
+  ChildProcess refused(WITHOUT_SECCOMP, {slicing}, ChildProcess::Stderr::kWithStdout);
+  EXPECT_THAT(refused.AwaitLine("{"),
+              testing::AllOf(testing::HasSubstr("seccomp"), testing::HasSubstr("Operation not"),
+                             testing::HasSubstr("--mesh-sandbox limits")));
+  EXPECT_EQ(refused.Wait(), 1);
+  const ServerProcess limited(WITHOUT_SECCOMP, {slicing, "--mesh-sandbox", "limits"});
+}
+
 }  // namespace
 }  // namespace slicefarm

@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,13 +25,21 @@ absl::Status Refused(std::string_view step, int error) {
                    fmt::format("the system refuses {} ({})", step, strerrordesc_np(error)));
 }
 
-/// Of those that the system calls by number.
 struct Limit {
   std::string_view name;
   __rlimit_resource resource;
   int64_t soft;
   int64_t hard;
 };
+
+/// Never above what the process is held to already, which it could not raise.
+absl::Status Set(const Limit& limit) {
+  rlimit now = {};
+  if (getrlimit(limit.resource, &now) != 0) return Refused(limit.name, errno);
+  const rlim_t hard = std::min(static_cast<rlim_t>(limit.hard), now.rlim_max);
+  const rlimit value = {std::min(static_cast<rlim_t>(limit.soft), hard), hard};
+  return setrlimit(limit.resource, &value) == 0 ? absl::OkStatus() : Refused(limit.name, errno);
+}
 
 absl::Status SetLimits(const ReaderLimits& limits) {
   const Limit all[] = {
@@ -46,8 +55,7 @@ absl::Status SetLimits(const ReaderLimits& limits) {
   for (const Limit& limit : all) {
     if (kSanitizedBuild && (limit.resource == RLIMIT_AS || limit.resource == RLIMIT_NOFILE))
       continue;  // its runtime reserves more, and opens /proc/self/maps to tell of a bug
-    const rlimit value = {static_cast<rlim_t>(limit.soft), static_cast<rlim_t>(limit.hard)};
-    if (setrlimit(limit.resource, &value) != 0) return Refused(limit.name, errno);
+    if (absl::Status status = Set(limit); !status.ok()) return status;
   }
   return absl::OkStatus();
 }

@@ -52,10 +52,10 @@ std::string_view MeshSandboxName(MeshSandbox sandbox) {
 
 void AddMeshSandboxFlag(CLI::App& app, MeshSandbox* sandbox) {
   app.add_option("--mesh-sandbox", *sandbox,
-                 "Where strangers' meshes are read: off: in this process; limits: in one of their "
-                 "own with resource limits; strict: and without system calls")
+                 "Where strangers' meshes are read: off: in this process; limits: in a process "
+                 "for each, with resource limits; strict: and without system calls")
       ->transform(CLI::CheckedTransformer(Names()))
-      ->default_str(std::string(MeshSandboxName(*sandbox)));
+      ->option_text(fmt::format("off|limits|strict={}", MeshSandboxName(*sandbox)));
 }
 
 absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox) {
