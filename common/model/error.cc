@@ -32,12 +32,16 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kRequestMalformed, "REQUEST_MALFORMED"},
     {Reason::kRequestIdReused, "REQUEST_ID_REUSED"},
     {Reason::kRequestTooLarge, "REQUEST_TOO_LARGE"},
+    {Reason::kWebhookRefused, "WEBHOOK_REFUSED"},
+    {Reason::kUnauthenticated, "UNAUTHENTICATED"},
+    {Reason::kPermissionDenied, "PERMISSION_DENIED"},
     {Reason::kJobNotFound, "JOB_NOT_FOUND"},
     {Reason::kJobNotFinished, "JOB_NOT_FINISHED"},
     {Reason::kBlobNotFound, "BLOB_NOT_FOUND"},
     {Reason::kBlobDigestMismatch, "BLOB_DIGEST_MISMATCH"},
     {Reason::kUploadOffset, "UPLOAD_OFFSET"},
     {Reason::kQueueFull, "QUEUE_FULL"},
+    {Reason::kProfileNotFound, "PROFILE_NOT_FOUND"},
     {Reason::kCancelled, "CANCELLED"},
     {Reason::kDeadlineExceeded, "DEADLINE_EXCEEDED"},
     {Reason::kUnavailable, "UNAVAILABLE"},
@@ -47,6 +51,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kRangePoisoned, "RANGE_POISONED"},
     {Reason::kStoreFailed, "STORE_FAILED"},
     {Reason::kDiskFull, "DISK_FULL"},
+    {Reason::kDiskLow, "DISK_LOW"},
     {Reason::kInternal, "INTERNAL"},
 });
 
@@ -60,6 +65,10 @@ Reason DefaultReason(absl::StatusCode code) {
       return Reason::kUnavailable;
     case absl::StatusCode::kInvalidArgument:
       return Reason::kRequestMalformed;
+    case absl::StatusCode::kUnauthenticated:
+      return Reason::kUnauthenticated;
+    case absl::StatusCode::kPermissionDenied:
+      return Reason::kPermissionDenied;
     case absl::StatusCode::kOutOfRange:
       return Reason::kOutOfRange;
     default:

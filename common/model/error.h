@@ -33,6 +33,10 @@ enum class Reason {
   kRequestMalformed,
   kRequestIdReused,
   kRequestTooLarge,
+  kWebhookRefused,
+  // Who asks.
+  kUnauthenticated,
+  kPermissionDenied,
   // Jobs and blobs.
   kJobNotFound,
   kJobNotFinished,
@@ -40,6 +44,7 @@ enum class Reason {
   kBlobDigestMismatch,
   kUploadOffset,
   kQueueFull,
+  kProfileNotFound,
   // Running.
   kCancelled,
   kDeadlineExceeded,
@@ -50,6 +55,7 @@ enum class Reason {
   kRangePoisoned,
   kStoreFailed,
   kDiskFull,
+  kDiskLow,
   kInternal,
 };
 

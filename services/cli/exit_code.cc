@@ -27,6 +27,8 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kMeshReaderKilled:
     case Reason::kDeadlineExceeded:
     case Reason::kOverloaded:
+    case Reason::kQueueFull:
+    case Reason::kDiskLow:
       return ExitCode::kServerUnavailable;
     case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's
     case Reason::kRangePoisoned:
@@ -38,10 +40,14 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kJobNotFound:
     case Reason::kJobNotFinished:
     case Reason::kBlobNotFound:
+    case Reason::kProfileNotFound:
       return ExitCode::kNotFound;
     case Reason::kRequestMalformed:
     case Reason::kRequestTooLarge:
     case Reason::kRequestIdReused:
+    case Reason::kWebhookRefused:
+    case Reason::kUnauthenticated:
+    case Reason::kPermissionDenied:
       return ExitCode::kUsage;
     default:
       // files.h: what cannot be written is lost.
