@@ -14,14 +14,6 @@
 namespace slicefarm::coordinator {
 namespace {
 
-absl::Status CheckSliced(const std::vector<SlicedLayer>& layers) {
-  const bool printable = std::any_of(layers.begin(), layers.end(),
-                                     [](const SlicedLayer& l) { return !l.objects.empty(); });
-  if (printable) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "no layer of the meshes has an outline to print");
-}
-
 /// `layers` and `plans` whole; the tasks point into them.
 std::vector<RangeTask> MakeTasks(std::span<const SlicedLayer> layers,
                                  std::span<const LayerPlan> plans, const JobSettings& settings,
@@ -168,6 +160,14 @@ absl::StatusOr<std::vector<RangeResult>> RunRanges(
 
 }  // namespace
 
+absl::Status CheckPrintable(std::span<const SlicedLayer> layers) {
+  const bool printable = std::any_of(layers.begin(), layers.end(),
+                                     [](const SlicedLayer& l) { return !l.objects.empty(); });
+  if (printable) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                   "no layer of the meshes has an outline to print");
+}
+
 absl::StatusOr<JobOutput> JobPipeline::Run(
     const StageCall& call, JobInput input,
     const std::function<void(PipelineProgress)>& progress) const {
@@ -179,7 +179,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
-  if (absl::Status printable = CheckSliced(sliced->layers); !printable.ok()) return printable;
+  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);
   settings.motion.layer_count = static_cast<int32_t>(sliced->layers.size());

@@ -32,14 +32,16 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       stores_(std::move(stores)),
       log_(log),
       pipeline_(slicing, motion, executor),
-      results_(*stores_.jobs, *stores_.blobs),
+      results_(*stores_.jobs, *stores_.blobs, options_.rates),
       intake_(*stores_.jobs, *stores_.blobs, options_.build_id, NowUs),
       runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
                              options_.build_id, log},
               options_.runner),
       meshes_service_(*stores_.blobs, options_.transfers),
-      jobs_service_(JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_, NowUs, log},
-                    options_.transfers) {}
+      jobs_service_(JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_,
+                                *stores_.profiles, slicing, options_.rates, NowUs, log},
+                    options_.transfers),
+      profiles_service_(*stores_.profiles, NowUs) {}
 
 Coordinator::~Coordinator() { Stop(); }
 

@@ -8,6 +8,7 @@
 #include "services/coordinator/server/jobs_service.h"
 #include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/meshes_service.h"
+#include "services/coordinator/server/profiles_service.h"
 #include "services/coordinator/server/stores.h"
 
 namespace slicefarm::coordinator {
@@ -15,6 +16,7 @@ namespace slicefarm::coordinator {
 struct CoordinatorOptions {
   StoreOptions stores;
   JobRunnerOptions runner;
+  Rates rates = {};
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
@@ -39,7 +41,9 @@ class Coordinator {
   /// Hands running jobs back, and ends the calls that watch.
   void Stop();
 
-  std::vector<grpc::Service*> services() { return {&meshes_service_, &jobs_service_}; }
+  std::vector<grpc::Service*> services() {
+    return {&meshes_service_, &jobs_service_, &profiles_service_};
+  }
   JobStore& jobs() { return *stores_.jobs; }
 
  private:
@@ -57,6 +61,7 @@ class Coordinator {
   JobRunner runner_;
   MeshesService meshes_service_;
   JobsService jobs_service_;
+  ProfilesService profiles_service_;
   std::unique_ptr<JobChanges> changes_;
   std::optional<Maintenance> maintenance_;
 };

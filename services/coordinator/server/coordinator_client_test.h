@@ -12,6 +12,7 @@
 #include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 

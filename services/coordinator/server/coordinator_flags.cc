@@ -91,6 +91,9 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--rates", flags->rates_file,
+                 "JSON file of what the farm charges: jobs then tell what they cost")
+      ->check(CLI::ExistingFile);
   app.callback([flags] { Check(*flags); });
 }
 

@@ -9,7 +9,6 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
-#include "common/model/sha256.h"
 
 namespace slicefarm::coordinator {
 
@@ -21,7 +20,7 @@ std::string NewJobId() {
   return id;
 }
 
-absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
   const auto id_bytes = static_cast<int64_t>(submission.request_id.size());
   if (id_bytes > limits::kMaxNameBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
@@ -33,13 +32,19 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
                       spec_bytes);
   }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
-  const auto resolved = ResolveJob(std::move(submission.request), build_id_);
+  auto resolved = ResolveJob(submission.request, build_id_);
   if (!resolved.ok()) return resolved.status();
   if (absl::Status ok = CheckMeshes(resolved->request); !ok.ok()) return ok;
+  return resolved;
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  const auto resolved = Check(submission);
+  if (!resolved.ok()) return resolved.status();
   NewJob job;
   job.id = NewJobId();
   job.request_id = std::move(submission.request_id);
-  job.spec_digest = Sha256Hex(submission.spec);
+  job.spec_digest = std::move(submission.spec_digest);
   job.spec = std::move(submission.spec);
   job.labels = std::move(submission.labels);
   job.priority = submission.priority;

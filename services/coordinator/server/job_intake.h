@@ -12,7 +12,8 @@ namespace slicefarm::coordinator {
 
 struct Submission {
   std::string request_id;
-  std::string spec;  ///< the request as it will be kept
+  std::string spec_digest;  ///< of the request as it came: equal for equal requests
+  std::string spec;         ///< the request as it will be kept
   JobRequest request;
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
@@ -29,6 +30,9 @@ class JobIntake {
   /// Returns once the job is on disk. Errors: those of ResolveJob and JobStore::Create;
   /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that was not uploaded.
   absl::StatusOr<Created> Create(Submission submission);
+
+  /// All of that but the keeping: the job that would be made, without an id.
+  absl::StatusOr<ResolvedJob> Check(const Submission& submission);
 
  private:
   absl::Status CheckMeshes(const JobRequest& request);

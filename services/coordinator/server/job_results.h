@@ -2,7 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "services/coordinator/algo/cost.h"
+#include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_store.h"
 
@@ -12,29 +15,33 @@ namespace slicefarm::coordinator {
 struct RunOutput {
   std::string gcode;
   std::string report_json;
-  JobResult result;  ///< without digests and size
+  JobResult result;  ///< without digests, size and cost
 };
 
 /// Results of jobs: record and blobs together, so that no job refers to a blob that is not there.
 /// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
 class JobResults {
  public:
-  JobResults(JobStore& jobs, BlobStore& blobs) : jobs_(jobs), blobs_(blobs) {}
+  JobResults(JobStore& jobs, BlobStore& blobs, Rates rates)
+      : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
   /// Keeps the artifacts and ends the job as SUCCEEDED. Errors: those of both stores.
-  absl::StatusOr<JobRecord> Succeed(const Lease& lease, RunOutput output, int64_t now_us);
+  absl::StatusOr<JobRecord> Succeed(const Lease& lease, const ResolvedJob& job, RunOutput output,
+                                    int64_t now_us);
 
-  /// Ends the job with the result that the same work came to before. nullopt: there is none, or its
-  /// blobs are gone.
+  /// Ends the job with the result that the same work came to before, at today's rates. nullopt:
+  /// there is none, or its blobs are gone.
   absl::StatusOr<std::optional<JobRecord>> SucceedFromCache(const Lease& lease,
-                                                            const std::string& action_digest,
-                                                            int64_t now_us);
+                                                            const ResolvedJob& job, int64_t now_us);
 
  private:
+  absl::StatusOr<std::optional<JobResult>> Find(const ResolvedJob& job);
   absl::StatusOr<bool> Complete(const JobResult& result);
+  Cost CostOfJob(const ResolvedJob& job, const JobResult& result) const;
 
   JobStore& jobs_;
   BlobStore& blobs_;
+  const Rates rates_;
 };
 
 }  // namespace slicefarm::coordinator

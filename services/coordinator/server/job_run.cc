@@ -5,6 +5,7 @@
 
 #include "common/model/error.h"
 #include "services/coordinator/algo/report_json.h"
+#include "services/coordinator/server/job_meshes.h"
 #include "services/coordinator/server/jobs_wire.h"
 
 namespace slicefarm::coordinator {
@@ -64,7 +65,7 @@ absl::Status JobRun::Work() {
   auto resolved = ResolveJob(*std::move(request), environment_.build_id);
   if (!resolved.ok()) return resolved.status();
   const auto cached =
-      environment_.results.SucceedFromCache(lease_, resolved->action_digest, environment_.now_us());
+      environment_.results.SucceedFromCache(lease_, *resolved, environment_.now_us());
   if (!cached.ok()) return Written(cached.status());
   if (*cached) return Written(absl::OkStatus());
   if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
@@ -72,7 +73,7 @@ absl::Status JobRun::Work() {
 }
 
 absl::Status JobRun::Compute(ResolvedJob job) {
-  auto meshes = LoadMeshes(job.request);
+  auto meshes = LoadMeshes(job.request, environment_.blobs);
   if (!meshes.ok()) return meshes.status();
   StageCall call;
   call.job_id = job_.id;
@@ -84,20 +85,9 @@ absl::Status JobRun::Compute(ResolvedJob job) {
   if (!output.ok()) return output.status();
   if (lost_) return absl::AbortedError("fenced");
   return Written(environment_.results
-                     .Succeed(lease_, OutputOf(*std::move(output), job, environment_.build_id),
+                     .Succeed(lease_, job, OutputOf(*std::move(output), job, environment_.build_id),
                               environment_.now_us())
                      .status());
-}
-
-absl::StatusOr<SliceInput> JobRun::LoadMeshes(const JobRequest& request) {
-  SliceInput input;
-  for (const ObjectRequest& object : request.objects) {
-    auto bytes = environment_.blobs.Get(object.mesh_sha256);
-    if (!bytes.ok()) return bytes.status();
-    input.files.push_back({object.name, object.format, *std::move(bytes)});
-    input.placements.push_back(object.placement);
-  }
-  return input;
 }
 
 void JobRun::Progress(PipelineProgress progress) {

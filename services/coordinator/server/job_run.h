@@ -49,7 +49,6 @@ class JobRun {
  private:
   absl::Status Work();
   absl::Status Compute(ResolvedJob job);
-  absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request);
   void Progress(PipelineProgress progress);
   void Conclude(const absl::Status& status);
   JobUpdate Conclusion(const absl::Status& status) const;

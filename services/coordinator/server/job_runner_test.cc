@@ -60,6 +60,7 @@ class JobRunnerTest : public testing::Test {
     object->set_name("part");
     const auto created = JobIntake(*jobs_, *blobs_, build, Clock())
                              .Create({.request_id = {},
+                                      .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),
                                       .request = *FromProto(spec),
                                       .labels = {}});
@@ -112,7 +113,7 @@ class JobRunnerTest : public testing::Test {
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
-  JobResults results_{failing_, *blobs_};
+  JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };

@@ -6,15 +6,25 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
 #include "common/wire/wire_error.h"
+#include "services/coordinator/algo/preflight.h"
+#include "services/coordinator/server/job_meshes.h"
 #include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/jobs_wire.h"
+#include "services/coordinator/server/profile_settings.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
 constexpr int64_t kDownloadChunkBytes = 64 << 10;
+
+absl::Status IsAQuote(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
+                   {{"job", id}});
+}
 
 absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
   if (!job.result) {
@@ -24,6 +34,7 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
   }
   switch (artifact) {
     case v1::ARTIFACT_GCODE:
+      if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);
       return job.result->gcode_sha256;
     case v1::ARTIFACT_REPORT:
       return job.result->report_sha256;
@@ -34,27 +45,101 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
 
 }  // namespace
 
-grpc::Status JobsService::CreateJob(grpc::ServerContext*, const v1::CreateJobRequest* request,
-                                    v1::Job* response) {
-  const auto created = Create(*request);
-  if (!created.ok()) {
-    backend_.log.Warn("job refused", {{"error", std::string(created.status().message())}});
-    return rpc::ToGrpc(created.status());
+grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
+                                    const v1::CreateJobRequest* request, v1::Job* response) {
+  if (request->validate_only()) {
+    return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
+      auto job = Validate(*request, call.cancel);
+      if (job.ok()) *response = *std::move(job);
+      return job.status();
+    });
   }
-  *response = ToProto(created->job);
-  if (!created->fresh) return grpc::Status::OK;
-  backend_.log.Info("job accepted", {{"job", created->job.id}});
-  backend_.runner.Wake();
+  const auto created = Create(*request);
+  if (created.ok()) *response = ToProto(*created);
+  return rpc::ToGrpc(created.status());
+}
+
+grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext*,
+                                          const v1::BatchCreateJobsRequest* request,
+                                          v1::BatchCreateJobsResponse* response) {
+  if (request->requests_size() > limits::kMaxBatchJobs) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
+                                  limits::kMaxBatchJobs, request->requests_size()));
+  }
+  for (const v1::CreateJobRequest& each : request->requests()) {
+    const auto created =
+        each.validate_only()
+            ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
+            : Create(each);
+    v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
+    if (created.ok()) {
+      *outcome.mutable_job() = ToProto(*created);
+      outcome.mutable_job()->mutable_spec()->clear_settings();
+    } else {
+      *outcome.mutable_error() = ToProto(JobErrorOf(created.status()));
+    }
+  }
   return grpc::Status::OK;
 }
 
-absl::StatusOr<Created> JobsService::Create(const v1::CreateJobRequest& request) {
-  auto spec = FromProto(request.spec());
+absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& request) {
+  auto submission = Read(request);
+  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
+                                 : absl::StatusOr<Created>(submission.status());
+  if (!created.ok()) {
+    backend_.log.Warn("job refused", {{"error", std::string(created.status().message())}});
+    return created.status();
+  }
+  if (created->fresh) {
+    backend_.log.Info("job accepted", {{"job", created->job.id}});
+    backend_.runner.Wake();
+  }
+  return std::move(created->job);
+}
+
+absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request) {
+  const auto spec = WithProfiles(request.spec(), "", backend_.profiles);
   if (!spec.ok()) return Within("spec", spec.status());
-  return backend_.intake.Create({.request_id = request.request_id(),
-                                 .spec = SpecBytes(request.spec()),
-                                 .request = *std::move(spec),
-                                 .labels = {request.labels().begin(), request.labels().end()}});
+  auto job = FromProto(*spec);
+  if (!job.ok()) return Within("spec", job.status());
+  const auto priority = FromProto(request.priority());
+  if (!priority.ok()) return priority.status();
+  Submission submission;
+  submission.request_id = request.request_id();
+  submission.spec_digest = Sha256Hex(SpecBytes(request.spec()));
+  submission.spec = SpecBytes(*spec);
+  submission.request = *std::move(job);
+  submission.labels = {request.labels().begin(), request.labels().end()};
+  submission.priority = *priority;
+  if (!request.has_deadline()) return submission;
+  const auto deadline_us = FromProto(request.deadline());
+  if (!deadline_us.ok()) return Within("deadline", deadline_us.status());
+  submission.deadline_us = *deadline_us;
+  return submission;
+}
+
+absl::StatusOr<v1::Job> JobsService::Validate(const v1::CreateJobRequest& request,
+                                              const CancelToken& cancel) {
+  const auto submission = Read(request);
+  if (!submission.ok()) return submission.status();
+  const auto resolved = backend_.intake.Check(*submission);
+  if (!resolved.ok()) return resolved.status();
+  auto meshes = LoadMeshes(resolved->request, backend_.blobs);
+  if (!meshes.ok()) return meshes.status();
+  StageCall call;
+  call.cancel = cancel;
+  const auto found = LookAt(
+      call, {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
+      backend_.slicing);
+  if (!found.ok()) return found.status();
+  v1::Job job;
+  *job.mutable_spec() = request.spec();
+  job.set_settings_digest(resolved->settings_digest);
+  job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
+  *job.mutable_preflight() = ToProto(
+      *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
+                     resolved->settings.settings.motion.filament_cost_per_kg));
+  return job;
 }
 
 grpc::Status JobsService::GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,

@@ -2,11 +2,14 @@
 
 #include <functional>
 
+#include "common/rpc/call_gate.h"
 #include "common/rpc/json_log.h"
+#include "services/coordinator/algo/cost.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
 #include "services/coordinator/server/transfers.h"
+#include "services/coordinator/store/profile_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -18,6 +21,9 @@ struct JobsBackend {
   JobIntake& intake;
   JobRunner& runner;
   JobFeed& feed;
+  ProfileStore& profiles;
+  const SlicingStage& slicing;  ///< for preflights
+  Rates rates;
   std::function<int64_t()> now_us;
   rpc::JsonLog log;
 };
@@ -26,10 +32,15 @@ struct JobsBackend {
 class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   JobsService(JobsBackend backend, const TransferOptions& options)
-      : backend_(std::move(backend)), downloads_(options) {}
+      : backend_(std::move(backend)),
+        downloads_(options),
+        preflights_({.slots = 2, .queue = 16}, backend_.log) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
+  grpc::Status BatchCreateJobs(grpc::ServerContext* context,
+                               const v1::BatchCreateJobsRequest* request,
+                               v1::BatchCreateJobsResponse* response) override;
   grpc::Status GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                       v1::Job* response) override;
   grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
@@ -44,13 +55,16 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
 
  private:
-  absl::StatusOr<Created> Create(const v1::CreateJobRequest& request);
+  absl::StatusOr<Submission> Read(const v1::CreateJobRequest& request);
+  absl::StatusOr<JobRecord> Create(const v1::CreateJobRequest& request);
+  absl::StatusOr<v1::Job> Validate(const v1::CreateJobRequest& request, const CancelToken& cancel);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
   absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
                     grpc::ServerWriter<v1::DownloadResponse>& stream);
 
   JobsBackend backend_;
   Transfers downloads_;
+  rpc::CallGate preflights_;  ///< which take as long as slicing does
 };
 
 }  // namespace slicefarm::coordinator

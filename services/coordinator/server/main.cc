@@ -12,6 +12,7 @@
 #include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/coordinator_flags.h"
 #include "services/coordinator/server/coordinator_metrics.h"
+#include "services/coordinator/server/rates_file.h"
 #include "services/coordinator/server/split_stages.h"
 
 namespace slicefarm::coordinator {
@@ -32,8 +33,15 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   }
   if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
 
+  const auto rates =
+      flags.rates_file.empty() ? absl::StatusOr<Rates>(Rates()) : ReadRates(flags.rates_file);
+  if (!rates.ok()) {
+    program.log().Error("cannot use the rates", {{"error", std::string(rates.status().message())}});
+    return 1;
+  }
   CoordinatorOptions options{.stores = flags.stores,
                              .runner = flags.runner,
+                             .rates = *rates,
                              .build_id = std::string(BuildId()),
                              .maintenance = flags.maintenance()};
   auto coordinator =

@@ -7,6 +7,7 @@
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/profile_store.h"
 
 namespace slicefarm::coordinator {
 
@@ -22,6 +23,7 @@ struct Stores {
   std::unique_ptr<StateLock> lock;  ///< of a directory
   std::unique_ptr<JobStore> jobs;
   std::unique_ptr<BlobStore> blobs;
+  std::unique_ptr<ProfileStore> profiles;
 };
 
 /// Errors: those of the stores; Unavailable if another process uses the directory.

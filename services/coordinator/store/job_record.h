@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "services/coordinator/algo/cost.h"
 #include "services/coordinator/algo/job_state.h"
 
 namespace slicefarm::coordinator {
@@ -25,7 +26,7 @@ JobError JobErrorOf(const absl::Status& status);
 
 /// What a job came to: the names of its artifacts, and what lists show of them.
 struct JobResult {
-  std::string gcode_sha256;
+  std::string gcode_sha256;  ///< empty: of a quote
   int64_t gcode_size = 0;
   std::string report_sha256;
   double print_time_s = 0;
@@ -33,6 +34,7 @@ struct JobResult {
   double filament_g = 0;
   int32_t layers = 0;
   bool cached = false;  ///< found by content, not computed for this job
+  Cost cost;            ///< by the rates when the job ended
   std::vector<std::string> warnings;
 
   friend bool operator==(const JobResult&, const JobResult&) = default;

@@ -78,8 +78,11 @@ absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
 absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   const JobResult& result = *job.result;
   if (result.cached) {
-    SqlQuery query(db, "SELECT 1 FROM results WHERE action_digest = ? AND gcode_sha256 = ?");
-    query.Bind(job.action_digest, result.gcode_sha256);
+    // A quote, which has no G-code, may have taken the report of a print.
+    SqlQuery query(db,
+                   "SELECT 1 FROM results WHERE report_sha256 = ?"
+                   " AND (gcode_sha256 = ? OR '' = ?)");
+    query.Bind(result.report_sha256, result.gcode_sha256, result.gcode_sha256);
     if (query.Next()) return absl::OkStatus();
     return query.status().ok() ? CachedResultGone(job.id) : query.status();
   }

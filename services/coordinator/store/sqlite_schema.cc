@@ -125,6 +125,17 @@ DROP TABLE old_requests;
 CREATE INDEX requests_by_age ON requests (create_us);
 CREATE INDEX requests_by_job ON requests (job_id);
 )",
+    R"(
+CREATE TABLE profiles (
+  tenant          TEXT    NOT NULL,
+  name            TEXT    NOT NULL,
+  revision        INTEGER NOT NULL,
+  settings        BLOB    NOT NULL,
+  settings_digest TEXT    NOT NULL,
+  create_us       INTEGER NOT NULL,
+  PRIMARY KEY (tenant, name, revision)
+) STRICT, WITHOUT ROWID;
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+#include "services/coordinator/store/profile_store.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
+
+namespace slicefarm::coordinator {
+
+/// Translates slicefarm.v1.Profiles to a ProfileStore.
+class ProfilesService final : public v1::Profiles::Service {
+ public:
+  ProfilesService(ProfileStore& profiles, std::function<int64_t()> now_us)
+      : profiles_(profiles), now_us_(std::move(now_us)) {}
+
+  grpc::Status PutProfile(grpc::ServerContext* context, const v1::PutProfileRequest* request,
+                          v1::Profile* response) override;
+  grpc::Status GetProfile(grpc::ServerContext* context, const v1::GetProfileRequest* request,
+                          v1::Profile* response) override;
+  grpc::Status ListProfiles(grpc::ServerContext* context, const v1::ListProfilesRequest* request,
+                            v1::ListProfilesResponse* response) override;
+
+ private:
+  absl::Status Put(const v1::PutProfileRequest& request, v1::Profile* response);
+  absl::Status List(const v1::ListProfilesRequest& request, v1::ListProfilesResponse* response);
+
+  ProfileStore& profiles_;
+  const std::function<int64_t()> now_us_;
+};
+
+}  // namespace slicefarm::coordinator
