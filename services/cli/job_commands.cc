@@ -29,6 +29,8 @@ struct GetOptions : JobCommandOptions {
 struct ListOptions : JobCommandOptions {
   int limit = 50;
   std::vector<std::string> states;
+  std::vector<std::string> labels;
+  bool oldest_first = false;
   bool json = false;
 };
 
@@ -111,6 +113,12 @@ v1::JobState StateOf(const std::string& name) {
 absl::StatusOr<v1::ListJobsResponse> ListAll(JobsClient& client, const ListOptions& options) {
   v1::ListJobsRequest request;
   for (const std::string& state : options.states) request.add_states(StateOf(state));
+  for (const std::string& label : options.labels) {
+    const size_t equals = std::min(label.find('='), label.size());
+    (*request.mutable_labels())[label.substr(0, equals)] =
+        label.substr(std::min(equals + 1, label.size()));
+  }
+  request.set_oldest_first(options.oldest_first);
   v1::ListJobsResponse all;
   do {
     request.set_page_size(std::min(kPageSize, options.limit - all.jobs_size()));
@@ -166,6 +174,10 @@ void AddList(CLI::App& app, CommandContext& context) {
   command->add_option("--state", options->states, "Only jobs in this state. May be repeated")
       ->check(CLI::IsMember({"queued", "running", "succeeded", "failed", "cancelled"}))
       ->allow_extra_args(false);
+  command->add_option("--label", options->labels, "Only jobs with this label. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--oldest-first", options->oldest_first);
   command->add_flag("--json", options->json, "All that is known of them, as JSON");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {

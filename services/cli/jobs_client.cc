@@ -4,8 +4,7 @@
 #include <grpcpp/support/async_stream.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -32,7 +31,8 @@ constexpr milliseconds kMaxAskedRest{5'000};
 bool OutOfReach(const absl::Status& status) {
   const Reason reason = DetailOf(status).reason;
   return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded ||
-         reason == Reason::kOverloaded;
+         reason == Reason::kOverloaded || reason == Reason::kQueueFull ||
+         reason == Reason::kDiskLow;
 }
 
 /// A UUID, version 4.
@@ -84,7 +84,8 @@ JobsClient::JobsClient(JobsClientOptions options)
       channel_(
           rpc::MakeChannel(options_.server, {.max_message_bytes = limits::kMaxPublicMessageBytes})),
       meshes_(v1::Meshes::NewStub(channel_)),
-      jobs_(v1::Jobs::NewStub(channel_)) {}
+      jobs_(v1::Jobs::NewStub(channel_)),
+      profiles_(v1::Profiles::NewStub(channel_)) {}
 
 /// Makes the attempt until it ends otherwise than with the server out of reach. Patience counts
 /// from the first attempt that got no answer at all: a stream that was quiet for long until it
@@ -92,18 +93,19 @@ JobsClient::JobsClient(JobsClientOptions options)
 /// answered_.
 absl::Status JobsClient::Persist(const Attempt& attempt) {
   const double patience_s = std::chrono::duration<double>(options_.patience).count();
-  std::optional<double> away_since_s;
+  constexpr double kNotAway = std::numeric_limits<double>::infinity();
+  double away_since_s = kNotAway;
   for (milliseconds rest = kMinRest;; rest = std::min(rest * 2, kMaxRest)) {
     answered_ = false;
     absl::Status status = attempt();
     if (status.ok() || !OutOfReach(status)) return status;
     if (answered_) {
       rest = kMinRest;
-      away_since_s.reset();
-    } else if (!away_since_s) {
-      away_since_s = clock_.Seconds();
+      away_since_s = kNotAway;
+    } else {
+      away_since_s = std::min(away_since_s, clock_.Seconds());
     }
-    if (away_since_s && clock_.Seconds() - *away_since_s >= patience_s) {
+    if (clock_.Seconds() - away_since_s >= patience_s) {
       const ErrorDetail detail = DetailOf(status);
       return MakeError(status.code(), detail.reason,
                        fmt::format("{}: {}", options_.server, std::string(status.message())),
@@ -116,10 +118,11 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
 }
 
 template <typename Response, typename Request, typename Start>
-absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start) {
+absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start,
+                                          milliseconds deadline) {
   Response response;
   const absl::Status status = Persist([&] {
-    return rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &response, start);
+    return rpc::UnaryCall({deadline, options_.cancel}, request, &response, start);
   });
   if (!status.ok()) return status;
   return response;
@@ -195,13 +198,12 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
       fmt::format("the server has {} of {} bytes", upload.committed_size(), bytes.size()));
 }
 
-absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::JobSpec spec,
-                                              const std::map<std::string, std::string>& labels) {
-  v1::CreateJobRequest request;
+absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {
   request.set_request_id(NewRequestId());
-  *request.mutable_spec() = std::move(spec);
-  request.mutable_labels()->insert(labels.begin(), labels.end());
-  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncCreateJob(a...); });
+  // A preflight slices the mesh before it answers.
+  return Call<v1::Job>(
+      request, [&](auto... a) { return jobs_->AsyncCreateJob(a...); },
+      request.validate_only() ? kTransferDeadline : kUnaryDeadline);
 }
 
 absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
@@ -226,6 +228,20 @@ absl::Status JobsClient::DeleteJob(const std::string& id) {
 
 absl::StatusOr<v1::ListJobsResponse> JobsClient::ListJobs(const v1::ListJobsRequest& request) {
   return Call<v1::ListJobsResponse>(request, [&](auto... a) { return jobs_->AsyncListJobs(a...); });
+}
+
+absl::StatusOr<v1::Profile> JobsClient::PutProfile(const v1::PutProfileRequest& request) {
+  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncPutProfile(a...); });
+}
+
+absl::StatusOr<v1::Profile> JobsClient::GetProfile(const v1::GetProfileRequest& request) {
+  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncGetProfile(a...); });
+}
+
+absl::StatusOr<v1::ListProfilesResponse> JobsClient::ListProfiles(
+    const v1::ListProfilesRequest& request) {
+  return Call<v1::ListProfilesResponse>(
+      request, [&](auto... a) { return profiles_->AsyncListProfiles(a...); });
 }
 
 absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,

@@ -69,7 +69,9 @@ TEST_F(JobsClientTest, RefusesAServerThatHasMoreThanTheMesh) {
 }
 
 TEST_F(JobsClientTest, GivesEachJobARequestIdOfItsOwn) {
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client_.CreateJob({}, {{"queue", "night"}}).ok());
+  v1::CreateJobRequest request;
+  (*request.mutable_labels())["queue"] = "night";
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client_.CreateJob(request).ok());
   EXPECT_EQ(server_.request_ids.size(), 20);
   for (const std::string& id : server_.request_ids) {
     EXPECT_THAT(id,
