@@ -82,7 +82,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   std::atomic<int> break_download_after = -1;
   std::deque<grpc::StatusCode> quiet_watch_ends;  ///< of watches that end before any event
   bool hold_watches = false;                      ///< they tell nothing until they are cancelled
-  std::atomic<int> overloaded_gets = 0;           ///< GetJob calls that find no free thread
+  std::deque<grpc::Status> refused_gets;          ///< what GetJob answers first
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
   std::string mesh;
   std::vector<int64_t> upload_offsets;
@@ -138,8 +138,10 @@ class FakeCoordinator : public v1::Meshes::Service,
 
   grpc::Status GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,
                       v1::Job* response) override {
-    if (overloaded_gets-- > 0) {
-      return {grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted"};
+    if (!refused_gets.empty()) {
+      const grpc::Status refused = refused_gets.front();
+      refused_gets.pop_front();
+      return refused;
     }
     response->set_id("job-1");
     return Find(request->id());

@@ -14,6 +14,7 @@
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
 #include "common/rpc/retry_after.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -28,11 +29,11 @@ constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
+/// True if the same call may go well in a while: nobody answers, or the server says so.
 bool OutOfReach(const absl::Status& status) {
-  const Reason reason = DetailOf(status).reason;
-  return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded ||
-         reason == Reason::kOverloaded || reason == Reason::kQueueFull ||
-         reason == Reason::kDiskLow;
+  return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
+         DetailOf(status).reason == Reason::kOverloaded ||
+         DetailOf(status).metadata.contains(rpc::kRetryAfterMs);
 }
 
 /// A UUID, version 4.

@@ -99,7 +99,7 @@ absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& reques
 
 absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request) {
   const auto spec = WithProfiles(request.spec(), "", backend_.profiles);
-  if (!spec.ok()) return Within("spec", spec.status());
+  if (!spec.ok()) return spec.status();
   auto job = FromProto(*spec);
   if (!job.ok()) return Within("spec", job.status());
   const auto priority = FromProto(request.priority());

@@ -55,7 +55,7 @@ absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& te
   google::protobuf::RepeatedPtrField<v1::Setting> settings;
   for (int i = 0; i < spec.profiles_size(); ++i) {
     const auto ref = ParseProfileRef(spec.profiles(i));
-    if (!ref.ok()) return Within("profiles", i, ref.status());
+    if (!ref.ok()) return Within("spec.profiles", i, ref.status());
     const auto record = profiles.Get(tenant, ref->name, ref->revision);
     if (!record.ok()) return AsPrecondition(record.status());
     auto profile = ReadProfile(*record);
