@@ -17,6 +17,7 @@ struct CoordinatorOptions {
   StoreOptions stores;
   JobRunnerOptions runner;
   Rates rates = {};
+  int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
@@ -57,6 +58,7 @@ class Coordinator {
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
+  const DiskGuard disk_;
   JobIntake intake_;
   JobRunner runner_;
   MeshesService meshes_service_;

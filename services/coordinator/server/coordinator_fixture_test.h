@@ -42,6 +42,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
     options.runner.poll = std::chrono::milliseconds(20);
     options.transfers = transfers_;
     options.rates = rates_;
+    options.min_free_bytes = min_free_bytes_;
     auto coordinator =
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
@@ -175,6 +176,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
 
   TransferOptions transfers_;
   Rates rates_;
+  int64_t min_free_bytes_ = 0;
   int jobs_at_once_ = 2;
   TempDirectory directory_;
   FakeSlicing slicing_;

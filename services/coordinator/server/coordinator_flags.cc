@@ -51,6 +51,15 @@ Maintenance::Options CoordinatorFlags::maintenance() const {
   return options;
 }
 
+JobRunnerOptions CoordinatorFlags::runner_options() const {
+  using std::chrono::milliseconds;
+  JobRunnerOptions options = runner;
+  options.lease = milliseconds(static_cast<int64_t>(lease_s * 1000));
+  options.renew = options.lease * 3 / 10;
+  options.poll = options.lease / 10;
+  return options;
+}
+
 SplitStages::Names CoordinatorFlags::split_names() const {
   return {SplitAddresses(beading), SplitAddresses(infill), SplitAddresses(ordering)};
 }
@@ -68,6 +77,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->envname("SLICEFARM_POSTGRES");
   app.add_option("--name", flags->runner.owner,
                  "Of this coordinator among those that share a database; the same after a restart")
+      ->capture_default_str();
+  app.add_option("--lease", flags->lease_s,
+                 "Seconds after which other coordinators take over from one that is silent")
+      ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
@@ -90,6 +103,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->capture_default_str();
   app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time")
       ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--min-free", flags->min_free_mib,
+                 "MiB of --state-dir's disk below which nothing new is taken")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")

@@ -39,6 +39,7 @@ absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
 }
 
 absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
   const auto resolved = Check(submission);
   if (!resolved.ok()) return resolved.status();
   NewJob job;

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_store.h"
@@ -24,10 +25,15 @@ struct Submission {
 /// The edge where requests become jobs: what comes behind it has been checked.
 class JobIntake {
  public:
-  JobIntake(JobStore& jobs, BlobStore& blobs, std::string build_id, std::function<int64_t()> now_us)
-      : jobs_(jobs), blobs_(blobs), build_id_(std::move(build_id)), now_us_(std::move(now_us)) {}
+  JobIntake(JobStore& jobs, BlobStore& blobs, const DiskGuard& disk, std::string build_id,
+            std::function<int64_t()> now_us)
+      : jobs_(jobs),
+        blobs_(blobs),
+        disk_(disk),
+        build_id_(std::move(build_id)),
+        now_us_(std::move(now_us)) {}
 
-  /// Returns once the job is on disk. Errors: those of ResolveJob and JobStore::Create;
+  /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard and JobStore::Create;
   /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that was not uploaded.
   absl::StatusOr<Created> Create(Submission submission);
 
@@ -39,6 +45,7 @@ class JobIntake {
 
   JobStore& jobs_;
   BlobStore& blobs_;
+  const DiskGuard& disk_;
   const std::string build_id_;
   const std::function<int64_t()> now_us_;
 };

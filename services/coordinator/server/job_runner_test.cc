@@ -58,7 +58,7 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*blobs_->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, build, Clock())
+    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), build, Clock())
                              .Create({.request_id = {},
                                       .spec_digest = Sha256Hex(SpecBytes(spec)),
                                       .spec = SpecBytes(spec),

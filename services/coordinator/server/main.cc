@@ -40,8 +40,9 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     return 1;
   }
   CoordinatorOptions options{.stores = flags.stores,
-                             .runner = flags.runner,
+                             .runner = flags.runner_options(),
                              .rates = *rates,
+                             .min_free_bytes = flags.min_free_mib << 20,
                              .build_id = std::string(BuildId()),
                              .maintenance = flags.maintenance()};
   auto coordinator =

@@ -61,6 +61,7 @@ absl::Status MeshesService::Take(Reader& stream, const Transfers::Moved& moved,
 absl::StatusOr<BlobStatus> MeshesService::Receive(Reader& stream, const Transfers::Moved& moved,
                                                   v1::UploadMeshRequest& first) {
   if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
+  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
   const std::string digest = first.sha256();
   const int64_t size = first.size();
   int64_t offset = first.write_offset();

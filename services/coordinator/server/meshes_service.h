@@ -1,6 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/server/transfers.h"
 #include "services/coordinator/store/blob_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -10,8 +11,8 @@ namespace slicefarm::coordinator {
 /// Translates slicefarm.v1.Meshes to a BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
-  MeshesService(BlobStore& blobs, const TransferOptions& options)
-      : blobs_(blobs), uploads_(options) {}
+  MeshesService(BlobStore& blobs, const DiskGuard& disk, const TransferOptions& options)
+      : blobs_(blobs), disk_(disk), uploads_(options) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
                          v1::Upload* response) override;
@@ -27,6 +28,7 @@ class MeshesService final : public v1::Meshes::Service {
                                      v1::UploadMeshRequest& first);
 
   BlobStore& blobs_;
+  const DiskGuard& disk_;
   Transfers uploads_;
 };
 

@@ -26,7 +26,8 @@ absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text);
 absl::Status CheckProfileName(const std::string& name);
 
 /// The spec with the settings of its profiles before its own, and its profiles by revision: it does
-/// not change when they do. Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition); those of the store.
+/// not change when they do. Errors: REQUEST_MALFORMED; PROFILE_NOT_FOUND (FailedPrecondition);
+/// those of the store.
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <limits>
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
@@ -67,6 +68,22 @@ class SubmissionTest : public CoordinatorTest {
     return request;
   }
 };
+
+TEST_F(SubmissionTest, NothingNewIsTakenWhenTheDiskRunsLowAndTheRestGoesOn) {
+  ranges_->Hold();
+  const std::string id = Submit("xxx");
+  ranges_->AwaitCall();
+  Close();
+  min_free_bytes_ = std::numeric_limits<int64_t>::max();
+  Open();
+  for (const absl::Status& refused :
+       {Upload("another").status(), Create(RequestFor("xxx")).status()}) {
+    EXPECT_EQ(ReasonOf(refused), Reason::kDiskLow);
+    EXPECT_TRUE(DetailOf(refused).metadata.contains(rpc::kRetryAfterMs));
+  }
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(id).state(), v1::JOB_STATE_SUCCEEDED);
+}
 
 TEST_F(SubmissionTest, AQuoteHasWhatAPrintHasButTheGcode) {
   ASSERT_TRUE(Upload("xxx").ok());
