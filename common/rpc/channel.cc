@@ -19,6 +19,7 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Jobs", "method": "GetJob"},
       {"service": "slicefarm.v1.Jobs", "method": "ListJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "CancelJob"},
+      {"service": "slicefarm.v1.Jobs", "method": "GetWebhook"},
       {"service": "slicefarm.v1.Jobs", "method": "DeleteJob"},
       {"service": "slicefarm.v1.Profiles"}
     ],

@@ -39,9 +39,10 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
                              options_.build_id, log},
               options_.runner),
       meshes_service_(*stores_.blobs, disk_, options_.transfers),
-      jobs_service_(JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_,
-                                *stores_.profiles, slicing, options_.rates, NowUs, log},
-                    options_.transfers),
+      jobs_service_(
+          JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_, *stores_.profiles,
+                      *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
+          options_.transfers),
       profiles_service_(*stores_.profiles, NowUs) {}
 
 Coordinator::~Coordinator() { Stop(); }
@@ -50,12 +51,15 @@ absl::Status Coordinator::Start() {
   if (absl::Status started = runner_.Start(); !started.ok()) return started;
   changes_ = ListenForChanges(options_.stores,
                               [this](const std::optional<JobChange>& change) { Changed(change); });
+  webhook_sender_.emplace(*stores_.webhooks, *stores_.jobs, options_.webhooks,
+                          options_.webhook_sender, NowUs, log_);
   maintenance_.emplace(*stores_.jobs, *stores_.blobs, options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }
 
 void Coordinator::Stop() {
   maintenance_.reset();
+  webhook_sender_.reset();
   changes_.reset();
   feed_.Close();
   runner_.Stop();

@@ -10,6 +10,7 @@
 #include "services/coordinator/server/meshes_service.h"
 #include "services/coordinator/server/profiles_service.h"
 #include "services/coordinator/server/stores.h"
+#include "services/coordinator/server/webhook_sender.h"
 
 namespace slicefarm::coordinator {
 
@@ -17,6 +18,8 @@ struct CoordinatorOptions {
   StoreOptions stores;
   JobRunnerOptions runner;
   Rates rates = {};
+  WebhookPolicy webhooks = {};
+  WebhookSender::Options webhook_sender = {};
   int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;
   TransferOptions transfers = {};
@@ -65,6 +68,7 @@ class Coordinator {
   JobsService jobs_service_;
   ProfilesService profiles_service_;
   std::unique_ptr<JobChanges> changes_;
+  std::optional<WebhookSender> webhook_sender_;
   std::optional<Maintenance> maintenance_;
 };
 

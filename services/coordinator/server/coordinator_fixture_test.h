@@ -42,6 +42,10 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
     options.runner.poll = std::chrono::milliseconds(20);
     options.transfers = transfers_;
     options.rates = rates_;
+    options.webhooks = webhooks_;
+    options.webhook_sender.poll = std::chrono::milliseconds(20);
+    options.webhook_sender.first_retry = std::chrono::milliseconds(50);
+    options.webhook_sender.max_attempts = 3;
     options.min_free_bytes = min_free_bytes_;
     auto coordinator =
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
@@ -176,6 +180,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
 
   TransferOptions transfers_;
   Rates rates_;
+  WebhookPolicy webhooks_;
   int64_t min_free_bytes_ = 0;
   int jobs_at_once_ = 2;
   TempDirectory directory_;

@@ -111,6 +111,9 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")
       ->check(CLI::ExistingFile);
+  app.add_option("--webhooks", flags->webhooks_file,
+                 "JSON file of where webhooks may go; without, none are sent")
+      ->check(CLI::ExistingFile);
   app.callback([flags] { Check(*flags); });
 }
 

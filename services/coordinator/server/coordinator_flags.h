@@ -24,6 +24,7 @@ struct CoordinatorFlags {
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
   std::string rates_file;
+  std::string webhooks_file;
   int64_t min_free_mib = 1024;
   double lease_s = 10;
   double keep_jobs_days = 0;

@@ -51,6 +51,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.priority = submission.priority;
   job.deadline_us = submission.deadline_us;
   job.traceparent = std::move(submission.traceparent);
+  job.webhook_url = std::move(submission.webhook_url);
   job.max_open = limits::kMaxOpenJobs;
   for (const ObjectRequest& object : resolved->request.objects)
     job.inputs.push_back(object.mesh_sha256);

@@ -20,6 +20,7 @@ struct Submission {
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
   std::string traceparent = {};
+  std::string webhook_url = {};
 };
 
 /// The edge where requests become jobs: what comes behind it has been checked.

@@ -111,6 +111,11 @@ absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request
   submission.request = *std::move(job);
   submission.labels = {request.labels().begin(), request.labels().end()};
   submission.priority = *priority;
+  submission.webhook_url = request.webhook_url();
+  if (!submission.webhook_url.empty()) {
+    absl::Status allowed = backend_.webhook_policy.Check("", submission.webhook_url);
+    if (!allowed.ok()) return allowed;
+  }
   if (!request.has_deadline()) return submission;
   const auto deadline_us = FromProto(request.deadline());
   if (!deadline_us.ok()) return Within("deadline", deadline_us.status());
@@ -173,6 +178,15 @@ grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobReq
   backend_.feed.Changed(job->id);
   *response = ToProto(*job);
   return grpc::Status::OK;
+}
+
+grpc::Status JobsService::GetWebhook(grpc::ServerContext*, const v1::GetWebhookRequest* request,
+                                     v1::Webhook* response) {
+  const auto job = backend_.jobs.Get(request->job_id());
+  if (!job.ok()) return rpc::ToGrpc(job.status());
+  const auto webhook = backend_.webhooks.Get(request->job_id());
+  if (webhook.ok() && *webhook) *response = ToProto(**webhook);
+  return rpc::ToGrpc(webhook.status());
 }
 
 grpc::Status JobsService::DeleteJob(grpc::ServerContext*, const v1::DeleteJobRequest* request,

@@ -9,7 +9,9 @@
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
 #include "services/coordinator/server/transfers.h"
+#include "services/coordinator/server/webhook_policy.h"
 #include "services/coordinator/store/profile_store.h"
+#include "services/coordinator/store/webhook_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -22,6 +24,8 @@ struct JobsBackend {
   JobRunner& runner;
   JobFeed& feed;
   ProfileStore& profiles;
+  WebhookStore& webhooks;
+  const WebhookPolicy& webhook_policy;
   const SlicingStage& slicing;  ///< for preflights
   Rates rates;
   std::function<int64_t()> now_us;
@@ -51,6 +55,8 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                          v1::Job* response) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
                          google::protobuf::Empty* response) override;
+  grpc::Status GetWebhook(grpc::ServerContext* context, const v1::GetWebhookRequest* request,
+                          v1::Webhook* response) override;
   grpc::Status Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
 

@@ -250,6 +250,20 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
   return proto;
 }
 
+v1::Webhook ToProto(const WebhookRecord& webhook) {
+  v1::Webhook proto;
+  proto.set_url(webhook.url);
+  proto.set_state(static_cast<v1::Webhook::State>(static_cast<int>(webhook.state) + 1));
+  if (webhook.state == WebhookState::kDue) SetTime(webhook.due_us, proto.mutable_next_time());
+  for (const WebhookAttempt& attempt : webhook.attempts) {
+    v1::Webhook::Attempt& each = *proto.add_attempts();
+    SetTime(attempt.time_us, each.mutable_time());
+    each.set_http_status(attempt.http_status);
+    each.set_error(attempt.error);
+  }
+  return proto;
+}
+
 v1::Upload ToProto(const std::string& digest, const BlobStatus& status) {
   v1::Upload proto;
   proto.set_sha256(digest);

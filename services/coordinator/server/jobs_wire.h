@@ -5,6 +5,7 @@
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/webhook_store.h"
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::coordinator {
@@ -37,6 +38,8 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
 v1::Job ToProto(const JobRecord& job);
 /// The job as of then, without its spec.
 v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job);
+
+v1::Webhook ToProto(const WebhookRecord& webhook);
 
 v1::Upload ToProto(const std::string& digest, const BlobStatus& status);
 

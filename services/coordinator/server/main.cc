@@ -39,9 +39,17 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     program.log().Error("cannot use the rates", {{"error", std::string(rates.status().message())}});
     return 1;
   }
+  auto webhooks = flags.webhooks_file.empty() ? absl::StatusOr<WebhookPolicy>(WebhookPolicy())
+                                              : WebhookPolicy::Read(flags.webhooks_file);
+  if (!webhooks.ok()) {
+    program.log().Error("cannot use the webhooks",
+                        {{"error", std::string(webhooks.status().message())}});
+    return 1;
+  }
   CoordinatorOptions options{.stores = flags.stores,
                              .runner = flags.runner_options(),
                              .rates = *rates,
+                             .webhooks = *std::move(webhooks),
                              .min_free_bytes = flags.min_free_mib << 20,
                              .build_id = std::string(BuildId()),
                              .maintenance = flags.maintenance()};

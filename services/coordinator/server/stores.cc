@@ -9,6 +9,7 @@
 #include "services/coordinator/store/postgres_job_changes.h"
 #include "services/coordinator/store/sql_job_store.h"
 #include "services/coordinator/store/sql_profile_store.h"
+#include "services/coordinator/store/sql_webhook_store.h"
 #include "services/coordinator/store/sqlite_database.h"
 
 namespace slicefarm::coordinator {
@@ -26,7 +27,8 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   return Stores{.lock = *std::move(lock),
                 .jobs = std::make_unique<SqlJobStore>(database),
                 .blobs = *std::move(blobs),
-                .profiles = std::make_unique<SqlProfileStore>(database)};
+                .profiles = std::make_unique<SqlProfileStore>(database),
+                .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }
 
 /// Blobs have connections of their own, so that no transfer keeps jobs waiting.
@@ -39,7 +41,8 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
   return Stores{.lock = nullptr,
                 .jobs = std::make_unique<SqlJobStore>(database),
                 .blobs = std::make_unique<PostgresBlobStore>(*std::move(blobs)),
-                .profiles = std::make_unique<SqlProfileStore>(database)};
+                .profiles = std::make_unique<SqlProfileStore>(database),
+                .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_store.h"
 #include "services/coordinator/store/profile_store.h"
+#include "services/coordinator/store/webhook_store.h"
 
 namespace slicefarm::coordinator {
 
@@ -24,6 +25,7 @@ struct Stores {
   std::unique_ptr<JobStore> jobs;
   std::unique_ptr<BlobStore> blobs;
   std::unique_ptr<ProfileStore> profiles;
+  std::unique_ptr<WebhookStore> webhooks;
 };
 
 /// Errors: those of the stores; Unavailable if another process uses the directory.

@@ -8,6 +8,7 @@
 #include "common/model/error.h"
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_steps.h"
+#include "services/coordinator/store/sql_webhook_store.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -121,6 +122,9 @@ absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
               job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
+  if (IsTerminal(job.state)) {
+    if (absl::Status done = MakeWebhookDue(db, job.number, now_us); !done.ok()) return done;
+  }
   SqlQuery event(db,
                  "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
                  " VALUES (?, ?, ?, ?, ?, ?)");

@@ -26,6 +26,7 @@ struct NewJob {
   std::string action_digest;
   std::string build_id;
   std::string traceparent;
+  std::string webhook_url = {};  ///< to be told of its end (webhook_store.h); empty: none
   int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
 };
 

@@ -9,6 +9,7 @@
 #include "services/coordinator/store/job_listing.h"
 #include "services/coordinator/store/job_rows.h"
 #include "services/coordinator/store/job_steps.h"
+#include "services/coordinator/store/sql_webhook_store.h"
 #include "services/coordinator/store/sqlite_database.h"
 
 namespace slicefarm::coordinator {
@@ -149,6 +150,8 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
   auto record = FindJob(db, job.id);
   if (!record.ok()) return record.status();
   if (absl::Status done = InsertLists(db, record->number, job); !done.ok()) return done;
+  if (absl::Status done = InsertWebhook(db, record->number, job.webhook_url); !done.ok())
+    return done;
   if (absl::Status done = WriteStep(db, *record, now_us); !done.ok()) return done;
   return Created{*std::move(record), /*fresh=*/true};
 }

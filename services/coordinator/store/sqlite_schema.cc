@@ -136,6 +136,25 @@ CREATE TABLE profiles (
   PRIMARY KEY (tenant, name, revision)
 ) STRICT, WITHOUT ROWID;
 )",
+    R"(
+CREATE TABLE webhooks (
+  job      INTEGER PRIMARY KEY REFERENCES jobs (number) ON DELETE CASCADE,
+  url      TEXT    NOT NULL,
+  state    TEXT    NOT NULL,
+  due_us   INTEGER NOT NULL,
+  attempts INTEGER NOT NULL
+) STRICT;
+CREATE INDEX webhooks_due ON webhooks (due_us) WHERE state = 'DUE';
+
+CREATE TABLE webhook_attempts (
+  job         INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+  attempt     INTEGER NOT NULL,
+  time_us     INTEGER NOT NULL,
+  http_status INTEGER NOT NULL,
+  error       TEXT    NOT NULL,
+  PRIMARY KEY (job, attempt)
+) STRICT, WITHOUT ROWID;
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
