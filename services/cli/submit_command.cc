@@ -29,6 +29,7 @@ struct SubmitOptions {
   std::vector<std::string> profiles;
   std::string priority = "normal";
   double deadline_s = 0;  ///< 0: none
+  std::string webhook;
   bool quote = false;
   bool check = false;
   bool detach = false;
@@ -87,6 +88,7 @@ absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
   *request.mutable_spec() = *std::move(spec);
   request.mutable_labels()->insert(labels->begin(), labels->end());
   request.set_priority(PriorityOf(options.priority));
+  request.set_webhook_url(options.webhook);
   request.set_validate_only(options.check);
   if (options.deadline_s > 0) {
     using google::protobuf::util::TimeUtil;
@@ -235,6 +237,9 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
                    "Seconds after which the job is of no use, and fails")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
+  command->add_option("--webhook", options->webhook,
+                      "Is posted the job when it has ended; the farm must allow it")
+      ->type_name("URL");
   command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
   command->add_flag("--check", options->check,
                     "Only look whether the job can be made, and estimate it; nothing is kept but "
