@@ -37,7 +37,7 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   app.add_option("--listen", flags->server.listen, "Address to serve on; port 0 takes any free one")
       ->capture_default_str();
   app.add_option("--metrics-port", flags->metrics_port,
-                 "Port for Prometheus; 0 takes any free one, -1 serves none")
+                 "Port for Prometheus (/metrics) and people; 0 takes any free one, -1 serves none")
       ->check(CLI::Range(-1, 65535))
       ->capture_default_str();
   app.add_option("--max-concurrent", flags->max_concurrent,
