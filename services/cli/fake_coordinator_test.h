@@ -21,6 +21,7 @@
 #include "common/model/error.h"
 #include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::cli {
@@ -93,6 +94,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   v1::JobState end_state = v1::JOB_STATE_SUCCEEDED;
   v1::JobError end_error;
   v1::CreateJobRequest created;
+  TraceContext trace;  ///< that CreateJob came with
   std::string cancelled;
   std::atomic<int> watches = 0;
   int listed_jobs = 0;
@@ -125,8 +127,9 @@ class FakeCoordinator : public v1::Meshes::Service,
     return grpc::Status::OK;
   }
 
-  grpc::Status CreateJob(grpc::ServerContext*, const v1::CreateJobRequest* request,
+  grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override {
+    trace = rpc::TraceOf(*context);
     request_ids.insert(request->request_id());
     created = *request;
     response->set_id("job-1");

@@ -123,7 +123,7 @@ absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& s
                                           milliseconds deadline) {
   Response response;
   const absl::Status status = Persist([&] {
-    return rpc::UnaryCall({deadline, options_.cancel}, request, &response, start);
+    return rpc::UnaryCall({deadline, options_.cancel, options_.trace}, request, &response, start);
   });
   if (!status.ok()) return status;
   return response;
@@ -137,7 +137,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
   const absl::Status status = Persist([&]() -> absl::Status {
     v1::Upload upload;
     const absl::Status got =
-        rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &upload,
+        rpc::UnaryCall({kUnaryDeadline, options_.cancel, options_.trace}, request, &upload,
                        [&](auto... arguments) { return meshes_->AsyncGetUpload(arguments...); });
     if (!got.ok()) return got;
     answered_ = true;
@@ -157,7 +157,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
 
 absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
                                   const std::function<void(int64_t)>& sent) {
-  rpc::ClientCall call({kTransferDeadline, options_.cancel});
+  rpc::ClientCall call({kTransferDeadline, options_.cancel, options_.trace});
   v1::Upload upload;
   const auto writer = meshes_->PrepareAsyncUploadMesh(call.context(), &upload, call.queue());
   writer->StartCall(nullptr);
@@ -252,7 +252,7 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   v1::Job last;
   const absl::Status status = Persist([&]() -> absl::Status {
     const absl::Status end = ReadStream<v1::JobEvent>(
-        {kWatchDeadline, options_.cancel},
+        {kWatchDeadline, options_.cancel, options_.trace},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncWatchJob(context, request, queue);
         },
@@ -278,7 +278,7 @@ absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, 
   request.set_artifact(artifact);
   return Persist([&] {
     return ReadStream<v1::DownloadResponse>(
-        {kTransferDeadline, options_.cancel},
+        {kTransferDeadline, options_.cancel, options_.trace},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncDownload(context, request, queue);
         },

@@ -9,6 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/cancel_token.h"
+#include "common/model/trace_context.h"
 #include "common/stage/stopwatch.h"
 #include "services/cli/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -21,6 +22,7 @@ struct JobsClientOptions {
   /// How long the server may be out of reach at a stretch before that is an error.
   std::chrono::milliseconds patience{30'000};
   CancelToken cancel = {};  ///< ends calls as Cancelled
+  TraceContext trace = {};  ///< that the calls, and a job they make, belong to; empty: none
 };
 
 /// Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is made again while

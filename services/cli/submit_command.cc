@@ -32,6 +32,7 @@ struct SubmitOptions {
   std::string webhook;
   bool quote = false;
   bool check = false;
+  std::string traceparent;
   bool detach = false;
 };
 
@@ -50,6 +51,15 @@ absl::StatusOr<std::map<std::string, std::string>> LabelsOf(const SubmitOptions&
     labels[text.substr(0, equals)] = text.substr(equals + 1);
   }
   return labels;
+}
+
+/// As the standard wants it, what is no trace context is ignored.
+TraceContext TraceOf(const SubmitOptions& options) {
+  const auto trace = ParseTraceparent(options.traceparent);
+  if (!trace && !options.traceparent.empty()) {
+    Warn({fmt::format("'{}' is no W3C trace context: the job gets its own", options.traceparent)});
+  }
+  return trace.value_or(TraceContext());
 }
 
 /// All of the spec but the mesh's digest.
@@ -176,7 +186,9 @@ void PrintPreflight(const v1::Job& job) {
 
 ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
-  JobsClient client(ClientOptions(options.server, &interrupt));
+  JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
+  client_options.trace = TraceOf(options);
+  JobsClient client(std::move(client_options));
   ProgressBar bar(!options.job.quiet);
   const auto created = Upload(options, client, bar);
   if (!created.ok()) {
@@ -244,6 +256,11 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
   command->add_flag("--check", options->check,
                     "Only look whether the job can be made, and estimate it; nothing is kept but "
                     "the mesh");
+  command
+      ->add_option("--traceparent", options->traceparent,
+                   "The trace that the job belongs to (W3C Trace Context)")
+      ->envname("TRACEPARENT")
+      ->type_name("00-TRACE-SPAN-01");
   AddServerOptions(*command, options->server);
   command->footer(
       "A broken connection is taken up again, the upload where it broke off. Ctrl-C cancels the "

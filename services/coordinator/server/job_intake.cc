@@ -50,8 +50,8 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.labels = std::move(submission.labels);
   job.priority = submission.priority;
   job.deadline_us = submission.deadline_us;
-  job.traceparent = std::move(submission.traceparent);
   job.webhook_url = std::move(submission.webhook_url);
+  job.traceparent = Traceparent(submission.trace.empty() ? TraceOfJob(job.id) : submission.trace);
   job.max_open = limits::kMaxOpenJobs;
   for (const ObjectRequest& object : resolved->request.objects)
     job.inputs.push_back(object.mesh_sha256);

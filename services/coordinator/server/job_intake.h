@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "common/model/trace_context.h"
 #include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_store.h"
@@ -19,8 +20,8 @@ struct Submission {
   std::map<std::string, std::string> labels;
   Priority priority = Priority::kNormal;
   int64_t deadline_us = kNoDeadlineUs;
-  std::string traceparent = {};
   std::string webhook_url = {};
+  TraceContext trace = {};  ///< of the call that asks for it; empty: it gets its own
 };
 
 /// The edge where requests become jobs: what comes behind it has been checked.

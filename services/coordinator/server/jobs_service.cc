@@ -8,8 +8,10 @@
 #include "common/model/limits.h"
 #include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 #include "common/wire/wire_error.h"
 #include "services/coordinator/algo/preflight.h"
+#include "services/coordinator/server/job_log.h"
 #include "services/coordinator/server/job_meshes.h"
 #include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/jobs_wire.h"
@@ -49,17 +51,17 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
                                     const v1::CreateJobRequest* request, v1::Job* response) {
   if (request->validate_only()) {
     return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
-      auto job = Validate(*request, call.cancel);
+      auto job = Validate(*request, call);
       if (job.ok()) *response = *std::move(job);
       return job.status();
     });
   }
-  const auto created = Create(*request);
+  const auto created = Create(*request, rpc::TraceOf(*context));
   if (created.ok()) *response = ToProto(*created);
   return rpc::ToGrpc(created.status());
 }
 
-grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext*,
+grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
                                           const v1::BatchCreateJobsRequest* request,
                                           v1::BatchCreateJobsResponse* response) {
   if (request->requests_size() > limits::kMaxBatchJobs) {
@@ -70,7 +72,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext*,
     const auto created =
         each.validate_only()
             ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
-            : Create(each);
+            : Create(each, rpc::TraceOf(*context));
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
@@ -82,8 +84,10 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext*,
   return grpc::Status::OK;
 }
 
-absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& request) {
+absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& request,
+                                              const TraceContext& trace) {
   auto submission = Read(request);
+  if (submission.ok()) submission->trace = trace;
   auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
                                  : absl::StatusOr<Created>(submission.status());
   if (!created.ok()) {
@@ -91,7 +95,7 @@ absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& reques
     return created.status();
   }
   if (created->fresh) {
-    backend_.log.Info("job accepted", {{"job", created->job.id}});
+    backend_.log.Info("job accepted", FieldsOf(created->job));
     backend_.runner.Wake();
   }
   return std::move(created->job);
@@ -124,18 +128,20 @@ absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request
 }
 
 absl::StatusOr<v1::Job> JobsService::Validate(const v1::CreateJobRequest& request,
-                                              const CancelToken& cancel) {
+                                              const rpc::Call& call) {
   const auto submission = Read(request);
   if (!submission.ok()) return submission.status();
   const auto resolved = backend_.intake.Check(*submission);
   if (!resolved.ok()) return resolved.status();
   auto meshes = LoadMeshes(resolved->request, backend_.blobs);
   if (!meshes.ok()) return meshes.status();
-  StageCall call;
-  call.cancel = cancel;
-  const auto found = LookAt(
-      call, {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
-      backend_.slicing);
+  StageCall stage_call;
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  const auto found =
+      LookAt(stage_call,
+             {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
+             backend_.slicing);
   if (!found.ok()) return found.status();
   v1::Job job;
   *job.mutable_spec() = request.spec();
@@ -173,7 +179,7 @@ grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobReq
                                     v1::Job* response) {
   const auto job = backend_.jobs.RequestCancel(request->id(), backend_.now_us());
   if (!job.ok()) return rpc::ToGrpc(job.status());
-  backend_.log.Info("job cancelled", {{"job", job->id}});
+  backend_.log.Info("job cancelled", FieldsOf(*job));
   backend_.runner.Cancel(job->id);
   backend_.feed.Changed(job->id);
   *response = ToProto(*job);

@@ -62,8 +62,8 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
 
  private:
   absl::StatusOr<Submission> Read(const v1::CreateJobRequest& request);
-  absl::StatusOr<JobRecord> Create(const v1::CreateJobRequest& request);
-  absl::StatusOr<v1::Job> Validate(const v1::CreateJobRequest& request, const CancelToken& cancel);
+  absl::StatusOr<JobRecord> Create(const v1::CreateJobRequest& request, const TraceContext& trace);
+  absl::StatusOr<v1::Job> Validate(const v1::CreateJobRequest& request, const rpc::Call& call);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
   absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
                     grpc::ServerWriter<v1::DownloadResponse>& stream);
