@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/model/build_info.h"
+#include "common/rpc/gate_metrics.h"
 #include "common/rpc/open_files.h"
 
 namespace slicefarm::rpc {
@@ -66,6 +67,10 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
   options.slots = Concurrency(flags);
   options.queue = 4 * options.slots;
   return options;
+}
+
+void ServerProgram::Show(const CallGate& gate) {
+  metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
 }
 
 int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,

@@ -15,7 +15,7 @@ namespace slicefarm {
 /// A stretch of time in the work on a job.
 struct Span {
   std::string name;                               ///< what was done: "slicing", "layers 0-31"
-  std::string track;                              ///< by whom: one row, or more, of a picture
+  std::string track = {};                         ///< by whom; empty: by whoever runs the job
   int64_t begin_us = 0;                           ///< since 1970
   int64_t end_us = 0;                             ///< not before begin_us
   std::map<std::string, std::string> facts = {};  ///< such as how it ended
@@ -27,12 +27,9 @@ struct Span {
 /// makes the result. Bounded: what does not fit is only counted. Thread-safe.
 class SpanLog {
  public:
-  /// `home`: the track of what is done here. `now_us`: since 1970; from there on a clock counts
-  /// that does not run backwards.
-  SpanLog(std::string home, int64_t now_us, size_t max_spans)
-      : home_(std::move(home)), start_us_(now_us), max_spans_(max_spans) {}
+  /// `now_us`: since 1970; from there on a clock counts that does not run backwards.
+  SpanLog(int64_t now_us, size_t max_spans) : start_us_(now_us), max_spans_(max_spans) {}
 
-  const std::string& home() const { return home_; }
   int64_t NowUs() const { return start_us_ + static_cast<int64_t>(clock_.Seconds() * 1e6); }
 
   void Add(Span span);
@@ -42,7 +39,6 @@ class SpanLog {
   int64_t dropped() const;
 
  private:
-  const std::string home_;
   const int64_t start_us_;
   const size_t max_spans_;
   const Stopwatch clock_;
@@ -55,8 +51,8 @@ class SpanLog {
 class ScopedSpan {
  public:
   /// Without a log, nothing is kept. The log must outlive it.
-  ScopedSpan(SpanLog* log, std::string name) : log_(log) {
-    if (log_ != nullptr) span_ = {std::move(name), log_->home(), log_->NowUs()};
+  ScopedSpan(SpanLog* log, std::string name, std::string track = "") : log_(log) {
+    if (log_ != nullptr) span_ = {std::move(name), std::move(track), log_->NowUs()};
   }
   ~ScopedSpan() {
     if (log_ == nullptr) return;

@@ -13,16 +13,17 @@ using testing::Field;
 using testing::Pair;
 
 TEST(SpanLog, KeepsWhatWasInScope) {
-  SpanLog log("here", 1'000'000, 10);
+  SpanLog log(1'000'000, 10);
   {
     const ScopedSpan outer(&log, "outer");
-    ScopedSpan inner(&log, "inner");
+    ScopedSpan inner(&log, "inner", "there");
     inner.Set("layers", "7");
   }
   const auto spans = log.spans();
   ASSERT_THAT(spans, ElementsAre(Field(&Span::name, "inner"), Field(&Span::name, "outer")));
   EXPECT_THAT(spans[0].facts, ElementsAre(Pair("layers", "7")));
-  EXPECT_EQ(spans[1].track, "here");
+  EXPECT_EQ(spans[0].track, "there");
+  EXPECT_EQ(spans[1].track, "");
   EXPECT_GE(spans[1].begin_us, 1'000'000);
   EXPECT_GE(spans[0].begin_us, spans[1].begin_us);
   EXPECT_GE(spans[0].end_us, spans[0].begin_us);
@@ -30,7 +31,7 @@ TEST(SpanLog, KeepsWhatWasInScope) {
 }
 
 TEST(SpanLog, IsBounded) {
-  SpanLog log("here", 0, 2);
+  SpanLog log(0, 2);
   for (int i = 0; i < 5; ++i) const ScopedSpan span(&log, std::to_string(i));
   EXPECT_THAT(log.spans(), ElementsAre(Field(&Span::name, "0"), Field(&Span::name, "1")));
   EXPECT_EQ(log.dropped(), 3);
@@ -42,7 +43,7 @@ TEST(SpanLog, NobodyNeedsOne) {
 }
 
 TEST(SpanLog, TakesSpansFromManyThreads) {
-  SpanLog log("here", 0, 1000);
+  SpanLog log(0, 1000);
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&log] {

@@ -86,6 +86,13 @@ ExitCode Get(const GetOptions& options, Interrupt& interrupt) {
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
+/// Of any job that ended, however it ended.
+ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const absl::Status fetched = FetchResults(client, options.id, options.files);
+  return fetched.ok() ? ExitCode::kOk : Fail(fetched);
+}
+
 ExitCode Cancel(const JobCommandOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto job = client.CancelJob(options.id);
@@ -212,6 +219,22 @@ void AddDelete(CLI::App& app, CommandContext& context) {
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->callback([options, &context] {
     context.run = [options, &context] { return Delete(*options, *context.interrupt); };
+  });
+}
+
+void AddTrace(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("trace", "Show where the time of a job that ended went");
+  const auto options = std::make_shared<GetOptions>();
+  options->files.trace = "-";
+  AddJobCommand(*command, options);
+  command->add_option("-o,--output", options->files.trace, "Where the trace goes; -: to stdout")
+      ->capture_default_str()
+      ->type_name("TRACE.json");
+  command->footer(
+      "In Chrome's trace event format: open it at https://ui.perfetto.dev or chrome://tracing.\n"
+      "Each worker is a process of its own; a range that was done again has several attempts.");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Trace(*options, *context.interrupt); };
   });
 }
 

@@ -101,7 +101,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = Run({"--help"});
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command : {"slice", "submit", "watch", "list", "get", "cancel", "delete",
-                              "render", "settings", "health", "version"}) {
+                              "trace", "render", "settings", "health", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;

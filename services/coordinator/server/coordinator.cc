@@ -31,19 +31,27 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
     : options_(std::move(options)),
       stores_(std::move(stores)),
       log_(log),
+      jobs_(*stores_.jobs, Registry()),
+      blobs_(*stores_.blobs, Registry()),
+      stage_seconds_(Registry()),
       pipeline_(slicing, motion, executor),
-      results_(*stores_.jobs, *stores_.blobs, options_.rates),
+      results_(jobs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
-      intake_(*stores_.jobs, *stores_.blobs, disk_, options_.build_id, NowUs),
-      runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
-                             options_.build_id, log},
-              options_.runner),
-      meshes_service_(*stores_.blobs, disk_, options_.transfers),
-      jobs_service_(
-          JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_, *stores_.profiles,
-                      *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
-          options_.transfers),
+      intake_(jobs_, blobs_, disk_, options_.build_id, NowUs),
+      runner_(
+          RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id, log,
+                         [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
+          options_.runner),
+      meshes_service_(blobs_, disk_, options_.transfers),
+      jobs_service_(JobsBackend{jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                                *stores_.webhooks, options_.webhooks, slicing,
+                                options_.rates, NowUs, log},
+                    options_.transfers),
       profiles_service_(*stores_.profiles, NowUs) {}
+
+prometheus::Registry& Coordinator::Registry() {
+  return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;
+}
 
 Coordinator::~Coordinator() { Stop(); }
 
@@ -51,9 +59,9 @@ absl::Status Coordinator::Start() {
   if (absl::Status started = runner_.Start(); !started.ok()) return started;
   changes_ = ListenForChanges(options_.stores,
                               [this](const std::optional<JobChange>& change) { Changed(change); });
-  webhook_sender_.emplace(*stores_.webhooks, *stores_.jobs, options_.webhooks,
-                          options_.webhook_sender, NowUs, log_);
-  maintenance_.emplace(*stores_.jobs, *stores_.blobs, options_.maintenance, NowUs, log_);
+  webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
+                          NowUs, log_);
+  maintenance_.emplace(jobs_, blobs_, options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }
 

@@ -8,7 +8,10 @@
 #include "services/coordinator/server/jobs_service.h"
 #include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/meshes_service.h"
+#include "services/coordinator/server/metered_blob_store.h"
+#include "services/coordinator/server/metered_job_store.h"
 #include "services/coordinator/server/profiles_service.h"
+#include "services/coordinator/server/stage_seconds.h"
 #include "services/coordinator/server/stores.h"
 #include "services/coordinator/server/webhook_sender.h"
 
@@ -24,6 +27,7 @@ struct CoordinatorOptions {
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
+  prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -48,16 +52,21 @@ class Coordinator {
   std::vector<grpc::Service*> services() {
     return {&meshes_service_, &jobs_service_, &profiles_service_};
   }
-  JobStore& jobs() { return *stores_.jobs; }
+  JobStore& jobs() { return jobs_; }
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
               const MotionStage& motion, RangeExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
+  prometheus::Registry& Registry();
 
   const CoordinatorOptions options_;
   const Stores stores_;
   const rpc::JsonLog log_;
+  prometheus::Registry unseen_metrics_;
+  MeteredJobStore jobs_;
+  MeteredBlobStore blobs_;
+  StageSeconds stage_seconds_;
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;

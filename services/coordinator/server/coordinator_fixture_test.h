@@ -14,6 +14,7 @@
 #include "common/rpc/server.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/algo/fleet.h"
 #include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/coordinator_client_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
@@ -24,7 +25,7 @@ namespace slicefarm::coordinator {
 class CoordinatorTest : public testing::Test, protected CoordinatorClient {
  protected:
   CoordinatorTest() {
-    dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
+    fleet_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
     Open();
   }
 
@@ -47,6 +48,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
     options.webhook_sender.first_retry = std::chrono::milliseconds(50);
     options.webhook_sender.max_attempts = 3;
     options.min_free_bytes = min_free_bytes_;
+    options.metrics = &registry_;
     auto coordinator =
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
@@ -188,6 +190,7 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
+  Fleet fleet_{dispatcher_};
   prometheus::Registry registry_;
   rpc::CallMetrics metrics_{registry_};
   std::unique_ptr<Coordinator> coordinator_;

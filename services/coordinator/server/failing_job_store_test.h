@@ -77,6 +77,7 @@ class FailingJobStore : public JobStore {
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
     return store_.CountByState();
   }
+  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
   absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
     return store_.Referenced(digests);
   }

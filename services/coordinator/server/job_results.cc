@@ -15,8 +15,7 @@ JobUpdate Success(JobResult result) {
 
 }  // namespace
 
-absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, const ResolvedJob& job,
-                                              RunOutput output, int64_t now_us) {
+absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output) {
   JobResult result = std::move(output.result);
   if (job.request.mode == JobMode::kPrint) {
     result.gcode_size = static_cast<int64_t>(output.gcode.size());
@@ -28,7 +27,7 @@ absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, const Resolved
   if (!report.ok()) return report.status();
   result.report_sha256 = *std::move(report);
   result.cost = CostOfJob(job, result);
-  return jobs_.Update(lease, Success(std::move(result)), now_us);
+  return Success(std::move(result));
 }
 
 absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Lease& lease,

@@ -25,9 +25,9 @@ class JobResults {
   JobResults(JobStore& jobs, BlobStore& blobs, Rates rates)
       : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
-  /// Keeps the artifacts and ends the job as SUCCEEDED. Errors: those of both stores.
-  absl::StatusOr<JobRecord> Succeed(const Lease& lease, const ResolvedJob& job, RunOutput output,
-                                    int64_t now_us);
+  /// Keeps the artifacts; what is left is to write the update, which ends the job as SUCCEEDED.
+  /// Errors: those of the blob store.
+  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, RunOutput output);
 
   /// Ends the job with the result that the same work came to before, at today's rates. nullopt:
   /// there is none, or its blobs are gone.

@@ -1,11 +1,16 @@
 #include "services/coordinator/server/job_run.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/report_json.h"
+#include "services/coordinator/server/job_log.h"
 #include "services/coordinator/server/job_meshes.h"
+#include "services/coordinator/server/job_traces.h"
 #include "services/coordinator/server/jobs_wire.h"
 
 namespace slicefarm::coordinator {
@@ -46,12 +51,13 @@ JobRun::JobRun(RunEnvironment& environment, JobRecord job)
     : environment_(environment),
       job_(std::move(job)),
       lease_{job_.id, job_.owner_epoch},
-      cancelled_(job_.cancel_requested) {}
+      cancelled_(job_.cancel_requested),
+      spans_(environment.now_us(), kMaxJobSpans) {}
 
 void JobRun::Run() {
   const absl::Status status = Work();
   if (status.ok()) {
-    environment_.log.Info("job done", {{"job", job_.id}, {"seconds", clock_.Seconds()}});
+    environment_.log.Info("job done", Fields({{"seconds", clock_.Seconds()}}));
   } else {
     Conclude(status);
   }
@@ -64,8 +70,10 @@ absl::Status JobRun::Work() {
   if (!request.ok()) return request.status();
   auto resolved = ResolveJob(*std::move(request), environment_.build_id);
   if (!resolved.ok()) return resolved.status();
+  std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
   const auto cached =
       environment_.results.SucceedFromCache(lease_, *resolved, environment_.now_us());
+  looking.reset();
   if (!cached.ok()) return Written(cached.status());
   if (*cached) return Written(absl::OkStatus());
   if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
@@ -73,21 +81,51 @@ absl::Status JobRun::Work() {
 }
 
 absl::Status JobRun::Compute(ResolvedJob job) {
+  std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
   auto meshes = LoadMeshes(job.request, environment_.blobs);
   if (!meshes.ok()) return meshes.status();
+  loading.reset();
   StageCall call;
   call.job_id = job_.id;
+  call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
+  call.spans = &spans_;
   call.cancel = CancelToken([this] { return GivenUp(); });
   JobInput input{*std::move(meshes), job.settings.settings, job.settings.effective_text,
                  job.settings.warnings};
   auto output = environment_.pipeline.Run(call, std::move(input),
                                           [this](PipelineProgress p) { Progress(p); });
   if (!output.ok()) return output.status();
+  environment_.computed(output->report.stage_times);
   if (lost_) return absl::AbortedError("fenced");
-  return Written(environment_.results
-                     .Succeed(lease_, job, OutputOf(*std::move(output), job, environment_.build_id),
-                              environment_.now_us())
-                     .status());
+  std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
+  auto update =
+      environment_.results.Keep(job, OutputOf(*std::move(output), job, environment_.build_id));
+  if (!update.ok()) return update.status();
+  keeping.reset();
+  update->trace_sha256 = KeepTrace("ok");
+  return Write(*update);
+}
+
+/// What was done so far; empty if it cannot be kept: no job is to fail for want of its trace.
+std::string JobRun::KeepTrace(std::string_view outcome) {
+  const Span whole = {"run",
+                      "",
+                      begin_us_,
+                      spans_.NowUs(),
+                      {{"coordinator", job_.owner},
+                       {"epoch", absl::StrCat(job_.owner_epoch)},
+                       {"outcome", std::string(outcome)}}};
+  const auto kept = JobTraces(environment_.jobs, environment_.blobs).Keep(job_, spans_, whole);
+  if (kept.ok()) return *kept;
+  environment_.log.Warn("trace not kept",
+                        Fields({{"error", std::string(kept.status().message())}}));
+  return "";
+}
+
+rpc::LogFields JobRun::Fields(const rpc::LogFields& more) const {
+  rpc::LogFields fields = FieldsOf(job_);
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
 }
 
 void JobRun::Progress(PipelineProgress progress) {
@@ -108,18 +146,20 @@ void JobRun::Progress(PipelineProgress progress) {
 }
 
 void JobRun::Conclude(const absl::Status& status) {
-  const JobUpdate update = Conclusion(status);
+  JobUpdate update = Conclusion(status);
+  const std::string reason(ReasonName(DetailOf(status).reason));
   environment_.log.Warn(lost_ ? "job lost" : "job not done",
-                        {{"job", job_.id},
-                         {"state", std::string(JobStateName(update.state))},
-                         {"seconds", clock_.Seconds()},
-                         {"code", absl::StatusCodeToString(status.code())},
-                         {"reason", std::string(ReasonName(DetailOf(status).reason))},
-                         {"error", std::string(status.message())}});
+                        Fields({{"state", std::string(JobStateName(update.state))},
+                                {"seconds", clock_.Seconds()},
+                                {"code", absl::StatusCodeToString(status.code())},
+                                {"reason", reason},
+                                {"error", std::string(status.message())}}));
+  if (lost_) return;
+  update.trace_sha256 = KeepTrace(reason);
   const absl::Status written = Write(update);
   if (written.ok() || lost_) return;
   environment_.log.Warn("job's state not written: it will be claimed again",
-                        {{"job", job_.id}, {"error", std::string(written.message())}});
+                        Fields({{"error", std::string(written.message())}}));
 }
 
 JobUpdate JobRun::Conclusion(const absl::Status& status) const {

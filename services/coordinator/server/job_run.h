@@ -3,8 +3,10 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "common/rpc/json_log.h"
+#include "common/stage/span_log.h"
 #include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/job_pipeline.h"
 #include "services/coordinator/server/job_feed.h"
@@ -23,6 +25,8 @@ struct RunEnvironment {
   std::function<int64_t()> now_us;
   std::string build_id;
   rpc::JsonLog log;
+  /// Told what the stages took for each job that was computed.
+  std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
 };
 
 /// One claimed job, from the claim to what it came to:
@@ -54,6 +58,8 @@ class JobRun {
   JobUpdate Conclusion(const absl::Status& status) const;
   absl::Status Write(const JobUpdate& update);
   absl::Status Written(const absl::Status& status);
+  std::string KeepTrace(std::string_view outcome);
+  rpc::LogFields Fields(const rpc::LogFields& more) const;
   bool GivenUp() const { return cancelled_ || handed_back_ || lost_ || Overdue(); }
   bool Overdue() const { return environment_.now_us() >= job_.deadline_us; }
 
@@ -65,6 +71,8 @@ class JobRun {
   std::atomic<bool> lost_ = false;
   PipelineProgress told_;
   Stopwatch clock_;
+  SpanLog spans_;
+  const int64_t begin_us_ = spans_.NowUs();
   double told_at_s_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "services/coordinator/algo/preflight.h"
 #include "services/coordinator/server/job_log.h"
 #include "services/coordinator/server/job_meshes.h"
+#include "services/coordinator/server/job_traces.h"
 #include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/jobs_wire.h"
 #include "services/coordinator/server/profile_settings.h"
@@ -44,6 +45,19 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
       return Malformed("artifact", "is none of this version");
   }
 }
+
+/// What is made when it is asked for.
+class TextReader : public BlobReader {
+ public:
+  explicit TextReader(std::string text) : text_(std::move(text)) {}
+  int64_t size() const override { return std::ssize(text_); }
+  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) override {
+    return text_.substr(offset, limit);
+  }
+
+ private:
+  const std::string text_;
+};
 
 }  // namespace
 
@@ -200,13 +214,25 @@ grpc::Status JobsService::DeleteJob(grpc::ServerContext*, const v1::DeleteJobReq
   return rpc::ToGrpc(backend_.jobs.Delete(request->id()));
 }
 
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRecord& job,
+                                                                    v1::Artifact artifact) {
+  const auto digest = ArtifactOf(job, artifact);
+  if (!digest.ok()) return digest.status();
+  return backend_.blobs.Open(*digest);
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobRecord& job) {
+  auto trace = JobTraces(backend_.jobs, backend_.blobs).Chrome(job);
+  if (!trace.ok()) return trace.status();
+  return std::make_unique<TextReader>(*std::move(trace));
+}
+
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
     const v1::DownloadRequest& request) {
   const auto job = backend_.jobs.Get(request.id());
   if (!job.ok()) return job.status();
-  const auto digest = ArtifactOf(*job, request.artifact());
-  if (!digest.ok()) return digest.status();
-  auto reader = backend_.blobs.Open(*digest);
+  auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
+                                                         : OpenResult(*job, request.artifact());
   if (!reader.ok()) return reader.status();
   if (request.offset() < 0 || request.offset() > (*reader)->size()) {
     return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());

@@ -64,6 +64,9 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
   absl::StatusOr<Submission> Read(const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const v1::CreateJobRequest& request, const TraceContext& trace);
   absl::StatusOr<v1::Job> Validate(const v1::CreateJobRequest& request, const rpc::Call& call);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
+                                                         v1::Artifact artifact);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
   absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
                     grpc::ServerWriter<v1::DownloadResponse>& stream);

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "common/model/build_info.h"
 #include "common/rpc/serve.h"
@@ -14,6 +16,7 @@
 #include "services/coordinator/server/coordinator_metrics.h"
 #include "services/coordinator/server/rates_file.h"
 #include "services/coordinator/server/split_stages.h"
+#include "services/coordinator/server/status_board.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -27,11 +30,12 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   std::optional<SplitStages> split;
   if (flags.split()) split.emplace(flags.split_names(), motion_pool, program.log());
   Dispatcher dispatcher;
+  Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
   if (!flags.workers.empty()) {
-    workers.emplace(dispatcher, SplitAddresses(flags.workers), program.log());
+    workers.emplace(fleet, SplitAddresses(flags.workers), program.log());
   }
-  if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
+  if (split) fleet.Join(split->AsRunner(flags.split_slots));
 
   const auto rates =
       flags.rates_file.empty() ? absl::StatusOr<Rates>(Rates()) : ReadRates(flags.rates_file);
@@ -52,7 +56,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                              .webhooks = *std::move(webhooks),
                              .min_free_bytes = flags.min_free_mib << 20,
                              .build_id = std::string(BuildId()),
-                             .maintenance = flags.maintenance()};
+                             .maintenance = flags.maintenance(),
+                             .metrics = &program.metrics().registry()};
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
   if (!coordinator.ok()) {
@@ -60,7 +65,19 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                         {{"error", std::string(coordinator.status().message())}});
     return 1;
   }
-  program.metrics().Show(std::make_shared<CoordinatorMetrics>((*coordinator)->jobs(), dispatcher));
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
+      (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
+  std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
+                                                    {"motion", &motion_pool}};
+  if (split) stages.merge(split->Pools());
+  const StatusBoard board({.name = flags.runner.owner,
+                           .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
+                           .state_dir = flags.stores.state_dir,
+                           .jobs = (*coordinator)->jobs(),
+                           .fleet = fleet,
+                           .stages = std::move(stages),
+                           .log = program.log()});
+  program.metrics().ShowPage("/statusz", [&board] { return board.Page(); });
   if (absl::Status started = (*coordinator)->Start(); !started.ok()) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});
     return 1;

@@ -11,7 +11,7 @@
 
 namespace slicefarm::coordinator {
 
-/// Sweeps the stores from time to time, from a thread of its own.
+/// Sweeps the stores at once and from time to time, from a thread of its own.
 class Maintenance {
  public:
   struct Options {

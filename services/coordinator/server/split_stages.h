@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ class SplitStages {
   /// The chain as a runner of `slots` ranges at a time; it can be reached when all its stages can.
   /// The object must outlive the runner's calls.
   Runner AsRunner(int slots);
+
+  /// The stages besides motion, by name.
+  std::map<std::string, const StagePool*> Pools() const;
 
  private:
   bool AwaitReady(std::chrono::milliseconds patience);

@@ -79,6 +79,7 @@ struct JobRecord {
   int32_t retries = 0;         ///< how often a run failed and it was put back
   int32_t store_failures = 0;  ///< how often a store failed and it was put back
   int64_t last_sequence = 0;
+  std::string trace_sha256;  ///< what its runs did, and when (JobTrace); empty: not kept
 
   std::string owner;        ///< the coordinator that works on it
   int64_t owner_epoch = 0;  ///< counts claims: a write with an older one is refused

@@ -35,6 +35,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   job.layers_done = update.layers_done;
   job.error = update.error;
   job.result = update.result;
+  if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
   if (update.retry) ++job.retries;
   if (update.store_failed) ++job.store_failures;
   if (begins && job.start_us == 0) job.start_us = now_us;

@@ -57,8 +57,9 @@ struct JobUpdate {
   std::optional<JobResult> result = {};
   /// With QUEUED: nobody claims it before.
   int64_t claimable_from_us = 0;
-  bool retry = false;         ///< with QUEUED: because a run failed
-  bool store_failed = false;  ///< with QUEUED: because a store failed
+  bool retry = false;             ///< with QUEUED: because a run failed
+  bool store_failed = false;      ///< with QUEUED: because a store failed
+  std::string trace_sha256 = {};  ///< empty: what was there stays
 };
 
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
@@ -72,6 +73,16 @@ struct ListQuery {
   bool oldest_first = false;
   int64_t after_number = 0;  ///< what comes after this job in that order; 0: from the beginning
   int32_t limit = 50;
+};
+
+/// Jobs of one kind that have not ended.
+struct OpenJobs {
+  JobState state = JobState::kQueued;
+  Priority priority = Priority::kNormal;
+  int64_t count = 0;
+  int64_t oldest_us = 0;  ///< when the one that has waited longest was created
+
+  friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
 };
 
 /// How long a request_id is remembered, at most: it goes with its job.
@@ -142,6 +153,9 @@ class JobStore {
   virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
 
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
+
+  /// Those that have not ended, by state and priority; kinds of which there are none are left out.
+  virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 
   /// Of these digests, those of inputs and results of jobs.
   virtual absl::StatusOr<std::set<std::string>> Referenced(

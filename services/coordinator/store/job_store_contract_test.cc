@@ -239,6 +239,25 @@ TEST_P(JobStoreTest, ListsByState) {
   EXPECT_THAT(*store_->CountByState(), UnorderedElementsAre(Pair(kSucceeded, 1), Pair(kQueued, 2)));
 }
 
+TEST_P(JobStoreTest, CountsWhatIsOpenByPriority) {
+  EXPECT_THAT(*store_->CountOpen(), IsEmpty());
+  MakeDone("done", ResultOf("g", "r"));
+  const auto make = [&](const std::string& id, Priority priority) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    return store_->Create(job, ++now_)->job.create_us;
+  };
+  const int64_t runs_since = make("runs", Priority::kInteractive);
+  ASSERT_TRUE(Update(Claim(), kRunning).ok());
+  const int64_t bulk_since = make("old", Priority::kBulk);
+  make("younger", Priority::kBulk);
+  const int64_t normal_since = make("normal", Priority::kNormal);
+  EXPECT_THAT(*store_->CountOpen(),
+              UnorderedElementsAre(OpenJobs{kRunning, Priority::kInteractive, 1, runs_since},
+                                   OpenJobs{kQueued, Priority::kBulk, 2, bulk_since},
+                                   OpenJobs{kQueued, Priority::kNormal, 1, normal_since}));
+}
+
 TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
   for (const char* id : {"a", "b", "c"}) Make(id);
   const JobRecord first = **store_->Claim("me", 10, 100);
@@ -480,6 +499,25 @@ TEST_P(JobStoreTest, ResultsGoWithTheLastJobThatRefersToThem) {
   ASSERT_TRUE(store_->Delete("b").ok());
   EXPECT_FALSE(store_->FindResult("action-b")->has_value());
   EXPECT_THAT(*store_->Referenced(blobs), IsEmpty());
+}
+
+TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
+  Make("a");
+  const Lease first = Claim();
+  ASSERT_TRUE(Update(first, kRunning).ok());
+  JobUpdate update;
+  update.state = kQueued;
+  update.trace_sha256 = "trace 1";
+  EXPECT_EQ(store_->Update(first, update, ++now_)->trace_sha256, "trace 1");
+  const Lease second = Claim();
+  EXPECT_EQ(Update(second, kRunning)->trace_sha256, "trace 1") << "it stays";
+  update.state = kFailed;
+  update.trace_sha256 = "trace 2";
+  ASSERT_TRUE(store_->Update(second, update, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->trace_sha256, "trace 2");
+  EXPECT_THAT(*store_->Referenced({"trace 1", "trace 2"}), ElementsAre("trace 2"));
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_THAT(*store_->Referenced({"trace 2"}), IsEmpty());
 }
 
 TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {

@@ -100,8 +100,9 @@ absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& digest) {
   SqlQuery query(db,
                  "SELECT 1 WHERE EXISTS"
                  " (SELECT 1 FROM jobs WHERE gcode_sha256 = ? AND gcode_sha256 <> '')"
-                 " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ? AND report_sha256 <> '')");
-  const bool referenced = query.Bind(digest, digest).Next();
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ? AND report_sha256 <> '')"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = ? AND trace_sha256 <> '')");
+  const bool referenced = query.Bind(digest, digest, digest).Next();
   if (!query.status().ok()) return query.status();
   return referenced;
 }
@@ -303,6 +304,22 @@ absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountByState() {
   }
   if (!query.status().ok()) return query.status();
   return counts;
+}
+
+absl::StatusOr<std::vector<OpenJobs>> SqlJobStore::CountOpen() {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT state, priority, count(*), min(create_us) FROM jobs WHERE " SLICEFARM_OPEN
+                 " GROUP BY state, priority ORDER BY state, priority");
+  std::vector<OpenJobs> open;
+  while (query.Next()) {
+    if (const auto state = JobStateFromName(query.Text(0))) {
+      open.push_back({*state, static_cast<Priority>(query.Int(1)), query.Int(2), query.Int(3)});
+    }
+  }
+  if (!query.status().ok()) return query.status();
+  return open;
 }
 
 absl::StatusOr<std::set<std::string>> SqlJobStore::Referenced(

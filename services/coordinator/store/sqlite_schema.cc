@@ -155,6 +155,10 @@ CREATE TABLE webhook_attempts (
   PRIMARY KEY (job, attempt)
 ) STRICT, WITHOUT ROWID;
 )",
+    R"(
+ALTER TABLE jobs ADD COLUMN trace_sha256 TEXT NOT NULL DEFAULT '';
+CREATE INDEX jobs_by_trace ON jobs (trace_sha256) WHERE trace_sha256 <> '';
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
