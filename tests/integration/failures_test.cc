@@ -139,6 +139,8 @@ TEST_F(FailuresTest, AMeshThatRotsIsToldAndCanBeSentAgain) {
 class FullDiskTest : public FarmProcessesTest {
  protected:
   static constexpr int kDiskKib = 4096;
+  /// Leaves room for the database, its log and the mesh, and not for 1.2 MB of G-code.
+  static constexpr int kFillerKib = kDiskKib - 900;
 
   void StartOnSmallDisk(int filler_kib) {
     std::vector<std::string> arguments = {
@@ -164,8 +166,8 @@ class FullDiskTest : public FarmProcessesTest {
 };
 
 TEST_F(FullDiskTest, AnUploadThatDoesNotFitIsToldAndGoesOnLater) {
-  StartOnSmallDisk(kDiskKib - 200);
-  const std::string big = mesh_ + std::string(1'000'000, '\0');
+  StartOnSmallDisk(kFillerKib);
+  const std::string big = mesh_ + std::string(2'000'000, '\0');
   const absl::Status full = client_->Upload(big).status();
   EXPECT_TRUE(absl::IsResourceExhausted(full)) << full;
   EXPECT_EQ(DetailOf(full).reason, Reason::kDiskFull);
@@ -175,8 +177,7 @@ TEST_F(FullDiskTest, AnUploadThatDoesNotFitIsToldAndGoesOnLater) {
 }
 
 TEST_F(FullDiskTest, AResultThatDoesNotFitWaitsForRoom) {
-  // Room for the mesh, the database and its log, and not for 1.5 MB of G-code.
-  StartOnSmallDisk(kDiskKib - 900);
+  StartOnSmallDisk(kFillerKib);
   const std::string id = Submit();
   bool ran = false;
   const v1::JobEvent back = client_->Watch(id, 0, [&](const v1::Job& job) {
