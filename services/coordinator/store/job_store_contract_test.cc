@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/temp_directory_test.h"
+#include "services/coordinator/store/memory_job_store.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/shared_postgres_test.h"
 #include "services/coordinator/store/sql_job_store.h"
@@ -49,7 +50,16 @@ class PostgresPlace : public StorePlace<JobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
+class MemoryPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
+
+ private:
+  MemoryJobs jobs_;
+};
+
 const std::vector<StoreKind<JobStore>> kStores = {
+    {"Memory", [] { return std::make_unique<MemoryPlace>(); }},
     {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
