@@ -25,9 +25,8 @@ Step After(Step step) {
 
 Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
-  if (step_ == Step::kFindCached && wishes.Overdue(now_us)) {
-    Took(absl::DeadlineExceededError("before it began"));
-  }
+  const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
+  if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("given up before it began"));
   return step_;
 }
 

@@ -13,7 +13,8 @@ namespace slicefarm::coordinator {
 ///   kFindCached -> kBegin -> kCompute -> kKeep -> kOver
 ///        each of them, when it fails -> kConclude -> kOver
 ///
-/// Whoever lost the job takes no further step: all but kCompute write. An overdue one is not begun.
+/// Whoever lost the job takes no further step: all but kCompute write. Who is to give it up does
+/// not begin with it: a job whose end was requested does not end with an earlier result.
 class RunSteps {
  public:
   enum class Step {
