@@ -32,6 +32,8 @@ struct NewJob {
 struct Created {
   JobRecord job;
   bool fresh = true;  ///< false: an earlier call with the same request_id made it
+
+  friend bool operator==(const Created&, const Created&) = default;
 };
 
 /// The right to write to a job: of the coordinator that claimed it last.
@@ -45,6 +47,8 @@ struct Lease {
 struct HeldJob {
   Lease lease;
   bool cancel_requested = false;
+
+  friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
 
 /// What the owner writes.
