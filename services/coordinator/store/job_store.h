@@ -110,8 +110,9 @@ class JobStore {
   /// it.
   virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
 
-  /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
-  /// by owner, so that a job which its owner has given up runs out and is claimed again.
+  /// Holds these claims at least until `until_us`, and tells which of them were still held. By
+  /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
+  /// again. Never shortens a claim, so that a renewal that arrives after a later one does no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 

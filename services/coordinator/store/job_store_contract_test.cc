@@ -323,6 +323,14 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
+TEST_P(JobStoreTest, ALateRenewalShortensNoClaim) {
+  Make("a");
+  ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
+  ASSERT_THAT(*store_->Renew({{"a", 1}}, 200), SizeIs(1));
+  EXPECT_THAT(*store_->Renew({{"a", 1}}, 150), SizeIs(1));
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 200);
+}
+
 TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
   Make("given up");
   Make("kept");

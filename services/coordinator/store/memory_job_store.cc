@@ -184,7 +184,7 @@ absl::StatusOr<std::vector<HeldJob>> MemoryJobStore::Renew(const std::vector<Lea
   for (const Lease& lease : leases) {
     Entry* entry = FindHeld(lease);
     if (!entry || IsTerminal(entry->job.state)) continue;
-    entry->job.owner_until_us = until_us;
+    entry->job.owner_until_us = std::max(entry->job.owner_until_us, until_us);
     held.push_back({lease, entry->job.cancel_requested});
   }
   return held;
