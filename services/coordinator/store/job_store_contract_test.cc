@@ -456,6 +456,14 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
 }
 
+TEST_P(JobStoreTest, CancelOfAJobThatItsOwnerLeftEndsItThoughItWasAskedForBefore) {
+  Make("a");
+  Claim("me");
+  ASSERT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_EQ(store_->RequestCancel("a", 10)->state, kCancelled);
+}
+
 TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
   Make("a");
   const Lease lease = Claim();
