@@ -43,10 +43,10 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
                          [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
           options_.runner),
       meshes_service_(blobs_, disk_, options_.transfers),
-      jobs_service_(JobsBackend{jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                                *stores_.webhooks, options_.webhooks, slicing,
-                                options_.rates, NowUs, log},
-                    options_.transfers),
+      jobs_service_(
+          JobsBackend{jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles, *stores_.webhooks,
+                      options_.webhooks, slicing, options_.rates, NowUs, log},
+          options_.transfers),
       profiles_service_(*stores_.profiles, NowUs) {}
 
 prometheus::Registry& Coordinator::Registry() {

@@ -165,6 +165,18 @@ TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 
+TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
+  const std::string id = Submit("xx");
+  ASSERT_NE(*jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs), std::nullopt);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
+  const auto runner = Runner();
+  const std::string same = Submit("xx");
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(same).state, JobState::kSucceeded);
+  Pass(kSecondUs);
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
 TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
   const auto runner = Runner("me");
   const std::string id = SubmitHeld(*runner);

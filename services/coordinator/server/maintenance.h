@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "common/rpc/json_log.h"
-#include "services/coordinator/server/blob_sweep.h"
+#include "services/coordinator/run/blob_sweep.h"
 
 namespace slicefarm::coordinator {
 

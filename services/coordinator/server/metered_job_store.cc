@@ -37,7 +37,7 @@ double SecondsBetween(int64_t from_us, int64_t to_us) {
 }  // namespace
 
 MeteredJobStore::MeteredJobStore(JobStore& store, Registry& registry)
-    : store_(store),
+    : ForwardingJobStore(store),
       submitted_(
           CounterFamily(registry, "slicefarm_jobs_submitted_total", "Jobs that were made").Add({})),
       ended_(CounterFamily(registry, "slicefarm_jobs_total", "Jobs that ended")),
@@ -64,7 +64,8 @@ MeteredJobStore::MeteredJobStore(JobStore& store, Registry& registry)
       commit_seconds_(HistogramFamily(registry, "slicefarm_store_commit_seconds",
                                       "Time of calls that write to the job store")) {
   // A counter that appears with a 1 looks to Prometheus as if it had never risen.
-  for (const char* state : {"SUCCEEDED", "CANCELLED"}) ended_.Add({{"state", state}, {"reason", ""}});
+  for (const char* state : {"SUCCEEDED", "CANCELLED"})
+    ended_.Add({{"state", state}, {"reason", ""}});
   for (int reason = 0; reason <= static_cast<int>(Reason::kInternal); ++reason) {
     const std::string_view name = ReasonName(static_cast<Reason>(reason));
     ended_.Add({{"state", "FAILED"}, {"reason", std::string(name)}});
@@ -83,7 +84,7 @@ auto MeteredJobStore::Timed(const std::string& operation, const Call& call) {
 }
 
 absl::StatusOr<Created> MeteredJobStore::Create(const NewJob& job, int64_t now_us) {
-  auto created = Timed("create", [&] { return store_.Create(job, now_us); });
+  auto created = Timed("create", [&] { return store().Create(job, now_us); });
   if (created.ok() && created->fresh) submitted_.Increment();
   return created;
 }
@@ -92,7 +93,7 @@ absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::strin
                                                                 int64_t now_us, int64_t until_us,
                                                                 const std::set<std::string>& busy) {
   const Stopwatch watch;
-  auto job = store_.Claim(owner, now_us, until_us, busy);
+  auto job = store().Claim(owner, now_us, until_us, busy);
   if (!job.ok() || !*job) return job;  // nothing was written
   commit_seconds_.Add({{"operation", "claim"}}, kCommitSeconds).Observe(watch.Seconds());
   if ((*job)->state == JobState::kRunning) expired_.Increment();
@@ -100,20 +101,20 @@ absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::strin
 }
 
 absl::Status MeteredJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
-  absl::Status status = Timed("adopt", [&] { return store_.Adopt(lease, identity); });
+  absl::Status status = Timed("adopt", [&] { return store().Adopt(lease, identity); });
   if (absl::IsAborted(status)) fenced_.Increment();
   return status;
 }
 
 absl::StatusOr<std::vector<HeldJob>> MeteredJobStore::Renew(const std::vector<Lease>& leases,
                                                             int64_t until_us) {
-  if (leases.empty()) return store_.Renew(leases, until_us);
-  return Timed("renew", [&] { return store_.Renew(leases, until_us); });
+  if (leases.empty()) return store().Renew(leases, until_us);
+  return Timed("renew", [&] { return store().Renew(leases, until_us); });
 }
 
 absl::StatusOr<JobRecord> MeteredJobStore::Update(const Lease& lease, const JobUpdate& update,
                                                   int64_t now_us) {
-  auto job = Timed("update", [&] { return store_.Update(lease, update, now_us); });
+  auto job = Timed("update", [&] { return store().Update(lease, update, now_us); });
   if (absl::IsAborted(job.status())) fenced_.Increment();
   if (!job.ok()) return job;
   if (IsTerminal(job->state)) Ended(*job);
@@ -124,14 +125,14 @@ absl::StatusOr<JobRecord> MeteredJobStore::Update(const Lease& lease, const JobU
 }
 
 absl::StatusOr<JobRecord> MeteredJobStore::RequestCancel(const std::string& id, int64_t now_us) {
-  auto job = Timed("cancel", [&] { return store_.RequestCancel(id, now_us); });
+  auto job = Timed("cancel", [&] { return store().RequestCancel(id, now_us); });
   // Otherwise it had ended before, or its owner will end it.
   if (job.ok() && job->state == JobState::kCancelled && job->end_us == now_us) Ended(*job);
   return job;
 }
 
 absl::Status MeteredJobStore::Delete(const std::string& id) {
-  return Timed("delete", [&] { return store_.Delete(id); });
+  return Timed("delete", [&] { return store().Delete(id); });
 }
 
 void MeteredJobStore::Ended(const JobRecord& job) {

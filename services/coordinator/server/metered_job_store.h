@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/forwarding_job_store.h"
 
 namespace slicefarm::coordinator {
 
@@ -24,48 +24,22 @@ namespace slicefarm::coordinator {
 ///   slicefarm_lease_expired_total                   claims of jobs that a coordinator left running
 ///   slicefarm_fenced_writes_total                   writes to jobs that others had claimed since
 ///   slicefarm_store_commit_seconds{operation}       time of calls that write
-class MeteredJobStore : public JobStore {
+class MeteredJobStore : public ForwardingJobStore {
  public:
   /// Both must outlive it.
   MeteredJobStore(JobStore& store, prometheus::Registry& registry);
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
-  absl::StatusOr<JobRecord> Get(const std::string& id) override { return store_.Get(id); }
-  absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override {
-    return store_.List(query);
-  }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
                                                  const std::set<std::string>& busy = {}) override;
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;
-  absl::Status Release(const std::string& owner) override { return store_.Release(owner); }
   absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
                                    int64_t now_us) override;
   absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
   absl::Status Delete(const std::string& id) override;
-  absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
-                                                     int32_t limit) override {
-    return store_.Events(id, after, limit);
-  }
-  absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override {
-    return store_.FindResult(action_digest);
-  }
-  absl::Status ForgetResult(const std::string& action_digest) override {
-    return store_.ForgetResult(action_digest);
-  }
-  absl::Status ExpireRequestIds(int64_t now_us) override { return store_.ExpireRequestIds(now_us); }
-  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override {
-    return store_.CountByState();
-  }
-  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
-    return store_.Referenced(digests);
-  }
-  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override {
-    return store_.EndedBefore(time_us, limit);
-  }
 
  private:
   template <typename Call>
@@ -73,7 +47,6 @@ class MeteredJobStore : public JobStore {
   void Ended(const JobRecord& job);
   void Requeued(const JobUpdate& update);
 
-  JobStore& store_;
   prometheus::Counter& submitted_;
   prometheus::Family<prometheus::Counter>& ended_;
   prometheus::Family<prometheus::Histogram>& job_seconds_;

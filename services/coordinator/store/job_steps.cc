@@ -46,9 +46,12 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
 }
 
 bool ApplyCancel(JobRecord& job, int64_t now_us) {
-  if (IsTerminal(job.state) || job.cancel_requested) return false;
+  if (IsTerminal(job.state)) return false;
+  const bool at_once = job.state == JobState::kQueued && job.owner.empty();
+  // Who was to end it may have let it go meanwhile, by its death.
+  if (job.cancel_requested && !at_once) return false;
   job.cancel_requested = true;
-  if (job.state != JobState::kQueued || !job.owner.empty()) return true;
+  if (!at_once) return true;
   job.state = JobState::kCancelled;
   job.end_us = now_us;
   ++job.owner_epoch;

@@ -33,6 +33,8 @@ struct NewJob {
 struct Created {
   JobRecord job;
   bool fresh = true;  ///< false: an earlier call with the same request_id made it
+
+  friend bool operator==(const Created&, const Created&) = default;
 };
 
 /// The right to write to a job: of the coordinator that claimed it last.
@@ -46,6 +48,8 @@ struct Lease {
 struct HeldJob {
   Lease lease;
   bool cancel_requested = false;
+
+  friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
 
 /// What the owner writes.
@@ -118,8 +122,9 @@ class JobStore {
   /// it.
   virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
 
-  /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
-  /// by owner, so that a job which its owner has given up runs out and is claimed again.
+  /// Holds these claims at least until `until_us`, and tells which of them were still held. By
+  /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
+  /// again. Never shortens a claim, so that a renewal that arrives after a later one does no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 

@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/temp_directory_test.h"
+#include "services/coordinator/store/memory_job_store.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/shared_postgres_test.h"
 #include "services/coordinator/store/sql_job_store.h"
@@ -49,7 +50,16 @@ class PostgresPlace : public StorePlace<JobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
+class MemoryPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
+
+ private:
+  MemoryJobs jobs_;
+};
+
 const std::vector<StoreKind<JobStore>> kStores = {
+    {"Memory", [] { return std::make_unique<MemoryPlace>(); }},
     {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
@@ -332,6 +342,14 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
+TEST_P(JobStoreTest, ALateRenewalShortensNoClaim) {
+  Make("a");
+  ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
+  ASSERT_THAT(*store_->Renew({{"a", 1}}, 200), SizeIs(1));
+  EXPECT_THAT(*store_->Renew({{"a", 1}}, 150), SizeIs(1));
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 200);
+}
+
 TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
   Make("given up");
   Make("kept");
@@ -455,6 +473,14 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   ASSERT_TRUE(Update(lease, kCancelled).ok());
   const int64_t sequence = store_->Get("a")->last_sequence;
   EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
+}
+
+TEST_P(JobStoreTest, CancelOfAJobThatItsOwnerLeftEndsItThoughItWasAskedForBefore) {
+  Make("a");
+  Claim("me");
+  ASSERT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_EQ(store_->RequestCancel("a", 10)->state, kCancelled);
 }
 
 TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
