@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# Copies the state of a farm while it works: all jobs that were acknowledged before, with their models and results.
+#
+#   deploy/backup.sh sqlite STATE_DIR DEST     of a coordinator with --state-dir; DEST may hold an earlier backup, and then
+#                                              only new blobs are copied
+#   deploy/backup.sh postgres DEST             of the database that SLICEFARM_POSTGRES (a connection string) says
+#
+# A job that was restored never refers to a blob that is not there. Blobs come before what refers to them, and are taken
+# away after it, so they are copied before the database, for those that will be taken away, and after it, for those that
+# came meanwhile. Of PostgreSQL, pg_dump sees all as of one moment.
+# Uploads that are not complete are left out: their clients send them again.
+# Needs the packages sqlite3, or postgresql-client-15. Ends with an error, and not with half a backup, if anything fails.
+set -euo pipefail
+umask 077
+
+usage() { sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2; }
+die() { echo "backup: $*" >&2; exit 1; }
+
+# intact FILE: whether its SHA-256 is its name, but for a dot.
+intact() {
+  local name
+  name=$(basename "$1")
+  [[ $(sha256sum <"$1") == "${name#.}  -" ]]
+}
+
+# copy_blobs FROM TO: those that TO lacks. A blob never changes, and appears in TO when it is whole.
+copy_blobs() {
+  local from=$1 to=$2 folder name
+  for folder in "$from"/*/; do
+    [[ -d $folder ]] || continue
+    name=$(basename "$folder")
+    mkdir -p "$to/$name"
+    comm -23 <(ls "$folder" | sort) <(ls "$to/$name" | sort) | while read -r blob; do
+      cp "$folder$blob" "$to/$name/.$blob" || { [[ ! -e $folder$blob ]] || die "cannot copy $folder$blob"; continue; }
+      if intact "$to/$name/.$blob"; then mv "$to/$name/.$blob" "$to/$name/$blob"; else rm "$to/$name/.$blob"; fi
+    done
+  done
+}
+
+backup_sqlite() {
+  local state=$1 dest=$2
+  [[ -f $state/jobs.db ]] || die "$state is no state directory: it has no jobs.db"
+  mkdir -p "$dest/blobs"
+  rm -f "$dest/jobs.db.new"
+  copy_blobs "$state/blobs" "$dest/blobs"
+  sqlite3 -cmd '.timeout 60000' "$state/jobs.db" "VACUUM INTO '${dest//\'/\'\'}/jobs.db.new'"
+  copy_blobs "$state/blobs" "$dest/blobs"
+  check_blobs "$dest/jobs.db.new" "$dest/blobs" "$state/blobs"
+  sync --file-system "$dest"
+  mv "$dest/jobs.db.new" "$dest/jobs.db"
+}
+
+# The names of all blobs that jobs and results refer to.
+referenced() {
+  sqlite3 "$1" "SELECT gcode_sha256 FROM jobs UNION SELECT report_sha256 FROM jobs UNION SELECT trace_sha256 FROM jobs
+    UNION SELECT gcode_sha256 FROM results UNION SELECT report_sha256 FROM results UNION SELECT digest FROM inputs" |
+    grep -E '^[0-9a-f]{64}$' || true
+}
+
+# Every blob that the copied database refers to is there, unless the farm itself has lost it.
+check_blobs() {
+  local database=$1 blobs=$2 origin=$3 path
+  referenced "$database" | while read -r digest; do
+    path=${digest:0:2}/$digest
+    [[ -f $blobs/$path ]] && continue
+    if [[ -f $origin/$path ]] && intact "$origin/$path"; then die "blob $digest came late: run the backup again"; fi
+    echo "backup: blob $digest is lost or damaged in the store already" >&2
+  done
+}
+
+backup_postgres() {
+  local dest=$1
+  [[ -n ${SLICEFARM_POSTGRES:-} ]] || die "SLICEFARM_POSTGRES is to say which database"
+  mkdir -p "$dest"
+  pg_dump --format=custom --no-owner --no-privileges --file="$dest/slicefarm.dump.new" --dbname="$SLICEFARM_POSTGRES"
+  sync --file-system "$dest"
+  mv "$dest/slicefarm.dump.new" "$dest/slicefarm.dump"
+}
+
+case "${1:-} $#" in
+  "sqlite 3") backup_sqlite "$2" "$3" ;;
+  "postgres 2") backup_postgres "$2" ;;
+  *) usage ;;
+esac
