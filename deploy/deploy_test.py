@@ -1,0 +1,275 @@
+#!/usr/bin/env python3
+"""What stands in the compose files, the Kubernetes manifests and the monitoring fits the programs, and fits together.
+
+    deploy/deploy_test.py [BIN]      where the programs are (build/bin)
+
+Every program and every flag is one that `--help` names; every address is that of a service, and its port one that is served;
+selectors, probes, claims and secrets refer to what is there. Two further checks are made where their packages are
+installed: Kubernetes' own types (python3-kubernetes) and Prometheus' own rules (prometheus, for promtool).
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import yaml
+
+DEPLOY = pathlib.Path(__file__).resolve().parent
+BIN = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else DEPLOY.parent / "build/bin")
+COMPOSE = [DEPLOY.parent / "docker-compose.yml", *sorted(DEPLOY.glob("compose.*.yml"))]
+IMAGE_PROGRAMS = {"slicefarm", "slicefarm-postgres"}
+PORT, METRICS_PORT = 50051, 9464  # as deploy/Dockerfile exposes them
+problems = []
+
+
+def expect(condition, message):
+    if not condition:
+        problems.append(message)
+
+
+def flags_of(program, cache={}):
+    if program not in cache:
+        expect((BIN / program).exists(), f"there is no program {program}")
+        run = subprocess.run([BIN / program, "--help"], stdout=subprocess.PIPE, text=True) if (BIN / program).exists() else None
+        cache[program] = set(re.findall(r"--[a-z][a-z-]*", run.stdout)) if run else set()
+    return cache[program]
+
+
+def check_command(where, words, services):
+    """A command line of ours, and the addresses in it: {name: port} are those of the services."""
+    program, values = words[0], {}
+    for word in words[1:]:
+        if word.startswith("--"):
+            flag, _, value = word.partition("=")
+            values[flag] = value
+        elif values:
+            values[flag] = word
+    for flag in values:
+        expect(flag in flags_of(program), f"{where}: {program} has no {flag}")
+    for flag, value in values.items():
+        if flag not in ("--slicing", "--motion", "--workers", "--beading", "--infill", "--ordering"):
+            continue
+        for address in value.split(","):
+            name, _, port = address.partition(":")
+            expect(services.get(name) == int(port), f"{where}: {flag} {address} is no service's address")
+    expect(values.get("--listen") == f"0.0.0.0:{PORT}", f"{where}: listens on {values.get('--listen')}")
+    expect(values.get("--metrics-port") == str(METRICS_PORT), f"{where}: metrics on {values.get('--metrics-port')}")
+    return values
+
+
+def interpolated(text):
+    return re.sub(r"\$\{\w+:-([^}]*)\}", r"\1", text)
+
+
+def check_compose(path):
+    where = path.name
+    compose = yaml.safe_load(path.read_text())
+    services = compose["services"]
+    ours = {name: PORT for name, service in services.items() if service.get("command")}
+    for name, service in services.items():
+        at = f"{where}: {name}"
+        expect(service["image"] in IMAGE_PROGRAMS, f"{at}: image {service['image']}")
+        if build := service.get("build"):
+            context = (path.parent / build["context"]).resolve()
+            expect((context / build["dockerfile"]).exists(), f"{at}: no {build['dockerfile']} in {context}")
+        for other in service.get("depends_on", []):
+            expect(other in services, f"{at}: depends on {other}")
+        for volume in service.get("volumes", []):
+            expect(volume.split(":")[0] in compose["volumes"], f"{at}: volume {volume}")
+        if not service.get("command"):
+            continue
+        values = check_command(at, interpolated(service["command"]).split(), ours)
+        drain = int(values.get("--drain", 30))
+        expect(int(service["stop_grace_period"].rstrip("s")) > drain, f"{at}: killed before it has drained")
+        for port in service.get("ports", []):
+            expect(interpolated(port).rsplit(":", 1)[-1] == str(PORT), f"{at}: publishes {port}")
+
+
+def check_dockerfile():
+    text = (DEPLOY / "Dockerfile").read_text()
+    expect(f"EXPOSE {PORT} {METRICS_PORT}" in text, "Dockerfile: other ports than the compose files'")
+    for source in re.findall(r"^COPY (?!--from)(\S+) ", text, re.M):
+        expect((DEPLOY.parent / source).exists(), f"Dockerfile: no {source}")
+
+
+def documents(folder):
+    for path in sorted(folder.glob("*.yaml")):
+        for document in yaml.safe_load_all(path.read_text()):
+            yield path.name, document
+
+
+class Manifests:
+    """deploy/kubernetes, by kind and name."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.all = [(path, d) for path, d in documents(folder) if d["kind"] != "Kustomization"]
+        self.deployments = {d["metadata"]["name"]: d for _, d in self.all if d["kind"] == "Deployment"}
+        self.services = {d["metadata"]["name"]: d for _, d in self.all if d["kind"] == "Service"}
+
+    def pods(self):
+        return [d["spec"]["template"] for d in self.deployments.values()]
+
+    def ports(self):
+        """{service: port} as clients see them."""
+        return {name: service["spec"]["ports"][0]["port"] for name, service in self.services.items()}
+
+    def check(self):
+        kustomization = yaml.safe_load((self.folder / "kustomization.yaml").read_text())
+        expect(sorted(kustomization["resources"] + ["kustomization.yaml"]) == sorted(p.name for p in self.folder.glob("*.yaml")),
+               "kubernetes: kustomization.yaml names other files than there are")
+        for _, document in self.all:
+            getattr(self, "check_" + document["kind"], lambda d: None)(document)
+
+    def check_Deployment(self, document):
+        name, spec = document["metadata"]["name"], document["spec"]
+        pod = spec["template"]["spec"]
+        labels = spec["template"]["metadata"]["labels"]
+        expect(spec["selector"]["matchLabels"].items() <= labels.items(), f"kubernetes: {name} does not select its own pods")
+        expect(pod["securityContext"]["runAsNonRoot"] and pod["securityContext"]["seccompProfile"]["type"] == "RuntimeDefault",
+               f"kubernetes: {name} runs with too many rights")
+        for container in pod["containers"]:
+            self.check_container(f"kubernetes: {name}", container, pod["terminationGracePeriodSeconds"])
+
+    def check_container(self, where, container, grace_s):
+        values = check_command(where, container["command"] + container["args"], self.ports())
+        ports = {port["name"]: port["containerPort"] for port in container["ports"]}
+        expect(ports == {"grpc": PORT, "metrics": METRICS_PORT}, f"{where}: ports {ports}")
+        for probe in ("readinessProbe", "livenessProbe"):
+            expect(container[probe]["grpc"]["port"] == PORT, f"{where}: {probe}")
+        variables = {variable["name"] for variable in container.get("env", [])}
+        for used in re.findall(r"\$\((\w+)\)", " ".join(container["args"])):
+            expect(used in variables, f"{where}: $({used}) is not set")
+        pause_s = int(container["lifecycle"]["preStop"]["exec"]["command"][-1])
+        expect(grace_s > pause_s + int(values.get("--drain", 30)), f"{where}: killed before it has drained")
+        rights = container["securityContext"]
+        expect(not rights["allowPrivilegeEscalation"] and rights["readOnlyRootFilesystem"]
+               and rights["capabilities"] == {"drop": ["ALL"]}, f"{where}: too many rights")
+        expect(set(container["resources"]) == {"requests", "limits"}, f"{where}: resources")
+
+    def selected(self, selector):
+        """Pods that a selector means."""
+        def fits(labels):
+            exact = all(labels.get(k) == v for k, v in (selector.get("matchLabels") or {}).items())
+            return exact and all(labels.get(e["key"]) in e["values"] for e in selector.get("matchExpressions", []))
+        return [pod for pod in self.pods() if fits(pod["metadata"]["labels"])]
+
+    def check_Service(self, document):
+        name, spec = document["metadata"]["name"], document["spec"]
+        pods = self.selected({"matchLabels": spec["selector"]})
+        expect(len(pods) == 1, f"kubernetes: service {name} selects {len(pods)} kinds of pods")
+        for port in spec["ports"]:
+            for pod in pods:
+                names = [p["name"] for c in pod["spec"]["containers"] for p in c["ports"]]
+                expect(port["targetPort"] in names, f"kubernetes: service {name} has no port {port['targetPort']}")
+        headless = spec.get("clusterIP") == "None"
+        expect(headless == (name != "coordinator"), f"kubernetes: service {name} is {'' if headless else 'not '}headless")
+
+    def check_PodDisruptionBudget(self, document):
+        expect(len(self.selected(document["spec"]["selector"])) == 1, f"kubernetes: budget {document['metadata']['name']}")
+
+    def check_HorizontalPodAutoscaler(self, document):
+        target = document["spec"]["scaleTargetRef"]
+        expect(target["kind"] == "Deployment" and target["name"] in self.deployments, "kubernetes: what is scaled?")
+        expect("replicas" not in self.deployments[target["name"]]["spec"], "kubernetes: replicas beside an autoscaler")
+        adapter = yaml.safe_load((DEPLOY / "monitoring/adapter.yml").read_text())
+        made = {rule["name"]["as"] for rule in adapter["rules"]["external"]}
+        for metric in document["spec"]["metrics"]:
+            expect(metric["external"]["metric"]["name"] in made, f"kubernetes: no external metric {metric['external']}")
+
+    def check_NetworkPolicy(self, document):
+        name, spec = document["metadata"]["name"], document["spec"]
+        expect(self.selected(spec["podSelector"]), f"kubernetes: policy {name} means no pod")
+        for rule in spec.get("ingress", []):
+            for port in rule["ports"]:
+                expect(port["port"] in ("grpc", "metrics"), f"kubernetes: policy {name}: port {port}")
+        for rule in spec.get("ingress", []) + spec.get("egress", []):
+            for peer in rule.get("from", []) + rule.get("to", []):
+                if "podSelector" in peer:
+                    expect(self.selected(peer["podSelector"]), f"kubernetes: policy {name} lets nobody through")
+
+
+# What Kubernetes has had since the release that python3-kubernetes of Debian 12 (1.22) is made from.
+NEWER_FIELDS = {("V1Probe", "grpc"), ("V1ServicePort", "appProtocol")}
+NEWER_KINDS = {("autoscaling/v2", "HorizontalPodAutoscaler"): "V2beta2HorizontalPodAutoscaler"}
+
+
+def check_types(value, kind, where):
+    """`value` as Kubernetes' published types have it: known fields of the right type."""
+    from kubernetes import client
+    if kind.startswith("list["):
+        expect(isinstance(value, list), f"{where} is no list")
+        for i, item in enumerate(value):
+            check_types(item, kind[5:-1], f"{where}[{i}]")
+    elif kind.startswith("dict("):
+        expect(isinstance(value, dict), f"{where} is no map")
+        for key, item in value.items():
+            check_types(item, kind[5:-1].split(", ")[1], f"{where}.{key}")
+    elif kind in ("str", "int", "bool", "float"):
+        fits = {"str": str, "int": int, "bool": bool, "float": (int, float)}[kind]
+        expect(isinstance(value, fits), f"{where} = {value!r} is no {kind}")
+    elif kind not in ("object", "datetime"):
+        model = getattr(client, kind)
+        fields = {json_name: model.openapi_types[name] for name, json_name in model.attribute_map.items()}
+        for key, item in value.items():
+            if (kind, key) in NEWER_FIELDS:
+                continue
+            expect(key in fields, f"{where}: {kind} has no {key}")
+            if key in fields:
+                check_types(item, fields[key], f"{where}.{key}")
+
+
+def check_kubernetes_types(manifests):
+    try:
+        import kubernetes.client  # noqa: F401  (kubernetes alone may be the folder beside this file)
+    except ImportError:
+        return "not checked: Kubernetes' types (python3-kubernetes is not installed)"
+    for path, document in manifests.all:
+        group, _, version = document["apiVersion"].rpartition("/")
+        kind = NEWER_KINDS.get((document["apiVersion"], document["kind"]), version.capitalize() + document["kind"])
+        check_types(document, kind, f"{path}: {document['kind']} {document['metadata']['name']}")
+    return "checked: Kubernetes' types"
+
+
+def check_monitoring():
+    monitoring = DEPLOY / "monitoring"
+    prometheus = yaml.safe_load((monitoring / "prometheus.yml").read_text())
+    services = {name for path in COMPOSE for name in yaml.safe_load(path.read_text())["services"]} - {"postgres"}
+    scraped = prometheus["scrape_configs"][0]["dns_sd_configs"][0]
+    expect(set(scraped["names"]) == services, f"prometheus.yml: looks for {scraped['names']}")
+    expect(scraped["port"] == METRICS_PORT, "prometheus.yml: port")
+    dashboard = json.loads((monitoring / "grafana.json").read_text())
+    queries = [target["expr"] for panel in dashboard["panels"] for target in panel.get("targets", [])]
+    promtool = shutil.which("promtool")
+    if not promtool:
+        return "not checked: Prometheus' rules (promtool is not installed)"
+    for arguments in (["check", "config", "prometheus.yml"], ["test", "rules", "alerts_test.yml"]):
+        run = subprocess.run([promtool, *arguments], cwd=monitoring, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        expect(run.returncode == 0, f"promtool {' '.join(arguments)}:\n{run.stdout}")
+    rules = [{"record": f"q{i}", "expr": q.replace("$__rate_interval", "5m")} for i, q in enumerate(queries)]
+    with tempfile.NamedTemporaryFile("w", suffix=".yml") as file:
+        yaml.safe_dump({"groups": [{"name": "dashboard", "rules": rules}]}, file)
+        file.flush()
+        run = subprocess.run([promtool, "check", "rules", file.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    expect(run.returncode == 0, f"promtool on the dashboard's queries:\n{run.stdout}")
+    return "checked: Prometheus' rules and the dashboard's queries"
+
+
+def main():
+    for path in COMPOSE:
+        check_compose(path)
+    check_dockerfile()
+    manifests = Manifests(DEPLOY / "kubernetes")
+    manifests.check()
+    notes = [check_kubernetes_types(manifests), check_monitoring()]
+    for problem in problems:
+        print(problem)
+    print("\n".join(notes))
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
