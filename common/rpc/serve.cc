@@ -95,8 +95,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   }
   Announce("listening", host, (*server)->port());
   log_.Info("serving", {{"address", fmt::format("{}:{}", host, (*server)->port())},
-                        {"version", std::string(Version())},
-                        {"build", std::string(BuildId())}});
+                        {"version", std::string(Version())}});
 
   const int signal = signal_.Wait();
   log_.Info("draining", {{"signal", int64_t{signal}}});
