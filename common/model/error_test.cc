@@ -33,6 +33,8 @@ TEST(Error, LimitIsQuoted) {
 
 TEST(Error, ForeignErrorsGetAReasonThatSuits) {
   EXPECT_EQ(DetailOf(absl::CancelledError("")).reason, Reason::kCancelled);
+  EXPECT_EQ(DetailOf(absl::UnauthenticatedError("")).reason, Reason::kUnauthenticated);
+  EXPECT_EQ(DetailOf(absl::PermissionDeniedError("")).reason, Reason::kPermissionDenied);
   EXPECT_EQ(DetailOf(absl::UnknownError("")).reason, Reason::kInternal);
 }
 
