@@ -57,6 +57,7 @@ SplitStages::Names CoordinatorFlags::split_names() const {
 
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->runner.owner = DefaultName();
+  flags->serve.policy = rpc::OpenPolicy();  // the services know what each tenant may
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
   flags->serve.server.max_streams_per_connection = kStreamsPerConnection;

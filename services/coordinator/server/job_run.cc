@@ -19,9 +19,10 @@ constexpr double kProgressEveryS = 0.2;
 constexpr int32_t kProgressSteps = 100;
 
 /// True if the services that are needed are not there; for some time there may be others in their
-/// places, of another build.
+/// places, of another build, or some that do not know this coordinator.
 bool IsAway(const absl::Status& status) {
-  return absl::IsUnavailable(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+  return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
+         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
 }
 
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/model/build_info.h"
+#include "common/rpc/identity.h"
 #include "common/rpc/serve.h"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/remote/remote_stages.h"
@@ -18,17 +19,37 @@ namespace slicefarm::coordinator {
 namespace {
 
 int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
+  std::shared_ptr<const rpc::Tls> tls;
+  if (flags.serve.tls.enabled()) {
+    auto opened = rpc::Tls::Open(flags.serve.tls);
+    if (!opened.ok()) {
+      program.log().Error("cannot serve", {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tls = *std::move(opened);
+  }
+  // Whoever listens on a stage's address must have that stage's certificate.
+  const auto credentials = [&](const std::string& identity) {
+    return tls ? tls->ForIdentity(identity, program.log()) : nullptr;
+  };
+  const auto pool_options = [&](const std::string& stage) {
+    return StagePoolOptions{.credentials = credentials(rpc::StageIdentity(stage))};
+  };
+
   // Made in the order of use, and so ended in the reverse one.
-  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log());
-  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log());
+  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log(),
+                         pool_options("slicing"));
+  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
+                        pool_options("motion"));
   const RemoteSlicing slicing(slicing_pool);
   const RemoteMotion motion(motion_pool);
   std::optional<SplitStages> split;
-  if (flags.split()) split.emplace(flags.split_names(), motion_pool, program.log());
+  if (flags.split()) split.emplace(flags.split_names(), pool_options, motion_pool, program.log());
   Dispatcher dispatcher;
   std::optional<WorkerPool> workers;
   if (!flags.workers.empty()) {
-    workers.emplace(dispatcher, SplitAddresses(flags.workers), program.log());
+    workers.emplace(dispatcher, SplitAddresses(flags.workers), program.log(),
+                    WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
   }
   if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
 
