@@ -27,6 +27,7 @@ void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
 void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
+void AddToken(CLI::App& app, CommandContext& context);     ///< token_command.cc
 void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
 
 }  // namespace slicefarm::cli

@@ -33,13 +33,15 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       log_(log),
       pipeline_(slicing, motion, executor),
       results_(*stores_.jobs, *stores_.blobs),
+      callers_(options_.tenants, NowUs),
       intake_(*stores_.jobs, *stores_.blobs, options_.build_id, NowUs),
       runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
                              options_.build_id, log},
               options_.runner),
-      meshes_service_(*stores_.blobs, options_.transfers),
-      jobs_service_(JobsBackend{*stores_.jobs, *stores_.blobs, intake_, runner_, feed_, NowUs, log},
-                    options_.transfers) {}
+      meshes_service_(callers_, *stores_.blobs, options_.transfers),
+      jobs_service_(
+          JobsBackend{callers_, *stores_.jobs, *stores_.blobs, intake_, runner_, feed_, NowUs, log},
+          options_.transfers) {}
 
 Coordinator::~Coordinator() { Stop(); }
 

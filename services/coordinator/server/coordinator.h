@@ -18,6 +18,7 @@ struct CoordinatorOptions {
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
+  TenantsNow tenants = {};  ///< none: one tenant without a name
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -53,6 +54,7 @@ class Coordinator {
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
+  const Callers callers_;
   JobIntake intake_;
   JobRunner runner_;
   MeshesService meshes_service_;

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <map>
 
 #include "common/model/limits.h"
+#include "common/rpc/listen_address.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/server/transfers.h"
 
@@ -28,7 +30,22 @@ std::string DefaultName() {
   return host.data();
 }
 
+void CheckSecurity(const CoordinatorFlags& flags) {
+  const bool tls = flags.serve.tls.enabled();
+  const bool optional = flags.serve.client_certs == rpc::ClientCerts::kOptional;
+  if (optional && (!tls || flags.tenants.empty())) {
+    throw CLI::ValidationError(
+        "--client-certs optional takes tokens instead: it needs --tenants and --tls-cert");
+  }
+  const std::string& listen = flags.serve.server.listen;
+  if (!flags.tenants.empty() && !tls && !rpc::IsLoopback(listen)) {
+    throw CLI::ValidationError("--tenants without --tls-cert: tokens would come to " + listen +
+                               " in plain text, which is for loopback addresses only");
+  }
+}
+
 void Check(const CoordinatorFlags& flags) {
+  CheckSecurity(flags);
   if (flags.stores.state_dir.empty() == flags.stores.postgres.empty()) {
     throw CLI::ValidationError("one of --state-dir and --postgres is needed");
   }
@@ -70,6 +87,14 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--name", flags->runner.owner,
                  "Of this coordinator among those that share a database; the same after a restart")
       ->capture_default_str();
+  app.add_option("--tenants", flags->tenants,
+                 "Tenants, their tokens and what they may (services/coordinator/README.md)")
+      ->type_name("FILE");
+  app.add_option("--client-certs", flags->serve.client_certs,
+                 "With TLS, whether clients must show a certificate: required or optional")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
+          {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
+      ->type_name("HOW");
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
       ->check(CLI::NonNegativeNumber)

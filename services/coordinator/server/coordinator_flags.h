@@ -23,6 +23,7 @@ struct CoordinatorFlags {
   std::string ordering;
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
+  std::string tenants;  ///< a file; empty: one tenant, who is anybody
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;
 

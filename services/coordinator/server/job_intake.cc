@@ -38,6 +38,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   if (absl::Status ok = CheckMeshes(resolved->request); !ok.ok()) return ok;
   NewJob job;
   job.id = NewJobId();
+  job.tenant = std::move(submission.tenant);
   job.request_id = std::move(submission.request_id);
   job.spec_digest = Sha256Hex(submission.spec);
   job.spec = std::move(submission.spec);
@@ -45,7 +46,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.priority = submission.priority;
   job.deadline_us = submission.deadline_us;
   job.traceparent = std::move(submission.traceparent);
-  job.max_open = limits::kMaxOpenJobs;
+  job.max_open = submission.max_open_jobs;
   for (const ObjectRequest& object : resolved->request.objects)
     job.inputs.push_back(object.mesh_sha256);
   job.settings_digest = resolved->settings_digest;

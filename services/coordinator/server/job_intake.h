@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "common/model/limits.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_store.h"
 #include "services/coordinator/store/job_store.h"
@@ -11,6 +12,8 @@
 namespace slicefarm::coordinator {
 
 struct Submission {
+  std::string tenant = {};
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant
   std::string request_id;
   std::string spec;  ///< the request as it will be kept
   JobRequest request;

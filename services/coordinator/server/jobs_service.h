@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "common/rpc/json_log.h"
+#include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
@@ -13,6 +14,7 @@ namespace slicefarm::coordinator {
 
 /// What the service speaks for. Everything outlives it.
 struct JobsBackend {
+  const Callers& callers;
   JobStore& jobs;
   BlobStore& blobs;
   JobIntake& intake;
@@ -22,7 +24,8 @@ struct JobsBackend {
   rpc::JsonLog log;
 };
 
-/// Translates slicefarm.v1.Jobs.
+/// Translates slicefarm.v1.Jobs. A job of another tenant is, to its callers, one that does not
+/// exist.
 class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   JobsService(JobsBackend backend, const TransferOptions& options)
@@ -44,9 +47,15 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
 
  private:
-  absl::StatusOr<Created> Create(const v1::CreateJobRequest& request);
-  absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
-  absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
+  enum class Of { kTenant, kAllForAdmins };
+  absl::StatusOr<Created> Create(const Caller& caller, const v1::CreateJobRequest& request);
+  absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
+  absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
+                                 const std::string& id, Of of);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const Caller& caller,
+                                                           const v1::DownloadRequest& request);
+  absl::Status Send(const Caller& caller, const v1::DownloadRequest& request,
+                    const Transfers::Moved& moved,
                     grpc::ServerWriter<v1::DownloadResponse>& stream);
 
   JobsBackend backend_;

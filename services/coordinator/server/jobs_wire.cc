@@ -61,6 +61,7 @@ v1::JobResult ResultToProto(const JobResult& result) {
 v1::Job SummaryToProto(const JobRecord& job) {
   v1::Job proto;
   proto.set_id(job.id);
+  proto.set_tenant(job.tenant);
   proto.set_state(ToProto(job.state));
   proto.mutable_labels()->insert(job.labels.begin(), job.labels.end());
   SetTime(job.create_us, proto.mutable_create_time());

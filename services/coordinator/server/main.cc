@@ -14,6 +14,7 @@
 #include "services/coordinator/server/coordinator_flags.h"
 #include "services/coordinator/server/coordinator_metrics.h"
 #include "services/coordinator/server/split_stages.h"
+#include "services/coordinator/server/tenants_file.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -53,10 +54,21 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   }
   if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
 
+  std::unique_ptr<TenantsFile> tenants;
+  if (!flags.tenants.empty()) {
+    auto opened = TenantsFile::Open(flags.tenants, program.metrics().registry(), program.log());
+    if (!opened.ok()) {
+      program.log().Error("cannot use the file of tenants",
+                          {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tenants = *std::move(opened);
+  }
   CoordinatorOptions options{.stores = flags.stores,
                              .runner = flags.runner,
                              .build_id = std::string(BuildId()),
                              .maintenance = flags.maintenance()};
+  if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
   if (!coordinator.ok()) {

@@ -35,8 +35,10 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
 
 }  // namespace
 
-grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
-                                      v1::Upload* response) {
+grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
+                                      const v1::GetUploadRequest* request, v1::Upload* response) {
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto status = blobs_.Status(request->sha256());
   if (status.ok()) *response = ToProto(request->sha256(), *status);
   return rpc::ToGrpc(status.status());
@@ -44,6 +46,8 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadR
 
 grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
                                        v1::Upload* response) {
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
   return rpc::ToGrpc(uploads_.Run(
       *context, [&](const Transfers::Moved& moved) { return Take(*stream, moved, response); }));
 }

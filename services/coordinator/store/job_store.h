@@ -62,7 +62,7 @@ struct JobUpdate {
 
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
 struct ListQuery {
-  std::string tenant = {};
+  std::optional<std::string> tenant = {};
   std::vector<JobState> states = {};
   std::map<std::string, std::string> labels = {};
   std::optional<Priority> priority = {};

@@ -1,0 +1,371 @@
+// Tenants of one coordinator, over a real server and real stores, with fake stages: what each may
+// do, and that none learns anything of another.
+#include <gmock/gmock.h>
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <mutex>
+
+#include "absl/strings/str_cat.h"
+#include "common/model/error.h"
+#include "common/model/temp_directory_test.h"
+#include "common/rpc/server.h"
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/coordinator.h"
+#include "services/coordinator/server/coordinator_client_test.h"
+#include "services/coordinator/server/fake_stages_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// All that a client can see of a call's end.
+struct Seen {
+  int code = 0;
+  std::string message;
+  std::string details;
+  std::multimap<std::string, std::string> metadata;
+
+  Seen(const grpc::ClientContext& context, const grpc::Status& status)
+      : code(status.error_code()),
+        message(status.error_message()),
+        details(status.error_details()) {
+    for (const auto& [key, value] : context.GetServerInitialMetadata())
+      Note("initial ", key, value);
+    for (const auto& [key, value] : context.GetServerTrailingMetadata()) {
+      Note("trailing ", key, value);
+    }
+  }
+  void Note(const char* where, grpc::string_ref key, grpc::string_ref value) {
+    metadata.emplace(where + std::string(key.data(), key.size()),
+                     std::string(value.data(), value.size()));
+  }
+
+  absl::Status status() const {
+    return rpc::FromGrpc(grpc::Status(static_cast<grpc::StatusCode>(code), message, details));
+  }
+  Reason reason() const { return DetailOf(status()).reason; }
+
+  friend bool operator==(const Seen&, const Seen&) = default;
+};
+
+void PrintTo(const Seen& seen, std::ostream* out) { *out << seen.status(); }
+
+/// What a tenant may try with a job that he knows the id of.
+class TenantClient : public CoordinatorClient {
+ public:
+  Seen SeeGet(const std::string& id) {
+    v1::GetJobRequest request;
+    request.set_id(id);
+    v1::Job job;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->GetJob(&context, request, &job);
+    return {context, status};
+  }
+  Seen SeeCancel(const std::string& id) {
+    v1::CancelJobRequest request;
+    request.set_id(id);
+    v1::Job job;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->CancelJob(&context, request, &job);
+    return {context, status};
+  }
+  Seen SeeDelete(const std::string& id) {
+    v1::DeleteJobRequest request;
+    request.set_id(id);
+    google::protobuf::Empty empty;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->DeleteJob(&context, request, &empty);
+    return {context, status};
+  }
+  Seen SeeWatch(const std::string& id) {
+    v1::WatchJobRequest request;
+    request.set_id(id);
+    grpc::ClientContext context;
+    const auto stream = jobs_->WatchJob(&context, request);
+    v1::JobEvent event;
+    while (stream->Read(&event)) {
+    }
+    const grpc::Status status = stream->Finish();
+    return {context, status};
+  }
+  Seen SeeDownload(const std::string& id, v1::Artifact artifact = v1::ARTIFACT_GCODE) {
+    v1::DownloadRequest request;
+    request.set_id(id);
+    request.set_artifact(artifact);
+    grpc::ClientContext context;
+    const auto stream = jobs_->Download(&context, request);
+    v1::DownloadResponse response;
+    while (stream->Read(&response)) {
+    }
+    const grpc::Status status = stream->Finish();
+    return {context, status};
+  }
+  Seen SeeUploadStatus(const std::string& digest) {
+    v1::GetUploadRequest request;
+    request.set_sha256(digest);
+    v1::Upload upload;
+    grpc::ClientContext context;
+    const grpc::Status status = meshes_->GetUpload(&context, request, &upload);
+    return {context, status};
+  }
+  Seen SeeList() {
+    v1::ListJobsResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->ListJobs(&context, {}, &response);
+    return {context, status};
+  }
+  Seen SeeCreate(const v1::CreateJobRequest& request) {
+    v1::Job job;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->CreateJob(&context, request, &job);
+    return {context, status};
+  }
+
+  std::vector<Seen> SeeAllOf(const std::string& id) {
+    return {SeeGet(id),
+            SeeWatch(id),
+            SeeCancel(id),
+            SeeDownload(id),
+            SeeDownload(id, v1::ARTIFACT_REPORT),
+            SeeDownload(id, v1::ARTIFACT_UNSPECIFIED),
+            SeeDelete(id)};
+  }
+
+  std::vector<std::string> List() {
+    v1::ListJobsResponse response;
+    grpc::ClientContext context;
+    EXPECT_TRUE(jobs_->ListJobs(&context, {}, &response).ok());
+    std::vector<std::string> ids;
+    for (const v1::Job& job : response.jobs()) ids.push_back(job.id());
+    return ids;
+  }
+};
+
+class IsolationTest : public testing::Test {
+ protected:
+  IsolationTest() {
+    dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
+    for (const char* name : {"a", "b"}) {
+      Tenant& tenant = tenants_[name];
+      tenant.tokens = {TokenFor(absl::StrCat(name, "-1"), {Scope::kSubmit, Scope::kRead}),
+                       TokenFor(absl::StrCat(name, "-2"), {Scope::kRead})};
+    }
+    tenants_["ops"].tokens = {TokenFor("ops-1", {Scope::kAdmin})};
+    Open();
+    a_ = As("a-1");
+    b_ = As("b-1");
+  }
+
+  ~IsolationTest() override {
+    ranges_->LetGo();
+    coordinator_->Stop();
+    server_->Drain(std::chrono::seconds(10));
+  }
+
+  static Token TokenFor(const std::string& token, const Scopes& scopes) {
+    return {Sha256Hex(token), scopes};
+  }
+
+  void Open() {
+    CoordinatorOptions options;
+    options.stores.state_dir = directory_.path();
+    options.build_id = "test-build";
+    options.runner.owner = "coordinator";
+    options.runner.jobs = 2;
+    options.runner.poll = std::chrono::milliseconds(20);
+    options.tenants = [this] {
+      const std::lock_guard lock(mutex_);
+      return std::make_shared<const Tenants>(tenants_);
+    };
+    auto coordinator =
+        Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+    ASSERT_TRUE(coordinator.ok()) << coordinator.status();
+    coordinator_ = *std::move(coordinator);
+    auto server = rpc::Server::Start({}, coordinator_->services(), metrics_);
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+    ASSERT_TRUE(coordinator_->Start().ok());
+  }
+
+  /// A client with this token; empty: without.
+  std::unique_ptr<TenantClient> As(const std::string& token) {
+    auto client = std::make_unique<TenantClient>();
+    rpc::ChannelOptions options;
+    options.token = token;
+    client->Connect(absl::StrCat("127.0.0.1:", server_->port()), options);
+    return client;
+  }
+
+  void Change(const std::function<void(Tenants&)>& change) {
+    const std::lock_guard lock(mutex_);
+    change(tenants_);
+  }
+
+  static std::string Submit(TenantClient& client, const std::string& mesh) {
+    EXPECT_TRUE(client.Upload(mesh).ok());
+    const auto job = client.Create(TenantClient::RequestFor(mesh));
+    EXPECT_TRUE(job.ok()) << job.status();
+    return job.ok() ? job->id() : "";
+  }
+
+  static v1::Job AwaitEnd(TenantClient& client, const std::string& id) {
+    EXPECT_TRUE(client.SeeWatch(id).status().ok());
+    return client.Get(id).value_or(v1::Job());
+  }
+
+  TempDirectory directory_;
+  FakeSlicing slicing_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  prometheus::Registry registry_;
+  rpc::CallMetrics metrics_{registry_};
+  std::mutex mutex_;
+  Tenants tenants_;
+  std::unique_ptr<Coordinator> coordinator_;
+  std::unique_ptr<rpc::Server> server_;
+  std::unique_ptr<TenantClient> a_;
+  std::unique_ptr<TenantClient> b_;
+};
+
+TEST_F(IsolationTest, EachTenantHasItsJobsToItself) {
+  const std::string of_a = Submit(*a_, "xa");
+  const std::string of_b = Submit(*b_, "xb");
+  EXPECT_EQ(AwaitEnd(*a_, of_a).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_THAT(a_->List(), testing::ElementsAre(of_a));
+  EXPECT_THAT(b_->List(), testing::ElementsAre(of_b));
+  EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
+}
+
+TEST_F(IsolationTest, AnothersJobLooksLikeNoneAtAll) {
+  const std::string of_b = Submit(*b_, "xb");
+  AwaitEnd(*b_, of_b);
+  const std::vector<Seen> while_there = a_->SeeAllOf(of_b);
+  EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
+  EXPECT_EQ(while_there, a_->SeeAllOf(of_b));
+  for (const Seen& seen : while_there) EXPECT_EQ(seen.reason(), Reason::kJobNotFound);
+}
+
+TEST_F(IsolationTest, AnothersRunningJobLooksLikeNoneAtAll) {
+  ranges_->Hold();
+  const std::string of_b = Submit(*b_, "xb");
+  const std::vector<Seen> while_there = a_->SeeAllOf(of_b);
+  EXPECT_NE(b_->Get(of_b)->state(), v1::JOB_STATE_CANCELLED);
+  ranges_->LetGo();
+  AwaitEnd(*b_, of_b);
+  EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
+  EXPECT_EQ(while_there, a_->SeeAllOf(of_b));
+}
+
+TEST_F(IsolationTest, RequestIdsAreEachTenantsOwn) {
+  v1::CreateJobRequest request = TenantClient::RequestFor("xa");
+  request.set_request_id("once");
+  ASSERT_TRUE(a_->Upload("xa").ok());
+  ASSERT_TRUE(b_->Upload("xa").ok());
+  ASSERT_TRUE(b_->Upload("xb").ok());
+  const auto of_a = a_->Create(request);
+  const auto of_b = b_->Create(request);
+  ASSERT_TRUE(of_a.ok() && of_b.ok());
+  EXPECT_NE(of_a->id(), of_b->id());
+  EXPECT_EQ(a_->Create(request)->id(), of_a->id());
+}
+
+TEST_F(IsolationTest, OpenJobsAreCountedByTenant) {
+  Change([](Tenants& tenants) { tenants["a"].max_open_jobs = 1; });
+  ranges_->Hold();
+  Submit(*a_, "xa");
+  const Seen second = a_->SeeCreate(TenantClient::RequestFor("xa"));
+  EXPECT_EQ(second.reason(), Reason::kQueueFull);
+  EXPECT_EQ(DetailOf(second.status()).metadata.at("limit"), "1");
+  Submit(*b_, "xb");
+  Submit(*b_, "xbb");
+}
+
+TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
+  const std::string of_a = Submit(*a_, "xa");
+  for (const char* token : {"", "a-3", "a-1 ", "A-1"}) {
+    const auto nobody = As(token);
+    std::vector<Seen> all = nobody->SeeAllOf(of_a);
+    all.push_back(nobody->SeeList());
+    all.push_back(nobody->SeeUploadStatus(Sha256Hex("xa")));
+    all.push_back(nobody->SeeCreate(TenantClient::RequestFor("xa")));
+    for (const Seen& seen : all) {
+      EXPECT_EQ(seen.code, grpc::StatusCode::UNAUTHENTICATED) << token;
+      EXPECT_EQ(seen.reason(), Reason::kUnauthenticated);
+      EXPECT_EQ(seen.message, all.front().message);
+    }
+    EXPECT_EQ(DetailOf(nobody->Upload("xa").status()).reason, Reason::kUnauthenticated);
+  }
+}
+
+TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
+  const std::string of_a = Submit(*a_, "xa");
+  AwaitEnd(*a_, of_a);
+  const auto denied = [](const Seen& seen, const std::string& scope) {
+    EXPECT_EQ(seen.code, grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(seen.reason(), Reason::kPermissionDenied);
+    EXPECT_EQ(DetailOf(seen.status()).metadata["scope"], scope);
+  };
+  const auto reader = As("a-2");
+  EXPECT_TRUE(reader->SeeGet(of_a).status().ok());
+  EXPECT_TRUE(reader->SeeWatch(of_a).status().ok());
+  EXPECT_TRUE(reader->SeeDownload(of_a).status().ok());
+  EXPECT_THAT(reader->List(), testing::ElementsAre(of_a));
+  denied(reader->SeeCreate(TenantClient::RequestFor("xa")), "submit");
+  denied(reader->SeeUploadStatus(Sha256Hex("xa")), "submit");
+  denied(reader->SeeCancel(of_a), "submit");
+  denied(reader->SeeDelete(of_a), "submit");
+  EXPECT_EQ(DetailOf(reader->Upload("xa").status()).reason, Reason::kPermissionDenied);
+  // Whether the job is there makes no difference to what is said.
+  EXPECT_EQ(reader->SeeDelete("0123456789abcdef0123456789abcdef"), reader->SeeDelete(of_a));
+
+  Change([](Tenants& tenants) { tenants["a"].tokens[1].scopes = {Scope::kSubmit}; });
+  denied(reader->SeeGet(of_a), "read");
+  denied(reader->SeeWatch(of_a), "read");
+  denied(reader->SeeDownload(of_a), "read");
+  denied(reader->SeeList(), "read");
+  EXPECT_TRUE(reader->SeeDelete(of_a).status().ok());
+}
+
+TEST_F(IsolationTest, AdminsSeeAndCancelTheJobsOfAll) {
+  const auto ops = As("ops-1");
+  ranges_->Hold();
+  const std::string of_a = Submit(*a_, "xa");
+  const std::string of_b = Submit(*b_, "xb");
+  EXPECT_THAT(ops->List(), testing::UnorderedElementsAre(of_a, of_b));
+  EXPECT_EQ(ops->Get(of_a)->tenant(), "a");
+  EXPECT_EQ(ops->Get(of_b)->tenant(), "b");
+  EXPECT_TRUE(ops->SeeCancel(of_a).status().ok());
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(*a_, of_a).state(), v1::JOB_STATE_CANCELLED);
+  EXPECT_TRUE(ops->SeeWatch(of_b).status().ok());
+  EXPECT_EQ(ops->SeeDownload(of_b).reason(), Reason::kPermissionDenied);
+  EXPECT_EQ(ops->SeeDelete(of_b).reason(), Reason::kPermissionDenied);
+  Change([](Tenants& tenants) {
+    tenants["ops"].tokens[0].scopes = {Scope::kAdmin, Scope::kRead, Scope::kSubmit};
+  });
+  EXPECT_EQ(ops->SeeDownload(of_b).reason(), Reason::kJobNotFound);
+  EXPECT_EQ(ops->SeeDelete(of_b).reason(), Reason::kJobNotFound);
+}
+
+TEST_F(IsolationTest, TokensAreRotatedWhileCallsGoOn) {
+  const std::string of_a = Submit(*a_, "xa");
+  const auto next = As("a-3");
+  EXPECT_EQ(next->SeeGet(of_a).reason(), Reason::kUnauthenticated);
+  Change([](Tenants& tenants) {
+    tenants["a"].tokens[1] = TokenFor("a-3", {Scope::kSubmit, Scope::kRead});
+  });
+  EXPECT_TRUE(next->SeeGet(of_a).status().ok());
+  EXPECT_TRUE(a_->SeeGet(of_a).status().ok());
+  Change([](Tenants& tenants) { tenants["a"].tokens.erase(tenants["a"].tokens.begin()); });
+  EXPECT_TRUE(next->SeeGet(of_a).status().ok());
+  EXPECT_EQ(a_->SeeGet(of_a).reason(), Reason::kUnauthenticated);
+  Change([](Tenants& tenants) { tenants["a"].tokens[0].expires_us = 1; });
+  EXPECT_EQ(next->SeeGet(of_a).reason(), Reason::kUnauthenticated);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator
