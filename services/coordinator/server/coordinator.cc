@@ -34,9 +34,9 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       pipeline_(slicing, motion, executor),
       results_(*stores_.jobs, *stores_.blobs),
       callers_(options_.tenants, NowUs),
-      intake_(*stores_.jobs, *stores_.blobs, options_.build_id, NowUs),
+      intake_(*stores_.jobs, *stores_.blobs, options_.build_id, options_.sharing, NowUs),
       runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
-                             options_.build_id, log},
+                             options_.build_id, options_.sharing, log},
               options_.runner),
       meshes_service_(callers_, *stores_.blobs, options_.transfers),
       jobs_service_(

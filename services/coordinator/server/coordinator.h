@@ -19,6 +19,7 @@ struct CoordinatorOptions {
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
   TenantsNow tenants = {};  ///< none: one tenant without a name
+  ResultSharing sharing = ResultSharing::kOff;
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may

@@ -90,6 +90,8 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--tenants", flags->tenants,
                  "Tenants, their tokens and what they may (services/coordinator/README.md)")
       ->type_name("FILE");
+  app.add_flag("--share-cache", flags->share_cache,
+               "Tenants take each other's results for the same work, and may so learn of it");
   app.add_option("--client-certs", flags->serve.client_certs,
                  "With TLS, whether clients must show a certificate: required or optional")
       ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{

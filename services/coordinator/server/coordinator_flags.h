@@ -24,6 +24,7 @@ struct CoordinatorFlags {
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
   std::string tenants;  ///< a file; empty: one tenant, who is anybody
+  bool share_cache = false;
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <thread>
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
@@ -26,11 +27,13 @@ struct Seen {
   std::string message;
   std::string details;
   std::multimap<std::string, std::string> metadata;
+  std::string body;
 
-  Seen(const grpc::ClientContext& context, const grpc::Status& status)
+  Seen(const grpc::ClientContext& context, const grpc::Status& status, std::string answer = "")
       : code(status.error_code()),
         message(status.error_message()),
-        details(status.error_details()) {
+        details(status.error_details()),
+        body(std::move(answer)) {
     for (const auto& [key, value] : context.GetServerInitialMetadata())
       Note("initial ", key, value);
     for (const auto& [key, value] : context.GetServerTrailingMetadata()) {
@@ -108,7 +111,22 @@ class TenantClient : public CoordinatorClient {
     v1::Upload upload;
     grpc::ClientContext context;
     const grpc::Status status = meshes_->GetUpload(&context, request, &upload);
-    return {context, status};
+    return {context, status, upload.SerializeAsString()};
+  }
+  /// Sends the bytes of [from, to) of a mesh in one message.
+  Seen SeeUpload(const std::string& bytes, int64_t from, int64_t to) {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    const auto stream = meshes_->UploadMesh(&context, &upload);
+    v1::UploadMeshRequest request;
+    request.set_sha256(Sha256Hex(bytes));
+    request.set_size(std::ssize(bytes));
+    request.set_write_offset(from);
+    request.set_data(bytes.substr(from, to - from));
+    stream->Write(request);
+    stream->WritesDone();
+    const grpc::Status status = stream->Finish();
+    return {context, status, upload.SerializeAsString()};
   }
   Seen SeeList() {
     v1::ListJobsResponse response;
@@ -160,16 +178,16 @@ class IsolationTest : public testing::Test {
 
   ~IsolationTest() override {
     ranges_->LetGo();
-    coordinator_->Stop();
-    server_->Drain(std::chrono::seconds(10));
+    Close();
   }
 
   static Token TokenFor(const std::string& token, const Scopes& scopes) {
     return {Sha256Hex(token), scopes};
   }
 
-  void Open() {
+  void Open(ResultSharing sharing = ResultSharing::kOff) {
     CoordinatorOptions options;
+    options.sharing = sharing;
     options.stores.state_dir = directory_.path();
     options.build_id = "test-build";
     options.runner.owner = "coordinator";
@@ -187,6 +205,13 @@ class IsolationTest : public testing::Test {
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     ASSERT_TRUE(coordinator_->Start().ok());
+  }
+
+  void Close() {
+    coordinator_->Stop();
+    server_->Drain(std::chrono::seconds(10));
+    server_.reset();
+    coordinator_.reset();
   }
 
   /// A client with this token; empty: without.
@@ -258,6 +283,85 @@ TEST_F(IsolationTest, AnothersRunningJobLooksLikeNoneAtAll) {
   AwaitEnd(*b_, of_b);
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
   EXPECT_EQ(while_there, a_->SeeAllOf(of_b));
+}
+
+TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
+  const std::string mesh = std::string(1000, 'x') + "secret";
+  const auto see = [&] {
+    return std::vector<Seen>{a_->SeeUploadStatus(Sha256Hex(mesh)),
+                             a_->SeeCreate(TenantClient::RequestFor(mesh)),
+                             a_->SeeUpload(mesh, 500, 1006)};  // as if the first half were there
+  };
+  const std::vector<Seen> before = see();
+  ASSERT_TRUE(b_->Upload(mesh, 0, 500).ok());
+  EXPECT_EQ(before, see()) << "half of it is there";
+  AwaitEnd(*b_, Submit(*b_, mesh));
+  EXPECT_EQ(before, see());
+  EXPECT_EQ(before[1].reason(), Reason::kBlobNotFound);
+  EXPECT_EQ(before[2].reason(), Reason::kUploadOffset);
+
+  // All of it has to be sent: what another has sent counts for nothing.
+  v1::Upload upload;
+  ASSERT_TRUE(upload.ParseFromString(a_->SeeUpload(mesh, 0, 500).body));
+  EXPECT_EQ(upload.committed_size(), 500);
+  EXPECT_FALSE(upload.complete());
+  ASSERT_TRUE(upload.ParseFromString(a_->SeeUpload(mesh, 500, 1006).body));
+  EXPECT_TRUE(upload.complete());
+}
+
+TEST_F(IsolationTest, NobodySpoilsAnothersUpload) {
+  const std::string mesh(1000, 'x');
+  ASSERT_TRUE(a_->Upload(mesh, 0, 500).ok());
+  EXPECT_EQ(DetailOf(b_->Upload(std::string(1000, '!'), 0, -1, Sha256Hex(mesh)).status()).reason,
+            Reason::kBlobDigestMismatch);
+  EXPECT_TRUE(a_->Upload(mesh, 500)->complete());
+}
+
+TEST_F(IsolationTest, AnothersResultIsNotTaken) {
+  const std::string of_b = Submit(*b_, "xx");
+  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  const v1::Job of_a = AwaitEnd(*a_, Submit(*a_, "xx"));
+  EXPECT_EQ(of_a.state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_FALSE(of_a.result().cached());
+  EXPECT_EQ(slicing_.runs(), 2);
+  EXPECT_TRUE(AwaitEnd(*a_, Submit(*a_, "xx")).result().cached());
+  EXPECT_EQ(slicing_.runs(), 2);
+  // Nor does it come back after one's own is gone: the index knows whose it is.
+  EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
+  EXPECT_FALSE(AwaitEnd(*b_, Submit(*b_, "xx")).result().cached());
+}
+
+TEST_F(IsolationTest, AnothersRunningWorkIsNotWaitedFor) {
+  ranges_->Hold();
+  const std::string of_b = Submit(*b_, "xx");
+  ranges_->AwaitCall();
+  const std::string of_a = Submit(*a_, "xx");
+  while (slicing_.runs() < 2) std::this_thread::yield();
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(*a_, of_a).result().cached());
+  EXPECT_FALSE(AwaitEnd(*b_, of_b).result().cached());
+}
+
+TEST_F(IsolationTest, TenantsMayShareTheirResults) {
+  Close();
+  Open(ResultSharing::kOn);
+  a_ = As("a-1");
+  b_ = As("b-1");
+  const std::string of_b = Submit(*b_, "xx");
+  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  const std::string of_a = Submit(*a_, "xx");
+  EXPECT_TRUE(AwaitEnd(*a_, of_a).result().cached());
+  EXPECT_EQ(slicing_.runs(), 1);
+  EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
+  EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
+  EXPECT_EQ(a_->SeeUploadStatus(Sha256Hex("xy")).body, b_->SeeUploadStatus(Sha256Hex("xy")).body);
+
+  // What was shared stays with the jobs that have it, and is not found any more.
+  Close();
+  Open(ResultSharing::kOff);
+  a_ = As("a-1");
+  EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
+  EXPECT_FALSE(AwaitEnd(*a_, Submit(*a_, "xx")).result().cached());
 }
 
 TEST_F(IsolationTest, RequestIdsAreEachTenantsOwn) {

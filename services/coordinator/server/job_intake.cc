@@ -33,9 +33,10 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
                       spec_bytes);
   }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
-  const auto resolved = ResolveJob(std::move(submission.request), build_id_);
+  const auto resolved = ResolveJob(std::move(submission.request), build_id_,
+                                   ResultTenant(sharing_, submission.tenant));
   if (!resolved.ok()) return resolved.status();
-  if (absl::Status ok = CheckMeshes(resolved->request); !ok.ok()) return ok;
+  if (absl::Status ok = CheckMeshes(submission.tenant, resolved->request); !ok.ok()) return ok;
   NewJob job;
   job.id = NewJobId();
   job.tenant = std::move(submission.tenant);
@@ -55,10 +56,12 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   return jobs_.Create(job, now_us_());
 }
 
-absl::Status JobIntake::CheckMeshes(const JobRequest& request) {
+absl::Status JobIntake::CheckMeshes(const std::string& tenant, const JobRequest& request) {
+  const auto blobs = blobs_.Of(tenant);
+  if (!blobs.ok()) return blobs.status();
   int64_t bytes = 0;
   for (const ObjectRequest& object : request.objects) {
-    const auto status = blobs_.Keep(object.mesh_sha256);
+    const auto status = (*blobs)->Keep(object.mesh_sha256);
     if (!status.ok()) return status.status();
     if (!status->complete) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,

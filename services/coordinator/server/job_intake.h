@@ -6,7 +6,8 @@
 
 #include "common/model/limits.h"
 #include "services/coordinator/server/job_request.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/server/job_results.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
@@ -26,19 +27,26 @@ struct Submission {
 /// The edge where requests become jobs: what comes behind it has been checked.
 class JobIntake {
  public:
-  JobIntake(JobStore& jobs, BlobStore& blobs, std::string build_id, std::function<int64_t()> now_us)
-      : jobs_(jobs), blobs_(blobs), build_id_(std::move(build_id)), now_us_(std::move(now_us)) {}
+  JobIntake(JobStore& jobs, BlobStores& blobs, std::string build_id, ResultSharing sharing,
+            std::function<int64_t()> now_us)
+      : jobs_(jobs),
+        blobs_(blobs),
+        build_id_(std::move(build_id)),
+        sharing_(sharing),
+        now_us_(std::move(now_us)) {}
 
   /// Returns once the job is on disk. Errors: those of ResolveJob and JobStore::Create;
-  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that was not uploaded.
+  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not
+  /// uploaded.
   absl::StatusOr<Created> Create(Submission submission);
 
  private:
-  absl::Status CheckMeshes(const JobRequest& request);
+  absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);
 
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
   const std::string build_id_;
+  const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
 };
 

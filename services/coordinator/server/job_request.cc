@@ -35,9 +35,10 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
 
 /// The text of all that decides the result. Texts that may hold anything come with their length.
 std::string ActionText(const JobRequest& request, const config::ResolvedSettings& settings,
-                       std::string_view build_id) {
+                       std::string_view build_id, std::string_view result_tenant) {
   std::string text = fmt::format("build {}\n", build_id);
   auto out = std::back_inserter(text);
+  if (!result_tenant.empty()) fmt::format_to(out, "tenant {}\n", result_tenant);
   for (const ObjectRequest& object : request.objects) {
     const Placement& p = object.placement;
     fmt::format_to(out, "object {} {} {}:{}\n", object.mesh_sha256, static_cast<int>(object.format),
@@ -83,13 +84,14 @@ absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id) {
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
+                                       std::string_view result_tenant) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
   auto settings = config::Resolve(request.settings);
   if (!settings.ok()) return settings.status();
   ResolvedJob job;
   job.settings_digest = Sha256Hex(settings->effective_text);
-  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id));
+  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
   job.request = std::move(request);
   job.settings = *std::move(settings);
   return job;

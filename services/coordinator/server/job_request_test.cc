@@ -29,9 +29,9 @@ class ActionDigestTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ActionDigestTest, DependsOnThis) {
   JobRequest request = SimpleRequest();
-  const auto before = ResolveJob(request, "build");
+  const auto before = ResolveJob(request, "build", "");
   GetParam().change(request);
-  const auto after = ResolveJob(request, "build");
+  const auto after = ResolveJob(request, "build", "");
   ASSERT_TRUE(before.ok() && after.ok()) << after.status();
   EXPECT_NE(before->action_digest, after->action_digest);
 }
@@ -60,15 +60,17 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(ResolveJob, TheBuildIsPartOfTheAction) {
-  EXPECT_NE(ResolveJob(SimpleRequest(), "a")->action_digest,
-            ResolveJob(SimpleRequest(), "b")->action_digest);
+  EXPECT_NE(ResolveJob(SimpleRequest(), "a", "")->action_digest,
+            ResolveJob(SimpleRequest(), "b", "")->action_digest);
+  EXPECT_NE(ResolveJob(SimpleRequest(), "a", "")->action_digest,
+            ResolveJob(SimpleRequest(), "a", "acme")->action_digest);
 }
 
 TEST(ResolveJob, SettingsSaidInAnotherWayAreTheSame) {
   JobRequest other = SimpleRequest();
   other.settings = {{"perimeters", " 3 "}};
   const JobRequest plain = SimpleRequest();  // 3 is the standard
-  EXPECT_EQ(ResolveJob(other, "b")->action_digest, ResolveJob(plain, "b")->action_digest);
+  EXPECT_EQ(ResolveJob(other, "b", "")->action_digest, ResolveJob(plain, "b", "")->action_digest);
 }
 
 TEST(CheckRequest, CountsCopies) {

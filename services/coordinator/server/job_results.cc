@@ -16,12 +16,15 @@ JobUpdate Success(JobResult result) {
 }  // namespace
 
 absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, RunOutput output,
-                                              int64_t now_us) {
+                                              const std::string& result_tenant, int64_t now_us) {
+  const auto blobs = blobs_.Of(result_tenant);
+  if (!blobs.ok()) return blobs.status();
   JobResult result = std::move(output.result);
+  result.tenant = result_tenant;
   result.gcode_size = static_cast<int64_t>(output.gcode.size());
-  auto gcode = blobs_.Put(output.gcode);
+  auto gcode = (*blobs)->Put(output.gcode);
   if (!gcode.ok()) return gcode.status();
-  auto report = blobs_.Put(output.report_json);
+  auto report = (*blobs)->Put(output.report_json);
   if (!report.ok()) return report.status();
   result.gcode_sha256 = *std::move(gcode);
   result.report_sha256 = *std::move(report);
@@ -49,9 +52,11 @@ absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(
 
 /// True if both artifacts are there, unchanged.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
+  const auto blobs = blobs_.Of(result.tenant);
+  if (!blobs.ok()) return blobs.status();
   for (const std::string& digest : {result.gcode_sha256, result.report_sha256}) {
-    absl::Status opened = blobs_.Keep(digest).status();
-    if (opened.ok()) opened = blobs_.Open(digest).status();
+    absl::Status opened = (*blobs)->Keep(digest).status();
+    if (opened.ok()) opened = (*blobs)->Open(digest).status();
     if (absl::IsNotFound(opened) || absl::IsDataLoss(opened)) return false;
     if (!opened.ok()) return opened;
   }

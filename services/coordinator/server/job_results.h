@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
@@ -15,14 +15,25 @@ struct RunOutput {
   JobResult result;  ///< without digests and size
 };
 
+/// Whether tenants take each other's results for the same work. It shows: a result that is there at
+/// once tells that somebody has sliced this mesh before.
+enum class ResultSharing { kOff, kOn };
+
+/// Whose results a tenant's jobs take and leave: his own, or everybody's, which go without a name.
+inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant) {
+  return sharing == ResultSharing::kOn ? "" : tenant;
+}
+
 /// Results of jobs: record and blobs together, so that no job refers to a blob that is not there.
 /// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
 class JobResults {
  public:
-  JobResults(JobStore& jobs, BlobStore& blobs) : jobs_(jobs), blobs_(blobs) {}
+  JobResults(JobStore& jobs, BlobStores& blobs) : jobs_(jobs), blobs_(blobs) {}
 
-  /// Keeps the artifacts and ends the job as SUCCEEDED. Errors: those of both stores.
-  absl::StatusOr<JobRecord> Succeed(const Lease& lease, RunOutput output, int64_t now_us);
+  /// Keeps the artifacts among the tenant's blobs and ends the job as SUCCEEDED. Errors: those of
+  /// both stores.
+  absl::StatusOr<JobRecord> Succeed(const Lease& lease, RunOutput output,
+                                    const std::string& result_tenant, int64_t now_us);
 
   /// Ends the job with the result that the same work came to before. nullopt: there is none, or its
   /// blobs are gone.
@@ -34,7 +45,7 @@ class JobResults {
   absl::StatusOr<bool> Complete(const JobResult& result);
 
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -45,6 +45,7 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
 JobRun::JobRun(RunEnvironment& environment, JobRecord job)
     : environment_(environment),
       job_(std::move(job)),
+      result_tenant_(ResultTenant(environment.sharing, job_.tenant)),
       lease_{job_.id, job_.owner_epoch},
       cancelled_(job_.cancel_requested) {}
 
@@ -62,7 +63,7 @@ absl::Status JobRun::Work() {
   if (Overdue()) return absl::DeadlineExceededError("before it began");
   auto request = ReadSpec(job_.spec);
   if (!request.ok()) return request.status();
-  auto resolved = ResolveJob(*std::move(request), environment_.build_id);
+  auto resolved = ResolveJob(*std::move(request), environment_.build_id, result_tenant_);
   if (!resolved.ok()) return resolved.status();
   const auto cached =
       environment_.results.SucceedFromCache(lease_, resolved->action_digest, environment_.now_us());
@@ -86,14 +87,16 @@ absl::Status JobRun::Compute(ResolvedJob job) {
   if (lost_) return absl::AbortedError("fenced");
   return Written(environment_.results
                      .Succeed(lease_, OutputOf(*std::move(output), job, environment_.build_id),
-                              environment_.now_us())
+                              result_tenant_, environment_.now_us())
                      .status());
 }
 
 absl::StatusOr<SliceInput> JobRun::LoadMeshes(const JobRequest& request) {
   SliceInput input;
+  const auto blobs = environment_.blobs.Of(job_.tenant);
+  if (!blobs.ok()) return blobs.status();
   for (const ObjectRequest& object : request.objects) {
-    auto bytes = environment_.blobs.Get(object.mesh_sha256);
+    auto bytes = (*blobs)->Get(object.mesh_sha256);
     if (!bytes.ok()) return bytes.status();
     input.files.push_back({object.name, object.format, *std::move(bytes)});
     input.placements.push_back(object.placement);

@@ -16,12 +16,13 @@ namespace slicefarm::coordinator {
 /// What all runs share. Everything outlives the runs.
 struct RunEnvironment {
   JobStore& jobs;
-  BlobStore& blobs;
+  BlobStores& blobs;
   JobResults& results;
   const JobPipeline& pipeline;
   JobFeed& feed;
   std::function<int64_t()> now_us;
   std::string build_id;
+  ResultSharing sharing = ResultSharing::kOff;
   rpc::JsonLog log;
 };
 
@@ -60,6 +61,7 @@ class JobRun {
 
   RunEnvironment& environment_;
   const JobRecord job_;
+  const std::string result_tenant_;
   const Lease lease_;
   std::atomic<bool> cancelled_ = false;
   std::atomic<bool> handed_back_ = false;

@@ -99,7 +99,8 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   auto query = FromProto(*request);
   if (!query.ok()) return rpc::ToGrpc(query.status());
-  if (!caller->may(Scope::kAdmin)) query->tenant = caller->tenant;
+  query->tenant = caller->tenant;
+  query->all_tenants = caller->may(Scope::kAdmin);
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
   return rpc::ToGrpc(jobs.status());
@@ -140,7 +141,9 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
   if (!job.ok()) return job.status();
   const auto digest = ArtifactOf(*job, request.artifact());
   if (!digest.ok()) return digest.status();
-  auto reader = backend_.blobs.Open(*digest);
+  const auto blobs = backend_.blobs.Of(job->result->tenant);
+  if (!blobs.ok()) return blobs.status();
+  auto reader = (*blobs)->Open(*digest);
   if (!reader.ok()) return reader.status();
   if (request.offset() < 0 || request.offset() > (*reader)->size()) {
     return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());

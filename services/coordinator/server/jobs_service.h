@@ -16,7 +16,7 @@ namespace slicefarm::coordinator {
 struct JobsBackend {
   const Callers& callers;
   JobStore& jobs;
-  BlobStore& blobs;
+  BlobStores& blobs;
   JobIntake& intake;
   JobRunner& runner;
   JobFeed& feed;

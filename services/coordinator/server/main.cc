@@ -64,10 +64,12 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     }
     tenants = *std::move(opened);
   }
-  CoordinatorOptions options{.stores = flags.stores,
-                             .runner = flags.runner,
-                             .build_id = std::string(BuildId()),
-                             .maintenance = flags.maintenance()};
+  CoordinatorOptions options{
+      .stores = flags.stores,
+      .runner = flags.runner,
+      .build_id = std::string(BuildId()),
+      .maintenance = flags.maintenance(),
+      .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff};
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());

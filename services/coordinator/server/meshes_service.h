@@ -3,16 +3,16 @@
 #include "absl/status/statusor.h"
 #include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/transfers.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
-/// Translates slicefarm.v1.Meshes to a BlobStore.
+/// Translates slicefarm.v1.Meshes to the caller's BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
   /// `callers` and `blobs` must outlive it.
-  MeshesService(const Callers& callers, BlobStore& blobs, const TransferOptions& options)
+  MeshesService(const Callers& callers, BlobStores& blobs, const TransferOptions& options)
       : callers_(callers), blobs_(blobs), uploads_(options) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
@@ -23,13 +23,10 @@ class MeshesService final : public v1::Meshes::Service {
                           v1::Upload* response) override;
 
  private:
-  using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
-  absl::Status Take(Reader& stream, const Transfers::Moved& moved, v1::Upload* response);
-  absl::StatusOr<BlobStatus> Receive(Reader& stream, const Transfers::Moved& moved,
-                                     v1::UploadMeshRequest& first);
+  absl::StatusOr<std::shared_ptr<BlobStore>> BlobsOf(const grpc::ServerContextBase& context);
 
   const Callers& callers_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
   Transfers uploads_;
 };
 

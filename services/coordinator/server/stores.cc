@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/posix_file.h"
-#include "services/coordinator/store/postgres_blob_store.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/postgres_job_changes.h"
 #include "services/coordinator/store/sql_job_store.h"
@@ -18,7 +16,7 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   if (!lock.ok()) return lock.status();
   auto jobs = OpenSqliteJobStore(directory + "/jobs.db");
   if (!jobs.ok()) return jobs.status();
-  auto blobs = DirectoryBlobStore::OpenAt(directory);
+  auto blobs = OpenDirectoryBlobs(directory);
   if (!blobs.ok()) return blobs.status();
   return Stores{*std::move(lock), *std::move(jobs), *std::move(blobs)};
 }
@@ -30,7 +28,7 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
   auto blobs = PostgresDatabase::Open(conninfo);
   if (!blobs.ok()) return blobs.status();
   return Stores{nullptr, std::make_unique<SqlJobStore>(*std::move(jobs)),
-                std::make_unique<PostgresBlobStore>(*std::move(blobs))};
+                MakePostgresBlobs(*std::move(blobs))};
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ JobError JobErrorOf(const absl::Status& status);
 
 /// What a job came to: the names of its artifacts, and what lists show of them.
 struct JobResult {
+  std::string tenant;  ///< whose blobs the artifacts are
   std::string gcode_sha256;
   int64_t gcode_size = 0;
   std::string report_sha256;

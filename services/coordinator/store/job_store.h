@@ -62,7 +62,8 @@ struct JobUpdate {
 
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
 struct ListQuery {
-  std::optional<std::string> tenant = {};
+  std::string tenant = {};
+  bool all_tenants = false;  ///< whatever `tenant` says
   std::vector<JobState> states = {};
   std::map<std::string, std::string> labels = {};
   std::optional<Priority> priority = {};
@@ -142,9 +143,9 @@ class JobStore {
 
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
 
-  /// Of these digests, those of inputs and results of jobs.
+  /// Of these digests, those of inputs and results of jobs among the tenant's blobs.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
-      const std::set<std::string>& digests) = 0;
+      const std::string& tenant, const std::set<std::string>& digests) = 0;
 
   /// Jobs that ended before, the oldest first, at most `limit`.
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;

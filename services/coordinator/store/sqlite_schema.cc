@@ -125,6 +125,10 @@ DROP TABLE old_requests;
 CREATE INDEX requests_by_age ON requests (create_us);
 CREATE INDEX requests_by_job ON requests (job_id);
 )",
+    R"(
+ALTER TABLE results ADD COLUMN tenant TEXT NOT NULL DEFAULT '';     -- whose blobs they are
+ALTER TABLE jobs ADD COLUMN result_tenant TEXT NOT NULL DEFAULT '';  -- of result
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {
