@@ -53,7 +53,10 @@ struct Seen {
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
-void PrintTo(const Seen& seen, std::ostream* out) { *out << seen.status(); }
+void PrintTo(const Seen& seen, std::ostream* out) {
+  *out << seen.status() << " body " << testing::PrintToString(seen.body) << " metadata "
+       << testing::PrintToString(seen.metadata);
+}
 
 /// What a tenant may try with a job that he knows the id of.
 class TenantClient : public CoordinatorClient {
