@@ -22,11 +22,7 @@ std::string NewJobId() {
 }
 
 absl::StatusOr<Created> JobIntake::Create(Submission submission) {
-  const auto id_bytes = static_cast<int64_t>(submission.request_id.size());
-  if (id_bytes > limits::kMaxNameBytes) {
-    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
-                      id_bytes);
-  }
+  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,

@@ -14,6 +14,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
+absl::Status CheckText(const std::string& field, const std::string& text) {
+  if (ReplaceControls(text, '?') == text) return absl::OkStatus();
+  return Malformed(field, "has control characters");
+}
+
 absl::Status CheckObject(const ObjectRequest& object, size_t index) {
   const auto field = [index](const char* name) {
     return fmt::format("objects[{}].{}", index, name);
@@ -27,10 +32,7 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
                       name_bytes);
   }
   // Names end up in G-code comments, where a line end would begin a command.
-  if (std::ranges::any_of(object.name, IsControl)) {
-    return Malformed(field("name"), "has control characters");
-  }
-  return absl::OkStatus();
+  return CheckText(field("name"), object.name);
 }
 
 /// The text of all that decides the result. Texts that may hold anything come with their length.
@@ -80,8 +82,19 @@ absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
       return LimitError(Reason::kRequestTooLarge, "bytes of a label", limits::kMaxLabelBytes,
                         bytes);
     }
+    // They are shown by others, and not every database keeps a NUL in a text.
+    if (absl::Status ok = CheckText("labels", key + value); !ok.ok()) return ok;
   }
   return absl::OkStatus();
+}
+
+absl::Status CheckRequestId(const std::string& request_id) {
+  const auto bytes = static_cast<int64_t>(request_id.size());
+  if (bytes > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
+                      bytes);
+  }
+  return CheckText("request_id", request_id);
 }
 
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,

@@ -35,6 +35,7 @@ struct ResolvedJob {
 /// Objects, names and copies within their bounds. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 absl::Status CheckRequest(const JobRequest& request);
 absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
+absl::Status CheckRequestId(const std::string& request_id);
 
 /// CheckRequest, and the settings resolved. `result_tenant`: whose results the job may take and
 /// leave (job_results.h). Errors also: those of config::Resolve.
