@@ -10,14 +10,14 @@ build=(
   build-essential cmake ninja-build ccache pkg-config python3
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
   libboost-dev libpolyclipping-dev
-  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev
-  libsqlite3-dev libpq-dev postgresql-15 libssl-dev libpng-dev libcairo2-dev libseccomp-dev
+  libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev
+  libsqlite3-dev libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libcairo2-dev libseccomp-dev
   libgtest-dev libgmock-dev
   clang clang-format clang-tidy libclang-rt-14-dev
 )
 runtime=(
-  libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libprometheus-cpp-pull1.0
-  libsqlite3-0 libpq5 libssl3 libpng16-16 libcairo2 libseccomp2
+  libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libprometheus-cpp-pull1.0 libcivetweb1
+  libsqlite3-0 libpq5 libcurl4 libssl3 libpng16-16 libcairo2 libseccomp2
 )
 
 packages=("${build[@]}")

@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 
 deploy/setup.sh
 python3 tests/check_layers.py
+python3 tests/check_docs.py
 cmake --preset release
 cmake --build --preset release
 slow=(-LE slow)

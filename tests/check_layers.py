@@ -3,12 +3,9 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-<<<<<<< HEAD
-The way is geometry <- model <- config, stage, algo <- wire, rpc <- remote, store, server, client; a service never includes another
-=======
-The way is geometry <- model <- config, stage, algo <- wire, rpc, sandbox <- remote, store, server; a service never includes another
->>>>>>> 4072e13 (Meshes are read in a process of their own, shut in by limits and seccomp)
-one, except in the two places where whole programs are put together: services/worker and services/cli.
+The way is geometry <- model <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
+a service never includes another one, except in the two places where whole programs are put together: services/worker and
+services/cli.
 """
 import pathlib
 import re
@@ -29,7 +26,9 @@ LAYERS = [
     ("sandbox", r"services/(\w+)/sandbox/", PURE | {"algo", "sandbox"}, f"{WIRE}|{GRPC}"),
     ("remote", r"services/(\w+)/remote/", EDGE | {"remote"}, None),
     ("store", r"services/(\w+)/store/", PURE | {"store", "algo", "rpc", "wire"}, GRPC),
-    ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "server"}, None),
+    ("run", r"services/(\w+)/run/", PURE | {"run", "algo", "store"}, f"{WIRE}|{GRPC}"),
+    ("server", r"services/(\w+)/server/", EDGE | {"remote", "sandbox", "store", "run", "server"}, None),
+    ("sim", r"services/(\w+)/sim/", PURE | {"sim", "run", "algo", "store"}, f"{WIRE}|{GRPC}"),
     ("cli", r"services/(cli)/", EDGE | {"remote", "cli"}, None),
     ("client", r"services/(\w+)/client/", EDGE | {"client"}, None),
 ]
@@ -80,12 +79,12 @@ def check(root, file):
         yield f"{path}: in no known layer"
         return
     yield from check_includes(path, text, layer, service, is_test)
-    if layer in ("algo", "geometry", "model", "config") and not is_test:
+    if layer in ("algo", "geometry", "model", "config", "run") and not is_test:
         for m in IMPURE.finditer(text):
             # A literal for tests may die; nothing else in pure code may touch the world.
             if "OrDie" not in text:
                 yield f"{path}:{text[: m.start()].count(chr(10)) + 1}: {m.group(1)} in pure code"
-    if layer in ("algo", "geometry") and path.endswith(".cc") and not is_test:
+    if layer in ("algo", "geometry", "run") and path.endswith(".cc") and not is_test:
         if not file.with_name(file.stem + "_test.cc").exists():
             yield f"{path}: no {file.stem}_test.cc beside it"
 

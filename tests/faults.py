@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BIN = pathlib.Path(os.environ.get("SLICEFARM_BIN", ROOT / "build/bin"))
 MODEL = ROOT / "tests/corpus/models/textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
+LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
 
 
@@ -52,15 +53,14 @@ class Service:
         self.process.terminate()
         self.process.wait()
 
-    def finished_ranges(self):
+    def metric(self, name):
+        """Sum over its labels; None while the service is being started."""
         try:
             with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
-                for line in page.read().decode().splitlines():
-                    if line.startswith('slicefarm_ranges_total{outcome="ok"}'):
-                        return float(line.split()[-1])
+                lines = page.read().decode().splitlines()
         except OSError:
-            pass  # it is just being started
-        return 0
+            return None
+        return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
 
 
 class Postgres:
@@ -110,6 +110,13 @@ class Farm:
         command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
+    def has_work(self):
+        open_jobs = [
+            (c.metric('slicefarm_jobs{state="QUEUED"}') or 0) + (c.metric('slicefarm_jobs{state="RUNNING"}') or 0)
+            for c in self.coordinators
+        ]
+        return max(open_jobs) > 0
+
     def jobs(self):
         listed = self.client("list", "--json", "--limit", "100000")
         if listed.returncode != 0:
@@ -136,7 +143,7 @@ class Progress:
         last = {}
         while not self.ended.wait(0.02):
             for coordinator in self.coordinators:
-                finished = coordinator.finished_ranges()
+                finished = coordinator.metric('slicefarm_ranges_total{outcome="ok"}') or 0
                 if finished > last.get(coordinator.name, 0):
                     self.times.append(time.monotonic())
                 last[coordinator.name] = finished
@@ -150,7 +157,8 @@ class Progress:
 
 
 def settings_of(number):
-    return ["--set", f"infill_speed={40 + number * 0.01:.2f}"]
+    """Thin layers, so that there is work; and another job each time."""
+    return ["--set", "layer_height=0.06", "--set", f"infill_speed={40 + number * 0.01:.2f}"]
 
 
 def expected_digest(number, directory):
@@ -162,14 +170,21 @@ def expected_digest(number, directory):
 
 
 class Submitter(threading.Thread):
-    """Submits jobs one after the other, each until it is acknowledged."""
+    """Submits jobs one after the other, each until it is acknowledged; not before it is let."""
 
     def __init__(self, farm, count):
         super().__init__()
         self.farm, self.count, self.acknowledged, self.refused = farm, count, {}, []
+        self.let, self.allowed = threading.Semaphore(0), 0
+
+    def allow(self, count):
+        for _ in range(min(count, self.count) - self.allowed):
+            self.let.release()
+            self.allowed += 1
 
     def run(self):
         for number in range(self.count):
+            self.let.acquire()
             done = self.farm.client("submit", MODEL, "--detach", "-q", "--label", f"number={number}", *settings_of(number))
             if done.returncode == 0:
                 self.acknowledged[number] = done.stdout.strip()
@@ -177,15 +192,18 @@ class Submitter(threading.Thread):
                 self.refused.append(done.stderr.strip())
 
 
-def kill_at_random(farm, kills, rng):
-    """Kills, and starts again at once. Returns what was killed when."""
+def kill_at_random(farm, submitter, kills, rng):
+    """Kills, and starts again at once. Returns what was killed when, while there was work."""
     killed = []
-    for _ in range(kills):
+    for i in range(kills):
+        submitter.allow(i * submitter.count // kills + LEAD)
         time.sleep(rng.expovariate(1 / PAUSE_S))
         victim = rng.choice(farm.victims)
-        killed.append((victim.name, time.monotonic()))
+        if farm.has_work():
+            killed.append((victim.name, time.monotonic()))
         victim.kill()
         victim.start()
+    submitter.allow(submitter.count)
     return killed
 
 
@@ -233,7 +251,7 @@ def main():
     submitter = Submitter(farm, options.jobs)
     try:
         submitter.start()
-        killed = kill_at_random(farm, options.kills, random.Random(options.seed))
+        killed = kill_at_random(farm, submitter, options.kills, random.Random(options.seed))
         submitter.join()
         jobs = await_end(farm)
     finally:
@@ -246,7 +264,7 @@ def main():
         if recovery is not None:
             recoveries[name.split("-")[0]].append(recovery)
     for key, value in [
-        ("kills", len(killed)),
+        ("kills", options.kills),
         ("jobs", len(submitter.acknowledged)),
         ("refused", len(submitter.refused)),
         ("lost", len(lost)),

@@ -5,6 +5,7 @@
 #include "common/model/error.h"
 #include "common/rpc/call_scope.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 
 namespace slicefarm::rpc {
 
@@ -17,6 +18,7 @@ grpc::Status CallGate::Run(const grpc::ServerContext& context, std::string_view 
   const CallScope scope(context, options_.default_deadline);
   Call call;
   call.cancel = scope.Token();
+  call.trace = TraceOf(context);
   const absl::StatusOr<Admission::Ticket> turn = admission_.Enter(call.cancel);
   const absl::Status status = scope.Outcome(turn.ok() ? work(call) : turn.status());
   const std::chrono::duration<double> time = CallScope::Clock::now() - start;
@@ -27,6 +29,7 @@ grpc::Status CallGate::Run(const grpc::ServerContext& context, std::string_view 
 void CallGate::Log(std::string_view method, const Call& call, double seconds,
                    const absl::Status& status) const {
   LogFields fields = {{"method", std::string(method)}, {"job", call.job_id}};
+  AddTrace(call.trace, &fields);
   if (!call.layers.empty()) {
     fields.push_back({"layer_first", int64_t{call.layers.first}});
     fields.push_back({"layer_last", int64_t{call.layers.last - 1}});

@@ -10,6 +10,7 @@
 #include "absl/status/status.h"
 #include "common/model/cancel_token.h"
 #include "common/model/layer.h"
+#include "common/model/trace_context.h"
 #include "common/rpc/admission.h"
 #include "common/rpc/json_log.h"
 
@@ -24,6 +25,7 @@ struct CallGateOptions {
 /// A call as its handler sees it; what the handler learns of it goes to the log.
 struct Call {
   CancelToken cancel;  ///< also asks whether the deadline has passed
+  TraceContext trace;  ///< what the client gave
   std::string job_id;
   LayerRange layers;  ///< empty: the call is about no layers
 };

@@ -19,10 +19,13 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Worker", "method": "GetWorkerInfo"},
       {"service": "slicefarm.v1.Meshes", "method": "GetUpload"},
       {"service": "slicefarm.v1.Jobs", "method": "CreateJob"},
+      {"service": "slicefarm.v1.Jobs", "method": "BatchCreateJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "GetJob"},
       {"service": "slicefarm.v1.Jobs", "method": "ListJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "CancelJob"},
-      {"service": "slicefarm.v1.Jobs", "method": "DeleteJob"}
+      {"service": "slicefarm.v1.Jobs", "method": "GetWebhook"},
+      {"service": "slicefarm.v1.Jobs", "method": "DeleteJob"},
+      {"service": "slicefarm.v1.Profiles"}
     ],
     "retryPolicy": {
       "maxAttempts": 4,

@@ -4,6 +4,7 @@
 
 #include "common/model/error.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -15,6 +16,7 @@ constexpr std::chrono::milliseconds kPollCancel{20};
 
 ClientCall::ClientCall(const ClientCallOptions& options) : cancel_(options.cancel) {
   context_.set_deadline(std::chrono::system_clock::now() + options.deadline);
+  SetTrace(options.trace, &context_);
 }
 
 ClientCall::~ClientCall() {

@@ -12,12 +12,14 @@
 
 #include "absl/status/status.h"
 #include "common/model/cancel_token.h"
+#include "common/model/trace_context.h"
 
 namespace slicefarm::rpc {
 
 struct ClientCallOptions {
   std::chrono::milliseconds deadline{60'000};
-  CancelToken cancel;
+  CancelToken cancel = {};
+  TraceContext trace = {};  ///< empty: the call belongs to none
 };
 
 /// One call from the caller's side: its deadline is always set, and while it waits for the peer it

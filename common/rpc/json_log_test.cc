@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "common/model/build_info.h"
+
 namespace slicefarm::rpc {
 namespace {
 
@@ -28,6 +30,7 @@ TEST_F(JsonLogTest, WritesOneObjectALine) {
   const nlohmann::json line = Line();
   EXPECT_EQ(line["level"], "info");
   EXPECT_EQ(line["svc"], "beading");
+  EXPECT_EQ(line["build"], std::string(BuildId()));
   EXPECT_EQ(line["msg"], "range done");
   EXPECT_EQ(line["job"], "j1");
   EXPECT_EQ(line["layer_first"], 3);
@@ -57,6 +60,43 @@ TEST_F(JsonLogTest, HostileTextStaysOneLine) {
 TEST_F(JsonLogTest, CutsLongText) {
   log_.Info("x", {{"error", std::string(1'000'000, 'x')}});
   EXPECT_EQ(Line()["error"].get<std::string>().size(), 2048);
+}
+
+TEST_F(JsonLogTest, NamesTheTrace) {
+  LogFields fields = {{"job", "j1"}};
+  AddTrace({}, &fields);
+  AddTrace({"4bf92f3577b34da6a3ce929d0e0e4736", "00f067aa0ba902b7"}, &fields);
+  log_.Info("x", fields);
+  EXPECT_EQ(Line()["trace_id"], "4bf92f3577b34da6a3ce929d0e0e4736");
+  EXPECT_EQ(Line()["span_id"], "00f067aa0ba902b7");
+}
+
+TEST_F(JsonLogTest, AFloodOfProblemsIsHeldBackAndCounted) {
+  const JsonLog stuck("x",
+                      std::make_shared<spdlog::logger>(
+                          "test", std::make_shared<spdlog::sinks::ostream_sink_mt>(out_)),
+                      {.burst = 2, .lines_per_s = 0});
+  for (int i = 0; i < 100; ++i) stuck.Error("broken");
+  EXPECT_EQ(std::ranges::count(out_.str(), '\n'), 2);
+  const JsonLog copy = stuck;
+  copy.Warn("broken");
+  EXPECT_EQ(std::ranges::count(out_.str(), '\n'), 2);
+  for (int i = 0; i < 100; ++i) stuck.Info("call");
+  EXPECT_EQ(std::ranges::count(out_.str(), '\n'), 102);
+}
+
+TEST_F(JsonLogTest, RemembersTheLastProblems) {
+  log_.Info("fine");
+  log_.Warn("bad", {{"job", "j1"}});
+  const JsonLog copy = log_;
+  copy.Error("worse");
+  const auto problems = log_.RecentProblems();
+  ASSERT_EQ(problems.size(), 2);
+  EXPECT_EQ(problems[0].text, R"({"msg":"worse"})");
+  EXPECT_EQ(problems[1].text, R"({"msg":"bad","job":"j1"})");
+  for (int i = 0; i < 100; ++i) log_.Warn(std::to_string(i));
+  EXPECT_EQ(log_.RecentProblems().size(), 20);
+  EXPECT_EQ(log_.RecentProblems()[0].text, R"({"msg":"99"})");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/model/build_info.h"
+#include "common/rpc/gate_metrics.h"
 #include "common/rpc/listen_address.h"
 #include "common/rpc/open_files.h"
 
@@ -59,7 +60,7 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   app.add_option("--listen", flags->server.listen, "Address to serve on; port 0 takes any free one")
       ->capture_default_str();
   app.add_option("--metrics-port", flags->metrics_port,
-                 "Port for Prometheus; 0 takes any free one, -1 serves none")
+                 "Port for Prometheus (/metrics) and people; 0 takes any free one, -1 serves none")
       ->check(CLI::Range(-1, 65535))
       ->capture_default_str();
   app.add_option("--max-concurrent", flags->max_concurrent,
@@ -89,6 +90,10 @@ CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
   options.slots = Concurrency(flags);
   options.queue = 4 * options.slots;
   return options;
+}
+
+void ServerProgram::Show(const CallGate& gate) {
+  metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
 }
 
 /// Null without TLS.

@@ -52,6 +52,9 @@ class ServerProgram {
   /// The gate for heavy calls that the flags ask for.
   CallGateOptions GateOptions(const ServeFlags& flags) const;
 
+  /// Shows how busy the service behind the gate is. The gate outlives Run.
+  void Show(const CallGate& gate);
+
   /// Serves `services` until a signal comes; then calls `on_signal`, which ends what would
   /// otherwise keep calls in flight. When it returns, neither services nor shown metrics are used
   /// any more. Returns the exit code of the program: 0, or 1 if it cannot listen, or not with these
@@ -82,6 +85,7 @@ int ServeStage(int argc, char** argv, const std::string& name, const std::string
   ServeFlags flags;
   if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
   CallGate gate(program.GateOptions(flags), program.log());
+  program.Show(gate);
   Service service(stage, gate);
   return program.Run(flags, {&service});
 }

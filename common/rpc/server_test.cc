@@ -129,7 +129,8 @@ TEST_F(ServerTest, AnswersAndCounts) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown, "no such setting",
                      {{"setting", "colour"}});
   });
-  const absl::Status status = CallFrame();
+  const absl::Status status =
+      CallFrame({.trace = {"4bf92f3577b34da6a3ce929d0e0e4736", "00f067aa0ba902b7"}});
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingUnknown);
   EXPECT_EQ(DetailOf(status).metadata["setting"], "colour");
@@ -143,9 +144,12 @@ TEST_F(ServerTest, AnswersAndCounts) {
                                      R"("FrameProgram",grpc_service="slicefarm.v1.Motion"} 1)"),
                   testing::HasSubstr(R"(grpc_server_handled_total{grpc_code="INVALID_ARGUMENT")"),
                   testing::HasSubstr("grpc_server_handling_seconds_bucket")));
-  EXPECT_THAT(log_text_.str(),
-              testing::HasSubstr(R"("method":"FrameProgram","job":"j7","layer_first":3,)"
-                                 R"("layer_last":8,)"));
+  EXPECT_THAT(
+      log_text_.str(),
+      testing::HasSubstr(
+          R"("method":"FrameProgram","job":"j7","trace_id":"4bf92f3577b34da6a3ce929d0e0e4736",)"
+          R"("span_id":"00f067aa0ba902b7","layer_first":3,)"
+          R"("layer_last":8,)"));
   EXPECT_THAT(log_text_.str(), testing::HasSubstr(R"("reason":"SETTING_UNKNOWN")"));
 }
 

@@ -11,8 +11,11 @@
 #include "common/model/mesh.h"
 #include "common/model/program_summary.h"
 #include "common/model/settings.h"
+#include "common/model/trace_context.h"
 
 namespace slicefarm {
+
+class SpanLog;
 
 /// The stages as the pipeline sees them. Each has a local implementation (services/<name>/algo) and
 /// a remote one (services/coordinator/remote); the embedded process, the fused worker and the split
@@ -24,7 +27,9 @@ namespace slicefarm {
 struct StageCall {
   std::string job_id;  ///< for logs
   CancelToken cancel;
-  int threads = 1;  ///< how many a stage may use; never changes the result
+  int threads = 1;           ///< how many a stage may use; never changes the result
+  TraceContext trace = {};   ///< travels on with each call; empty: none
+  SpanLog* spans = nullptr;  ///< notes what is done when, in this process; null: nobody asks
 };
 
 struct SliceInput {

@@ -18,12 +18,14 @@ struct CommandContext {
 /// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
 void AddSlice(CLI::App& app, CommandContext& context);   ///< slice_command.cc
 void AddSubmit(CLI::App& app, CommandContext& context);  ///< submit_command.cc
-void AddWatch(CLI::App& app, CommandContext& context);   ///< job_commands.cc, as the next four
+void AddWatch(CLI::App& app, CommandContext& context);   ///< job_commands.cc, as the next five
 void AddList(CLI::App& app, CommandContext& context);
 void AddGet(CLI::App& app, CommandContext& context);
 void AddCancel(CLI::App& app, CommandContext& context);
 void AddDelete(CLI::App& app, CommandContext& context);
+void AddTrace(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
+void AddProfile(CLI::App& app, CommandContext& context);   ///< profile_command.cc
 void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc

@@ -30,9 +30,10 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kQueueFull:
     case Reason::kDiskLow:
       return ExitCode::kServerUnavailable;
+    case Reason::kStoreFailed:
+      return absl::IsUnavailable(status) ? ExitCode::kServerUnavailable : ExitCode::kJobFailed;
     case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's
     case Reason::kRangePoisoned:
-    case Reason::kStoreFailed:
     case Reason::kDiskFull:
       return ExitCode::kJobFailed;
     case Reason::kCancelled:

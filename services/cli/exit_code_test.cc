@@ -37,6 +37,8 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
   for (const auto& [reason, code] : kCases) {
     EXPECT_EQ(ExitCodeOf(ErrorOf(reason)), code) << ReasonName(reason);
   }
+  EXPECT_EQ(ExitCodeOf(MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, "away")),
+            ExitCode::kServerUnavailable);
   EXPECT_EQ(ExitCodeOf(absl::DataLossError("cannot write")), ExitCode::kOutputFailed);
   const absl::Status spoilt =
       MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch, "of the download");

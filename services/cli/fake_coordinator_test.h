@@ -21,6 +21,7 @@
 #include "common/model/error.h"
 #include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::cli {
@@ -82,7 +83,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   std::atomic<int> break_download_after = -1;
   std::deque<grpc::StatusCode> quiet_watch_ends;  ///< of watches that end before any event
   bool hold_watches = false;                      ///< they tell nothing until they are cancelled
-  std::atomic<int> overloaded_gets = 0;           ///< GetJob calls that find no free thread
+  std::deque<grpc::Status> refused_gets;          ///< what GetJob answers first
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
   std::string mesh;
   std::vector<int64_t> upload_offsets;
@@ -93,6 +94,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   v1::JobState end_state = v1::JOB_STATE_SUCCEEDED;
   v1::JobError end_error;
   v1::CreateJobRequest created;
+  TraceContext trace;  ///< that CreateJob came with
   std::string cancelled;
   std::atomic<int> watches = 0;
   int listed_jobs = 0;
@@ -125,8 +127,9 @@ class FakeCoordinator : public v1::Meshes::Service,
     return grpc::Status::OK;
   }
 
-  grpc::Status CreateJob(grpc::ServerContext*, const v1::CreateJobRequest* request,
+  grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override {
+    trace = rpc::TraceOf(*context);
     request_ids.insert(request->request_id());
     created = *request;
     response->set_id("job-1");
@@ -138,8 +141,10 @@ class FakeCoordinator : public v1::Meshes::Service,
 
   grpc::Status GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,
                       v1::Job* response) override {
-    if (overloaded_gets-- > 0) {
-      return {grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted"};
+    if (!refused_gets.empty()) {
+      const grpc::Status refused = refused_gets.front();
+      refused_gets.pop_front();
+      return refused;
     }
     response->set_id("job-1");
     return Find(request->id());

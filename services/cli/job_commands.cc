@@ -29,6 +29,8 @@ struct GetOptions : JobCommandOptions {
 struct ListOptions : JobCommandOptions {
   int limit = 50;
   std::vector<std::string> states;
+  std::vector<std::string> labels;
+  bool oldest_first = false;
   bool json = false;
 };
 
@@ -84,6 +86,13 @@ ExitCode Get(const GetOptions& options, Interrupt& interrupt) {
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
+/// Of any job that ended, however it ended.
+ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const absl::Status fetched = FetchResults(client, options.id, options.files);
+  return fetched.ok() ? ExitCode::kOk : Fail(fetched);
+}
+
 ExitCode Cancel(const JobCommandOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto job = client.CancelJob(options.id);
@@ -111,6 +120,12 @@ v1::JobState StateOf(const std::string& name) {
 absl::StatusOr<v1::ListJobsResponse> ListAll(JobsClient& client, const ListOptions& options) {
   v1::ListJobsRequest request;
   for (const std::string& state : options.states) request.add_states(StateOf(state));
+  for (const std::string& label : options.labels) {
+    const size_t equals = std::min(label.find('='), label.size());
+    (*request.mutable_labels())[label.substr(0, equals)] =
+        label.substr(std::min(equals + 1, label.size()));
+  }
+  request.set_oldest_first(options.oldest_first);
   v1::ListJobsResponse all;
   do {
     request.set_page_size(std::min(kPageSize, options.limit - all.jobs_size()));
@@ -166,6 +181,10 @@ void AddList(CLI::App& app, CommandContext& context) {
   command->add_option("--state", options->states, "Only jobs in this state. May be repeated")
       ->check(CLI::IsMember({"queued", "running", "succeeded", "failed", "cancelled"}))
       ->allow_extra_args(false);
+  command->add_option("--label", options->labels, "Only jobs with this label. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--oldest-first", options->oldest_first);
   command->add_flag("--json", options->json, "All that is known of them, as JSON");
   AddServerOptions(*command, options->server);
   command->callback([options, &context] {
@@ -200,6 +219,22 @@ void AddDelete(CLI::App& app, CommandContext& context) {
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->callback([options, &context] {
     context.run = [options, &context] { return Delete(*options, *context.interrupt); };
+  });
+}
+
+void AddTrace(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("trace", "Show where the time of a job that ended went");
+  const auto options = std::make_shared<GetOptions>();
+  options->files.trace = "-";
+  AddJobCommand(*command, options);
+  command->add_option("-o,--output", options->files.trace, "Where the trace goes; -: to stdout")
+      ->capture_default_str()
+      ->type_name("TRACE.json");
+  command->footer(
+      "In Chrome's trace event format: open it at https://ui.perfetto.dev or chrome://tracing.\n"
+      "Each worker is a process of its own; a range that was done again has several attempts.");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Trace(*options, *context.interrupt); };
   });
 }
 

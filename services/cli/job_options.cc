@@ -82,8 +82,7 @@ std::string PartName(std::string_view file) {
 
 }  // namespace
 
-void AddJobOptions(CLI::App& app, JobOptions& options) {
-  app.add_option("MODEL", options.model, "STL (binary or ASCII) or OBJ file")->required();
+void AddSettingOptions(CLI::App& app, SettingOptions& options) {
   app.add_option("-c,--config", options.config_files,
                  "PrusaSlicer config.ini, or a G-code file that quotes its settings; of several, "
                  "later ones win")
@@ -92,6 +91,11 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("-s,--set", options.sets, "One setting; wins over --config. May be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void AddJobOptions(CLI::App& app, JobOptions& options) {
+  app.add_option("MODEL", options.model, "STL (binary or ASCII) or OBJ file")->required();
+  AddSettingOptions(app, options);
   app.add_option("--units", options.units, "What a unit of the model means")
       ->check(CLI::IsMember({"mm", "cm", "m", "inch"}))
       ->capture_default_str();
@@ -112,7 +116,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
 }
 
-absl::StatusOr<std::vector<config::Setting>> GivenSettings(const JobOptions& options) {
+absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options) {
   std::vector<config::Setting> settings;
   for (const std::string& path : options.config_files) {
     const auto text = ReadFile(path, kMaxConfigBytes);

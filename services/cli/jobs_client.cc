@@ -4,8 +4,7 @@
 #include <grpcpp/support/async_stream.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
 #include "common/rpc/retry_after.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -29,10 +29,11 @@ constexpr milliseconds kMinRest{100};
 constexpr milliseconds kMaxRest{1'000};
 constexpr milliseconds kMaxAskedRest{5'000};
 
+/// True if the same call may go well in a while: nobody answers, or the server says so.
 bool OutOfReach(const absl::Status& status) {
-  const Reason reason = DetailOf(status).reason;
-  return reason == Reason::kUnavailable || reason == Reason::kDeadlineExceeded ||
-         reason == Reason::kOverloaded;
+  return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) ||
+         DetailOf(status).reason == Reason::kOverloaded ||
+         DetailOf(status).metadata.contains(rpc::kRetryAfterMs);
 }
 
 /// A UUID, version 4.
@@ -85,7 +86,8 @@ JobsClient::JobsClient(JobsClientOptions options)
                                options_.security, options_.server)),
       channel_(rpc::MakeChannel(options_.server, connection_.value_or(rpc::ChannelOptions()))),
       meshes_(v1::Meshes::NewStub(channel_)),
-      jobs_(v1::Jobs::NewStub(channel_)) {}
+      jobs_(v1::Jobs::NewStub(channel_)),
+      profiles_(v1::Profiles::NewStub(channel_)) {}
 
 /// Makes the attempt until it ends otherwise than with the server out of reach. Patience counts
 /// from the first attempt that got no answer at all: a stream that was quiet for long until it
@@ -94,18 +96,19 @@ JobsClient::JobsClient(JobsClientOptions options)
 absl::Status JobsClient::Persist(const Attempt& attempt) {
   if (!connection_.ok()) return connection_.status();
   const double patience_s = std::chrono::duration<double>(options_.patience).count();
-  std::optional<double> away_since_s;
+  constexpr double kNotAway = std::numeric_limits<double>::infinity();
+  double away_since_s = kNotAway;
   for (milliseconds rest = kMinRest;; rest = std::min(rest * 2, kMaxRest)) {
     answered_ = false;
     absl::Status status = attempt();
     if (status.ok() || !OutOfReach(status)) return status;
     if (answered_) {
       rest = kMinRest;
-      away_since_s.reset();
-    } else if (!away_since_s) {
-      away_since_s = clock_.Seconds();
+      away_since_s = kNotAway;
+    } else {
+      away_since_s = std::min(away_since_s, clock_.Seconds());
     }
-    if (away_since_s && clock_.Seconds() - *away_since_s >= patience_s) {
+    if (clock_.Seconds() - away_since_s >= patience_s) {
       const ErrorDetail detail = DetailOf(status);
       return MakeError(status.code(), detail.reason,
                        fmt::format("{}: {}{}", options_.server, std::string(status.message()),
@@ -119,10 +122,11 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
 }
 
 template <typename Response, typename Request, typename Start>
-absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start) {
+absl::StatusOr<Response> JobsClient::Call(const Request& request, const Start& start,
+                                          milliseconds deadline) {
   Response response;
   const absl::Status status = Persist([&] {
-    return rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &response, start);
+    return rpc::UnaryCall({deadline, options_.cancel, options_.trace}, request, &response, start);
   });
   if (!status.ok()) return status;
   return response;
@@ -136,7 +140,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
   const absl::Status status = Persist([&]() -> absl::Status {
     v1::Upload upload;
     const absl::Status got =
-        rpc::UnaryCall({kUnaryDeadline, options_.cancel}, request, &upload,
+        rpc::UnaryCall({kUnaryDeadline, options_.cancel, options_.trace}, request, &upload,
                        [&](auto... arguments) { return meshes_->AsyncGetUpload(arguments...); });
     if (!got.ok()) return got;
     answered_ = true;
@@ -156,7 +160,7 @@ absl::StatusOr<std::string> JobsClient::UploadMesh(std::string_view bytes,
 
 absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
                                   const std::function<void(int64_t)>& sent) {
-  rpc::ClientCall call({kTransferDeadline, options_.cancel});
+  rpc::ClientCall call({kTransferDeadline, options_.cancel, options_.trace});
   v1::Upload upload;
   const auto writer = meshes_->PrepareAsyncUploadMesh(call.context(), &upload, call.queue());
   writer->StartCall(nullptr);
@@ -198,13 +202,12 @@ absl::Status JobsClient::SendFrom(int64_t offset, const std::string& sha256, std
       fmt::format("the server has {} of {} bytes", upload.committed_size(), bytes.size()));
 }
 
-absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::JobSpec spec,
-                                              const std::map<std::string, std::string>& labels) {
-  v1::CreateJobRequest request;
+absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {
   request.set_request_id(NewRequestId());
-  *request.mutable_spec() = std::move(spec);
-  request.mutable_labels()->insert(labels.begin(), labels.end());
-  return Call<v1::Job>(request, [&](auto... a) { return jobs_->AsyncCreateJob(a...); });
+  // A preflight slices the mesh before it answers.
+  return Call<v1::Job>(
+      request, [&](auto... a) { return jobs_->AsyncCreateJob(a...); },
+      request.validate_only() ? kTransferDeadline : kUnaryDeadline);
 }
 
 absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
@@ -231,6 +234,20 @@ absl::StatusOr<v1::ListJobsResponse> JobsClient::ListJobs(const v1::ListJobsRequ
   return Call<v1::ListJobsResponse>(request, [&](auto... a) { return jobs_->AsyncListJobs(a...); });
 }
 
+absl::StatusOr<v1::Profile> JobsClient::PutProfile(const v1::PutProfileRequest& request) {
+  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncPutProfile(a...); });
+}
+
+absl::StatusOr<v1::Profile> JobsClient::GetProfile(const v1::GetProfileRequest& request) {
+  return Call<v1::Profile>(request, [&](auto... a) { return profiles_->AsyncGetProfile(a...); });
+}
+
+absl::StatusOr<v1::ListProfilesResponse> JobsClient::ListProfiles(
+    const v1::ListProfilesRequest& request) {
+  return Call<v1::ListProfilesResponse>(
+      request, [&](auto... a) { return profiles_->AsyncListProfiles(a...); });
+}
+
 absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
                                              const std::function<void(const v1::Job&)>& changed) {
   v1::WatchJobRequest request;
@@ -238,7 +255,7 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   v1::Job last;
   const absl::Status status = Persist([&]() -> absl::Status {
     const absl::Status end = ReadStream<v1::JobEvent>(
-        {kWatchDeadline, options_.cancel},
+        {kWatchDeadline, options_.cancel, options_.trace},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncWatchJob(context, request, queue);
         },
@@ -264,7 +281,7 @@ absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, 
   request.set_artifact(artifact);
   return Persist([&] {
     return ReadStream<v1::DownloadResponse>(
-        {kTransferDeadline, options_.cancel},
+        {kTransferDeadline, options_.cancel, options_.trace},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
           return jobs_->PrepareAsyncDownload(context, request, queue);
         },

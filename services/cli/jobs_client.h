@@ -4,16 +4,17 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 
 #include "absl/status/statusor.h"
 #include "common/model/cancel_token.h"
+#include "common/model/trace_context.h"
 #include "common/rpc/client_security.h"
 #include "common/stage/stopwatch.h"
 #include "services/cli/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::cli {
 
@@ -23,12 +24,13 @@ struct JobsClientOptions {
   /// How long the server may be out of reach at a stretch before that is an error.
   std::chrono::milliseconds patience{30'000};
   CancelToken cancel = {};  ///< ends calls as Cancelled
+  TraceContext trace = {};  ///< that the calls, and a job they make, belong to; empty: none
 };
 
-/// Meshes and Jobs of a coordinator. Every call has a deadline and is made again while the server
-/// is out of reach; uploads, downloads and watches go on where they broke off. Errors: the
-/// server's, with their reason; UNAVAILABLE naming the server after `patience`; Cancelled after an
-/// interrupt; those of rpc::Secured, by every call.
+/// Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is made again while
+/// the server is out of reach; uploads, downloads and watches go on where they broke off. Errors:
+/// the server's, with their reason; UNAVAILABLE naming the server after `patience`; Cancelled after
+/// an interrupt; those of rpc::Secured, by every call.
 class JobsClient {
  public:
   explicit JobsClient(JobsClientOptions options);
@@ -39,12 +41,15 @@ class JobsClient {
                                          const std::function<void(int64_t)>& sent);
 
   /// With a request id, so that a repeated call makes no second job.
-  absl::StatusOr<v1::Job> CreateJob(v1::JobSpec spec,
-                                    const std::map<std::string, std::string>& labels);
+  absl::StatusOr<v1::Job> CreateJob(v1::CreateJobRequest request);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
+
+  absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);
+  absl::StatusOr<v1::Profile> GetProfile(const v1::GetProfileRequest& request);
+  absl::StatusOr<v1::ListProfilesResponse> ListProfiles(const v1::ListProfilesRequest& request);
 
   /// Tells each event of the job, those of the past too, and returns the job as it ended.
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
@@ -57,7 +62,8 @@ class JobsClient {
   using Attempt = std::function<absl::Status()>;
   absl::Status Persist(const Attempt& attempt);
   template <typename Response, typename Request, typename Start>
-  absl::StatusOr<Response> Call(const Request& request, const Start& start);
+  absl::StatusOr<Response> Call(const Request& request, const Start& start,
+                                std::chrono::milliseconds deadline = std::chrono::seconds(20));
   absl::Status SendFrom(int64_t offset, const std::string& sha256, std::string_view bytes,
                         const std::function<void(int64_t)>& sent);
 
@@ -66,6 +72,7 @@ class JobsClient {
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Profiles::Stub> profiles_;
   Stopwatch clock_;
   bool answered_ = false;  ///< the server was in reach during the current attempt
 };

@@ -69,7 +69,9 @@ TEST_F(JobsClientTest, RefusesAServerThatHasMoreThanTheMesh) {
 }
 
 TEST_F(JobsClientTest, GivesEachJobARequestIdOfItsOwn) {
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client_.CreateJob({}, {{"queue", "night"}}).ok());
+  v1::CreateJobRequest request;
+  (*request.mutable_labels())["queue"] = "night";
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client_.CreateJob(request).ok());
   EXPECT_EQ(server_.request_ids.size(), 20);
   for (const std::string& id : server_.request_ids) {
     EXPECT_THAT(id,
@@ -86,10 +88,29 @@ TEST_F(JobsClientTest, PassesTheServersErrorsOn) {
 }
 
 TEST_F(JobsClientTest, TriesAgainWhenTheServerHasNoThreadLeft) {
-  server_.overloaded_gets = 2;
+  const grpc::Status refused(grpc::StatusCode::RESOURCE_EXHAUSTED, "Server Threadpool Exhausted");
+  server_.refused_gets = {refused, refused};
   const auto job = client_.GetJob("job-1");
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->id(), "job-1");
+}
+
+TEST_F(JobsClientTest, TriesAgainWhenTheServersStoreIsAwayOrAsksForIt) {
+  const auto refused = [](absl::StatusCode code, Reason reason, const char* after_ms) {
+    return rpc::ToGrpc(MakeError(code, reason, "", {{rpc::kRetryAfterMs, after_ms}}));
+  };
+  server_.refused_gets = {
+      refused(absl::StatusCode::kUnavailable, Reason::kStoreFailed, "1"),
+      refused(absl::StatusCode::kResourceExhausted, Reason::kQueueFull, "1"),
+      refused(absl::StatusCode::kResourceExhausted, Reason::kDiskLow, "1"),
+      rpc::ToGrpc(MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, ""))};
+  EXPECT_TRUE(client_.GetJob("job-1").ok());
+}
+
+TEST_F(JobsClientTest, AFullDiskIsNotWaitedFor) {
+  server_.refused_gets = {rpc::ToGrpc(
+      MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, "no space left"))};
+  EXPECT_EQ(DetailOf(client_.GetJob("job-1").status()).reason, Reason::kDiskFull);
 }
 
 TEST_F(JobsClientTest, TellsEachEventOnceThoughTheStreamBreaks) {

@@ -102,7 +102,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = Run({"--help"});
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command : {"slice", "submit", "watch", "list", "get", "cancel", "delete",
-                              "render", "settings", "health", "token", "version"}) {
+                              "trace", "render", "settings", "health", "token", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -432,6 +432,32 @@ TEST_F(Program, PrintsTheJobWhenDetached) {
       Run({"submit", Path("cube.obj"), "--detach", "--server", server.address()});
   EXPECT_EQ(outcome.code, ExitCode::kOk);
   EXPECT_EQ(outcome.out, "job-1\n");
+}
+
+TEST_F(Program, PassesTheTraceOn) {
+  FakeCoordinator server;
+  const std::string given = "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01";
+  const auto submit = [&](const std::string& trace) {
+    return Run({"submit", Path("cube.obj"), "--detach", "--server", server.address(),
+                "--traceparent", trace});
+  };
+  const Outcome traced = submit(given);
+  EXPECT_EQ(traced.code, ExitCode::kOk);
+  EXPECT_EQ(traced.err, "");
+  EXPECT_EQ(server.trace, ParseTraceparent(given));
+  const Outcome broken = submit("00-nonsense");
+  EXPECT_EQ(broken.code, ExitCode::kOk);
+  EXPECT_THAT(broken.err, HasSubstr("no W3C trace context"));
+  EXPECT_TRUE(server.trace.empty());
+}
+
+TEST_F(Program, TakesTheTraceOfTheEnvironment) {
+  FakeCoordinator server;
+  const std::string given = "00-4bf92f3577b34da6a3ce929d0e0e4736-00f067aa0ba902b7-01";
+  setenv("TRACEPARENT", given.c_str(), 1);
+  Run({"submit", Path("cube.obj"), "--detach", "--server", server.address()});
+  unsetenv("TRACEPARENT");
+  EXPECT_EQ(server.trace, ParseTraceparent(given));
 }
 
 TEST_F(Program, TellsHowAJobEnded) {

@@ -32,7 +32,8 @@ JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* i
 absl::Status FetchResults(JobsClient& client, const std::string& id, const ResultFiles& files) {
   std::vector<OutputFile> complete;
   for (const auto& [path, artifact] :
-       {std::pair{files.gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT}}) {
+       {std::pair{files.gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT},
+        std::pair{files.trace, v1::ARTIFACT_TRACE}}) {
     if (path.empty()) continue;
     auto file = OutputFile::Create(path);
     if (!file.ok()) return file.status();

@@ -26,6 +26,7 @@ JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* i
 struct ResultFiles {
   std::string gcode;
   std::string report;
+  std::string trace = {};
 };
 
 /// Fetches what is wanted of a job that succeeded. Both files appear when both are complete.

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <google/protobuf/util/time_util.h>
 
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/server_options.h"
+#include "services/cli/setting_wire.h"
 #include "services/cli/summary.h"
 
 namespace slicefarm::cli {
@@ -24,6 +26,13 @@ struct SubmitOptions {
   ServerOptions server;
   std::string output;
   std::vector<std::string> labels;
+  std::vector<std::string> profiles;
+  std::string priority = "normal";
+  double deadline_s = 0;  ///< 0: none
+  std::string webhook;
+  bool quote = false;
+  bool check = false;
+  std::string traceparent;
   bool detach = false;
 };
 
@@ -44,19 +53,26 @@ absl::StatusOr<std::map<std::string, std::string>> LabelsOf(const SubmitOptions&
   return labels;
 }
 
+/// As the standard wants it, what is no trace context is ignored.
+TraceContext TraceOf(const SubmitOptions& options) {
+  const auto trace = ParseTraceparent(options.traceparent);
+  if (!trace && !options.traceparent.empty()) {
+    Warn({fmt::format("'{}' is no W3C trace context: the job gets its own", options.traceparent)});
+  }
+  return trace.value_or(TraceContext());
+}
+
 /// All of the spec but the mesh's digest.
-absl::StatusOr<v1::JobSpec> SpecOf(const JobOptions& options, const MeshFile& model) {
+absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const MeshFile& model) {
+  const JobOptions& options = submit.job;
   const auto settings = GivenSettings(options);
   if (!settings.ok()) return settings.status();
   const auto placement = GivenPlacement(options);
   if (!placement.ok()) return placement.status();
   v1::JobSpec spec;
-  for (const config::Setting& setting : *settings) {
-    v1::Setting* proto = spec.add_settings();
-    proto->set_key(setting.key);
-    proto->set_value(setting.value);
-    proto->set_from_profile(setting.source == config::Source::kProfile);
-  }
+  spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
+  if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
+  for (const config::Setting& setting : *settings) *spec.add_settings() = ToProto(setting);
   v1::Object* object = spec.add_objects();
   object->set_name(model.name);
   object->set_format(ToProto(model.format));
@@ -66,13 +82,38 @@ absl::StatusOr<v1::JobSpec> SpecOf(const JobOptions& options, const MeshFile& mo
   return spec;
 }
 
-absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
+v1::JobPriority PriorityOf(const std::string& name) {
+  if (name == "bulk") return v1::JOB_PRIORITY_BULK;
+  return name == "interactive" ? v1::JOB_PRIORITY_INTERACTIVE : v1::JOB_PRIORITY_NORMAL;
+}
+
+/// All of the request but the mesh's digest.
+absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
+                                               const MeshFile& model) {
   const auto labels = LabelsOf(options);
   if (!labels.ok()) return labels.status();
+  auto spec = SpecOf(options, model);
+  if (!spec.ok()) return spec.status();
+  v1::CreateJobRequest request;
+  *request.mutable_spec() = *std::move(spec);
+  request.mutable_labels()->insert(labels->begin(), labels->end());
+  request.set_priority(PriorityOf(options.priority));
+  request.set_webhook_url(options.webhook);
+  request.set_validate_only(options.check);
+  if (options.deadline_s > 0) {
+    using google::protobuf::util::TimeUtil;
+    *request.mutable_deadline() =
+        TimeUtil::GetCurrentTime() +
+        TimeUtil::MillisecondsToDuration(static_cast<int64_t>(options.deadline_s * 1000));
+  }
+  return request;
+}
+
+absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
   const auto model = ReadModel(options.job);
   if (!model.ok()) return model.status();
-  auto spec = SpecOf(options.job, *model);
-  if (!spec.ok()) return spec.status();
+  auto request = RequestOf(options, *model);
+  if (!request.ok()) return request.status();
 
   constexpr int64_t kKib = 1024;
   const int total_kib = static_cast<int>(model->bytes.size() / kKib);
@@ -80,8 +121,8 @@ absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client,
     bar.Show("upload, KiB", static_cast<int>(sent / kKib), total_kib);
   });
   if (!sha256.ok()) return sha256.status();
-  spec->mutable_objects(0)->set_mesh_sha256(*sha256);
-  return client.CreateJob(*std::move(spec), *labels);
+  request->mutable_spec()->mutable_objects(0)->set_mesh_sha256(*sha256);
+  return client.CreateJob(*std::move(request));
 }
 
 /// Ctrl-C while we wait for a job means that nobody wants it any more.
@@ -105,24 +146,59 @@ void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
                      .print_time_s = result.print_time_s(),
                      .filament_mm = result.filament_mm(),
                      .filament_g = result.filament_g(),
+                     .cost = MoneyText(result.cost().total(), result.cost().currency()),
                      .cached = result.cached(),
                      .report = options.job.report}),
         options.output == "-" || options.job.report == "-");
 }
 
+absl::Status CheckWishes(const SubmitOptions& options) {
+  const bool gcode = !options.output.empty();
+  if (options.check && (gcode || !options.job.report.empty())) {
+    return Malformed("--check makes nothing: there is no G-code and no report");
+  }
+  if (options.quote && gcode) return Malformed("--quote makes no G-code: leave -o out");
+  if (options.detach && (gcode || !options.job.report.empty())) {
+    return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
+  }
+  if (!gcode && !options.detach && !options.quote && !options.check) {
+    return Malformed("say where the G-code goes (-o OUT.gcode), or --detach, --quote or --check");
+  }
+  return absl::OkStatus();
+}
+
+void PrintPreflight(const v1::Job& job) {
+  Warn({job.warnings().begin(), job.warnings().end()});
+  const v1::Preflight& found = job.preflight();
+  for (const v1::MeshReport& mesh : found.meshes()) {
+    const auto side = [&](int i) { return mesh.max_mm(i) - mesh.min_mm(i); };
+    Print(fmt::format("{}: {} triangles, {}, {:.1f} x {:.1f} x {:.1f} mm, {:.1f} cm3\n",
+                      mesh.name(), mesh.triangles(), mesh.open_edges() == 0 ? "closed" : "open",
+                      side(0), side(1), side(2), mesh.volume_mm3() / 1000));
+  }
+  Print(fmt::format("first layer: {:.1f} cm2\nestimate: ", found.first_layer_area_mm2() / 100) +
+        SummaryText({.layers = found.layers(),
+                     .print_time_s = found.print_time_s(),
+                     .filament_mm = found.filament_mm(),
+                     .filament_g = found.filament_g(),
+                     .cost = MoneyText(found.cost().total(), found.cost().currency())}));
+}
+
 ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
-  if (options.output.empty() && !options.detach) {
-    return Fail(Malformed("say where the G-code goes (-o OUT.gcode), or --detach"));
-  }
-  if (options.detach && !(options.output.empty() && options.job.report.empty())) {
-    return Fail(Malformed("--detach does not wait for results: fetch them with `slicefarm get`"));
-  }
-  JobsClient client(ClientOptions(options.server, &interrupt));
+  if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
+  JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
+  client_options.trace = TraceOf(options);
+  JobsClient client(std::move(client_options));
   ProgressBar bar(!options.job.quiet);
   const auto created = Upload(options, client, bar);
   if (!created.ok()) {
     bar.Clear();
     return Fail(created.status());
+  }
+  if (options.check) {
+    bar.Clear();
+    PrintPreflight(*created);
+    return ExitCode::kOk;
   }
   if (options.detach) {
     bar.Clear();
@@ -159,6 +235,33 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
   command->add_option("--label", options->labels, "Kept with the job. May be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--profile", options->profiles,
+                   "Settings kept by the farm (`slicefarm profile`), before those given here. "
+                   "May be repeated")
+      ->type_name("NAME[@REVISION]")
+      ->allow_extra_args(false);
+  command->add_option("--priority", options->priority, "Among the jobs that wait")
+      ->check(CLI::IsMember({"bulk", "normal", "interactive"}))
+      ->capture_default_str();
+  command
+      ->add_option("--deadline", options->deadline_s,
+                   "Seconds after which the job is of no use, and fails")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  command
+      ->add_option("--webhook", options->webhook,
+                   "Is posted the job when it has ended; the farm must allow it")
+      ->type_name("URL");
+  command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
+  command->add_flag("--check", options->check,
+                    "Only look whether the job can be made, and estimate it; nothing is kept but "
+                    "the mesh");
+  command
+      ->add_option("--traceparent", options->traceparent,
+                   "The trace that the job belongs to (W3C Trace Context)")
+      ->envname("TRACEPARENT")
+      ->type_name("00-TRACE-SPAN-01");
   AddServerOptions(*command, options->server);
   command->footer(
       "A broken connection is taken up again, the upload where it broke off. Ctrl-C cancels the "

@@ -12,6 +12,7 @@ std::string SummaryText(const Summary& summary) {
                       summary.layers == 1 ? "layer" : "layers", DurationText(summary.print_time_s),
                       summary.filament_mm / 1000);
   if (summary.filament_g > 0) text += fmt::format(" ({:.1f} g)", summary.filament_g);
+  if (!summary.cost.empty()) text += ", " + summary.cost;
   if (summary.cached) text += "; found by content, not made anew";
   text += '\n';
   if (summary.settings_without_effect > 0) {
@@ -21,6 +22,10 @@ std::string SummaryText(const Summary& summary) {
         summary.report.empty() ? "--report FILE.json lists them" : "listed in " + summary.report);
   }
   return text;
+}
+
+std::string MoneyText(double amount, const std::string& currency) {
+  return amount > 0 ? fmt::format("{:.2f} {}", amount, currency) : "";
 }
 
 }  // namespace slicefarm::cli

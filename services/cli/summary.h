@@ -13,6 +13,7 @@ struct Summary {
   double print_time_s = 0;
   double filament_mm = 0;
   double filament_g = 0;  ///< 0: the density is not known
+  std::string cost = {};  ///< "12.50 EUR"; empty: nothing is charged
   bool cached = false;
   int64_t settings_without_effect = 0;
   std::string report = {};  ///< where the report is; empty: nowhere
@@ -20,5 +21,8 @@ struct Summary {
 
 /// A few lines of text.
 std::string SummaryText(const Summary& summary);
+
+/// "12.50 EUR"; empty if there is nothing to pay.
+std::string MoneyText(double amount, const std::string& currency);
 
 }  // namespace slicefarm::cli

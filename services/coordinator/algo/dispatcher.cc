@@ -21,11 +21,6 @@ constexpr std::chrono::milliseconds kReadyWait{200};
 using Flag =
     std::shared_ptr<std::atomic<bool>>;  // shared by a call's token and the job that stops it
 
-/// True if the input is at fault: the same anywhere, whatever the number of tries.
-bool IsFinal(const absl::Status& status) {
-  return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
-}
-
 absl::Status PoisonedError(const LayerRange& range, int tries, const std::string& runner,
                            const absl::Status& last) {
   return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned,
@@ -48,33 +43,26 @@ struct Dispatcher::Member {
 };
 
 struct Dispatcher::Job {
-  Job(const StageCall& stage_call, std::span<const RangeTask> range_tasks,
-      const SchedulerOptions& options)
-      : call(stage_call),
-        tasks(range_tasks),
-        scheduler(static_cast<int32_t>(range_tasks.size()), options),
-        results(range_tasks.size()) {}
-
+  const FanOut::JobId id;
   const StageCall& call;
   const std::span<const RangeTask> tasks;
-  RangeScheduler scheduler;
-  std::vector<RangeResult> results;
-  std::map<RangeScheduler::Ticket, Flag> calls;  ///< in flight, those of runners that left included
+  std::vector<RangeResult> results = std::vector<RangeResult>(tasks.size());
+  std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
   int32_t layers_done = 0;
-  int64_t last_turn = 0;
   bool over = false;
-  absl::Status status;
+  absl::Status status = absl::OkStatus();
 };
 
 /// What a slot is to do next.
 struct Dispatcher::Assignment {
   Job* job = nullptr;
-  RangeScheduler::Grant grant;
+  FanOut::Grant grant;
   StageCall call;
   Flag stop;
 };
 
-Dispatcher::Dispatcher(const DispatcherOptions& options) : options_(options) {}
+Dispatcher::Dispatcher(const DispatcherOptions& options)
+    : options_(options), fan_out_(options.scheduler) {}
 
 Dispatcher::~Dispatcher() {
   {
@@ -111,7 +99,7 @@ void Dispatcher::Leave(RunnerId id) {
   found->second->leaving = true;
   left_.push_back(std::move(found->second));
   members_.erase(found);
-  for (Job* job : jobs_) job->scheduler.RunnerGone(id);
+  fan_out_.RunnerGone(id);
   Reap();
   work_.notify_all();
 }
@@ -134,23 +122,18 @@ int Dispatcher::Slots() const {
 
 DispatchCounts Dispatcher::Counts() const {
   Lock lock(mutex_);
-  DispatchCounts counts = counts_;
-  for (const Job* job : jobs_) {
-    counts.requeued += job->scheduler.Requeued();
-    counts.hedged += job->scheduler.Hedged();
-  }
-  return counts;
+  return fan_out_.Counts();
 }
 
 absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
     const StageCall& call, std::span<const RangeTask> tasks,
     const std::function<void(int32_t)>& layers_done) {
-  Job job(call, tasks, options_.scheduler);
   Lock lock(mutex_);
-  jobs_.push_back(&job);
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size())), call, tasks};
+  jobs_[job.id] = &job;
   work_.notify_all();
   int32_t told = 0;
-  while (!job.over && (!job.scheduler.AllDone() || told < job.layers_done)) {
+  while (!job.over && (!fan_out_.AllDone(job.id) || told < job.layers_done)) {
     if (told == job.layers_done) AwaitEnd(lock, job);
     if (told == job.layers_done) continue;
     told = job.layers_done;
@@ -158,9 +141,8 @@ absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
     if (layers_done) layers_done(told);
     lock.lock();
   }
-  jobs_.remove(&job);
-  counts_.requeued += job.scheduler.Requeued();
-  counts_.hedged += job.scheduler.Hedged();
+  fan_out_.Remove(job.id);
+  jobs_.erase(job.id);
   // The tasks are the caller's: every call has to be over before they may go.
   for (const auto& [ticket, stop] : job.calls) stop->store(true);
   changed_.wait(lock, [&] { return job.calls.empty(); });
@@ -171,7 +153,7 @@ absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
 /// Returns when something about the job may have changed.
 void Dispatcher::AwaitEnd(Lock& lock, Job& job) {
   changed_.wait_for(lock, kPoll);
-  if (job.over || job.scheduler.AllDone()) return;
+  if (job.over || fan_out_.AllDone(job.id)) return;
   lock.unlock();
   absl::Status wanted = job.call.cancel.Check();
   lock.lock();
@@ -207,10 +189,7 @@ void Dispatcher::Serve(Member& member) {
 bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   const auto ended = [&] { return stopping_ || member.leaving; };
   while (!ended()) {
-    const bool queued = std::any_of(jobs_.begin(), jobs_.end(), [](const Job* job) {
-      return !job->over && job->scheduler.Queued() > 0;
-    });
-    if (queued) return true;
+    if (fan_out_.AnyQueued()) return true;
     if (jobs_.empty() || members_.size() < 2) {
       work_.wait(lock);
     } else if (work_.wait_for(lock, kPoll) == std::cv_status::timeout) {
@@ -230,39 +209,20 @@ bool Dispatcher::Ready(Lock& lock, const Member& member) {
 }
 
 void Dispatcher::Rest(Lock& lock, const Member& member, int failures) {
-  const auto rest =
-      std::min(options_.max_rest, options_.min_rest * (1 << std::min(failures - 1, 10)));
+  const auto rest = RestAfter(failures, options_.min_rest, options_.max_rest);
   work_.wait_for(lock, rest, [&] { return stopping_ || member.leaving; });
 }
 
-/// From the job with the fewest ranges in flight, of these from the one that has waited longest. A
-/// slow range is doubled only when nothing is queued.
 std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
-  std::vector<Job*> jobs;
-  std::copy_if(jobs_.begin(), jobs_.end(), std::back_inserter(jobs),
-               [](Job* job) { return !job->over; });
-  std::stable_sort(jobs.begin(), jobs.end(), [](const Job* a, const Job* b) {
-    return std::pair(a->scheduler.Running(), a->last_turn) <
-           std::pair(b->scheduler.Running(), b->last_turn);
-  });
-  const double now_s = clock_.Seconds();
-  for (Job* job : jobs) {
-    if (const auto grant = job->scheduler.Next(member.id, now_s)) return Assign(*job, *grant);
-  }
-  for (Job* job : jobs) {
-    if (const auto grant = job->scheduler.Hedge(member.id, now_s)) return Assign(*job, *grant);
-  }
-  return std::nullopt;
-}
-
-Dispatcher::Assignment Dispatcher::Assign(Job& job, const RangeScheduler::Grant& grant) {
-  job.last_turn = next_turn_++;
-  Assignment assignment{&job, grant, job.call, std::make_shared<std::atomic<bool>>(false)};
+  const auto grant = fan_out_.Take(member.id, clock_.Seconds());
+  if (!grant) return std::nullopt;
+  Job& job = *jobs_.at(grant->job);
+  Assignment assignment{&job, *grant, job.call, std::make_shared<std::atomic<bool>>(false)};
   assignment.call.threads = 1;
   assignment.call.cancel = CancelToken([stop = assignment.stop, wanted = job.call.cancel] {
     return stop->load() || wanted.Cancelled();
   });
-  job.calls.emplace(grant.ticket, assignment.stop);
+  job.calls.emplace(grant->ticket, assignment.stop);
   return assignment;
 }
 
@@ -278,7 +238,7 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
   } else if (wanted.ok()) {
     Reject(job, member, assignment, result.status());
   } else if (assignment.stop->load()) {
-    job.scheduler.Failed(assignment.grant.ticket);  // another copy made it
+    fan_out_.Superseded(assignment.grant);
   } else {
     End(job, wanted);
   }
@@ -286,39 +246,36 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
 }
 
 void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult result) {
-  const auto accepted = job.scheduler.Succeeded(assignment.grant.ticket, clock_.Seconds());
+  const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
   if (!accepted.first) return;
-  for (const RangeScheduler::Ticket ticket : accepted.superfluous) {
+  for (const FanOut::Ticket ticket : accepted.superfluous) {
     if (const auto call = job.calls.find(ticket); call != job.calls.end())
       call->second->store(true);
   }
   const int32_t range = assignment.grant.range;
   job.results[range] = std::move(result);
   job.layers_done += job.tasks[range].range.size();
-  ++counts_.done;
 }
 
 void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assignment,
                         const absl::Status& error) {
-  if (IsFinal(error)) return End(job, error);
-  if (DetailOf(error).reason == Reason::kBuildMismatch) {
-    job.scheduler.Abandoned(assignment.grant.ticket);  // says nothing of the range
-    work_.notify_all();
-    return;
-  }
   const int32_t range = assignment.grant.range;
-  job.scheduler.Failed(assignment.grant.ticket);
-  if (job.scheduler.Poisoned() == range) {
-    ++counts_.poisoned;
-    return End(job, PoisonedError(job.tasks[range].range, job.scheduler.Tries(range),
-                                  member.runner.name, error));
+  switch (fan_out_.Failed(assignment.grant, error)) {
+    case FanOut::Verdict::kGoesOn:
+      work_.notify_all();
+      return;
+    case FanOut::Verdict::kInputAtFault:
+      return End(job, error);
+    case FanOut::Verdict::kPoisoned:
+      return End(job, PoisonedError(job.tasks[range].range, fan_out_.Tries(job.id, range),
+                                    member.runner.name, error));
   }
-  work_.notify_all();
 }
 
 void Dispatcher::End(Job& job, absl::Status status) {
   job.over = true;
   job.status = std::move(status);
+  fan_out_.Remove(job.id);
 }
 
 }  // namespace slicefarm::coordinator

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,8 +9,8 @@
 #include <vector>
 
 #include "common/stage/stopwatch.h"
+#include "services/coordinator/algo/fan_out.h"
 #include "services/coordinator/algo/range_executor.h"
-#include "services/coordinator/algo/range_scheduler.h"
 #include "services/coordinator/algo/runner_set.h"
 
 namespace slicefarm::coordinator {
@@ -23,17 +22,8 @@ struct DispatcherOptions {
   std::chrono::milliseconds max_rest{1000};
 };
 
-/// What happened to ranges since the start; for metrics.
-struct DispatchCounts {
-  int64_t done = 0;
-  int64_t requeued = 0;
-  int64_t hedged = 0;
-  int64_t poisoned = 0;
-};
-
-/// Runs the ranges of any number of jobs over the runners there are. One thread a slot: a runner
-/// gets a range when it has answered one, so a fast runner gets more. Jobs share the runners
-/// evenly: a free slot takes from the job with the fewest ranges in flight.
+/// Runs the ranges of any number of jobs over the runners there are, as FanOut decides. One thread
+/// a slot: a runner gets a range when it has answered one, so a fast runner gets more.
 ///
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
 /// RANGE_POISONED naming the layers where a range failed too often; CANCELLED. BUILD_MISMATCH is
@@ -65,7 +55,6 @@ class Dispatcher : public RangeExecutor, public RunnerSet {
   void Rest(Lock& lock, const Member& member, int failures);
   bool Ready(Lock& lock, const Member& member);
   std::optional<Assignment> Take(Member& member);
-  Assignment Assign(Job& job, const RangeScheduler::Grant& grant);
   void Report(const Member& member, const Assignment& assignment, const absl::Status& wanted,
               absl::StatusOr<RangeResult> result);
   void Accept(Job& job, const Assignment& assignment, RangeResult result);
@@ -80,13 +69,12 @@ class Dispatcher : public RangeExecutor, public RunnerSet {
   mutable std::mutex mutex_;
   std::condition_variable work_;     ///< there may be something to do for a slot, or it is to end
   std::condition_variable changed_;  ///< a job may have got on or be over
-  std::list<Job*> jobs_;             ///< by age; they live on the stacks of Execute
+  FanOut fan_out_;
+  std::map<FanOut::JobId, Job*> jobs_;  ///< they live on the stacks of Execute
   std::map<RunnerId, std::unique_ptr<Member>> members_;
   std::vector<std::unique_ptr<Member>> left_;  ///< members that left, whose threads may still run
   RunnerId next_runner_ = 1;
-  int64_t next_turn_ = 1;
   bool stopping_ = false;
-  DispatchCounts counts_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -1,11 +1,13 @@
 #include "services/coordinator/algo/job_pipeline.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "common/model/error.h"
+#include "common/stage/span_log.h"
 #include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/layer_plan.h"
 #include "services/coordinator/algo/mesh_warnings.h"
@@ -13,14 +15,6 @@
 
 namespace slicefarm::coordinator {
 namespace {
-
-absl::Status CheckSliced(const std::vector<SlicedLayer>& layers) {
-  const bool printable = std::any_of(layers.begin(), layers.end(),
-                                     [](const SlicedLayer& l) { return !l.objects.empty(); });
-  if (printable) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "no layer of the meshes has an outline to print");
-}
 
 /// `layers` and `plans` whole; the tasks point into them.
 std::vector<RangeTask> MakeTasks(std::span<const SlicedLayer> layers,
@@ -152,14 +146,19 @@ void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame
 absl::StatusOr<std::vector<RangeResult>> RunRanges(
     const StageCall& call, std::vector<SlicedLayer> layers, const JobSettings& settings,
     RangeExecutor& executor, const std::function<void(PipelineProgress)>& progress) {
+  std::optional<ScopedSpan> planning(std::in_place, call.spans, "plan");
   const auto plans = PlanLayers(layers, settings.ordering.seam, call.cancel);
   if (!plans.ok()) return plans.status();
+  planning.reset();
   const int32_t total = static_cast<int32_t>(layers.size());
   const auto tell = [&](int32_t done) {
     if (progress) progress({.layers_total = total, .layers_done = done});
   };
   tell(0);
   const auto tasks = MakeTasks(layers, *plans, settings, executor.Slots());
+  ScopedSpan span(call.spans, "ranges");
+  span.Set("layers", absl::StrCat(total));
+  span.Set("ranges", absl::StrCat(tasks.size()));
   auto results = executor.Execute(call, tasks, tell);
   if (!results.ok()) return results.status();
   if (absl::Status whole = CheckPrograms(*results, layers.size()); !whole.ok()) return whole;
@@ -167,6 +166,14 @@ absl::StatusOr<std::vector<RangeResult>> RunRanges(
 }
 
 }  // namespace
+
+absl::Status CheckPrintable(std::span<const SlicedLayer> layers) {
+  const bool printable = std::any_of(layers.begin(), layers.end(),
+                                     [](const SlicedLayer& l) { return !l.objects.empty(); });
+  if (printable) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                   "no layer of the meshes has an outline to print");
+}
 
 absl::StatusOr<JobOutput> JobPipeline::Run(
     const StageCall& call, JobInput input,
@@ -176,10 +183,11 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   JobSettings& settings = input.settings;
 
   auto sliced = Timed(report.stage_times.slicing_s, [&] {
+    const ScopedSpan span(call.spans, "slicing");
     return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
   });
   if (!sliced.ok()) return sliced.status();
-  if (absl::Status printable = CheckSliced(sliced->layers); !printable.ok()) return printable;
+  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   report.meshes = std::move(sliced->meshes);
   report.warnings = std::move(input.warnings);
   settings.motion.layer_count = static_cast<int32_t>(sliced->layers.size());
@@ -192,10 +200,13 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   summary.thumbnails = std::move(sliced->thumbnails);
   summary.object_names = std::move(sliced->object_names);
   summary.settings_text = std::move(input.settings_text);
-  auto frame = Timed(report.stage_times.motion_s,
-                     [&] { return motion_.Frame(call, summary, settings.motion); });
+  auto frame = Timed(report.stage_times.motion_s, [&] {
+    const ScopedSpan span(call.spans, "frame");
+    return motion_.Frame(call, summary, settings.motion);
+  });
   if (!frame.ok()) return frame.status();
 
+  const ScopedSpan span(call.spans, "assembly");
   FillIn(report, summary, *frame, settings.motion);
   output.gcode = Assemble(*std::move(frame), *std::move(results));
   return output;

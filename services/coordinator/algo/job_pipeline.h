@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct PipelineProgress {
   int32_t layers_total = 0;  ///< 0 until the meshes are sliced
   int32_t layers_done = 0;
 };
+
+/// Errors: NOTHING_TO_PRINT if no layer has an outline.
+absl::Status CheckPrintable(std::span<const SlicedLayer> layers);
 
 /// The whole way from meshes to G-code:
 ///   1 slicing   2 plan (layer_plan.h)   3 ranges with halo (range_split.h)   4 executor   5

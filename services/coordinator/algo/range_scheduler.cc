@@ -30,6 +30,8 @@ std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, doub
     if (now_s - copy.since_s < slow_s) break;
     const Range& range = ranges_[copy.range];
     if (range.done || copy.runner == runner || range.copies != 1) continue;
+    // Its last copy decides: with a new one beside each that fails, it would never come to an end.
+    if (FailedTooOften(range)) continue;
     ++hedged_;
     return Start(copy.range, runner, now_s);
   }
@@ -111,10 +113,13 @@ void RangeScheduler::CountFailure(int32_t range, RunnerId runner) {
   ++r.tries;
   r.failed_on.insert(runner);
   if (r.copies > 0) return;  // the other copy may still make it
-  const bool poisoned = r.tries >= options_.max_tries ||
-                        (r.tries >= options_.poison_tries &&
-                         static_cast<int>(r.failed_on.size()) >= options_.poison_runners);
-  if (poisoned && !poisoned_) poisoned_ = range;
+  if (FailedTooOften(r) && !poisoned_) poisoned_ = range;
+}
+
+bool RangeScheduler::FailedTooOften(const Range& range) const {
+  return range.tries >= options_.max_tries ||
+         (range.tries >= options_.poison_tries &&
+          static_cast<int>(range.failed_on.size()) >= options_.poison_runners);
 }
 
 void RangeScheduler::Requeue(int32_t range) {

@@ -49,8 +49,8 @@ class RangeScheduler {
   /// The next range from the queue for `runner`; nullopt: nothing queued, or the job failed.
   std::optional<Grant> Next(RunnerId runner, double now_s);
 
-  /// A second copy of the range that runs longest, if it is slow and runs elsewhere. REQUIRES:
-  /// Queued() == 0.
+  /// A second copy of the range that runs longest, if it is slow, runs elsewhere, and has not
+  /// failed too often already. REQUIRES: Queued() == 0.
   std::optional<Grant> Hedge(RunnerId runner, double now_s);
 
   /// A result came. Late results, of runners that are gone, count as well: ranges are pure
@@ -92,6 +92,7 @@ class RangeScheduler {
   Grant Start(int32_t range, RunnerId runner, double now_s);
   void Requeue(int32_t range);
   void CountFailure(int32_t range, RunnerId runner);
+  bool FailedTooOften(const Range& range) const;
 
   SchedulerOptions options_;
   std::vector<Range> ranges_;

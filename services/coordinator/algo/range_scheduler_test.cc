@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -103,6 +104,19 @@ TEST(RangeScheduler, ACopyThatFailsLeavesTheOther) {
   EXPECT_EQ(scheduler.Queued(), 0);
   EXPECT_FALSE(scheduler.Poisoned()) << "the other may still make it";
   EXPECT_TRUE(scheduler.Succeeded(second->ticket, 11).first);
+}
+
+TEST(RangeScheduler, ASlowRangeThatAlwaysFailsEndsTheJob) {
+  RangeScheduler scheduler(1);
+  std::optional<RangeScheduler::Grant> copy = scheduler.Next(kA, 0);
+  // Whenever one copy fails, another one that has become slow runs beside it.
+  for (int step = 1; step <= 20 && !scheduler.Poisoned(); ++step) {
+    const auto second = scheduler.Hedge(step % 2 == 0 ? kA : kB, 10.0 * step);
+    scheduler.Failed(copy->ticket);
+    copy = second ? second : scheduler.Next(kA, 10.0 * step);
+  }
+  EXPECT_EQ(scheduler.Poisoned(), 0);
+  EXPECT_EQ(scheduler.Tries(0), 4) << "the third failed beside a copy that might have made it";
 }
 
 TEST(RangeScheduler, RunnerGoneGivesItsRangesBackInOrder) {

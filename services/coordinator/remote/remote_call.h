@@ -34,7 +34,7 @@ absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
                         const Read& read) {
   return replicas.Call(call.cancel, [&](const std::shared_ptr<grpc::Channel>& channel) {
     rpc::StreamCall<Request, Response> stream(
-        {options.deadline, call.cancel},
+        {options.deadline, call.cancel, ChildSpan(call.trace, stage)},
         [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); });
     const absl::Status written = write(stream);
     if (!stream.alive()) return stream.Finish();

@@ -186,7 +186,7 @@ absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
     const auto stub = v1::Motion::NewStub(channel);
     return rpc::UnaryCall(
-        {options_.deadline, call.cancel}, request, &response,
+        {options_.deadline, call.cancel, ChildSpan(call.trace, kMotion)}, request, &response,
         [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); });
   });
   if (!status.ok()) return status;

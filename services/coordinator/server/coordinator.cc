@@ -31,17 +31,28 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
     : options_(std::move(options)),
       stores_(std::move(stores)),
       log_(log),
+      jobs_(*stores_.jobs, Registry()),
+      blobs_(*stores_.blobs, Registry()),
+      stage_seconds_(Registry()),
       pipeline_(slicing, motion, executor),
-      results_(*stores_.jobs, *stores_.blobs),
+      results_(jobs_, blobs_, options_.rates),
+      disk_(options_.stores.state_dir, options_.min_free_bytes),
       callers_(options_.tenants, NowUs),
-      intake_(*stores_.jobs, *stores_.blobs, options_.build_id, options_.sharing, NowUs),
-      runner_(RunEnvironment{*stores_.jobs, *stores_.blobs, results_, pipeline_, feed_, NowUs,
-                             options_.build_id, options_.sharing, log},
+      intake_(jobs_, blobs_, disk_, options_.build_id, options_.sharing, NowUs),
+      runner_(RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id,
+                             options_.sharing, log,
+                             [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
               options_.runner),
-      meshes_service_(callers_, *stores_.blobs, options_.transfers),
+      meshes_service_(callers_, blobs_, disk_, options_.transfers),
       jobs_service_(
-          JobsBackend{callers_, *stores_.jobs, *stores_.blobs, intake_, runner_, feed_, NowUs, log},
-          options_.transfers) {}
+          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                      *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
+          options_.transfers),
+      profiles_service_(callers_, *stores_.profiles, NowUs) {}
+
+prometheus::Registry& Coordinator::Registry() {
+  return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;
+}
 
 Coordinator::~Coordinator() { Stop(); }
 
@@ -49,12 +60,15 @@ absl::Status Coordinator::Start() {
   if (absl::Status started = runner_.Start(); !started.ok()) return started;
   changes_ = ListenForChanges(options_.stores,
                               [this](const std::optional<JobChange>& change) { Changed(change); });
-  maintenance_.emplace(*stores_.jobs, *stores_.blobs, options_.maintenance, NowUs, log_);
+  webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
+                          NowUs, log_);
+  maintenance_.emplace(jobs_, blobs_, options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }
 
 void Coordinator::Stop() {
   maintenance_.reset();
+  webhook_sender_.reset();
   changes_.reset();
   feed_.Close();
   runner_.Stop();

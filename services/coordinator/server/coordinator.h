@@ -8,18 +8,28 @@
 #include "services/coordinator/server/jobs_service.h"
 #include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/meshes_service.h"
+#include "services/coordinator/server/metered_blob_store.h"
+#include "services/coordinator/server/metered_job_store.h"
+#include "services/coordinator/server/profiles_service.h"
+#include "services/coordinator/server/stage_seconds.h"
 #include "services/coordinator/server/stores.h"
+#include "services/coordinator/server/webhook_sender.h"
 
 namespace slicefarm::coordinator {
 
 struct CoordinatorOptions {
   StoreOptions stores;
   JobRunnerOptions runner;
+  Rates rates = {};
+  WebhookPolicy webhooks = {};
+  WebhookSender::Options webhook_sender = {};
+  int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
   TenantsNow tenants = {};  ///< none: one tenant without a name
   ResultSharing sharing = ResultSharing::kOff;
+  prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -41,26 +51,36 @@ class Coordinator {
   /// Hands running jobs back, and ends the calls that watch.
   void Stop();
 
-  std::vector<grpc::Service*> services() { return {&meshes_service_, &jobs_service_}; }
-  JobStore& jobs() { return *stores_.jobs; }
+  std::vector<grpc::Service*> services() {
+    return {&meshes_service_, &jobs_service_, &profiles_service_};
+  }
+  JobStore& jobs() { return jobs_; }
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
               const MotionStage& motion, RangeExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
+  prometheus::Registry& Registry();
 
   const CoordinatorOptions options_;
   const Stores stores_;
   const rpc::JsonLog log_;
+  prometheus::Registry unseen_metrics_;
+  MeteredJobStore jobs_;
+  MeteredBlobStores blobs_;
+  StageSeconds stage_seconds_;
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
+  const DiskGuard disk_;
   const Callers callers_;
   JobIntake intake_;
   JobRunner runner_;
   MeshesService meshes_service_;
   JobsService jobs_service_;
+  ProfilesService profiles_service_;
   std::unique_ptr<JobChanges> changes_;
+  std::optional<WebhookSender> webhook_sender_;
   std::optional<Maintenance> maintenance_;
 };
 

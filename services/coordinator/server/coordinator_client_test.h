@@ -12,7 +12,9 @@
 #include "common/model/sha256.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
@@ -87,8 +89,10 @@ class CoordinatorClient {
     return request;
   }
 
-  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request) {
+  absl::StatusOr<v1::Job> Create(const v1::CreateJobRequest& request,
+                                 const TraceContext& trace = {}) {
     grpc::ClientContext context;
+    rpc::SetTrace(trace, &context);
     v1::Job job;
     const absl::Status status = rpc::FromGrpc(jobs_->CreateJob(&context, request, &job));
     if (!status.ok()) return status;

@@ -33,12 +33,12 @@ std::string DefaultName() {
 void CheckSecurity(const CoordinatorFlags& flags) {
   const bool tls = flags.serve.tls.enabled();
   const bool optional = flags.serve.client_certs == rpc::ClientCerts::kOptional;
-  if (optional && (!tls || flags.tenants.empty())) {
+  if (optional && (!tls || flags.tenants_file.empty())) {
     throw CLI::ValidationError(
         "--client-certs optional takes tokens instead: it needs --tenants and --tls-cert");
   }
   const std::string& listen = flags.serve.server.listen;
-  if (!flags.tenants.empty() && !tls && !rpc::IsLoopback(listen)) {
+  if (!flags.tenants_file.empty() && !tls && !rpc::IsLoopback(listen)) {
     throw CLI::ValidationError("--tenants without --tls-cert: tokens would come to " + listen +
                                " in plain text, which is for loopback addresses only");
   }
@@ -68,6 +68,15 @@ Maintenance::Options CoordinatorFlags::maintenance() const {
   return options;
 }
 
+JobRunnerOptions CoordinatorFlags::runner_options() const {
+  using std::chrono::milliseconds;
+  JobRunnerOptions options = runner;
+  options.lease = milliseconds(static_cast<int64_t>(lease_s * 1000));
+  options.renew = options.lease * 3 / 10;
+  options.poll = options.lease / 10;
+  return options;
+}
+
 SplitStages::Names CoordinatorFlags::split_names() const {
   return {SplitAddresses(beading), SplitAddresses(infill), SplitAddresses(ordering)};
 }
@@ -87,16 +96,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--name", flags->runner.owner,
                  "Of this coordinator among those that share a database; the same after a restart")
       ->capture_default_str();
-  app.add_option("--tenants", flags->tenants,
-                 "Tenants, their tokens and what they may (services/coordinator/README.md)")
-      ->type_name("FILE");
-  app.add_flag("--share-cache", flags->share_cache,
-               "Tenants take each other's results for the same work, and may so learn of it");
-  app.add_option("--client-certs", flags->serve.client_certs,
-                 "With TLS, whether clients must show a certificate: required or optional")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
-          {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
-      ->type_name("HOW");
+  app.add_option("--lease", flags->lease_s,
+                 "Seconds after which other coordinators take over from one that is silent")
+      ->check(CLI::Range(1.0, 600.0))
+      ->capture_default_str();
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
       ->check(CLI::NonNegativeNumber)
@@ -119,6 +122,26 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--tenants", flags->tenants_file,
+                 "JSON file of tenants, their tokens and what they may; without, all are one")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--share-cache", flags->share_cache,
+               "Tenants take each other's results for the same work, and may so learn of it");
+  app.add_option("--client-certs", flags->serve.client_certs,
+                 "With TLS, whether clients must show a certificate: required or optional")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
+          {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
+      ->type_name("HOW");
+  app.add_option("--min-free", flags->min_free_mib,
+                 "MiB of --state-dir's disk below which nothing new is taken")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--rates", flags->rates_file,
+                 "JSON file of what the farm charges: jobs then tell what they cost")
+      ->check(CLI::ExistingFile);
+  app.add_option("--webhooks", flags->webhooks_file,
+                 "JSON file of where webhooks may go; without, none are sent")
+      ->check(CLI::ExistingFile);
   app.callback([flags] { Check(*flags); });
 }
 

@@ -23,13 +23,18 @@ struct CoordinatorFlags {
   std::string ordering;
   int split_slots = 8;  ///< ranges in flight over the split stages
   JobRunnerOptions runner;
-  std::string tenants;  ///< a file; empty: one tenant, who is anybody
+  std::string rates_file;
+  std::string webhooks_file;
+  std::string tenants_file;  ///< empty: one tenant, who is anybody
   bool share_cache = false;
+  int64_t min_free_mib = 1024;
+  double lease_s = 10;
   double keep_jobs_days = 0;
   double keep_blobs_hours = 24;
 
   bool split() const { return !beading.empty(); }
   SplitStages::Names split_names() const;
+  JobRunnerOptions runner_options() const;
   Maintenance::Options maintenance() const;
 };
 

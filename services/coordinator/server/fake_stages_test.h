@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/geometry/text_format.h"
@@ -18,9 +19,13 @@ namespace slicefarm::coordinator {
 ///   `?` slicing is of another build (BUILD_MISMATCH)
 class FakeSlicing : public SlicingStage {
  public:
-  absl::StatusOr<SlicedJob> Slice(const StageCall&, SliceInput input,
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                   const SlicingOptions&) const override {
     ++runs_;
+    {
+      const std::lock_guard lock(mutex_);
+      traces_.push_back(call.trace);
+    }
     SlicedJob job;
     const std::string& bytes = input.files.at(0).bytes;
     if (bytes.find('!') != std::string::npos) {
@@ -46,11 +51,18 @@ class FakeSlicing : public SlicingStage {
   }
 
   int runs() const { return runs_; }
+  /// Of the calls.
+  std::vector<TraceContext> traces() const {
+    const std::lock_guard lock(mutex_);
+    return traces_;
+  }
   mutable std::atomic<int> unavailable_ = 0;  ///< calls that `~` makes fail
   mutable std::atomic<int> mismatches_ = 0;   ///< calls that `?` makes fail
 
  private:
   mutable std::atomic<int> runs_ = 0;
+  mutable std::mutex mutex_;
+  mutable std::vector<TraceContext> traces_;
 };
 
 class FakeMotion : public MotionStage {

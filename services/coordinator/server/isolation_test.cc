@@ -17,6 +17,7 @@
 #include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/coordinator_client_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -61,6 +62,51 @@ void PrintTo(const Seen& seen, std::ostream* out) {
 /// What a tenant may try with a job that he knows the id of.
 class TenantClient : public CoordinatorClient {
  public:
+  TenantClient(const std::string& address, const std::string& token) {
+    rpc::ChannelOptions options;
+    options.token = token;
+    Connect(address, options);
+    profiles_ = v1::Profiles::NewStub(rpc::MakeChannel(address, options));
+  }
+
+  Seen SeePutProfile(const std::string& name) {
+    v1::PutProfileRequest request;
+    request.set_name(name);
+    v1::Profile profile;
+    grpc::ClientContext context;
+    const grpc::Status status = profiles_->PutProfile(&context, request, &profile);
+    return {context, status};
+  }
+  Seen SeeProfile(const std::string& name) {
+    v1::GetProfileRequest request;
+    request.set_name(name);
+    v1::Profile profile;
+    grpc::ClientContext context;
+    const grpc::Status status = profiles_->GetProfile(&context, request, &profile);
+    return {context, status};
+  }
+  Seen SeeProfiles() {
+    v1::ListProfilesResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = profiles_->ListProfiles(&context, {}, &response);
+    return {context, status, response.SerializeAsString()};
+  }
+  Seen SeeWebhook(const std::string& id) {
+    v1::GetWebhookRequest request;
+    request.set_job_id(id);
+    v1::Webhook webhook;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->GetWebhook(&context, request, &webhook);
+    return {context, status};
+  }
+  Seen SeeBatch(const v1::CreateJobRequest& each) {
+    v1::BatchCreateJobsRequest request;
+    *request.add_requests() = each;
+    v1::BatchCreateJobsResponse response;
+    grpc::ClientContext context;
+    const grpc::Status status = jobs_->BatchCreateJobs(&context, request, &response);
+    return {context, status, response.SerializeAsString()};
+  }
   Seen SeeGet(const std::string& id) {
     v1::GetJobRequest request;
     request.set_id(id);
@@ -147,6 +193,7 @@ class TenantClient : public CoordinatorClient {
   std::vector<Seen> SeeAllOf(const std::string& id) {
     return {SeeGet(id),
             SeeWatch(id),
+            SeeWebhook(id),
             SeeCancel(id),
             SeeDownload(id),
             SeeDownload(id, v1::ARTIFACT_REPORT),
@@ -162,6 +209,9 @@ class TenantClient : public CoordinatorClient {
     for (const v1::Job& job : response.jobs()) ids.push_back(job.id());
     return ids;
   }
+
+ private:
+  std::unique_ptr<v1::Profiles::Stub> profiles_;
 };
 
 class IsolationTest : public testing::Test {
@@ -219,11 +269,7 @@ class IsolationTest : public testing::Test {
 
   /// A client with this token; empty: without.
   std::unique_ptr<TenantClient> As(const std::string& token) {
-    auto client = std::make_unique<TenantClient>();
-    rpc::ChannelOptions options;
-    options.token = token;
-    client->Connect(absl::StrCat("127.0.0.1:", server_->port()), options);
-    return client;
+    return std::make_unique<TenantClient>(absl::StrCat("127.0.0.1:", server_->port()), token);
   }
 
   void Change(const std::function<void(Tenants&)>& change) {
@@ -290,9 +336,12 @@ TEST_F(IsolationTest, AnothersRunningJobLooksLikeNoneAtAll) {
 
 TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   const std::string mesh = std::string(1000, 'x') + "secret";
+  v1::CreateJobRequest look = TenantClient::RequestFor(mesh);
+  look.set_validate_only(true);
   const auto see = [&] {
     return std::vector<Seen>{a_->SeeUploadStatus(Sha256Hex(mesh)),
                              a_->SeeCreate(TenantClient::RequestFor(mesh)),
+                             a_->SeeBatch(TenantClient::RequestFor(mesh)), a_->SeeCreate(look),
                              a_->SeeUpload(mesh, 500, 1006)};  // as if the first half were there
   };
   const std::vector<Seen> before = see();
@@ -301,7 +350,8 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   AwaitEnd(*b_, Submit(*b_, mesh));
   EXPECT_EQ(before, see());
   EXPECT_EQ(before[1].reason(), Reason::kBlobNotFound);
-  EXPECT_EQ(before[2].reason(), Reason::kUploadOffset);
+  EXPECT_EQ(before[3].reason(), Reason::kBlobNotFound);
+  EXPECT_EQ(before[4].reason(), Reason::kUploadOffset);
 
   // All of it has to be sent: what another has sent counts for nothing.
   v1::Upload upload;
@@ -310,6 +360,15 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   EXPECT_FALSE(upload.complete());
   ASSERT_TRUE(upload.ParseFromString(a_->SeeUpload(mesh, 500, 1006).body));
   EXPECT_TRUE(upload.complete());
+}
+
+TEST_F(IsolationTest, EachTenantHasItsProfilesToItself) {
+  const auto see = [&] { return std::vector<Seen>{a_->SeeProfile("pla"), a_->SeeProfiles()}; };
+  const std::vector<Seen> before = see();
+  EXPECT_TRUE(b_->SeePutProfile("pla").status().ok());
+  EXPECT_EQ(before, see());
+  EXPECT_EQ(before[0].reason(), Reason::kProfileNotFound);
+  EXPECT_TRUE(b_->SeeProfile("pla").status().ok());
 }
 
 TEST_F(IsolationTest, NobodySpoilsAnothersUpload) {
@@ -397,6 +456,10 @@ TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
     const auto nobody = As(token);
     std::vector<Seen> all = nobody->SeeAllOf(of_a);
     all.push_back(nobody->SeeList());
+    all.push_back(nobody->SeeBatch(TenantClient::RequestFor("xa")));
+    all.push_back(nobody->SeePutProfile("pla"));
+    all.push_back(nobody->SeeProfile("pla"));
+    all.push_back(nobody->SeeProfiles());
     all.push_back(nobody->SeeUploadStatus(Sha256Hex("xa")));
     all.push_back(nobody->SeeCreate(TenantClient::RequestFor("xa")));
     for (const Seen& seen : all) {
@@ -424,6 +487,9 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   denied(reader->SeeCreate(TenantClient::RequestFor("xa")), "submit");
   denied(reader->SeeUploadStatus(Sha256Hex("xa")), "submit");
   denied(reader->SeeCancel(of_a), "submit");
+  denied(reader->SeeBatch(TenantClient::RequestFor("xa")), "submit");
+  denied(reader->SeePutProfile("pla"), "submit");
+  EXPECT_TRUE(reader->SeeProfiles().status().ok());
   denied(reader->SeeDelete(of_a), "submit");
   EXPECT_EQ(DetailOf(reader->Upload("xa").status()).reason, Reason::kPermissionDenied);
   // Whether the job is there makes no difference to what is said.
@@ -434,6 +500,8 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
   denied(reader->SeeWatch(of_a), "read");
   denied(reader->SeeDownload(of_a), "read");
   denied(reader->SeeList(), "read");
+  denied(reader->SeeWebhook(of_a), "read");
+  denied(reader->SeeProfiles(), "read");
   EXPECT_TRUE(reader->SeeDelete(of_a).status().ok());
 }
 

@@ -9,7 +9,6 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
-#include "common/model/sha256.h"
 
 namespace slicefarm::coordinator {
 
@@ -21,7 +20,7 @@ std::string NewJobId() {
   return id;
 }
 
-absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
   if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
@@ -29,20 +28,28 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
                       spec_bytes);
   }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
-  const auto resolved = ResolveJob(std::move(submission.request), build_id_,
-                                   ResultTenant(sharing_, submission.tenant));
+  auto resolved =
+      ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
   if (!resolved.ok()) return resolved.status();
   if (absl::Status ok = CheckMeshes(submission.tenant, resolved->request); !ok.ok()) return ok;
+  return resolved;
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
+  const auto resolved = Check(submission);
+  if (!resolved.ok()) return resolved.status();
   NewJob job;
   job.id = NewJobId();
   job.tenant = std::move(submission.tenant);
   job.request_id = std::move(submission.request_id);
-  job.spec_digest = Sha256Hex(submission.spec);
+  job.spec_digest = std::move(submission.spec_digest);
   job.spec = std::move(submission.spec);
   job.labels = std::move(submission.labels);
   job.priority = submission.priority;
   job.deadline_us = submission.deadline_us;
-  job.traceparent = std::move(submission.traceparent);
+  job.webhook_url = std::move(submission.webhook_url);
+  job.traceparent = Traceparent(submission.trace.empty() ? TraceOfJob(job.id) : submission.trace);
   job.max_open = submission.max_open_jobs;
   for (const ObjectRequest& object : resolved->request.objects)
     job.inputs.push_back(object.mesh_sha256);

@@ -105,6 +105,11 @@ absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view buil
   ResolvedJob job;
   job.settings_digest = Sha256Hex(settings->effective_text);
   job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
+  job.serving_actions = {job.action_digest};
+  if (request.mode == JobMode::kQuote) {
+    job.action_digest = Sha256Hex("quote of " + job.action_digest);
+    job.serving_actions.push_back(job.action_digest);
+  }
   job.request = std::move(request);
   job.settings = *std::move(settings);
   return job;

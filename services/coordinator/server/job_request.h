@@ -18,8 +18,11 @@ struct ObjectRequest {
   Placement placement;
 };
 
+enum class JobMode { kPrint, kQuote };
+
 /// What a client asks for: objects, and settings as text.
 struct JobRequest {
+  JobMode mode = JobMode::kPrint;
   std::vector<ObjectRequest> objects;
   std::vector<config::Setting> settings;
 };
@@ -30,6 +33,8 @@ struct ResolvedJob {
   config::ResolvedSettings settings;
   std::string settings_digest;  ///< of the effective settings
   std::string action_digest;    ///< of all that the result depends on, build and tenant included
+  /// Actions whose results serve as this one's, its own last: a print is a quote, too.
+  std::vector<std::string> serving_actions;
 };
 
 /// Objects, names and copies within their bounds. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.

@@ -15,52 +15,75 @@ JobUpdate Success(JobResult result) {
 
 }  // namespace
 
-absl::StatusOr<JobRecord> JobResults::Succeed(const Lease& lease, RunOutput output,
-                                              const std::string& result_tenant, int64_t now_us) {
+absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output,
+                                           const std::string& result_tenant) {
   const auto blobs = blobs_.Of(result_tenant);
   if (!blobs.ok()) return blobs.status();
   JobResult result = std::move(output.result);
   result.tenant = result_tenant;
-  result.gcode_size = static_cast<int64_t>(output.gcode.size());
-  auto gcode = (*blobs)->Put(output.gcode);
-  if (!gcode.ok()) return gcode.status();
+  if (job.request.mode == JobMode::kPrint) {
+    result.gcode_size = static_cast<int64_t>(output.gcode.size());
+    auto gcode = (*blobs)->Put(output.gcode);
+    if (!gcode.ok()) return gcode.status();
+    result.gcode_sha256 = *std::move(gcode);
+  }
   auto report = (*blobs)->Put(output.report_json);
   if (!report.ok()) return report.status();
-  result.gcode_sha256 = *std::move(gcode);
   result.report_sha256 = *std::move(report);
-  return jobs_.Update(lease, Success(std::move(result)), now_us);
+  result.cost = CostOfJob(job, result);
+  return Success(std::move(result));
 }
 
-absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(
-    const Lease& lease, const std::string& action_digest, int64_t now_us) {
-  auto found = jobs_.FindResult(action_digest);
+absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Lease& lease,
+                                                                      const ResolvedJob& job,
+                                                                      int64_t now_us) {
+  auto found = Find(job);
   if (!found.ok()) return found.status();
   if (!*found) return std::nullopt;
-  const auto complete = Complete(**found);
-  if (!complete.ok()) return complete.status();
-  if (!*complete) {
-    if (absl::Status done = jobs_.ForgetResult(action_digest); !done.ok()) return done;
-    return std::nullopt;
-  }
   JobResult result = **std::move(found);
   result.cached = true;
-  auto job = jobs_.Update(lease, Success(std::move(result)), now_us);
-  if (absl::IsNotFound(job.status())) return std::nullopt;
-  if (!job.ok()) return job.status();
-  return *std::move(job);
+  result.cost = CostOfJob(job, result);
+  if (job.request.mode == JobMode::kQuote) {
+    result.gcode_sha256.clear();
+    result.gcode_size = 0;
+  }
+  auto ended = jobs_.Update(lease, Success(std::move(result)), now_us);
+  if (absl::IsNotFound(ended.status())) return std::nullopt;
+  if (!ended.ok()) return ended.status();
+  return *std::move(ended);
 }
 
-/// True if both artifacts are there, unchanged.
+/// The first result that serves and whose blobs are there.
+absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job) {
+  for (const std::string& action : job.serving_actions) {
+    auto found = jobs_.FindResult(action);
+    if (!found.ok()) return found.status();
+    if (!*found) continue;
+    const auto complete = Complete(**found);
+    if (!complete.ok()) return complete.status();
+    if (*complete) return found;
+    if (absl::Status done = jobs_.ForgetResult(action); !done.ok()) return done;
+  }
+  return std::nullopt;
+}
+
+/// True if all artifacts are there, unchanged.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
   const auto blobs = blobs_.Of(result.tenant);
   if (!blobs.ok()) return blobs.status();
   for (const std::string& digest : {result.gcode_sha256, result.report_sha256}) {
+    if (digest.empty()) continue;
     absl::Status opened = (*blobs)->Keep(digest).status();
     if (opened.ok()) opened = (*blobs)->Open(digest).status();
     if (absl::IsNotFound(opened) || absl::IsDataLoss(opened)) return false;
     if (!opened.ok()) return opened;
   }
   return true;
+}
+
+Cost JobResults::CostOfJob(const ResolvedJob& job, const JobResult& result) const {
+  return CostOf(rates_, result.print_time_s, result.filament_g,
+                job.settings.settings.motion.filament_cost_per_kg);
 }
 
 }  // namespace slicefarm::coordinator

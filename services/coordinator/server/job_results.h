@@ -2,7 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "services/coordinator/algo/cost.h"
+#include "services/coordinator/server/job_request.h"
 #include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
@@ -12,14 +15,14 @@ namespace slicefarm::coordinator {
 struct RunOutput {
   std::string gcode;
   std::string report_json;
-  JobResult result;  ///< without digests and size
+  JobResult result;  ///< without digests, size and cost
 };
 
 /// Whether tenants take each other's results for the same work. It shows: a result that is there at
 /// once tells that somebody has sliced this mesh before.
 enum class ResultSharing { kOff, kOn };
 
-/// Whose results a tenant's jobs take and leave: his own, or everybody's, which go without a name.
+/// Whose results a tenant's jobs take and leave: its own, or everybody's, which go without a name.
 inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant) {
   return sharing == ResultSharing::kOn ? "" : tenant;
 }
@@ -28,24 +31,27 @@ inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant
 /// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
 class JobResults {
  public:
-  JobResults(JobStore& jobs, BlobStores& blobs) : jobs_(jobs), blobs_(blobs) {}
+  JobResults(JobStore& jobs, BlobStores& blobs, Rates rates)
+      : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
-  /// Keeps the artifacts among the tenant's blobs and ends the job as SUCCEEDED. Errors: those of
-  /// both stores.
-  absl::StatusOr<JobRecord> Succeed(const Lease& lease, RunOutput output,
-                                    const std::string& result_tenant, int64_t now_us);
+  /// Keeps the artifacts among the tenant's blobs; what is left is to write the update, which ends
+  /// the job as SUCCEEDED. Errors: those of the blob store.
+  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, RunOutput output,
+                                 const std::string& result_tenant);
 
-  /// Ends the job with the result that the same work came to before. nullopt: there is none, or its
-  /// blobs are gone.
+  /// Ends the job with the result that the same work came to before, at today's rates. nullopt:
+  /// there is none, or its blobs are gone.
   absl::StatusOr<std::optional<JobRecord>> SucceedFromCache(const Lease& lease,
-                                                            const std::string& action_digest,
-                                                            int64_t now_us);
+                                                            const ResolvedJob& job, int64_t now_us);
 
  private:
+  absl::StatusOr<std::optional<JobResult>> Find(const ResolvedJob& job);
   absl::StatusOr<bool> Complete(const JobResult& result);
+  Cost CostOfJob(const ResolvedJob& job, const JobResult& result) const;
 
   JobStore& jobs_;
   BlobStores& blobs_;
+  const Rates rates_;
 };
 
 }  // namespace slicefarm::coordinator

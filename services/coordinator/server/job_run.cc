@@ -1,29 +1,20 @@
 #include "services/coordinator/server/job_run.h"
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/report_json.h"
+#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/server/job_log.h"
+#include "services/coordinator/server/job_meshes.h"
+#include "services/coordinator/server/job_traces.h"
 #include "services/coordinator/server/jobs_wire.h"
 
 namespace slicefarm::coordinator {
 namespace {
-
-constexpr int32_t kMaxRetries = 5;
-constexpr int64_t kFirstRetryUs = 500'000;
-constexpr int64_t kDiskFullRetryUs = 10'000'000;
-constexpr int64_t kMaxStoreRetryUs = 60'000'000;
-/// Progress is told at most this often, and a hundred times a job.
-constexpr double kProgressEveryS = 0.2;
-constexpr int32_t kProgressSteps = 100;
-
-/// True if the services that are needed are not there; for some time there may be others in their
-/// places, of another build, or some that do not know this coordinator.
-bool IsAway(const absl::Status& status) {
-  return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
-         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
-}
 
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
@@ -47,73 +38,117 @@ JobRun::JobRun(RunEnvironment& environment, JobRecord job)
       job_(std::move(job)),
       result_tenant_(ResultTenant(environment.sharing, job_.tenant)),
       lease_{job_.id, job_.owner_epoch},
-      cancelled_(job_.cancel_requested) {}
+      spans_(environment.now_us(), kMaxJobSpans) {
+  if (job_.cancel_requested) wishes_->Cancel();
+}
 
 void JobRun::Run() {
-  const absl::Status status = Work();
-  if (status.ok()) {
-    environment_.log.Info("job done", {{"job", job_.id}, {"seconds", clock_.Seconds()}});
-  } else {
-    Conclude(status);
+  RunSteps steps;
+  const auto next = [&] { return steps.Next(*wishes_, environment_.now_us()); };
+  for (auto step = next(); step != RunSteps::Step::kOver; step = next()) {
+    steps.Took(Take(step, steps.status()));
+  }
+  if (wishes_->lost()) {
+    environment_.log.Warn("job lost", Fields({{"seconds", clock_.Seconds()}}));
+  } else if (steps.status().ok()) {
+    environment_.log.Info("job done", Fields({{"seconds", clock_.Seconds()}}));
   }
 }
 
-/// OK: the job has ended as SUCCEEDED.
-absl::Status JobRun::Work() {
-  if (Overdue()) return absl::DeadlineExceededError("before it began");
+absl::StatusOr<bool> JobRun::Take(RunSteps::Step step, const absl::Status& error) {
+  switch (step) {
+    case RunSteps::Step::kFindCached:
+      return FindCached();
+    case RunSteps::Step::kBegin:
+      return Begin();
+    case RunSteps::Step::kCompute:
+      return Compute();
+    case RunSteps::Step::kKeep:
+      return Keep();
+    case RunSteps::Step::kConclude:
+      return Conclude(error);
+    case RunSteps::Step::kOver:
+      return true;
+  }
+  return true;
+}
+
+absl::StatusOr<bool> JobRun::FindCached() {
   auto request = ReadSpec(job_.spec);
   if (!request.ok()) return request.status();
   auto resolved = ResolveJob(*std::move(request), environment_.build_id, result_tenant_);
   if (!resolved.ok()) return resolved.status();
+  resolved_ = *std::move(resolved);
+  std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
   const auto cached =
-      environment_.results.SucceedFromCache(lease_, resolved->action_digest, environment_.now_us());
+      environment_.results.SucceedFromCache(lease_, *resolved_, environment_.now_us());
+  looking.reset();
   if (!cached.ok()) return Written(cached.status());
-  if (*cached) return Written(absl::OkStatus());
-  if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
-  return Compute(*std::move(resolved));
+  if (*cached) Written(absl::OkStatus()).IgnoreError();
+  return cached->has_value();
 }
 
-absl::Status JobRun::Compute(ResolvedJob job) {
-  auto meshes = LoadMeshes(job.request);
+absl::StatusOr<bool> JobRun::Begin() {
+  if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
+  return false;
+}
+
+absl::StatusOr<bool> JobRun::Compute() {
+  std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
+  const auto blobs = environment_.blobs.Of(job_.tenant);
+  if (!blobs.ok()) return blobs.status();
+  auto meshes = LoadMeshes(resolved_->request, **blobs);
   if (!meshes.ok()) return meshes.status();
+  loading.reset();
   StageCall call;
   call.job_id = job_.id;
-  call.cancel = CancelToken([this] { return GivenUp(); });
-  JobInput input{*std::move(meshes), job.settings.settings, job.settings.effective_text,
-                 job.settings.warnings};
+  call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
+  call.spans = &spans_;
+  call.cancel = CancelToken([this] { return wishes_->GivenUp(environment_.now_us()); });
+  const config::ResolvedSettings& settings = resolved_->settings;
+  JobInput input{*std::move(meshes), settings.settings, settings.effective_text, settings.warnings};
   auto output = environment_.pipeline.Run(call, std::move(input),
                                           [this](PipelineProgress p) { Progress(p); });
   if (!output.ok()) return output.status();
-  if (lost_) return absl::AbortedError("fenced");
-  return Written(environment_.results
-                     .Succeed(lease_, OutputOf(*std::move(output), job, environment_.build_id),
-                              result_tenant_, environment_.now_us())
-                     .status());
+  environment_.computed(output->report.stage_times);
+  output_ = OutputOf(*std::move(output), *resolved_, environment_.build_id);
+  return false;
 }
 
-absl::StatusOr<SliceInput> JobRun::LoadMeshes(const JobRequest& request) {
-  SliceInput input;
-  const auto blobs = environment_.blobs.Of(job_.tenant);
-  if (!blobs.ok()) return blobs.status();
-  for (const ObjectRequest& object : request.objects) {
-    auto bytes = (*blobs)->Get(object.mesh_sha256);
-    if (!bytes.ok()) return bytes.status();
-    input.files.push_back({object.name, object.format, *std::move(bytes)});
-    input.placements.push_back(object.placement);
-  }
-  return input;
+absl::StatusOr<bool> JobRun::Keep() {
+  std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
+  auto update = environment_.results.Keep(*resolved_, *std::move(output_), result_tenant_);
+  if (!update.ok()) return update.status();
+  keeping.reset();
+  update->trace_sha256 = KeepTrace("ok");
+  if (absl::Status written = Write(*update); !written.ok()) return written;
+  return true;
+}
+
+/// What was done so far; empty if it cannot be kept: no job is to fail for want of its trace.
+std::string JobRun::KeepTrace(std::string_view outcome) {
+  const Span whole = {"run",
+                      "",
+                      begin_us_,
+                      spans_.NowUs(),
+                      {{"coordinator", job_.owner},
+                       {"epoch", absl::StrCat(job_.owner_epoch)},
+                       {"outcome", std::string(outcome)}}};
+  const auto kept = JobTraces(environment_.jobs, environment_.blobs).Keep(job_, spans_, whole);
+  if (kept.ok()) return *kept;
+  environment_.log.Warn("trace not kept",
+                        Fields({{"error", std::string(kept.status().message())}}));
+  return "";
+}
+
+rpc::LogFields JobRun::Fields(const rpc::LogFields& more) const {
+  rpc::LogFields fields = FieldsOf(job_);
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
 }
 
 void JobRun::Progress(PipelineProgress progress) {
-  const double now_s = clock_.Seconds();
-  const int32_t step = progress.layers_total / kProgressSteps + 1;
-  const bool first = told_.layers_total == 0;
-  if (!first &&
-      (now_s - told_at_s_ < kProgressEveryS || progress.layers_done - told_.layers_done < step)) {
-    return;
-  }
-  told_ = progress;
-  told_at_s_ = now_s;
+  if (!progress_.Passes(progress, clock_.Seconds())) return;
   // Progress that cannot be written is not worth ending the job for.
   Write({.state = JobState::kRunning,
          .layers_total = progress.layers_total,
@@ -121,63 +156,30 @@ void JobRun::Progress(PipelineProgress progress) {
       .IgnoreError();
 }
 
-void JobRun::Conclude(const absl::Status& status) {
-  const JobUpdate update = Conclusion(status);
-  environment_.log.Warn(lost_ ? "job lost" : "job not done",
-                        {{"job", job_.id},
-                         {"state", std::string(JobStateName(update.state))},
-                         {"seconds", clock_.Seconds()},
-                         {"code", absl::StatusCodeToString(status.code())},
-                         {"reason", std::string(ReasonName(DetailOf(status).reason))},
-                         {"error", std::string(status.message())}});
+absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
+  JobUpdate update = Conclusion(job_, *wishes_, error, progress_.told(), environment_.now_us());
+  const std::string reason(ReasonName(DetailOf(error).reason));
+  environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},
+                                                {"seconds", clock_.Seconds()},
+                                                {"code", absl::StatusCodeToString(error.code())},
+                                                {"reason", reason},
+                                                {"error", std::string(error.message())}}));
+  update.trace_sha256 = KeepTrace(reason);
   const absl::Status written = Write(update);
-  if (written.ok() || lost_) return;
+  if (written.ok() || wishes_->lost()) return true;
   environment_.log.Warn("job's state not written: it will be claimed again",
-                        {{"job", job_.id}, {"error", std::string(written.message())}});
-}
-
-JobUpdate JobRun::Conclusion(const absl::Status& status) const {
-  JobUpdate update;
-  update.state = JobState::kQueued;
-  update.layers_total = told_.layers_total;
-  const int64_t now_us = environment_.now_us();
-  if (cancelled_) {
-    update.state = JobState::kCancelled;
-    update.layers_done = told_.layers_done;
-  } else if (handed_back_) {
-    update.claimable_from_us = now_us;
-  } else if (Overdue()) {
-    update.state = JobState::kFailed;
-    update.layers_done = told_.layers_done;
-    update.error =
-        JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
-                             "the job's deadline has passed"));
-  } else if (DetailOf(status).reason == Reason::kDiskFull) {
-    update.claimable_from_us = now_us + kDiskFullRetryUs;
-  } else if (DetailOf(status).reason == Reason::kStoreFailed) {
-    // Says nothing of the job, so however often it happens, it does not end it.
-    update.claimable_from_us =
-        now_us + std::min(kMaxStoreRetryUs, kFirstRetryUs << std::min(job_.store_failures, 10));
-    update.store_failed = true;
-  } else if (IsAway(status) && job_.retries < kMaxRetries) {
-    update.claimable_from_us = now_us + (kFirstRetryUs << job_.retries);
-    update.retry = true;
-  } else {
-    update.state = JobState::kFailed;
-    update.layers_done = told_.layers_done;
-    update.error = JobErrorOf(status);
-  }
-  return update;
+                        Fields({{"error", std::string(written.message())}}));
+  return true;
 }
 
 absl::Status JobRun::Write(const JobUpdate& update) {
-  if (lost_) return absl::AbortedError("fenced");
+  if (wishes_->lost()) return absl::AbortedError("fenced");
   return Written(environment_.jobs.Update(lease_, update, environment_.now_us()).status());
 }
 
 /// What follows a write to the record.
 absl::Status JobRun::Written(const absl::Status& status) {
-  if (absl::IsAborted(status)) lost_ = true;
+  wishes_->Heard(status);
   if (status.ok()) environment_.feed.Changed(job_.id);
   return status;
 }

@@ -1,12 +1,18 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "common/rpc/json_log.h"
+#include "common/stage/span_log.h"
 #include "common/stage/stopwatch.h"
 #include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/run/progress_gate.h"
+#include "services/coordinator/run/run_steps.h"
+#include "services/coordinator/run/run_wishes.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/server/job_results.h"
@@ -24,51 +30,49 @@ struct RunEnvironment {
   std::string build_id;
   ResultSharing sharing = ResultSharing::kOff;
   rpc::JsonLog log;
+  /// Told what the stages took for each job that was computed.
+  std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
 };
 
-/// One claimed job, from the claim to what it came to:
-///   1 the cache   2 RUNNING   3 meshes from the blob store   4 pipeline   5 artifacts and record
-/// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED: when the coordinator stops,
-/// when services are not there (five times, ever later), when the disk is full, when a store fails
-/// (ever later, without end). If that cannot be written, the lease runs out and the job is claimed
-/// again. After a fencing nothing is written any more.
+/// One claimed job, from the claim to what it came to: takes the steps of RunSteps.
+/// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED, as Conclusion says. If that
+/// cannot be written, the lease runs out and the job is claimed again. After a fencing nothing is
+/// written any more.
 class JobRun {
  public:
   JobRun(RunEnvironment& environment, JobRecord job);
 
   void Run();
 
-  // From any thread.
-  void Cancel() { cancelled_ = true; }      ///< its client wants it to end
-  void HandBack() { handed_back_ = true; }  ///< the coordinator stops
-  void Lose() { lost_ = true; }             ///< it may have been claimed again
-
   const Lease& lease() const { return lease_; }
   const std::string& action_digest() const { return job_.action_digest; }
-  bool lost() const { return lost_; }
+  /// Shared with those who give the run up.
+  const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
 
  private:
-  absl::Status Work();
-  absl::Status Compute(ResolvedJob job);
-  absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request);
+  absl::StatusOr<bool> Take(RunSteps::Step step, const absl::Status& error);
+  absl::StatusOr<bool> FindCached();
+  absl::StatusOr<bool> Begin();
+  absl::StatusOr<bool> Compute();
+  absl::StatusOr<bool> Keep();
+  absl::StatusOr<bool> Conclude(const absl::Status& error);
   void Progress(PipelineProgress progress);
-  void Conclude(const absl::Status& status);
-  JobUpdate Conclusion(const absl::Status& status) const;
   absl::Status Write(const JobUpdate& update);
   absl::Status Written(const absl::Status& status);
-  bool GivenUp() const { return cancelled_ || handed_back_ || lost_ || Overdue(); }
-  bool Overdue() const { return environment_.now_us() >= job_.deadline_us; }
+  std::string KeepTrace(std::string_view outcome);
+  rpc::LogFields Fields(const rpc::LogFields& more) const;
 
   RunEnvironment& environment_;
   const JobRecord job_;
   const std::string result_tenant_;
   const Lease lease_;
-  std::atomic<bool> cancelled_ = false;
-  std::atomic<bool> handed_back_ = false;
-  std::atomic<bool> lost_ = false;
-  PipelineProgress told_;
+  const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
+  std::optional<ResolvedJob> resolved_;  ///< from FindCached to Compute
+  std::optional<RunOutput> output_;      ///< from Compute to Keep
+  ProgressGate progress_;
   Stopwatch clock_;
-  double told_at_s_ = 0;
+  SpanLog spans_;
+  const int64_t begin_us_ = spans_.NowUs();
 };
 
 }  // namespace slicefarm::coordinator

@@ -21,7 +21,9 @@ absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::strin
 }  // namespace
 
 JobRunner::JobRunner(RunEnvironment environment, JobRunnerOptions options)
-    : environment_(std::move(environment)), options_(std::move(options)) {}
+    : environment_(std::move(environment)),
+      options_(std::move(options)),
+      leases_(std::chrono::microseconds(options_.lease).count()) {}
 
 JobRunner::~JobRunner() { Stop(); }
 
@@ -42,16 +44,14 @@ void JobRunner::Wake() {
 
 void JobRunner::Cancel(const std::string& job_id) {
   std::lock_guard lock(mutex_);
-  for (const auto& [lease, held] : runs_) {
-    if (lease.job_id == job_id) held.run->Cancel();
-  }
+  leases_.Cancel(job_id);
 }
 
 void JobRunner::Stop() {
   {
     std::lock_guard lock(mutex_);
     stopping_ = true;
-    for (const auto& [lease, held] : runs_) held.run->HandBack();
+    leases_.HandBackAll();
     wake_.notify_all();
   }
   for (std::thread& thread : threads_) thread.join();
@@ -70,7 +70,7 @@ void JobRunner::Serve() {
     if (const auto run = Claim()) {
       run->Run();
       std::lock_guard lock(mutex_);
-      runs_.erase(run->lease());
+      leases_.Remove(run->lease());
       continue;
     }
     std::unique_lock lock(mutex_);
@@ -81,9 +81,7 @@ void JobRunner::Serve() {
 /// The work that is being done.
 std::set<std::string> JobRunner::Busy() {
   std::lock_guard lock(mutex_);
-  std::set<std::string> busy;
-  for (const auto& [lease, held] : runs_) busy.insert(held.run->action_digest());
-  return busy;
+  return leases_.Busy();
 }
 
 /// A job that another build made is another action here: its result must be found and kept under
@@ -106,16 +104,16 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
-std::shared_ptr<JobRun> JobRunner::Claim() {
+std::unique_ptr<JobRun> JobRunner::Claim() {
   std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
-  auto job = environment_.jobs.Claim(options_.owner, now_us, now_us + LeaseUs(), Busy());
+  auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy());
   if (!job.ok() || !*job) return nullptr;  // a store that fails is asked again soon
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
-  auto run = std::make_shared<JobRun>(environment_, **std::move(job));
+  auto run = std::make_unique<JobRun>(environment_, **std::move(job));
   std::lock_guard lock(mutex_);
-  if (stopping_) run->HandBack();
-  runs_[run->lease()] = {run, now_us + LeaseUs()};
+  if (stopping_) run->wishes()->HandBack();
+  leases_.Add(run->lease(), run->action_digest(), now_us, run->wishes());
   return run;
 }
 
@@ -136,51 +134,16 @@ void JobRunner::Keep() {
 }
 
 void JobRunner::RenewLeases() {
-  const std::vector<Lease> leases = Leases();
-  const int64_t until_us = NowUs() + LeaseUs();
+  std::unique_lock lock(mutex_);
+  const std::vector<Lease> leases = leases_.ToRenew();
+  lock.unlock();
+  const int64_t until_us = leases_.UntilUs(NowUs());
   const auto held = environment_.jobs.Renew(leases, until_us);
+  lock.lock();
   if (held.ok()) {
-    Renewed(leases, *held, until_us);
+    leases_.Renewed(leases, *held, until_us);
   } else {
-    GiveUpLate();
-  }
-}
-
-/// Of the runs that go on. One that was given up writes nothing any more, so its job has to run
-/// out, to be claimed again.
-std::vector<Lease> JobRunner::Leases() {
-  std::lock_guard lock(mutex_);
-  std::vector<Lease> leases;
-  for (const auto& [lease, held] : runs_) {
-    if (!held.run->lost()) leases.push_back(lease);
-  }
-  return leases;
-}
-
-void JobRunner::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held,
-                        int64_t until_us) {
-  std::map<Lease, bool> cancel_requested;
-  for (const HeldJob& job : held) cancel_requested[job.lease] = job.cancel_requested;
-  std::lock_guard lock(mutex_);
-  for (const Lease& lease : asked) {
-    const auto found = runs_.find(lease);
-    if (found == runs_.end()) continue;  // has ended meanwhile
-    auto& [run, run_until_us] = found->second;
-    const auto still = cancel_requested.find(lease);
-    if (still == cancel_requested.end()) {
-      run->Lose();  // claimed by another; or written to its end, and then this changes nothing
-      continue;
-    }
-    run_until_us = until_us;
-    if (still->second) run->Cancel();
-  }
-}
-
-/// The store does not answer: rather stop too early than work beside another coordinator.
-void JobRunner::GiveUpLate() {
-  std::lock_guard lock(mutex_);
-  for (const auto& [lease, held] : runs_) {
-    if (NowUs() > held.until_us - LeaseUs() / 5) held.run->Lose();
+    leases_.NotRenewed(NowUs());
   }
 }
 

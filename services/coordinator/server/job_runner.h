@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -10,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "services/coordinator/run/lease_book.h"
 #include "services/coordinator/server/job_run.h"
 
 namespace slicefarm::coordinator {
@@ -45,29 +45,20 @@ class JobRunner {
   void Stop();
 
  private:
-  struct Held {
-    std::shared_ptr<JobRun> run;  // shared by the thread that runs it and those that stop it
-    int64_t until_us = 0;         ///< as the store has it
-  };
-
   void Serve();
   void Keep();
   void RenewLeases();
   std::set<std::string> Busy();
-  std::vector<Lease> Leases();
-  void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
-  void GiveUpLate();
-  std::shared_ptr<JobRun> Claim();
+  std::unique_ptr<JobRun> Claim();
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
-  int64_t LeaseUs() const { return std::chrono::microseconds(options_.lease).count(); }
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
   std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::map<Lease, Held> runs_;  ///< a job that was given up may be claimed again while it ends
+  LeaseBook leases_;  ///< of the jobs that run
   bool stopping_ = false;
   int64_t wakes_ = 0;
   std::vector<std::thread> threads_;

@@ -44,10 +44,11 @@ class JobRunnerTest : public testing::Test {
     JobRunnerOptions options;
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
-    auto runner = std::make_unique<JobRunner>(
-        RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_, Clock(), "build",
-                       ResultSharing::kOff, rpc::JsonLog("test")},
-        options);
+    auto runner =
+        std::make_unique<JobRunner>(RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_,
+                                                   Clock(), "build", ResultSharing::kOff,
+                                                   rpc::JsonLog("test")},
+                                    options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
   }
@@ -57,11 +58,13 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, build, ResultSharing::kOff, Clock())
-                             .Create({.request_id = {},
-                                      .spec = SpecBytes(spec),
-                                      .request = *FromProto(spec),
-                                      .labels = {}});
+    const auto created =
+        JobIntake(*jobs_, *blobs_, DiskGuard("", 0), build, ResultSharing::kOff, Clock())
+            .Create({.request_id = {},
+                     .spec_digest = Sha256Hex(SpecBytes(spec)),
+                     .spec = SpecBytes(spec),
+                     .request = *FromProto(spec),
+                     .labels = {}});
     EXPECT_TRUE(created.ok()) << created.status();
     return created->job.id;
   }
@@ -111,7 +114,7 @@ class JobRunnerTest : public testing::Test {
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
-  JobResults results_{failing_, *blobs_};
+  JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
@@ -160,6 +163,18 @@ TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   const auto runner = Runner();
   const std::string id = SubmitHeld(*runner);
   ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());  // as another coordinator's client would
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
+  const std::string id = Submit("xx");
+  ASSERT_NE(*jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs), std::nullopt);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
+  const auto runner = Runner();
+  const std::string same = Submit("xx");
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(same).state, JobState::kSucceeded);
+  Pass(kSecondUs);
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 

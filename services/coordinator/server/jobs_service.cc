@@ -6,16 +6,29 @@
 
 #include "common/model/error.h"
 #include "common/model/limits.h"
+#include "common/model/sha256.h"
 #include "common/rpc/status_mapping.h"
+#include "common/rpc/trace_metadata.h"
 #include "common/wire/wire_error.h"
+#include "services/coordinator/algo/preflight.h"
+#include "services/coordinator/server/job_log.h"
+#include "services/coordinator/server/job_meshes.h"
+#include "services/coordinator/server/job_traces.h"
 #include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/jobs_wire.h"
+#include "services/coordinator/server/profile_settings.h"
 #include "services/coordinator/store/job_steps.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
 constexpr int64_t kDownloadChunkBytes = 64 << 10;
+
+absl::Status IsAQuote(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
+                   {{"job", id}});
+}
 
 absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
   if (!job.result) {
@@ -25,6 +38,7 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
   }
   switch (artifact) {
     case v1::ARTIFACT_GCODE:
+      if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);
       return job.result->gcode_sha256;
     case v1::ARTIFACT_REPORT:
       return job.result->report_sha256;
@@ -32,6 +46,19 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
       return Malformed("artifact", "is none of this version");
   }
 }
+
+/// What is made when it is asked for.
+class TextReader : public BlobReader {
+ public:
+  explicit TextReader(std::string text) : text_(std::move(text)) {}
+  int64_t size() const override { return std::ssize(text_); }
+  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) override {
+    return text_.substr(offset, limit);
+  }
+
+ private:
+  const std::string text_;
+};
 
 /// A watch that ends before it begins. Deletes itself.
 class RefusedWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
@@ -61,29 +88,118 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
                                     const v1::CreateJobRequest* request, v1::Job* response) {
   const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  const auto created = Create(*caller, *request);
-  if (!created.ok()) {
-    backend_.log.Warn("job refused", {{"tenant", caller->tenant},
-                                      {"error", std::string(created.status().message())}});
-    return rpc::ToGrpc(created.status());
+  if (request->validate_only()) {
+    return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
+      auto job = Validate(*caller, *request, call);
+      if (job.ok()) *response = *std::move(job);
+      return job.status();
+    });
   }
-  *response = ToProto(created->job);
-  if (!created->fresh) return grpc::Status::OK;
-  backend_.log.Info("job accepted", {{"job", created->job.id}, {"tenant", caller->tenant}});
-  backend_.runner.Wake();
+  const auto created = Create(*caller, *request, rpc::TraceOf(*context));
+  if (created.ok()) *response = ToProto(*created);
+  return rpc::ToGrpc(created.status());
+}
+
+grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
+                                          const v1::BatchCreateJobsRequest* request,
+                                          v1::BatchCreateJobsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->requests_size() > limits::kMaxBatchJobs) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
+                                  limits::kMaxBatchJobs, request->requests_size()));
+  }
+  for (const v1::CreateJobRequest& each : request->requests()) {
+    const auto created =
+        each.validate_only()
+            ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
+            : Create(*caller, each, rpc::TraceOf(*context));
+    v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
+    if (created.ok()) {
+      *outcome.mutable_job() = ToProto(*created);
+      outcome.mutable_job()->mutable_spec()->clear_settings();
+    } else {
+      *outcome.mutable_error() = ToProto(JobErrorOf(created.status()));
+    }
+  }
   return grpc::Status::OK;
 }
 
-absl::StatusOr<Created> JobsService::Create(const Caller& caller,
-                                            const v1::CreateJobRequest& request) {
-  auto spec = FromProto(request.spec());
-  if (!spec.ok()) return Within("spec", spec.status());
-  return backend_.intake.Create({.tenant = caller.tenant,
-                                 .max_open_jobs = caller.max_open_jobs,
-                                 .request_id = request.request_id(),
-                                 .spec = SpecBytes(request.spec()),
-                                 .request = *std::move(spec),
-                                 .labels = {request.labels().begin(), request.labels().end()}});
+absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
+                                              const TraceContext& trace) {
+  auto submission = Read(caller, request);
+  if (submission.ok()) submission->trace = trace;
+  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
+                                 : absl::StatusOr<Created>(submission.status());
+  if (!created.ok()) {
+    backend_.log.Warn("job refused", {{"tenant", caller.tenant},
+                                      {"error", std::string(created.status().message())}});
+    return created.status();
+  }
+  if (created->fresh) {
+    backend_.log.Info("job accepted", FieldsOf(created->job));
+    backend_.runner.Wake();
+  }
+  return std::move(created->job);
+}
+
+absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
+                                             const v1::CreateJobRequest& request) {
+  const auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
+  if (!spec.ok()) return spec.status();
+  auto job = FromProto(*spec);
+  if (!job.ok()) return Within("spec", job.status());
+  const auto priority = FromProto(request.priority());
+  if (!priority.ok()) return priority.status();
+  Submission submission;
+  submission.tenant = caller.tenant;
+  submission.max_open_jobs = caller.max_open_jobs;
+  submission.request_id = request.request_id();
+  submission.spec_digest = Sha256Hex(SpecBytes(request.spec()));
+  submission.spec = SpecBytes(*spec);
+  submission.request = *std::move(job);
+  submission.labels = {request.labels().begin(), request.labels().end()};
+  submission.priority = *priority;
+  submission.webhook_url = request.webhook_url();
+  if (!submission.webhook_url.empty()) {
+    absl::Status allowed = backend_.webhook_policy.Check(caller.tenant, submission.webhook_url);
+    if (!allowed.ok()) return allowed;
+  }
+  if (!request.has_deadline()) return submission;
+  const auto deadline_us = FromProto(request.deadline());
+  if (!deadline_us.ok()) return Within("deadline", deadline_us.status());
+  submission.deadline_us = *deadline_us;
+  return submission;
+}
+
+absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
+                                              const rpc::Call& call) {
+  const auto submission = Read(caller, request);
+  if (!submission.ok()) return submission.status();
+  const auto resolved = backend_.intake.Check(*submission);
+  if (!resolved.ok()) return resolved.status();
+  const auto blobs = backend_.blobs.Of(caller.tenant);
+  if (!blobs.ok()) return blobs.status();
+  auto meshes = LoadMeshes(resolved->request, **blobs);
+  if (!meshes.ok()) return meshes.status();
+  StageCall stage_call;
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  const auto found =
+      LookAt(stage_call,
+             {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
+             backend_.slicing);
+  if (!found.ok()) return found.status();
+  v1::Job job;
+  *job.mutable_spec() = request.spec();
+  job.set_settings_digest(resolved->settings_digest);
+  job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
+  *job.mutable_preflight() = ToProto(
+      *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
+                     resolved->settings.settings.motion.filament_cost_per_kg));
+  return job;
 }
 
 grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
@@ -121,11 +237,20 @@ grpc::Status JobsService::CancelJob(grpc::ServerContext* context,
   if (!known.ok()) return rpc::ToGrpc(known.status());
   const auto job = backend_.jobs.RequestCancel(request->id(), backend_.now_us());
   if (!job.ok()) return rpc::ToGrpc(job.status());
-  backend_.log.Info("job cancelled", {{"job", job->id}});
+  backend_.log.Info("job cancelled", FieldsOf(*job));
   backend_.runner.Cancel(job->id);
   backend_.feed.Changed(job->id);
   *response = ToProto(*job);
   return grpc::Status::OK;
+}
+
+grpc::Status JobsService::GetWebhook(grpc::ServerContext* context,
+                                     const v1::GetWebhookRequest* request, v1::Webhook* response) {
+  const auto job = Find(*context, {Scope::kRead}, request->job_id(), Of::kTenant);
+  if (!job.ok()) return rpc::ToGrpc(job.status());
+  const auto webhook = backend_.webhooks.Get(request->job_id());
+  if (webhook.ok() && *webhook) *response = ToProto(**webhook);
+  return rpc::ToGrpc(webhook.status());
 }
 
 grpc::Status JobsService::DeleteJob(grpc::ServerContext* context,
@@ -135,15 +260,27 @@ grpc::Status JobsService::DeleteJob(grpc::ServerContext* context,
   return rpc::ToGrpc(backend_.jobs.Delete(request->id()));
 }
 
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRecord& job,
+                                                                    v1::Artifact artifact) {
+  const auto digest = ArtifactOf(job, artifact);
+  if (!digest.ok()) return digest.status();
+  const auto blobs = backend_.blobs.Of(job.result->tenant);
+  if (!blobs.ok()) return blobs.status();
+  return (*blobs)->Open(*digest);
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobRecord& job) {
+  auto trace = JobTraces(backend_.jobs, backend_.blobs).Chrome(job);
+  if (!trace.ok()) return trace.status();
+  return std::make_unique<TextReader>(*std::move(trace));
+}
+
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
     const Caller& caller, const v1::DownloadRequest& request) {
   const auto job = Find(caller, request.id(), Of::kTenant);
   if (!job.ok()) return job.status();
-  const auto digest = ArtifactOf(*job, request.artifact());
-  if (!digest.ok()) return digest.status();
-  const auto blobs = backend_.blobs.Of(job->result->tenant);
-  if (!blobs.ok()) return blobs.status();
-  auto reader = (*blobs)->Open(*digest);
+  auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
+                                                         : OpenResult(*job, request.artifact());
   if (!reader.ok()) return reader.status();
   if (request.offset() < 0 || request.offset() > (*reader)->size()) {
     return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());

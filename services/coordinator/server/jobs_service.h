@@ -2,12 +2,17 @@
 
 #include <functional>
 
+#include "common/rpc/call_gate.h"
 #include "common/rpc/json_log.h"
+#include "services/coordinator/algo/cost.h"
 #include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
 #include "services/coordinator/server/transfers.h"
+#include "services/coordinator/server/webhook_policy.h"
+#include "services/coordinator/store/profile_store.h"
+#include "services/coordinator/store/webhook_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
@@ -20,6 +25,11 @@ struct JobsBackend {
   JobIntake& intake;
   JobRunner& runner;
   JobFeed& feed;
+  ProfileStore& profiles;
+  WebhookStore& webhooks;
+  const WebhookPolicy& webhook_policy;
+  const SlicingStage& slicing;  ///< for preflights
+  Rates rates;
   std::function<int64_t()> now_us;
   rpc::JsonLog log;
 };
@@ -29,10 +39,15 @@ struct JobsBackend {
 class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   JobsService(JobsBackend backend, const TransferOptions& options)
-      : backend_(std::move(backend)), downloads_(options) {}
+      : backend_(std::move(backend)),
+        downloads_(options),
+        preflights_({.slots = 2, .queue = 16}, backend_.log) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
+  grpc::Status BatchCreateJobs(grpc::ServerContext* context,
+                               const v1::BatchCreateJobsRequest* request,
+                               v1::BatchCreateJobsResponse* response) override;
   grpc::Status GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                       v1::Job* response) override;
   grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
@@ -43,15 +58,24 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                          v1::Job* response) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
                          google::protobuf::Empty* response) override;
+  grpc::Status GetWebhook(grpc::ServerContext* context, const v1::GetWebhookRequest* request,
+                          v1::Webhook* response) override;
   grpc::Status Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
 
  private:
   enum class Of { kTenant, kAllForAdmins };
-  absl::StatusOr<Created> Create(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
   absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
                                  const std::string& id, Of of);
+  absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
+  absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
+                                   const TraceContext& trace);
+  absl::StatusOr<v1::Job> Validate(const Caller& caller, const v1::CreateJobRequest& request,
+                                   const rpc::Call& call);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
+                                                         v1::Artifact artifact);
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const Caller& caller,
                                                            const v1::DownloadRequest& request);
   absl::Status Send(const Caller& caller, const v1::DownloadRequest& request,
@@ -60,6 +84,7 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
 
   JobsBackend backend_;
   Transfers downloads_;
+  rpc::CallGate preflights_;  ///< which take as long as slicing does
 };
 
 }  // namespace slicefarm::coordinator

@@ -12,6 +12,9 @@ namespace {
 
 constexpr int32_t kDefaultPageSize = 50;
 
+/// 9999-12-31T23:59:59Z, as google.protobuf.Timestamp has it.
+constexpr int64_t kMaxSeconds = 253'402'300'799;
+
 /// A page ends before it; one job is less than the rest of a message (limits::kMaxSpecBytes).
 constexpr size_t kMaxPageBytes = 1 << 20;
 
@@ -35,15 +38,6 @@ void SetTime(int64_t us, google::protobuf::Timestamp* time) {
   time->set_nanos(static_cast<int32_t>(us % 1'000'000 * 1'000));
 }
 
-v1::JobError ErrorToProto(const JobError& error) {
-  v1::JobError proto;
-  proto.set_code(static_cast<int>(error.code));
-  proto.set_reason(error.reason);
-  proto.set_message(error.message);
-  proto.mutable_metadata()->insert(error.metadata.begin(), error.metadata.end());
-  return proto;
-}
-
 v1::JobResult ResultToProto(const JobResult& result) {
   v1::JobResult proto;
   proto.set_gcode_sha256(result.gcode_sha256);
@@ -54,7 +48,22 @@ v1::JobResult ResultToProto(const JobResult& result) {
   proto.set_filament_g(result.filament_g);
   proto.set_layers(result.layers);
   proto.set_cached(result.cached);
+  *proto.mutable_cost() = ToProto(result.cost);
   return proto;
+}
+
+absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
+  if (request.has_created_from()) {
+    const auto from = FromProto(request.created_from());
+    if (!from.ok()) return Within("created_from", from.status());
+    query.created_from_us = *from;
+  }
+  if (request.has_created_before()) {
+    const auto before = FromProto(request.created_before());
+    if (!before.ok()) return Within("created_before", before.status());
+    query.created_before_us = *before;
+  }
+  return absl::OkStatus();
 }
 
 /// All but the spec.
@@ -64,12 +73,14 @@ v1::Job SummaryToProto(const JobRecord& job) {
   proto.set_tenant(job.tenant);
   proto.set_state(ToProto(job.state));
   proto.mutable_labels()->insert(job.labels.begin(), job.labels.end());
+  proto.set_priority(static_cast<v1::JobPriority>(static_cast<int>(job.priority) + 1));
+  if (job.deadline_us != kNoDeadlineUs) SetTime(job.deadline_us, proto.mutable_deadline());
   SetTime(job.create_us, proto.mutable_create_time());
   if (job.start_us != 0) SetTime(job.start_us, proto.mutable_start_time());
   if (job.end_us != 0) SetTime(job.end_us, proto.mutable_end_time());
   proto.mutable_progress()->set_layers_total(job.layers_total);
   proto.mutable_progress()->set_layers_done(job.layers_done);
-  if (job.error) *proto.mutable_error() = ErrorToProto(*job.error);
+  if (job.error) *proto.mutable_error() = ToProto(*job.error);
   proto.set_settings_digest(job.settings_digest);
   proto.set_build_id(job.build_id);
   if (!job.result) return proto;
@@ -82,20 +93,47 @@ v1::Job SummaryToProto(const JobRecord& job) {
 
 static_assert(static_cast<int>(v1::JOB_STATE_CANCELLED) ==
               static_cast<int>(JobState::kCancelled) + 1);
+static_assert(static_cast<int>(v1::JOB_PRIORITY_INTERACTIVE) ==
+              static_cast<int>(Priority::kInteractive) + 1);
 
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   JobRequest request;
+  if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
+  if (spec.mode() == v1::JOB_MODE_QUOTE) request.mode = JobMode::kQuote;
   for (int i = 0; i < spec.objects_size(); ++i) {
     auto object = ObjectFromProto(spec.objects(i));
     if (!object.ok()) return Within("objects", i, object.status());
     request.objects.push_back(*std::move(object));
   }
-  for (const v1::Setting& setting : spec.settings()) {
+  request.settings = SettingsFromProto(spec.settings());
+  return request;
+}
+
+std::vector<config::Setting> SettingsFromProto(
+    const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
+  std::vector<config::Setting> given;
+  for (const v1::Setting& setting : settings) {
     const auto source =
         setting.from_profile() ? config::Source::kProfile : config::Source::kRequest;
-    request.settings.push_back({setting.key(), setting.value(), source});
+    given.push_back({setting.key(), setting.value(), source});
   }
-  return request;
+  return given;
+}
+
+absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {
+  if (!v1::JobPriority_IsValid(priority)) {
+    return Malformed("priority", "is not one of this version");
+  }
+  if (priority == v1::JOB_PRIORITY_UNSPECIFIED) return Priority::kNormal;
+  return static_cast<Priority>(static_cast<int>(priority) - 1);
+}
+
+absl::StatusOr<int64_t> FromProto(const google::protobuf::Timestamp& time) {
+  if (time.seconds() < 0 || time.seconds() > kMaxSeconds || time.nanos() < 0 ||
+      time.nanos() >= 1'000'000'000) {
+    return Malformed("time", "is not between 1970 and 9999");
+  }
+  return time.seconds() * 1'000'000 + time.nanos() / 1'000;
 }
 
 std::string SpecBytes(const v1::JobSpec& spec) { return spec.SerializeAsString(); }
@@ -108,6 +146,38 @@ absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes) {
 
 v1::JobState ToProto(JobState state) {
   return static_cast<v1::JobState>(static_cast<int>(state) + 1);
+}
+
+v1::JobError ToProto(const JobError& error) {
+  v1::JobError proto;
+  proto.set_code(static_cast<int>(error.code));
+  proto.set_reason(error.reason);
+  proto.set_message(error.message);
+  proto.mutable_metadata()->insert(error.metadata.begin(), error.metadata.end());
+  return proto;
+}
+
+v1::Cost ToProto(const Cost& cost) {
+  v1::Cost proto;
+  proto.set_currency(cost.currency);
+  proto.set_setup(cost.setup);
+  proto.set_machine(cost.machine);
+  proto.set_energy(cost.energy);
+  proto.set_filament(cost.filament);
+  proto.set_total(cost.Total());
+  return proto;
+}
+
+v1::Preflight ToProto(const Preflight& preflight, const Cost& cost) {
+  v1::Preflight proto;
+  for (const MeshReport& mesh : preflight.meshes) *proto.add_meshes() = slicefarm::ToProto(mesh);
+  proto.set_layers(preflight.layers);
+  proto.set_first_layer_area_mm2(preflight.first_layer_area_mm2);
+  proto.set_print_time_s(preflight.estimate.print_time_s);
+  proto.set_filament_mm(preflight.estimate.filament.length_mm);
+  proto.set_filament_g(preflight.estimate.filament.mass_g);
+  *proto.mutable_cost() = ToProto(cost);
+  return proto;
 }
 
 absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
@@ -128,6 +198,15 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
     if (!known.ok()) return known.status();
     query.states.push_back(*known);
   }
+  query.labels = {request.labels().begin(), request.labels().end()};
+  if (absl::Status ok = CheckLabels(query.labels); !ok.ok()) return ok;
+  query.oldest_first = request.oldest_first();
+  if (request.priority() != v1::JOB_PRIORITY_UNSPECIFIED) {
+    const auto priority = FromProto(request.priority());
+    if (!priority.ok()) return priority.status();
+    query.priority = *priority;
+  }
+  if (absl::Status taken = TakeTimes(request, query); !taken.ok()) return taken;
   return query;
 }
 
@@ -169,6 +248,20 @@ v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
   proto.set_sequence(event.sequence);
   SetTime(event.time_us, proto.mutable_time());
   *proto.mutable_job() = SummaryToProto(then);
+  return proto;
+}
+
+v1::Webhook ToProto(const WebhookRecord& webhook) {
+  v1::Webhook proto;
+  proto.set_url(webhook.url);
+  proto.set_state(static_cast<v1::Webhook::State>(static_cast<int>(webhook.state) + 1));
+  if (webhook.state == WebhookState::kDue) SetTime(webhook.due_us, proto.mutable_next_time());
+  for (const WebhookAttempt& attempt : webhook.attempts) {
+    v1::Webhook::Attempt& each = *proto.add_attempts();
+    SetTime(attempt.time_us, each.mutable_time());
+    each.set_http_status(attempt.http_status);
+    each.set_error(attempt.error);
+  }
   return proto;
 }
 

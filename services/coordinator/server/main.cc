@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "common/model/build_info.h"
 #include "common/rpc/identity.h"
@@ -13,7 +15,9 @@
 #include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/coordinator_flags.h"
 #include "services/coordinator/server/coordinator_metrics.h"
+#include "services/coordinator/server/rates_file.h"
 #include "services/coordinator/server/split_stages.h"
+#include "services/coordinator/server/status_board.h"
 #include "services/coordinator/server/tenants_file.h"
 
 namespace slicefarm::coordinator {
@@ -47,18 +51,33 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   std::optional<SplitStages> split;
   if (flags.split()) split.emplace(flags.split_names(), pool_options, motion_pool, program.log());
   Dispatcher dispatcher;
+  Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
   if (!flags.workers.empty()) {
-    workers.emplace(dispatcher, SplitAddresses(flags.workers), program.log(),
+    workers.emplace(fleet, SplitAddresses(flags.workers), program.log(),
                     WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
   }
-  if (split) dispatcher.Join(split->AsRunner(flags.split_slots));
+  if (split) fleet.Join(split->AsRunner(flags.split_slots));
 
+  const auto rates =
+      flags.rates_file.empty() ? absl::StatusOr<Rates>(Rates()) : ReadRates(flags.rates_file);
+  if (!rates.ok()) {
+    program.log().Error("cannot use the rates", {{"error", std::string(rates.status().message())}});
+    return 1;
+  }
+  auto webhooks = flags.webhooks_file.empty() ? absl::StatusOr<WebhookPolicy>(WebhookPolicy())
+                                              : WebhookPolicy::Read(flags.webhooks_file);
+  if (!webhooks.ok()) {
+    program.log().Error("cannot use the webhooks",
+                        {{"error", std::string(webhooks.status().message())}});
+    return 1;
+  }
   std::unique_ptr<TenantsFile> tenants;
-  if (!flags.tenants.empty()) {
-    auto opened = TenantsFile::Open(flags.tenants, program.metrics().registry(), program.log());
+  if (!flags.tenants_file.empty()) {
+    auto opened =
+        TenantsFile::Open(flags.tenants_file, program.metrics().registry(), program.log());
     if (!opened.ok()) {
-      program.log().Error("cannot use the file of tenants",
+      program.log().Error("cannot use the tenants",
                           {{"error", std::string(opened.status().message())}});
       return 1;
     }
@@ -66,10 +85,14 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   }
   CoordinatorOptions options{
       .stores = flags.stores,
-      .runner = flags.runner,
+      .runner = flags.runner_options(),
+      .rates = *rates,
+      .webhooks = *std::move(webhooks),
+      .min_free_bytes = flags.min_free_mib << 20,
       .build_id = std::string(BuildId()),
       .maintenance = flags.maintenance(),
-      .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff};
+      .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
+      .metrics = &program.metrics().registry()};
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
@@ -78,7 +101,19 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                         {{"error", std::string(coordinator.status().message())}});
     return 1;
   }
-  program.metrics().Show(std::make_shared<CoordinatorMetrics>((*coordinator)->jobs(), dispatcher));
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
+      (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
+  std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
+                                                    {"motion", &motion_pool}};
+  if (split) stages.merge(split->Pools());
+  const StatusBoard board({.name = flags.runner.owner,
+                           .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
+                           .state_dir = flags.stores.state_dir,
+                           .jobs = (*coordinator)->jobs(),
+                           .fleet = fleet,
+                           .stages = std::move(stages),
+                           .log = program.log()});
+  program.metrics().ShowPage("/statusz", [&board] { return board.Page(); });
   if (absl::Status started = (*coordinator)->Start(); !started.ok()) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});
     return 1;

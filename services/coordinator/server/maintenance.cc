@@ -25,10 +25,11 @@ Maintenance::~Maintenance() {
 
 void Maintenance::Run() {
   std::unique_lock lock(mutex_);
-  while (!stop_.wait_for(lock, options_.every, [this] { return stopping_; })) {
+  while (!stopping_) {
     lock.unlock();
     SweepOnce();
     lock.lock();
+    stop_.wait_for(lock, options_.every, [this] { return stopping_; });
   }
 }
 

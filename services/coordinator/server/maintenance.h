@@ -7,11 +7,11 @@
 #include <thread>
 
 #include "common/rpc/json_log.h"
-#include "services/coordinator/server/blob_sweep.h"
+#include "services/coordinator/run/blob_sweep.h"
 
 namespace slicefarm::coordinator {
 
-/// Sweeps the stores from time to time, from a thread of its own.
+/// Sweeps the stores at once and from time to time, from a thread of its own.
 class Maintenance {
  public:
   struct Options {

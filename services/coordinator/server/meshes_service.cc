@@ -36,9 +36,10 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
 using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 
 /// Keeps chunk after chunk; a call that breaks leaves what it brought.
-absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, Reader& stream, const Transfers::Moved& moved,
-                                   v1::UploadMeshRequest& first) {
+absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
+                                   const Transfers::Moved& moved, v1::UploadMeshRequest& first) {
   if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
+  if (absl::Status room = disk.CheckRoom(); !room.ok()) return room;
   const std::string digest = first.sha256();
   const int64_t size = first.size();
   int64_t offset = first.write_offset();
@@ -52,15 +53,6 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, Reader& stream, const Trans
   } while (stream.Read(&chunk));
   if (offset < size) return blobs.Status(digest);
   return blobs.Finish(digest, size);
-}
-
-absl::Status Take(BlobStore& blobs, Reader& stream, const Transfers::Moved& moved,
-                  v1::Upload* response) {
-  v1::UploadMeshRequest first;
-  if (!stream.Read(&first)) return Malformed("sha256", "is missing");
-  const auto status = Receive(blobs, stream, moved, first);
-  if (status.ok()) *response = ToProto(first.sha256(), *status);
-  return status.status();
 }
 
 }  // namespace
@@ -86,8 +78,12 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
                                        v1::Upload* response) {
   const auto blobs = BlobsOf(*context);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
-  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) {
-    return Take(**blobs, *stream, moved, response);
+  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) -> absl::Status {
+    v1::UploadMeshRequest first;
+    if (!stream->Read(&first)) return Malformed("sha256", "is missing");
+    const auto status = Receive(**blobs, disk_, *stream, moved, first);
+    if (status.ok()) *response = ToProto(first.sha256(), *status);
+    return status.status();
   }));
 }
 

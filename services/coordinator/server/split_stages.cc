@@ -22,6 +22,10 @@ Runner SplitStages::AsRunner(int slots) {
   return runner;
 }
 
+std::map<std::string, const StagePool*> SplitStages::Pools() const {
+  return {{"beading", &beading_pool_}, {"infill", &infill_pool_}, {"ordering", &ordering_pool_}};
+}
+
 bool SplitStages::AwaitReady(std::chrono::milliseconds patience) {
   const auto pools = {&beading_pool_, &infill_pool_, &ordering_pool_, &motion_pool_};
   return std::ranges::all_of(pools, [&](StagePool* pool) { return pool->AwaitReady(patience); });

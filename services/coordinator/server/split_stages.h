@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ class SplitStages {
   /// The chain as a runner of `slots` ranges at a time; it can be reached when all its stages can.
   /// The object must outlive the runner's calls.
   Runner AsRunner(int slots);
+
+  /// The stages besides motion, by name.
+  std::map<std::string, const StagePool*> Pools() const;
 
  private:
   bool AwaitReady(std::chrono::milliseconds patience);

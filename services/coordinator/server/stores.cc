@@ -6,6 +6,9 @@
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/postgres_job_changes.h"
 #include "services/coordinator/store/sql_job_store.h"
+#include "services/coordinator/store/sql_profile_store.h"
+#include "services/coordinator/store/sql_webhook_store.h"
+#include "services/coordinator/store/sqlite_database.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -14,21 +17,30 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   if (absl::Status made = MakeDirectory(directory); !made.ok()) return made;
   auto lock = StateLock::Take(directory);
   if (!lock.ok()) return lock.status();
-  auto jobs = OpenSqliteJobStore(directory + "/jobs.db");
-  if (!jobs.ok()) return jobs.status();
+  auto opened = SqliteDatabase::Open(directory + "/jobs.db");
+  if (!opened.ok()) return opened.status();
+  const std::shared_ptr<SqlDatabase> database = *std::move(opened);
   auto blobs = OpenDirectoryBlobs(directory);
   if (!blobs.ok()) return blobs.status();
-  return Stores{*std::move(lock), *std::move(jobs), *std::move(blobs)};
+  return Stores{.lock = *std::move(lock),
+                .jobs = std::make_unique<SqlJobStore>(database),
+                .blobs = *std::move(blobs),
+                .profiles = std::make_unique<SqlProfileStore>(database),
+                .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }
 
 /// Blobs have connections of their own, so that no transfer keeps jobs waiting.
 absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
-  auto jobs = PostgresDatabase::Open(conninfo);
-  if (!jobs.ok()) return jobs.status();
+  auto opened = PostgresDatabase::Open(conninfo);
+  if (!opened.ok()) return opened.status();
+  const std::shared_ptr<SqlDatabase> database = *std::move(opened);
   auto blobs = PostgresDatabase::Open(conninfo);
   if (!blobs.ok()) return blobs.status();
-  return Stores{nullptr, std::make_unique<SqlJobStore>(*std::move(jobs)),
-                MakePostgresBlobs(*std::move(blobs))};
+  return Stores{.lock = nullptr,
+                .jobs = std::make_unique<SqlJobStore>(database),
+                .blobs = MakePostgresBlobs(*std::move(blobs)),
+                .profiles = std::make_unique<SqlProfileStore>(database),
+                .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }
 
 }  // namespace

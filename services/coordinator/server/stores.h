@@ -7,6 +7,8 @@
 #include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/profile_store.h"
+#include "services/coordinator/store/webhook_store.h"
 
 namespace slicefarm::coordinator {
 
@@ -22,6 +24,8 @@ struct Stores {
   std::unique_ptr<StateLock> lock;  ///< of a directory
   std::unique_ptr<JobStore> jobs;
   std::unique_ptr<BlobStores> blobs;
+  std::unique_ptr<ProfileStore> profiles;
+  std::unique_ptr<WebhookStore> webhooks;
 };
 
 /// Errors: those of the stores; Unavailable if another process uses the directory.

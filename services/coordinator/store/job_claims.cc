@@ -108,9 +108,11 @@ absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
   std::vector<HeldJob> held;
   for (const Lease& lease : leases) {
     SqlQuery renew(db,
-                   "UPDATE jobs SET owner_until_us = ? WHERE id = ? AND owner_epoch = ?"
+                   "UPDATE jobs SET owner_until_us ="
+                   " CASE WHEN owner_until_us > ? THEN owner_until_us ELSE ? END"
+                   " WHERE id = ? AND owner_epoch = ?"
                    " AND owner <> '' AND " SLICEFARM_OPEN " RETURNING cancel_requested");
-    renew.Bind(until_us, lease.job_id, lease.epoch);
+    renew.Bind(until_us, until_us, lease.job_id, lease.epoch);
     while (renew.Next()) held.push_back({lease, renew.Int(0) != 0});
     if (!renew.status().ok()) return renew.status();
   }

@@ -33,6 +33,23 @@ std::string Dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+Json CostJson(const Cost& cost) {
+  return {{"currency", cost.currency},
+          {"setup", cost.setup},
+          {"machine", cost.machine},
+          {"energy", cost.energy},
+          {"filament", cost.filament}};
+}
+
+void TakeCost(const Json& json, Cost& cost) {
+  if (!json.is_object()) return;
+  Take(json, "currency", cost.currency);
+  Take(json, "setup", cost.setup);
+  Take(json, "machine", cost.machine);
+  Take(json, "energy", cost.energy);
+  Take(json, "filament", cost.filament);
+}
+
 }  // namespace
 
 JobError JobErrorOf(const absl::Status& status) {
@@ -58,6 +75,7 @@ std::string ToJson(const JobResult& result) {
                {"filament_g", result.filament_g},
                {"layers", result.layers},
                {"cached", result.cached},
+               {"cost", CostJson(result.cost)},
                {"warnings", result.warnings}});
 }
 
@@ -87,6 +105,7 @@ absl::Status FromJson(const std::string& text, JobResult& result) {
   Take(json, "filament_g", result.filament_g);
   Take(json, "layers", result.layers);
   Take(json, "cached", result.cached);
+  TakeCost(json.value("cost", Json::object()), result.cost);
   Take(json, "warnings", result.warnings);
   return absl::OkStatus();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "services/coordinator/algo/cost.h"
 #include "services/coordinator/algo/job_state.h"
 
 namespace slicefarm::coordinator {
@@ -25,8 +26,8 @@ JobError JobErrorOf(const absl::Status& status);
 
 /// What a job came to: the names of its artifacts, and what lists show of them.
 struct JobResult {
-  std::string tenant;  ///< whose blobs the artifacts are
-  std::string gcode_sha256;
+  std::string tenant;        ///< whose blobs the artifacts are
+  std::string gcode_sha256;  ///< empty: of a quote
   int64_t gcode_size = 0;
   std::string report_sha256;
   double print_time_s = 0;
@@ -34,6 +35,7 @@ struct JobResult {
   double filament_g = 0;
   int32_t layers = 0;
   bool cached = false;  ///< found by content, not computed for this job
+  Cost cost;            ///< by the rates when the job ended
   std::vector<std::string> warnings;
 
   friend bool operator==(const JobResult&, const JobResult&) = default;
@@ -78,6 +80,7 @@ struct JobRecord {
   int32_t retries = 0;         ///< how often a run failed and it was put back
   int32_t store_failures = 0;  ///< how often a store failed and it was put back
   int64_t last_sequence = 0;
+  std::string trace_sha256;  ///< what its runs did, and when (JobTrace); empty: not kept
 
   std::string owner;        ///< the coordinator that works on it
   int64_t owner_epoch = 0;  ///< counts claims: a write with an older one is refused

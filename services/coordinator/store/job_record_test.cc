@@ -18,6 +18,7 @@ TEST(JobRecord, ResultsComeBack) {
   result.filament_g = 1e-300;
   result.layers = 7;
   result.cached = true;
+  result.cost = {"CHF", 1, 0.1, 1e-9, 1e9};
   result.warnings = {"a \"quoted\" one\n", ""};
   JobResult back;
   ASSERT_TRUE(FromJson(ToJson(result), back).ok());

@@ -8,6 +8,7 @@
 #include "common/model/error.h"
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_steps.h"
+#include "services/coordinator/store/sql_webhook_store.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -77,8 +78,8 @@ absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
                   job.spec, job.labels, job.settings_digest, job.action_digest, job.build_id,
                   job.traceparent, job.create_us, job.start_us, job.end_us, job.layers_total,
                   job.layers_done, job.error, job.result, job.cancel_requested, job.retries,
-                  job.store_failures, job.last_sequence, job.owner, job.owner_epoch,
-                  job.owner_until_us);
+                  job.store_failures, job.last_sequence, job.trace_sha256, job.owner,
+                  job.owner_epoch, job.owner_until_us);
   if (absl::Status read = columns.status(job.id); !read.ok()) return read;
   return job;
 }
@@ -111,17 +112,20 @@ absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
       db,
       "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
       " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-      " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?, store_failures = "
-      "?,"
-      " last_sequence = ?, owner = ?, owner_epoch = ?, owner_until_us = ? WHERE number = ?");
+      " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?,"
+      " store_failures = ?, last_sequence = ?, trace_sha256 = ?, owner = ?, owner_epoch = ?,"
+      " owner_until_us = ? WHERE number = ?");
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
               job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
-              job.cancel_requested, job.retries, job.store_failures, job.last_sequence, job.owner,
-              job.owner_epoch, job.owner_until_us, job.number);
+              job.cancel_requested, job.retries, job.store_failures, job.last_sequence,
+              job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us, job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
+  if (IsTerminal(job.state)) {
+    if (absl::Status done = MakeWebhookDue(db, job.number, now_us); !done.ok()) return done;
+  }
   SqlQuery event(db,
                  "INSERT INTO events (job, sequence, time_us, state, layers_total, layers_done)"
                  " VALUES (?, ?, ?, ?, ?, ?)");

@@ -35,6 +35,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   job.layers_done = update.layers_done;
   job.error = update.error;
   job.result = update.result;
+  if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
   if (update.retry) ++job.retries;
   if (update.store_failed) ++job.store_failures;
   if (begins && job.start_us == 0) job.start_us = now_us;
@@ -45,9 +46,12 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
 }
 
 bool ApplyCancel(JobRecord& job, int64_t now_us) {
-  if (IsTerminal(job.state) || job.cancel_requested) return false;
+  if (IsTerminal(job.state)) return false;
+  const bool at_once = job.state == JobState::kQueued && job.owner.empty();
+  // Who was to end it may have let it go meanwhile, by its death.
+  if (job.cancel_requested && !at_once) return false;
   job.cancel_requested = true;
-  if (job.state != JobState::kQueued || !job.owner.empty()) return true;
+  if (!at_once) return true;
   job.state = JobState::kCancelled;
   job.end_us = now_us;
   ++job.owner_epoch;

@@ -26,12 +26,15 @@ struct NewJob {
   std::string action_digest;
   std::string build_id;
   std::string traceparent;
+  std::string webhook_url = {};  ///< to be told of its end (webhook_store.h); empty: none
   int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
 };
 
 struct Created {
   JobRecord job;
   bool fresh = true;  ///< false: an earlier call with the same request_id made it
+
+  friend bool operator==(const Created&, const Created&) = default;
 };
 
 /// The right to write to a job: of the coordinator that claimed it last.
@@ -45,6 +48,8 @@ struct Lease {
 struct HeldJob {
   Lease lease;
   bool cancel_requested = false;
+
+  friend bool operator==(const HeldJob&, const HeldJob&) = default;
 };
 
 /// What the owner writes.
@@ -56,8 +61,9 @@ struct JobUpdate {
   std::optional<JobResult> result = {};
   /// With QUEUED: nobody claims it before.
   int64_t claimable_from_us = 0;
-  bool retry = false;         ///< with QUEUED: because a run failed
-  bool store_failed = false;  ///< with QUEUED: because a store failed
+  bool retry = false;             ///< with QUEUED: because a run failed
+  bool store_failed = false;      ///< with QUEUED: because a store failed
+  std::string trace_sha256 = {};  ///< empty: what was there stays
 };
 
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
@@ -72,6 +78,16 @@ struct ListQuery {
   bool oldest_first = false;
   int64_t after_number = 0;  ///< what comes after this job in that order; 0: from the beginning
   int32_t limit = 50;
+};
+
+/// Jobs of one kind that have not ended.
+struct OpenJobs {
+  JobState state = JobState::kQueued;
+  Priority priority = Priority::kNormal;
+  int64_t count = 0;
+  int64_t oldest_us = 0;  ///< when the one that has waited longest was created
+
+  friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
 };
 
 /// How long a request_id is remembered, at most: it goes with its job.
@@ -107,8 +123,9 @@ class JobStore {
   /// it.
   virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
 
-  /// Holds these claims until `until_us`, and tells which of them were still held. By claim and not
-  /// by owner, so that a job which its owner has given up runs out and is claimed again.
+  /// Holds these claims at least until `until_us`, and tells which of them were still held. By
+  /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
+  /// again. Never shortens a claim, so that a renewal that arrives after a later one does no harm.
   virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                                      int64_t until_us) = 0;
 
@@ -143,7 +160,10 @@ class JobStore {
 
   virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
 
-  /// Of these digests, those of inputs and results of jobs among the tenant's blobs.
+  /// Those that have not ended, by state and priority; kinds of which there are none are left out.
+  virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
+
+  /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 

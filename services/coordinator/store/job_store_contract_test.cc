@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/temp_directory_test.h"
+#include "services/coordinator/store/memory_job_store.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/shared_postgres_test.h"
 #include "services/coordinator/store/sql_job_store.h"
@@ -49,7 +50,16 @@ class PostgresPlace : public StorePlace<JobStore> {
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
+class MemoryPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
+
+ private:
+  MemoryJobs jobs_;
+};
+
 const std::vector<StoreKind<JobStore>> kStores = {
+    {"Memory", [] { return std::make_unique<MemoryPlace>(); }},
     {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
 };
@@ -239,6 +249,25 @@ TEST_P(JobStoreTest, ListsByState) {
   EXPECT_THAT(*store_->CountByState(), UnorderedElementsAre(Pair(kSucceeded, 1), Pair(kQueued, 2)));
 }
 
+TEST_P(JobStoreTest, CountsWhatIsOpenByPriority) {
+  EXPECT_THAT(*store_->CountOpen(), IsEmpty());
+  MakeDone("done", ResultOf("g", "r"));
+  const auto make = [&](const std::string& id, Priority priority) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    return store_->Create(job, ++now_)->job.create_us;
+  };
+  const int64_t runs_since = make("runs", Priority::kInteractive);
+  ASSERT_TRUE(Update(Claim(), kRunning).ok());
+  const int64_t bulk_since = make("old", Priority::kBulk);
+  make("younger", Priority::kBulk);
+  const int64_t normal_since = make("normal", Priority::kNormal);
+  EXPECT_THAT(*store_->CountOpen(),
+              UnorderedElementsAre(OpenJobs{kRunning, Priority::kInteractive, 1, runs_since},
+                                   OpenJobs{kQueued, Priority::kBulk, 2, bulk_since},
+                                   OpenJobs{kQueued, Priority::kNormal, 1, normal_since}));
+}
+
 TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
   for (const char* id : {"a", "b", "c"}) Make(id);
   const JobRecord first = **store_->Claim("me", 10, 100);
@@ -311,6 +340,14 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   const absl::Status fenced = Update({"a", (*mine)->owner_epoch}, kRunning).status();
   EXPECT_TRUE(absl::IsAborted(fenced)) << fenced;
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
+}
+
+TEST_P(JobStoreTest, ALateRenewalShortensNoClaim) {
+  Make("a");
+  ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
+  ASSERT_THAT(*store_->Renew({{"a", 1}}, 200), SizeIs(1));
+  EXPECT_THAT(*store_->Renew({{"a", 1}}, 150), SizeIs(1));
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 200);
 }
 
 TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
@@ -438,6 +475,14 @@ TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
   EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
 }
 
+TEST_P(JobStoreTest, CancelOfAJobThatItsOwnerLeftEndsItThoughItWasAskedForBefore) {
+  Make("a");
+  Claim("me");
+  ASSERT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_EQ(store_->RequestCancel("a", 10)->state, kCancelled);
+}
+
 TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
   Make("a");
   const Lease lease = Claim();
@@ -517,6 +562,25 @@ TEST_P(JobStoreTest, ListsTheJobsOfATenantOrOfAll) {
   EXPECT_EQ(store_->List({})->size(), 1u);
   EXPECT_EQ(store_->List({.tenant = "a"})->at(0).id, "of a");
   EXPECT_EQ(store_->List({.all_tenants = true})->size(), 3u);
+}
+
+TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
+  Make("a");
+  const Lease first = Claim();
+  ASSERT_TRUE(Update(first, kRunning).ok());
+  JobUpdate update;
+  update.state = kQueued;
+  update.trace_sha256 = "trace 1";
+  EXPECT_EQ(store_->Update(first, update, ++now_)->trace_sha256, "trace 1");
+  const Lease second = Claim();
+  EXPECT_EQ(Update(second, kRunning)->trace_sha256, "trace 1") << "it stays";
+  update.state = kFailed;
+  update.trace_sha256 = "trace 2";
+  ASSERT_TRUE(store_->Update(second, update, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->trace_sha256, "trace 2");
+  EXPECT_THAT(*store_->Referenced("", {"trace 1", "trace 2"}), ElementsAre("trace 2"));
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_THAT(*store_->Referenced("", {"trace 2"}), IsEmpty());
 }
 
 TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {

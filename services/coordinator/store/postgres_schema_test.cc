@@ -17,13 +17,14 @@ namespace {
 TEST(PostgresSchema, KeepsWhatOldDatabasesHold) {
   const std::string database = SharedPostgres().NewDatabase();
   const std::string bytes = "some bytes";
+  constexpr int kVersion = 5;
   {
     auto db = *PostgresConnection::Open(database);
-    for (int version = 0; version < 2; ++version) {
+    for (int version = 0; version < kVersion; ++version) {
       ASSERT_TRUE(db->Execute(kPostgresMigrations[version]).ok());
     }
     ASSERT_TRUE(db->Execute("CREATE TABLE slicefarm_schema (version BIGINT NOT NULL);"
-                            "INSERT INTO slicefarm_schema VALUES (2);")
+                            "INSERT INTO slicefarm_schema VALUES (5);")
                     .ok());
     SqlQuery blob(*db, "INSERT INTO blobs (digest, size, complete) VALUES (?, 10, 1)");
     ASSERT_TRUE(blob.Bind(Sha256Hex(bytes)).Run().ok());

@@ -9,6 +9,7 @@
 #include "services/coordinator/store/job_listing.h"
 #include "services/coordinator/store/job_rows.h"
 #include "services/coordinator/store/job_steps.h"
+#include "services/coordinator/store/sql_webhook_store.h"
 #include "services/coordinator/store/sqlite_database.h"
 
 namespace slicefarm::coordinator {
@@ -78,8 +79,11 @@ absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
 absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   const JobResult& result = *job.result;
   if (result.cached) {
-    SqlQuery query(db, "SELECT 1 FROM results WHERE action_digest = ? AND gcode_sha256 = ?");
-    query.Bind(job.action_digest, result.gcode_sha256);
+    // A quote, which has no G-code, may have taken the report of a print.
+    SqlQuery query(db,
+                   "SELECT 1 FROM results WHERE report_sha256 = ? AND tenant = ?"
+                   " AND (gcode_sha256 = ? OR '' = ?)");
+    query.Bind(result.report_sha256, result.tenant, result.gcode_sha256, result.gcode_sha256);
     if (query.Next()) return absl::OkStatus();
     return query.status().ok() ? CachedResultGone(job.id) : query.status();
   }
@@ -100,8 +104,10 @@ absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& tenant,
                  "SELECT 1 WHERE EXISTS (SELECT 1 FROM jobs WHERE gcode_sha256 = ?"
                  "  AND gcode_sha256 <> '' AND result_tenant = ?)"
                  " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ?"
-                 "  AND report_sha256 <> '' AND result_tenant = ?)");
-  const bool referenced = query.Bind(digest, tenant, digest, tenant).Next();
+                 "  AND report_sha256 <> '' AND result_tenant = ?)"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = ?"
+                 "  AND trace_sha256 <> '' AND tenant = ?)");
+  const bool referenced = query.Bind(digest, tenant, digest, tenant, digest, tenant).Next();
   if (!query.status().ok()) return query.status();
   return referenced;
 }
@@ -152,6 +158,8 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
   auto record = FindJob(db, job.id);
   if (!record.ok()) return record.status();
   if (absl::Status done = InsertLists(db, record->number, job); !done.ok()) return done;
+  if (absl::Status done = InsertWebhook(db, record->number, job.webhook_url); !done.ok())
+    return done;
   if (absl::Status done = WriteStep(db, *record, now_us); !done.ok()) return done;
   return Created{*std::move(record), /*fresh=*/true};
 }
@@ -304,6 +312,22 @@ absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountByState() {
   }
   if (!query.status().ok()) return query.status();
   return counts;
+}
+
+absl::StatusOr<std::vector<OpenJobs>> SqlJobStore::CountOpen() {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT state, priority, count(*), min(create_us) FROM jobs WHERE " SLICEFARM_OPEN
+                 " GROUP BY state, priority ORDER BY state, priority");
+  std::vector<OpenJobs> open;
+  while (query.Next()) {
+    if (const auto state = JobStateFromName(query.Text(0))) {
+      open.push_back({*state, static_cast<Priority>(query.Int(1)), query.Int(2), query.Int(3)});
+    }
+  }
+  if (!query.status().ok()) return query.status();
+  return open;
 }
 
 absl::StatusOr<std::set<std::string>> SqlJobStore::Referenced(

@@ -11,7 +11,7 @@ namespace slicefarm::coordinator {
 /// A JobStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
 class SqlJobStore : public JobStore {
  public:
-  explicit SqlJobStore(std::unique_ptr<SqlDatabase> database) : database_(std::move(database)) {}
+  explicit SqlJobStore(std::shared_ptr<SqlDatabase> database) : database_(std::move(database)) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
@@ -33,12 +33,13 @@ class SqlJobStore : public JobStore {
   absl::Status ForgetResult(const std::string& action_digest) override;
   absl::Status ExpireRequestIds(int64_t now_us) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
   absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
                                                    const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
 
  private:
-  std::unique_ptr<SqlDatabase> database_;
+  const std::shared_ptr<SqlDatabase> database_;
 };
 
 /// A database in a file of this machine; see SqliteDatabase.

@@ -126,6 +126,40 @@ CREATE INDEX requests_by_age ON requests (create_us);
 CREATE INDEX requests_by_job ON requests (job_id);
 )",
     R"(
+CREATE TABLE profiles (
+  tenant          TEXT    NOT NULL,
+  name            TEXT    NOT NULL,
+  revision        INTEGER NOT NULL,
+  settings        BLOB    NOT NULL,
+  settings_digest TEXT    NOT NULL,
+  create_us       INTEGER NOT NULL,
+  PRIMARY KEY (tenant, name, revision)
+) STRICT, WITHOUT ROWID;
+)",
+    R"(
+CREATE TABLE webhooks (
+  job      INTEGER PRIMARY KEY REFERENCES jobs (number) ON DELETE CASCADE,
+  url      TEXT    NOT NULL,
+  state    TEXT    NOT NULL,
+  due_us   INTEGER NOT NULL,
+  attempts INTEGER NOT NULL
+) STRICT;
+CREATE INDEX webhooks_due ON webhooks (due_us) WHERE state = 'DUE';
+
+CREATE TABLE webhook_attempts (
+  job         INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+  attempt     INTEGER NOT NULL,
+  time_us     INTEGER NOT NULL,
+  http_status INTEGER NOT NULL,
+  error       TEXT    NOT NULL,
+  PRIMARY KEY (job, attempt)
+) STRICT, WITHOUT ROWID;
+)",
+    R"(
+ALTER TABLE jobs ADD COLUMN trace_sha256 TEXT NOT NULL DEFAULT '';
+CREATE INDEX jobs_by_trace ON jobs (trace_sha256) WHERE trace_sha256 <> '';
+)",
+    R"(
 ALTER TABLE results ADD COLUMN tenant TEXT NOT NULL DEFAULT '';     -- whose blobs they are
 ALTER TABLE jobs ADD COLUMN result_tenant TEXT NOT NULL DEFAULT '';  -- of result
 )",

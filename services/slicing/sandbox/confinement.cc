@@ -106,8 +106,11 @@ int AllowTheRest(scmp_filter_ctx filter) {
 
 absl::Status SetFilter() {
   const Filter filter(seccomp_init(SCMP_ACT_KILL_PROCESS), &seccomp_release);
-  if (filter == nullptr) return Refused("a seccomp filter", ENOMEM);
+  // The library makes none where the system has no seccomp for us.
+  if (filter == nullptr) return Refused("a seccomp filter", EOPNOTSUPP);
   int error = seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+  // The system's own error, not the library's word for all of them.
+  if (error == 0) error = seccomp_attr_set(filter.get(), SCMP_FLTATR_API_SYSRAWRC, 1);
   for (const auto add : {&AllowWrites, &AllowMemory, &AllowTheRest})
     if (error == 0) error = add(filter.get());
   if (error == 0) error = seccomp_load(filter.get());

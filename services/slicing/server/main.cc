@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
                      {{"mesh_sandbox", std::string(MeshSandboxName(sandbox))}});
   const auto stage = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
+  program.Show(gate);
   slicefarm::slicing::SlicingService service(*stage, gate, threads);
   return program.Run(flags, {&service});
 }

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   const auto motion = slicefarm::motion::MakeLocalMotion();
   const slicefarm::LayerChain chain(*beading, *infill, *ordering, *motion);
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
+  program.Show(gate);
   slicefarm::worker::WorkerService service(chain, gate);
   return program.Run(flags, {&service});
 }

@@ -1,4 +1,4 @@
-#include "services/coordinator/server/blob_sweep.h"
+#include "services/coordinator/run/blob_sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+
+struct mg_context;
+
+namespace slicefarm::rpc {
+
+/// A page that people or Prometheus ask for, made anew each time.
+struct HttpPage {
+  std::string path;  ///< "/metrics"
+  std::string mime;
+  std::function<std::string()> content;  ///< from any thread
+};
+
+/// Serves some pages to GET and HEAD, and nothing else; by civetweb. For the inner network: without
+/// TLS, and anybody who comes may read.
+class HttpPages {
+ public:
+  /// On `address` (host:port, port 0: any). Errors: Unavailable if it cannot listen there.
+  static absl::StatusOr<std::unique_ptr<HttpPages>> Serve(const std::string& address,
+                                                          std::vector<HttpPage> pages);
+
+  /// Waits for a page that is being sent.
+  ~HttpPages();
+  HttpPages(const HttpPages&) = delete;
+  HttpPages& operator=(const HttpPages&) = delete;
+
+  int port() const;
+
+ private:
+  explicit HttpPages(std::vector<HttpPage> pages) : pages_(std::move(pages)) {}
+
+  const std::vector<HttpPage> pages_;
+  mg_context* server_ = nullptr;  // civetweb's handle: mg_start makes it, mg_stop ends it
+};
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,109 @@
+#include "services/coordinator/algo/fan_out.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// True if the input is at fault: the same anywhere, whatever the number of tries.
+bool IsFinal(const absl::Status& status) {
+  return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
+}
+
+}  // namespace
+
+FanOut::JobId FanOut::Add(int32_t ranges) {
+  const JobId id = next_job_++;
+  jobs_.emplace(id, Job{RangeScheduler(ranges, options_)});
+  return id;
+}
+
+void FanOut::Remove(JobId job) {
+  const auto found = jobs_.find(job);
+  if (found == jobs_.end()) return;
+  counts_.requeued += found->second.scheduler.Requeued();
+  counts_.hedged += found->second.scheduler.Hedged();
+  jobs_.erase(found);
+}
+
+std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
+  std::vector<std::tuple<int32_t, int64_t, JobId>> order;
+  for (const auto& [id, job] : jobs_) {
+    order.emplace_back(job.scheduler.Running(), job.last_turn, id);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [running, turn, id] : order) {
+    Job& job = jobs_.at(id);
+    if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
+  }
+  for (const auto& [running, turn, id] : order) {
+    Job& job = jobs_.at(id);
+    if (const auto grant = job.scheduler.Hedge(runner, now_s)) return Granted(id, job, *grant);
+  }
+  return std::nullopt;
+}
+
+FanOut::Grant FanOut::Granted(JobId id, Job& job, const RangeScheduler::Grant& grant) {
+  job.last_turn = next_turn_++;
+  return {id, grant.ticket, grant.range};
+}
+
+RangeScheduler::Accepted FanOut::Succeeded(const Grant& grant, double now_s) {
+  RangeScheduler* scheduler = Find(grant.job);
+  if (!scheduler) return {};
+  auto accepted = scheduler->Succeeded(grant.ticket, now_s);
+  if (accepted.first) ++counts_.done;
+  return accepted;
+}
+
+FanOut::Verdict FanOut::Failed(const Grant& grant, const absl::Status& error) {
+  RangeScheduler* scheduler = Find(grant.job);
+  if (!scheduler) return Verdict::kGoesOn;
+  if (IsFinal(error)) return Verdict::kInputAtFault;
+  if (DetailOf(error).reason == Reason::kBuildMismatch) {
+    scheduler->Abandoned(grant.ticket);  // says nothing of the range
+    return Verdict::kGoesOn;
+  }
+  scheduler->Failed(grant.ticket);
+  if (scheduler->Poisoned() != grant.range) return Verdict::kGoesOn;
+  ++counts_.poisoned;
+  return Verdict::kPoisoned;
+}
+
+void FanOut::Superseded(const Grant& grant) {
+  if (RangeScheduler* scheduler = Find(grant.job)) scheduler->Failed(grant.ticket);
+}
+
+void FanOut::RunnerGone(RunnerId runner) {
+  for (auto& [id, job] : jobs_) job.scheduler.RunnerGone(runner);
+}
+
+bool FanOut::AnyQueued() const {
+  return std::any_of(jobs_.begin(), jobs_.end(),
+                     [](const auto& job) { return job.second.scheduler.Queued() > 0; });
+}
+
+DispatchCounts FanOut::Counts() const {
+  DispatchCounts counts = counts_;
+  for (const auto& [id, job] : jobs_) {
+    counts.requeued += job.scheduler.Requeued();
+    counts.hedged += job.scheduler.Hedged();
+  }
+  return counts;
+}
+
+RangeScheduler* FanOut::Find(JobId job) {
+  const auto found = jobs_.find(job);
+  return found == jobs_.end() ? nullptr : &found->second.scheduler;
+}
+
+std::chrono::milliseconds RestAfter(int failures, std::chrono::milliseconds min,
+                                    std::chrono::milliseconds max) {
+  return std::min(max, min * (1 << std::clamp(failures - 1, 0, 10)));
+}
+
+}  // namespace slicefarm::coordinator

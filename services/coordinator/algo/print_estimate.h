@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "common/model/filament_use.h"
+#include "common/model/layer.h"
+#include "common/model/settings.h"
+
+namespace slicefarm::coordinator {
+
+struct PrintEstimate {
+  double print_time_s = 0;
+  FilamentUse filament;
+};
+
+/// What a print will take, from the areas and outlines of its layers alone: walls as wide as they
+/// are many, solid skins where a layer is larger than one near it, sparse infill in the rest; lines
+/// at their speeds with a full stop at each sharp corner. Cost: linear in the points; no stage is
+/// run. tests/bench/README.md says how far it is off.
+PrintEstimate EstimatePrint(std::span<const SlicedLayer> layers, const JobSettings& settings);
+
+}  // namespace slicefarm::coordinator

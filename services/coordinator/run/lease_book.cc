@@ -1,0 +1,60 @@
+#include "services/coordinator/run/lease_book.h"
+
+#include <utility>
+
+namespace slicefarm::coordinator {
+
+void LeaseBook::Add(const Lease& lease, const std::string& action_digest, int64_t claimed_us,
+                    std::shared_ptr<RunWishes> wishes) {
+  held_[lease] = {std::move(wishes), action_digest, UntilUs(claimed_us)};
+}
+
+std::set<std::string> LeaseBook::Busy() const {
+  std::set<std::string> busy;
+  for (const auto& [lease, held] : held_) busy.insert(held.action_digest);
+  return busy;
+}
+
+std::vector<Lease> LeaseBook::ToRenew() const {
+  std::vector<Lease> leases;
+  for (const auto& [lease, held] : held_) {
+    if (!held.wishes->lost()) leases.push_back(lease);
+  }
+  return leases;
+}
+
+void LeaseBook::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held,
+                        int64_t until_us) {
+  std::map<Lease, bool> cancel_requested;
+  for (const HeldJob& job : held) cancel_requested[job.lease] = job.cancel_requested;
+  for (const Lease& lease : asked) {
+    const auto found = held_.find(lease);
+    if (found == held_.end()) continue;  // has ended meanwhile
+    const auto still = cancel_requested.find(lease);
+    if (still == cancel_requested.end()) {
+      // Claimed by another; or written to its end, and then this changes nothing.
+      found->second.wishes->Lose();
+      continue;
+    }
+    found->second.until_us = until_us;
+    if (still->second) found->second.wishes->Cancel();
+  }
+}
+
+void LeaseBook::NotRenewed(int64_t now_us) {
+  for (const auto& [lease, held] : held_) {
+    if (now_us > held.until_us - lease_us_ / 5) held.wishes->Lose();
+  }
+}
+
+void LeaseBook::Cancel(const std::string& job_id) {
+  for (const auto& [lease, held] : held_) {
+    if (lease.job_id == job_id) held.wishes->Cancel();
+  }
+}
+
+void LeaseBook::HandBackAll() {
+  for (const auto& [lease, held] : held_) held.wishes->HandBack();
+}
+
+}  // namespace slicefarm::coordinator

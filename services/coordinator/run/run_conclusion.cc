@@ -1,0 +1,58 @@
+#include "services/coordinator/run/run_conclusion.h"
+
+#include <algorithm>
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int32_t kMaxRetries = 5;
+constexpr int64_t kFirstRetryUs = 500'000;
+constexpr int64_t kDiskFullRetryUs = 10'000'000;
+constexpr int64_t kMaxStoreRetryUs = 60'000'000;
+
+/// True if the services that are needed are not there; for some time there may be others in their
+/// places, of another build, or some that do not know this coordinator.
+bool IsAway(const absl::Status& status) {
+  return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
+         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+}
+
+}  // namespace
+
+JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::Status& error,
+                     const PipelineProgress& told, int64_t now_us) {
+  JobUpdate update;
+  update.state = JobState::kQueued;
+  update.layers_total = told.layers_total;
+  if (wishes.cancelled()) {
+    update.state = JobState::kCancelled;
+    update.layers_done = told.layers_done;
+  } else if (wishes.handed_back()) {
+    update.claimable_from_us = now_us;
+  } else if (wishes.Overdue(now_us)) {
+    update.state = JobState::kFailed;
+    update.layers_done = told.layers_done;
+    update.error =
+        JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
+                             "the job's deadline has passed"));
+  } else if (DetailOf(error).reason == Reason::kDiskFull) {
+    update.claimable_from_us = now_us + kDiskFullRetryUs;
+  } else if (DetailOf(error).reason == Reason::kStoreFailed) {
+    // Says nothing of the job, so however often it happens, it does not end it.
+    update.claimable_from_us =
+        now_us + std::min(kMaxStoreRetryUs, kFirstRetryUs << std::min(job.store_failures, 10));
+    update.store_failed = true;
+  } else if (IsAway(error) && job.retries < kMaxRetries) {
+    update.claimable_from_us = now_us + (kFirstRetryUs << job.retries);
+    update.retry = true;
+  } else {
+    update.state = JobState::kFailed;
+    update.layers_done = told.layers_done;
+    update.error = JobErrorOf(error);
+  }
+  return update;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "absl/status/status.h"
+#include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/store/job_store.h"
+
+namespace slicefarm::coordinator {
+
+/// What a run that ended with `error` makes of its job, as it was claimed. Pure.
+///
+///   its client wants it to end                            CANCELLED
+///   the coordinator stops                                 QUEUED, at once
+///   its deadline has passed                               FAILED
+///   the disk is full                                      QUEUED, in 10 s, however often
+///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
+///   services are not there, or of another build           QUEUED, in 0.5 s, ever later, five times
+///   anything else                                         FAILED
+///
+/// "Ever later": twice as long each time.
+JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::Status& error,
+                     const PipelineProgress& told, int64_t now_us);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,99 @@
+#include "services/coordinator/run/run_conclusion.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using enum JobState;
+
+constexpr int64_t kNowUs = 1'000'000'000;
+
+absl::Status Away() { return absl::UnavailableError("away"); }
+absl::Status StoreFailed() {
+  return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, "disk I/O error");
+}
+
+struct Case {
+  std::string name;
+  absl::Status error;
+  int retries;
+  int store_failures;
+  JobState state;
+  int64_t delay_us;
+};
+
+class ConclusionTest : public testing::TestWithParam<Case> {};
+
+TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
+  const Case& c = GetParam();
+  JobRecord job;
+  job.retries = c.retries;
+  job.store_failures = c.store_failures;
+  const JobUpdate update = Conclusion(job, RunWishes(), c.error, {9, 4}, kNowUs);
+  EXPECT_EQ(update.state, c.state);
+  EXPECT_EQ(update.layers_total, 9);
+  if (c.state == kQueued) {
+    EXPECT_EQ(update.claimable_from_us, kNowUs + c.delay_us);
+    EXPECT_EQ(update.layers_done, 0);
+  } else {
+    EXPECT_EQ(update.error, JobErrorOf(c.error));
+    EXPECT_EQ(update.layers_done, 4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Errors, ConclusionTest,
+    testing::Values(
+        Case{"FirstTimeAway", Away(), 0, 0, kQueued, 500'000},
+        Case{"FifthTimeAway", Away(), 4, 9, kQueued, 8'000'000},
+        Case{"SixthTimeAway", Away(), 5, 0, kFailed, 0},
+        Case{"OfAnotherBuild",
+             MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, ""), 1, 0,
+             kQueued, 1'000'000},
+        Case{"StoreFails", StoreFailed(), 5, 0, kQueued, 500'000},
+        Case{"StoreFailsStill", StoreFailed(), 5, 1000, kQueued, 60'000'000},
+        Case{"DiskFull", MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, ""), 5,
+             9, kQueued, 10'000'000},
+        Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(Conclusion, WhatAFailureCountsAs) {
+  const JobUpdate away = Conclusion({}, RunWishes(), Away(), {}, kNowUs);
+  EXPECT_TRUE(away.retry);
+  EXPECT_FALSE(away.store_failed);
+  const JobUpdate store = Conclusion({}, RunWishes(), StoreFailed(), {}, kNowUs);
+  EXPECT_FALSE(store.retry);
+  EXPECT_TRUE(store.store_failed);
+}
+
+TEST(Conclusion, WishesComeBeforeErrors) {
+  RunWishes wishes;
+  wishes.HandBack();
+  JobRecord job;
+  job.retries = 5;
+  const JobUpdate back = Conclusion(job, wishes, Away(), {}, kNowUs);
+  EXPECT_EQ(back.state, kQueued);
+  EXPECT_EQ(back.claimable_from_us, kNowUs);
+  EXPECT_FALSE(back.retry);
+  wishes.Cancel();
+  EXPECT_EQ(Conclusion(job, wishes, Away(), {}, kNowUs).state, kCancelled);
+}
+
+TEST(Conclusion, ADeadlineComesBeforeErrorsAndAfterOtherWishes) {
+  RunWishes wishes(/*deadline_us=*/kNowUs);
+  EXPECT_EQ(Conclusion({}, wishes, Away(), {}, kNowUs - 1).state, kQueued);
+  const JobUpdate late = Conclusion({}, wishes, Away(), {9, 4}, kNowUs);
+  EXPECT_EQ(late.state, kFailed);
+  EXPECT_EQ(late.layers_done, 4);
+  EXPECT_EQ(late.error->reason, "DEADLINE_EXCEEDED");
+  wishes.HandBack();
+  EXPECT_EQ(Conclusion({}, wishes, Away(), {}, kNowUs).state, kQueued);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "common/rpc/json_log.h"
+#include "services/coordinator/server/webhook_policy.h"
+#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/webhook_store.h"
+
+namespace slicefarm::coordinator {
+
+/// Sends what is due in the outbox: at least once, again and ever later while the receiver does not
+/// answer with 2xx, for about a day. Threads of its own, so that a slow receiver keeps only a few
+/// others waiting.
+class WebhookSender {
+ public:
+  struct Options {
+    int threads = 4;
+    std::chrono::milliseconds poll{1'000};
+    std::chrono::milliseconds timeout{10'000};      ///< of a try
+    std::chrono::milliseconds first_retry{10'000};  ///< twice as long each time, up to two hours
+    int max_attempts = 20;
+  };
+
+  /// Everything outlives it.
+  WebhookSender(WebhookStore& webhooks, JobStore& jobs, const WebhookPolicy& policy,
+                Options options, std::function<int64_t()> now_us, rpc::JsonLog log);
+  /// Waits for the tries that are on their way.
+  ~WebhookSender();
+
+ private:
+  void Serve();
+  bool SendOne();
+  WebhookAttempt Try(const DueWebhook& due);
+  void Conclude(const DueWebhook& due, const WebhookAttempt& attempt);
+
+  WebhookStore& webhooks_;
+  JobStore& jobs_;
+  const WebhookPolicy& policy_;
+  const Options options_;
+  const std::function<int64_t()> now_us_;
+  const rpc::JsonLog log_;
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopping_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace slicefarm::coordinator

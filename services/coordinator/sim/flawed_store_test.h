@@ -1,0 +1,152 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "services/coordinator/store/forwarding_job_store.h"
+
+namespace slicefarm::coordinator::sim {
+
+/// For tests: a store that breaks the contract in one way.
+class FlawedStore : public ForwardingJobStore {
+ public:
+  enum class Flaw {
+    kNoFencing,            ///< who lost a job may write to it
+    kStaleResultAccepted,  ///< who lost a job may end it with its result
+    kRenewIgnored,         ///< renewals are acknowledged and not written
+    kLostClaimRenewed,     ///< who lost a job may renew its claim
+    kRequestIdIgnored,     ///< each create makes a job
+    kRequestIdOfAll,       ///< a request_id of one tenant is one of all
+    kQueueUnbounded,       ///< tenants may have any number of jobs
+    kCreateNotWritten,     ///< creates are acknowledged and not written
+    kHandBackNotWritten,   ///< QUEUED is acknowledged and not written
+    kEndNotWritten,        ///< SUCCEEDED is acknowledged and not written
+    kCancelNotWritten,     ///< requests to cancel are acknowledged and not written
+    kCancelForgotten,      ///< whoever renews a claim is not told that its job is to end
+    kAdoptionNotWritten,   ///< adoptions are acknowledged and not written
+    kHeldJobsClaimed,      ///< a claim takes what another holds
+    kPriorityIgnored,      ///< the oldest job of a tenant is claimed first
+    kTenantsIgnored,       ///< the tenants' turns are not kept
+    kSomeNeverClaimed,     ///< the jobs of some work are never claimed
+    kEventsSkipped,        ///< a reader of events misses one
+    kReferencesForgotten,  ///< artifacts of jobs are said not to be needed
+  };
+
+  FlawedStore(JobStore& store, Flaw flaw) : ForwardingJobStore(store), flaw_(flaw) {}
+
+  absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override {
+    NewJob made = job;
+    if (flaw_ == Flaw::kRequestIdIgnored) made.request_id.clear();
+    if (flaw_ == Flaw::kRequestIdOfAll) {
+      const auto& [id, first] = *first_tenants_.try_emplace(job.request_id, job.tenant).first;
+      made.tenant = first;
+    }
+    if (flaw_ == Flaw::kQueueUnbounded) made.max_open = INT64_MAX;
+    if (flaw_ == Flaw::kPriorityIgnored) made.priority = Priority::kNormal;
+    absl::StatusOr<Created> created =
+        flaw_ == Flaw::kCreateNotWritten ? Unwritten(job) : store().Create(made, now_us);
+    return created;
+  }
+  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                 int64_t until_us,
+                                                 const std::set<std::string>& busy) override {
+    const int64_t ahead_us = flaw_ == Flaw::kHeldJobsClaimed ? 10'000'000 : 0;
+    std::set<std::string> passed_over = busy;
+    if (flaw_ == Flaw::kSomeNeverClaimed) passed_over.insert("a0-b1");
+    if (flaw_ == Flaw::kTenantsIgnored) PassOverOthers(passed_over);
+    return store().Claim(owner, now_us + ahead_us, until_us, passed_over);
+  }
+  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
+    if (flaw_ == Flaw::kAdoptionNotWritten) return absl::OkStatus();
+    return store().Adopt(lease, identity);
+  }
+  absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
+                                             int64_t until_us) override {
+    if (flaw_ == Flaw::kRenewIgnored) return AllHeld(leases);
+    if (flaw_ == Flaw::kLostClaimRenewed) {
+      std::vector<Lease> present;
+      for (const Lease& lease : leases) present.push_back(Present(lease));
+      const auto held = store().Renew(present, until_us);
+      return held.ok() ? AllHeld(leases) : held;
+    }
+    auto held = store().Renew(leases, until_us);
+    if (flaw_ != Flaw::kCancelForgotten || !held.ok()) return held;
+    for (HeldJob& job : *held) job.cancel_requested = false;
+    return held;
+  }
+  absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
+                                   int64_t now_us) override {
+    const bool unwritten =
+        (flaw_ == Flaw::kHandBackNotWritten && update.state == JobState::kQueued) ||
+        (flaw_ == Flaw::kEndNotWritten && update.state == JobState::kSucceeded);
+    if (unwritten) return store().Get(lease.job_id);
+    const bool unfenced = flaw_ == Flaw::kNoFencing || (flaw_ == Flaw::kStaleResultAccepted &&
+                                                        update.state == JobState::kSucceeded);
+    return store().Update(unfenced ? Present(lease) : lease, update, now_us);
+  }
+  absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override {
+    if (flaw_ == Flaw::kCancelNotWritten) return store().Get(id);
+    return store().RequestCancel(id, now_us);
+  }
+  absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
+                                                     int32_t limit) override {
+    auto events = store().Events(id, after, limit);
+    if (flaw_ == Flaw::kEventsSkipped && events.ok() && events->size() > 1) {
+      events->erase(events->begin());
+    }
+    return events;
+  }
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override {
+    auto referenced = store().Referenced(tenant, digests);
+    if (flaw_ != Flaw::kReferencesForgotten || !referenced.ok()) return referenced;
+    std::erase_if(*referenced, [](const std::string& digest) { return digest[0] == 'g'; });
+    return referenced;
+  }
+
+ private:
+  static Created Unwritten(const NewJob& job) {
+    Created created;
+    created.job.id = job.id;
+    created.job.tenant = job.tenant;
+    created.job.priority = job.priority;
+    created.job.deadline_us = job.deadline_us;
+    created.job.spec = job.spec;
+    created.job.action_digest = job.action_digest;
+    created.job.build_id = job.build_id;
+    return created;
+  }
+
+  static std::vector<HeldJob> AllHeld(const std::vector<Lease>& leases) {
+    std::vector<HeldJob> held;
+    for (const Lease& lease : leases) held.push_back({lease, false});
+    return held;
+  }
+
+  Lease Present(const Lease& lease) {
+    const auto job = store().Get(lease.job_id);
+    return job.ok() ? Lease{lease.job_id, job->owner_epoch} : lease;
+  }
+
+  /// All work but that of the first tenant who has any to be done.
+  void PassOverOthers(std::set<std::string>& passed_over) {
+    const ListQuery open = {.states = {JobState::kQueued, JobState::kRunning}};
+    bool found = false;
+    for (const char* tenant : {"t0", "t1", "t2"}) {
+      ListQuery query = open;
+      query.tenant = tenant;
+      const auto jobs = store().List(query);
+      for (const JobRecord& job : *jobs) {
+        if (found) passed_over.insert(job.action_digest);
+      }
+      found = found || !jobs->empty();
+    }
+  }
+
+  const Flaw flaw_;
+  std::map<std::string, std::string> first_tenants_;  ///< by request id
+};
+
+}  // namespace slicefarm::coordinator::sim

@@ -1,0 +1,115 @@
+#include "services/coordinator/sim/twin_store.h"
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator::sim {
+namespace {
+
+const absl::Status& StatusOf(const absl::Status& status) { return status; }
+
+template <typename Value>
+const absl::Status& StatusOf(const absl::StatusOr<Value>& answer) {
+  return answer.status();
+}
+
+bool Equal(const absl::Status& a, const absl::Status& b) {
+  return a.code() == b.code() && DetailOf(a).reason == DetailOf(b).reason;
+}
+
+template <typename Value>
+bool Equal(const absl::StatusOr<Value>& a, const absl::StatusOr<Value>& b) {
+  return Equal(a.status(), b.status()) && (!a.ok() || *a == *b);
+}
+
+}  // namespace
+
+template <typename Call>
+auto TwinStore::Both(const char* name, const Call& call) {
+  auto answer = call(first_);
+  const auto other = call(*second_);
+  if (!Equal(answer, other)) {
+    world_.Violated("{}: the stores answer differently: {}, {}", name, StatusOf(answer).ToString(),
+                    StatusOf(other).ToString());
+  }
+  return answer;
+}
+
+absl::StatusOr<Created> TwinStore::Create(const NewJob& job, int64_t now_us) {
+  return Both("Create", [&](JobStore& store) { return store.Create(job, now_us); });
+}
+
+absl::StatusOr<JobRecord> TwinStore::Get(const std::string& id) {
+  return Both("Get", [&](JobStore& store) { return store.Get(id); });
+}
+
+absl::StatusOr<std::vector<JobRecord>> TwinStore::List(const ListQuery& query) {
+  return Both("List", [&](JobStore& store) { return store.List(query); });
+}
+
+absl::StatusOr<std::optional<JobRecord>> TwinStore::Claim(const std::string& owner, int64_t now_us,
+                                                          int64_t until_us,
+                                                          const std::set<std::string>& busy) {
+  return Both("Claim", [&](JobStore& store) { return store.Claim(owner, now_us, until_us, busy); });
+}
+
+absl::Status TwinStore::Adopt(const Lease& lease, const JobIdentity& identity) {
+  return Both("Adopt", [&](JobStore& store) { return store.Adopt(lease, identity); });
+}
+
+absl::StatusOr<std::vector<HeldJob>> TwinStore::Renew(const std::vector<Lease>& leases,
+                                                      int64_t until_us) {
+  return Both("Renew", [&](JobStore& store) { return store.Renew(leases, until_us); });
+}
+
+absl::Status TwinStore::Release(const std::string& owner) {
+  return Both("Release", [&](JobStore& store) { return store.Release(owner); });
+}
+
+absl::StatusOr<JobRecord> TwinStore::Update(const Lease& lease, const JobUpdate& update,
+                                            int64_t now_us) {
+  return Both("Update", [&](JobStore& store) { return store.Update(lease, update, now_us); });
+}
+
+absl::StatusOr<JobRecord> TwinStore::RequestCancel(const std::string& id, int64_t now_us) {
+  return Both("RequestCancel", [&](JobStore& store) { return store.RequestCancel(id, now_us); });
+}
+
+absl::Status TwinStore::Delete(const std::string& id) {
+  return Both("Delete", [&](JobStore& store) { return store.Delete(id); });
+}
+
+absl::StatusOr<std::vector<JobEventRecord>> TwinStore::Events(const std::string& id, int64_t after,
+                                                              int32_t limit) {
+  return Both("Events", [&](JobStore& store) { return store.Events(id, after, limit); });
+}
+
+absl::StatusOr<std::optional<JobResult>> TwinStore::FindResult(const std::string& action_digest) {
+  return Both("FindResult", [&](JobStore& store) { return store.FindResult(action_digest); });
+}
+
+absl::Status TwinStore::ForgetResult(const std::string& action_digest) {
+  return Both("ForgetResult", [&](JobStore& store) { return store.ForgetResult(action_digest); });
+}
+
+absl::Status TwinStore::ExpireRequestIds(int64_t now_us) {
+  return Both("ExpireRequestIds", [&](JobStore& store) { return store.ExpireRequestIds(now_us); });
+}
+
+absl::StatusOr<std::map<JobState, int64_t>> TwinStore::CountByState() {
+  return Both("CountByState", [](JobStore& store) { return store.CountByState(); });
+}
+
+absl::StatusOr<std::vector<OpenJobs>> TwinStore::CountOpen() {
+  return Both("CountOpen", [](JobStore& store) { return store.CountOpen(); });
+}
+
+absl::StatusOr<std::set<std::string>> TwinStore::Referenced(const std::string& tenant,
+                                                            const std::set<std::string>& digests) {
+  return Both("Referenced", [&](JobStore& store) { return store.Referenced(tenant, digests); });
+}
+
+absl::StatusOr<std::vector<std::string>> TwinStore::EndedBefore(int64_t time_us, int32_t limit) {
+  return Both("EndedBefore", [&](JobStore& store) { return store.EndedBefore(time_us, limit); });
+}
+
+}  // namespace slicefarm::coordinator::sim

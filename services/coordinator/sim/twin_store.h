@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/coordinator/sim/world.h"
+#include "services/coordinator/store/job_store.h"
+
+namespace slicefarm::coordinator::sim {
+
+/// Two stores that are called alike. The first one's answers count; where the second one answers
+/// otherwise, the world is told.
+class TwinStore : public JobStore {
+ public:
+  TwinStore(World& world, JobStore& first, std::unique_ptr<JobStore> second)
+      : world_(world), first_(first), second_(std::move(second)) {}
+
+  absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<JobRecord> Get(const std::string& id) override;
+  absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
+  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                 int64_t until_us,
+                                                 const std::set<std::string>& busy) override;
+  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
+  absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
+                                             int64_t until_us) override;
+  absl::Status Release(const std::string& owner) override;
+  absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
+                                   int64_t now_us) override;
+  absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
+  absl::Status Delete(const std::string& id) override;
+  absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
+                                                     int32_t limit) override;
+  absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
+  absl::Status ForgetResult(const std::string& action_digest) override;
+  absl::Status ExpireRequestIds(int64_t now_us) override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override;
+  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
+
+ private:
+  /// `call` of both: the answer of the first.
+  template <typename Call>
+  auto Both(const char* name, const Call& call);
+
+  World& world_;
+  JobStore& first_;
+  const std::unique_ptr<JobStore> second_;
+};
+
+}  // namespace slicefarm::coordinator::sim

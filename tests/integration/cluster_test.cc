@@ -1,0 +1,135 @@
+// Two coordinators that share a PostgreSQL database, as processes under real signals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <optional>
+#include <string>
+
+#include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
+#include "tests/integration/farm_processes_test.h"
+#include "tests/integration/postgres_server.h"
+
+namespace slicefarm {
+namespace {
+
+using State = v1::JobState;
+
+bool HasEnded(State state) { return state >= v1::JOB_STATE_SUCCEEDED; }
+
+class ClusterTest : public FarmProcessesTest {
+ protected:
+  struct Coordinator {
+    Coordinator(std::vector<std::string> arguments)
+        : server("slicefarm-coordinator", std::move(arguments)), client(server.address) {}
+
+    ServerProcess server;
+    FarmClient client;
+  };
+
+  void Start(std::optional<Coordinator>& coordinator, const char* name) {
+    coordinator.emplace(
+        Arguments({"--postgres", database_, "--name", name, "--lease", "2", "--jobs", "1"}));
+  }
+
+  ClusterTest() {
+    Start(a_, "a");
+    Start(b_, "b");
+  }
+
+  std::string SubmitTo(Coordinator& coordinator) {
+    EXPECT_TRUE(coordinator.client.Upload(mesh_).ok());
+    const auto job = coordinator.client.Create(FarmClient::RequestFor(mesh_));
+    EXPECT_TRUE(job.ok()) << job.status();
+    return job.value_or(v1::Job()).id();
+  }
+
+  /// Watches again and again, as clients do, until the job ends.
+  v1::JobEvent AwaitEnd(Coordinator& coordinator, const std::string& id) {
+    v1::JobEvent last;
+    while (!HasEnded(last.job().state())) {
+      const v1::JobEvent event = coordinator.client.Watch(id, last.sequence());
+      if (event.sequence() > 0) last = event;
+    }
+    return last;
+  }
+
+  /// A job that runs, on one of the two, and cannot end while the workers stand still.
+  std::string Running(Coordinator& watched) {
+    StopWorkers();
+    const std::string id = SubmitTo(*a_);
+    watched.client.Watch(id, 0, IsSliced);
+    return id;
+  }
+
+  PostgresServer postgres_;
+  const std::string database_ = postgres_.NewDatabase();
+  std::optional<Coordinator> a_;
+  std::optional<Coordinator> b_;
+};
+
+TEST_F(ClusterTest, WhatOneTakesTheOtherKnows) {
+  const std::string id = SubmitTo(*a_);
+  ExpectTheSame(AwaitEnd(*b_, id));
+  ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+TEST_F(ClusterTest, TheOtherTakesOverFromAKilledOne) {
+  b_.reset();
+  const std::string id = Running(*a_);
+  Start(b_, "b");
+  a_->server.process.Signal(SIGKILL);
+  ContinueWorkers();
+  ExpectTheSame(AwaitEnd(*b_, id));
+}
+
+TEST_F(ClusterTest, AStoppedOneIsFencedAndGoesOnServing) {
+  b_.reset();
+  const std::string id = Running(*a_);
+  Start(b_, "b");
+  a_->server.process.Signal(SIGSTOP);
+  ContinueWorkers();
+  const v1::JobEvent end = AwaitEnd(*b_, id);
+  ExpectTheSame(end);
+  a_->server.process.Signal(SIGCONT);
+  EXPECT_EQ(AwaitEnd(*a_, id).sequence(), end.sequence()) << "nothing came after the end";
+  v1::CreateJobRequest another = FarmClient::RequestFor(mesh_);
+  another.mutable_spec()->mutable_objects(0)->set_name("another");
+  EXPECT_EQ(AwaitEnd(*a_, a_->client.Create(another)->id()).job().state(), v1::JOB_STATE_SUCCEEDED);
+}
+
+TEST_F(ClusterTest, ACancelReachesTheOneThatWorks) {
+  b_.reset();
+  const std::string id = Running(*a_);
+  Start(b_, "b");
+  grpc::ClientContext context;
+  v1::CancelJobRequest request;
+  request.set_id(id);
+  v1::Job job;
+  ASSERT_TRUE(b_->client.jobs_->CancelJob(&context, request, &job).ok());
+  EXPECT_EQ(AwaitEnd(*b_, id).job().state(), v1::JOB_STATE_CANCELLED);
+  ContinueWorkers();
+}
+
+TEST_F(ClusterTest, AJobOutlivesTheDatabase) {
+  const std::string id = Running(*b_);
+  postgres_.Kill();
+  const absl::Status refused = a_->client.Create(FarmClient::RequestFor(mesh_)).status();
+  EXPECT_TRUE(absl::IsUnavailable(refused)) << refused;
+  EXPECT_EQ(DetailOf(refused).reason, Reason::kStoreFailed);
+  EXPECT_TRUE(DetailOf(refused).metadata.contains(rpc::kRetryAfterMs));
+  ContinueWorkers();
+  postgres_.Start();
+  ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+TEST_F(ClusterTest, AnUploadMayGoOnAtTheOther) {
+  EXPECT_EQ(a_->client.Upload(mesh_, 0, 65'536)->committed_size(), 65'536);
+  a_->server.process.Signal(SIGKILL);
+  EXPECT_TRUE(b_->client.Upload(mesh_, 65'536)->complete());
+  ExpectTheSame(AwaitEnd(*b_, b_->client.Create(FarmClient::RequestFor(mesh_))->id()));
+}
+
+}  // namespace
+}  // namespace slicefarm

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/model/temp_directory_test.h"
+#include "services/coordinator/server/coordinator_client_test.h"
+#include "tests/corpus_file.h"
+#include "tests/integration/child_process.h"
+
+namespace slicefarm {
+
+/// For tests: a client that watches.
+class FarmClient : public coordinator::CoordinatorClient {
+ public:
+  explicit FarmClient(const std::string& address) { Connect(address); }
+
+  /// Watches until `enough` says so, or the stream ends; the last event.
+  v1::JobEvent Watch(const std::string& id, int64_t after,
+                     const std::function<bool(const v1::Job&)>& enough = {}) {
+    grpc::ClientContext context;
+    v1::WatchJobRequest request;
+    request.set_id(id);
+    request.set_after_sequence(after);
+    const auto stream = jobs_->WatchJob(&context, request);
+    v1::JobEvent event;
+    while (stream->Read(&event)) {
+      EXPECT_GT(event.sequence(), after);
+      after = event.sequence();
+      if (enough && enough(event.job())) break;
+    }
+    context.TryCancel();
+    (void)stream->Finish();
+    return event;
+  }
+};
+
+/// For tests: stages and workers as processes, and a coordinator that is started, killed and
+/// started again by the test.
+class FarmProcessesTest : public testing::Test {
+ protected:
+  /// A coordinator with the fused workers, and these arguments more.
+  std::vector<std::string> Arguments(std::vector<std::string> more) const {
+    std::vector<std::string> arguments = {"--slicing", slicing_.address,
+                                          "--motion",  motion_.address,
+                                          "--workers", first_.address + "," + second_.address};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  void StartCoordinator(const TempDirectory& state) {
+    server_.emplace("slicefarm-coordinator", Arguments({"--state-dir", state.path()}));
+    client_.emplace(server_->address);
+  }
+
+  void KillCoordinator() {
+    server_->process.Signal(SIGKILL);
+    EXPECT_EQ(server_->process.Wait(), -SIGKILL);
+  }
+
+  void StopWorkers() {
+    first_.process.Signal(SIGSTOP);
+    second_.process.Signal(SIGSTOP);
+  }
+  void ContinueWorkers() {
+    first_.process.Signal(SIGCONT);
+    second_.process.Signal(SIGCONT);
+  }
+
+  std::string Submit(const std::string& request_id = "") {
+    EXPECT_TRUE(client_->Upload(mesh_).ok());
+    return Create(request_id).id();
+  }
+
+  v1::Job Create(const std::string& request_id = "") {
+    v1::CreateJobRequest request = FarmClient::RequestFor(mesh_);
+    request.set_request_id(request_id);
+    const auto job = client_->Create(request);
+    EXPECT_TRUE(job.ok()) << job.status();
+    return job.value_or(v1::Job());
+  }
+
+  static bool IsSliced(const v1::Job& job) { return job.progress().layers_total() > 0; }
+
+  /// The digest of the G-code that comes out when nothing goes wrong.
+  std::string QuietDigest() {
+    const TempDirectory state;
+    StartCoordinator(state);
+    const v1::JobEvent end = client_->Watch(Submit(), 0);
+    EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
+    server_.reset();
+    return end.job().result().gcode_sha256();
+  }
+
+  void ExpectTheSame(const v1::JobEvent& end) {
+    EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
+    EXPECT_FALSE(end.job().result().cached());
+    EXPECT_EQ(end.job().result().gcode_sha256(), quiet_);
+  }
+
+  const std::string mesh_ = CorpusFile("models/textbox.stl");
+  ServerProcess slicing_{"slicefarm-slicing"};
+  ServerProcess motion_{"slicefarm-motion"};
+  ServerProcess first_{"slicefarm-worker", {"--slots", "1"}};
+  ServerProcess second_{"slicefarm-worker", {"--slots", "1"}};
+  std::optional<ServerProcess> server_;
+  std::optional<FarmClient> client_;
+  const std::string quiet_ = QuietDigest();
+  TempDirectory state_;
+};
+
+}  // namespace slicefarm
