@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every service as a process of its own on this machine, without containers.
 #
-#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N]
+#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N] [--tls]
 #   deploy/local.sh status
 #   deploy/local.sh down
 #
@@ -9,6 +9,7 @@
 #          ports above it). fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
 #          sqlite: jobs and blobs in a directory. postgres: in a database, which N coordinators share, all of them active;
 #          it is SLICEFARM_POSTGRES (a connection string), or one of a server that is started here.
+#          --tls: with certificates of deploy/dev-certs.sh, in $SLICEFARM_STATE/certs; it says what clients need.
 # down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
 #
 # SLICEFARM_BIN     where the programs are (default build/bin)
@@ -19,7 +20,7 @@ cd "$(dirname "$0")/.."
 bin=${SLICEFARM_BIN:-build/bin}
 state=${SLICEFARM_STATE:-build/local}
 
-usage() { sed -n '2,16s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { sed -n '2,17s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
 # Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
@@ -51,7 +52,7 @@ await() {
 }
 
 up() {
-  local workers=2 mode=fused port=50050 store=sqlite coordinators=1
+  local workers=2 mode=fused port=50050 store=sqlite coordinators=1 tls=0
   while [[ $# -gt 0 ]]; do
     case "$1" in
       --workers) workers=${2:?}; shift 2 ;;
@@ -59,6 +60,7 @@ up() {
       --port) port=${2:?}; shift 2 ;;
       --store) store=${2:?}; shift 2 ;;
       --coordinators) coordinators=${2:?}; shift 2 ;;
+      --tls) tls=1; shift ;;
       *) usage ;;
     esac
   done
@@ -71,10 +73,20 @@ up() {
   mkdir -p "$state/log" "$state/pid" "$state/coordinator"
   for pid in "$state"/pid/*.pid; do running "$pid" && die "already up: deploy/local.sh down stops it"; done
 
+  # use_certs ROLE: the programs started from here on have its certificate.
+  use_certs() {
+    [[ $tls -eq 1 ]] || return 0
+    local of=$state/certs/$1
+    export SLICEFARM_TLS_CERT=$of/cert.pem SLICEFARM_TLS_KEY=$of/key.pem SLICEFARM_TLS_CA=$of/ca.pem
+  }
+  [[ $tls -eq 0 ]] || deploy/dev-certs.sh "$state/certs"
+
   local next=$((port + 1)) pools=()
   # replicas STAGE COUNT FLAG: COUNT processes of slicefarm-STAGE, and their addresses as the coordinator's --FLAG.
   replicas() {
-    local addresses=()
+    local addresses=() role=stage-$1
+    [[ "$1" == worker ]] && role=worker
+    use_certs "$role"
     for i in $(seq "$2"); do
       start "$1-$i" "$bin/slicefarm-$1" --listen "127.0.0.1:$next"
       await "$1-$i" "127.0.0.1:$next"
@@ -97,6 +109,7 @@ up() {
     export SLICEFARM_POSTGRES # its password is not to show in the list of processes
   fi
   local addresses=()
+  use_certs coordinator
   for i in $(seq "$coordinators"); do
     local at=$port
     [[ $i -eq 1 ]] || { at=$next; next=$((next + 1)); }
@@ -105,6 +118,8 @@ up() {
     addresses+=("127.0.0.1:$at")
   done
   echo "up: $mode, $workers replicas; submit to $(IFS=,; echo "${addresses[*]}")"
+  use_certs tenant-dev
+  [[ $tls -eq 0 ]] || echo "export SLICEFARM_TLS_CERT=$SLICEFARM_TLS_CERT SLICEFARM_TLS_KEY=$SLICEFARM_TLS_KEY SLICEFARM_TLS_CA=$SLICEFARM_TLS_CA"
 }
 
 status() {

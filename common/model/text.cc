@@ -5,6 +5,29 @@
 
 namespace slicefarm {
 
+namespace {
+
+/// How many bytes of the text's beginning are one control character; 0: it begins otherwise.
+size_t ControlBytes(std::string_view text) {
+  if (IsControl(text[0])) return 1;
+  if (text.size() >= 2 && text[0] == '\xc2' && static_cast<unsigned char>(text[1]) < 0xa0) return 2;
+  if (text.starts_with("\u2028") || text.starts_with("\u2029")) return 3;
+  return 0;
+}
+
+}  // namespace
+
+std::string ReplaceControls(std::string_view text, char with) {
+  std::string replaced;
+  replaced.reserve(text.size());
+  while (!text.empty()) {
+    const size_t control = ControlBytes(text);
+    replaced += control == 0 ? text[0] : with;
+    text.remove_prefix(control == 0 ? 1 : control);
+  }
+  return replaced;
+}
+
 std::string_view Trim(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n\v\f";
   const size_t first = text.find_first_not_of(kBlank);

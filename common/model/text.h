@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,11 @@ namespace slicefarm {
 
 /// A character that ends a line, moves the cursor or shows as nothing.
 constexpr bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// UTF-8 text with `with` for each character that some reader takes for the end of a line, or a
+/// terminal for a command: control characters, also those beyond ASCII (U+0080 to U+009F), and
+/// Unicode's line ends (U+2028, U+2029).
+std::string ReplaceControls(std::string_view text, char with);
 
 /// Without blanks, tabs and line ends at both sides.
 std::string_view Trim(std::string_view text);

@@ -8,6 +8,14 @@ namespace {
 
 using testing::ElementsAre;
 
+TEST(ReplaceControls, LeavesNothingThatEndsALineOrMovesACursor) {
+  EXPECT_EQ(ReplaceControls(std::string("a\nb\rc\0d\x7f\x1b[2J", 12), '?'), "a?b?c?d??[2J");
+  EXPECT_EQ(ReplaceControls("a\u0085b\u009b2Jc\u2028d\u2029", ' '), "a b 2Jc d ");
+  for (const char* clean : {"", "Schlüssel \u00a0 \u2027 \u202a 部品", "\xc2", "\xe2\x80"}) {
+    EXPECT_EQ(ReplaceControls(clean, '?'), clean);
+  }
+}
+
 TEST(Trim, TakesBlanksOffBothSides) {
   EXPECT_EQ(Trim(" \t a b\r\n"), "a b");
   EXPECT_EQ(Trim(" \r\n"), "");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <grpcpp/channel.h>
+#include <grpcpp/security/credentials.h>
 
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,10 @@ struct ChannelOptions {
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
   bool retries = true;          ///< of unary methods; without, each call is one attempt
   bool own_connection = false;  ///< else channels to the same address share theirs
+  std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
+  /// What the server's certificate must say instead of the address's host, if not empty.
+  std::string server_name = {};
+  std::string token = {};  ///< goes along with each call as `authorization: Bearer`, if not empty
 };
 
 /// A channel to one address (host:port): keepalive that notices a dead peer within half a minute,

@@ -9,6 +9,7 @@
 
 #include "common/model/build_info.h"
 #include "common/rpc/gate_metrics.h"
+#include "common/rpc/listen_address.h"
 #include "common/rpc/open_files.h"
 
 namespace slicefarm::rpc {
@@ -18,7 +19,8 @@ namespace {
 /// refused.
 constexpr int kSpareThreads = 16;
 
-std::string HostOf(const std::string& address) { return address.substr(0, address.rfind(':')); }
+/// The part of an address that another port can follow.
+std::string HostPart(const std::string& address) { return address.substr(0, address.rfind(':')); }
 
 void Announce(std::string_view what, const std::string& host, int port) {
   fmt::print("{} on {}:{}\n", what, host, port);
@@ -28,6 +30,26 @@ void Announce(std::string_view what, const std::string& host, int port) {
 int Concurrency(const ServeFlags& flags) {
   if (flags.max_concurrent > 0) return flags.max_concurrent;
   return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
+  auto* cert = app.add_option("--tls-cert", flags->tls.cert,
+                              "Serve with TLS: this server's certificate; also as a client's")
+                   ->envname("SLICEFARM_TLS_CERT")
+                   ->type_name("FILE");
+  auto* key = app.add_option("--tls-key", flags->tls.key, "Its key")
+                  ->envname("SLICEFARM_TLS_KEY")
+                  ->type_name("FILE");
+  auto* ca = app.add_option("--tls-ca", flags->tls.ca, "The CAs that sign its peers' certificates")
+                 ->envname("SLICEFARM_TLS_CA")
+                 ->type_name("FILE");
+  cert->needs(key)->needs(ca);
+  key->needs(cert)->needs(ca);
+  ca->needs(cert)->needs(key);
+  app.add_option("--authz-policy", flags->policy_file,
+                 "Who may call what, instead of the policy that is built in (common/rpc)")
+      ->type_name("FILE")
+      ->needs(ca);
 }
 
 }  // namespace
@@ -48,6 +70,7 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
   app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
+  AddTlsFlags(app, flags);
 }
 
 std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
@@ -73,18 +96,44 @@ void ServerProgram::Show(const CallGate& gate) {
   metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
 }
 
+/// Null without TLS.
+absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credentials(
+    const ServeFlags& flags) const {
+  if (!flags.tls.enabled()) {
+    if (!IsLoopback(flags.server.listen)) {
+      log_.Warn("served without TLS: whoever reaches this address may call",
+                {{"address", flags.server.listen}});
+    }
+    return nullptr;
+  }
+  const auto tls = Tls::Open(flags.tls);
+  if (!tls.ok()) return tls.status();
+  auto authorizer = flags.policy_file.empty() ? Authorizer::Make(flags.policy, log_)
+                                              : Authorizer::Watch(flags.policy_file, log_);
+  if (!authorizer.ok()) return authorizer.status();
+  auto credentials = (*tls)->ForServer(flags.client_certs);
+  credentials->SetAuthMetadataProcessor(*std::move(authorizer));
+  return credentials;
+}
+
 int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
                        const std::function<void()>& on_signal) {
   RaiseOpenFilesLimit();
   ServerOptions options = flags.server;
   const CallGateOptions gate = GateOptions(flags);
   options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);
+  auto credentials = Credentials(flags);
+  if (!credentials.ok()) {
+    log_.Error("cannot serve", {{"error", std::string(credentials.status().message())}});
+    return 1;
+  }
+  options.credentials = *std::move(credentials);
   absl::StatusOr<std::unique_ptr<Server>> server = Server::Start(options, services, call_metrics_);
   if (!server.ok()) {
     log_.Error("cannot serve", {{"error", std::string(server.status().message())}});
     return 1;
   }
-  const std::string host = HostOf(options.listen);
+  const std::string host = HostPart(options.listen);
   if (flags.metrics_port >= 0) {
     const absl::StatusOr<int> port = metrics_.Serve(fmt::format("{}:{}", host, flags.metrics_port));
     if (!port.ok()) {

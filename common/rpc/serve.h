@@ -2,16 +2,19 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/rpc/authorizer.h"
 #include "common/rpc/call_gate.h"
 #include "common/rpc/call_metrics.h"
 #include "common/rpc/json_log.h"
 #include "common/rpc/metrics.h"
 #include "common/rpc/server.h"
 #include "common/rpc/shutdown_signal.h"
+#include "common/rpc/tls.h"
 
 namespace CLI {
 class App;
@@ -25,9 +28,14 @@ struct ServeFlags {
   int metrics_port = -1;   ///< -1: no metrics are served; 0: any port
   int max_concurrent = 0;  ///< 0: as many as the machine has cores
   int drain_s = 30;
+  TlsFiles tls;  ///< all three, or none: no TLS
+  ClientCerts client_certs = ClientCerts::kRequired;
+  std::string_view policy = InnerPolicy();  ///< with TLS: who may call what
+  std::string policy_file;                  ///< if not empty, instead of `policy`
 };
 
-/// --listen, --metrics-port, --max-concurrent, --drain, and --version.
+/// --listen, --metrics-port, --max-concurrent, --drain, --tls-cert, --tls-key, --tls-ca,
+/// --authz-policy, and --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
 
 /// The life of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
@@ -49,11 +57,15 @@ class ServerProgram {
 
   /// Serves `services` until a signal comes; then calls `on_signal`, which ends what would
   /// otherwise keep calls in flight. When it returns, neither services nor shown metrics are used
-  /// any more. Returns the exit code of the program: 0, or 1 if it cannot listen.
+  /// any more. Returns the exit code of the program: 0, or 1 if it cannot listen, or not with these
+  /// certificates.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
           const std::function<void()>& on_signal = {});
 
  private:
+  absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> Credentials(
+      const ServeFlags& flags) const;
+
   ShutdownSignal signal_;
   JsonLog log_;
   Metrics metrics_;

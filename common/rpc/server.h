@@ -1,6 +1,7 @@
 #pragma once
 
 #include <grpcpp/grpcpp.h>
+#include <grpcpp/security/server_credentials.h>
 
 #include <chrono>
 #include <cstdint>
@@ -21,6 +22,7 @@ struct ServerOptions {
   int max_threads = 64;  ///< calls beyond are refused with RESOURCE_EXHAUSTED
   /// Calls that one connection may have open; more wait in the client. 0: any number.
   int max_streams_per_connection = 0;
+  std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.

@@ -167,6 +167,21 @@ TEST_F(ServerTest, MethodsThatNobodyHasGetNoLabelsOfTheirOwn) {
                                             testing::Not(testing::HasSubstr("stranger"))));
 }
 
+// Bytes that are no message, and a string field that is not UTF-8.
+TEST_F(ServerTest, WhatCannotBeReadHasAReason) {
+  Start();
+  for (const char* bytes : {"\xff\xff\xff", "\x3a\x02\xc3("}) {
+    std::string answer;
+    const absl::Status status = CallRaw("/slicefarm.v1.Motion/FrameProgram", bytes, &answer);
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+  }
+  server_->Drain(seconds(10));
+  EXPECT_THAT(MetricsText(),
+              testing::HasSubstr(R"(grpc_server_handled_total{grpc_code=)"
+                                 R"("INVALID_ARGUMENT",grpc_method="FrameProgram")"));
+}
+
 TEST_F(ServerTest, StreamsBothWays) {
   Start();
   StreamCall<v1::ProgramRequest, v1::LayerProgram> call({}, [&](auto* context, auto* queue) {

@@ -1,5 +1,8 @@
 #include "common/rpc/status_mapping.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -29,6 +32,20 @@ int64_t ToInt(const std::string& text) {
   return value;
 }
 
+/// Equal errors give equal bytes: protobuf by itself writes the entries of a map in any order.
+template <typename Message>
+void Pack(const Message& message, google::protobuf::Any* any) {
+  any->PackFrom(message);
+  std::string bytes;
+  {
+    google::protobuf::io::StringOutputStream stream(&bytes);
+    google::protobuf::io::CodedOutputStream coded(&stream);
+    coded.SetSerializationDeterministic(true);
+    message.SerializeToCodedStream(&coded);
+  }
+  any->set_value(bytes);
+}
+
 google::rpc::RetryInfo RetryAfter(int64_t ms) {
   google::rpc::RetryInfo info;
   info.mutable_retry_delay()->set_seconds(ms / 1000);
@@ -42,7 +59,7 @@ google::rpc::Status Details(const absl::Status& status) {
   proto.set_code(static_cast<int>(status.code()));
   proto.set_message(MessageOf(status));
   if (const auto retry = detail.metadata.find(kRetryAfterMs); retry != detail.metadata.end()) {
-    proto.add_details()->PackFrom(RetryAfter(ToInt(retry->second)));
+    Pack(RetryAfter(ToInt(retry->second)), proto.add_details());
     detail.metadata.erase(retry);
   }
   google::rpc::ErrorInfo info;
@@ -52,7 +69,7 @@ google::rpc::Status Details(const absl::Status& status) {
     if (info.metadata_size() == kMaxValues) break;
     (*info.mutable_metadata())[ToUtf8(key, kMaxValueBytes)] = ToUtf8(value, kMaxValueBytes);
   }
-  proto.add_details()->PackFrom(info);
+  Pack(info, proto.add_details());
   return proto;
 }
 

@@ -13,8 +13,8 @@ inline constexpr char kErrorDomain[] = "slicefarm";
 inline constexpr char kRetryAfterMs[] = "retry_after_ms";
 
 /// An error with its reason and metadata, as google.rpc.Status with ErrorInfo in
-/// `grpc-status-details-bin`. Long texts are cut, so that the trailers stay within what HTTP/2
-/// peers accept.
+/// `grpc-status-details-bin`; equal errors give equal bytes. Long texts are cut, so that the
+/// trailers stay within what HTTP/2 peers accept.
 grpc::Status ToGrpc(const absl::Status& status);
 
 /// The way back. Errors that gRPC itself made have no details: messages beyond the limit become

@@ -47,6 +47,14 @@ TEST(StatusMapping, ErrorsCarryErrorInfo) {
   EXPECT_EQ(info.metadata().at("got"), "12");
 }
 
+TEST(StatusMapping, EqualErrorsAreEqualBytes) {
+  const auto bytes = [] {
+    return ToGrpc(LimitError(Reason::kRequestTooLarge, "things", 3, 7)).error_details();
+  };
+  const std::string first = bytes();
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(bytes(), first);
+}
+
 TEST(StatusMapping, EveryReasonReturns) {
   for (int i = 0; i <= static_cast<int>(Reason::kInternal); ++i) {
     const auto reason = static_cast<Reason>(i);

@@ -29,6 +29,7 @@ void AddProfile(CLI::App& app, CommandContext& context);   ///< profile_command.
 void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
+void AddToken(CLI::App& app, CommandContext& context);     ///< token_command.cc
 void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
 
 }  // namespace slicefarm::cli

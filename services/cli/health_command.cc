@@ -10,6 +10,7 @@
 #include "common/model/error.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
+#include "common/rpc/client_security.h"
 #include "services/cli/commands.h"
 #include "services/cli/console.h"
 
@@ -19,6 +20,7 @@ namespace {
 struct HealthOptions {
   std::string address;
   double timeout_s = 2;
+  rpc::ClientSecurity security;
 };
 
 absl::Status NotServing(const std::string& address) {
@@ -39,7 +41,9 @@ bool IsServing(grpc::ByteBuffer& response) {
 }
 
 ExitCode Check(const HealthOptions& options, Interrupt& interrupt) {
-  grpc::GenericStub stub(rpc::MakeChannel(options.address));
+  const auto connection = rpc::Secured({}, options.security, options.address);
+  if (!connection.ok()) return Fail(connection.status());
+  grpc::GenericStub stub(rpc::MakeChannel(options.address, *connection));
   rpc::ClientCall call({std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
                         interrupt.Token()});
   const grpc::ByteBuffer request(nullptr, 0);
@@ -53,7 +57,8 @@ ExitCode Check(const HealthOptions& options, Interrupt& interrupt) {
   if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
     const ErrorDetail detail = DetailOf(outcome);
     return Fail(MakeError(outcome.code(), detail.reason,
-                          fmt::format("{}: {}", options.address, std::string(outcome.message())),
+                          fmt::format("{}: {}{}", options.address, std::string(outcome.message()),
+                                      rpc::ConnectionHint(outcome, options.security)),
                           detail.metadata));
   }
   if (!IsServing(response)) return Fail(NotServing(options.address));
@@ -73,6 +78,7 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->check(CLI::Range(0.01, 600.0))
       ->capture_default_str()
       ->type_name("S");
+  rpc::AddTlsOptions(*command, &options->security);
   command->footer("Exit code 0: serving; 5: not, or nobody answers. For container health checks.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Check(*options, *context.interrupt); };

@@ -77,11 +77,7 @@ absl::Status CheckText(const config::Setting& setting) {
 /// A file's name as a part's: it goes over the wire as UTF-8, and into G-code comments, where a
 /// line end would begin a command.
 std::string PartName(std::string_view file) {
-  std::string name = rpc::ToUtf8(file, limits::kMaxNameBytes);
-  for (char& c : name) {
-    if (IsControl(c)) c = '?';
-  }
-  return name;
+  return ReplaceControls(rpc::ToUtf8(file, limits::kMaxNameBytes), '?');
 }
 
 }  // namespace

@@ -82,8 +82,9 @@ absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& star
 
 JobsClient::JobsClient(JobsClientOptions options)
     : options_(std::move(options)),
-      channel_(
-          rpc::MakeChannel(options_.server, {.max_message_bytes = limits::kMaxPublicMessageBytes})),
+      connection_(rpc::Secured({.max_message_bytes = limits::kMaxPublicMessageBytes},
+                               options_.security, options_.server)),
+      channel_(rpc::MakeChannel(options_.server, connection_.value_or(rpc::ChannelOptions()))),
       meshes_(v1::Meshes::NewStub(channel_)),
       jobs_(v1::Jobs::NewStub(channel_)),
       profiles_(v1::Profiles::NewStub(channel_)) {}
@@ -93,6 +94,7 @@ JobsClient::JobsClient(JobsClientOptions options)
 /// broke says nothing about how long the server is gone. An attempt that gets on a way sets
 /// answered_.
 absl::Status JobsClient::Persist(const Attempt& attempt) {
+  if (!connection_.ok()) return connection_.status();
   const double patience_s = std::chrono::duration<double>(options_.patience).count();
   constexpr double kNotAway = std::numeric_limits<double>::infinity();
   double away_since_s = kNotAway;
@@ -109,7 +111,8 @@ absl::Status JobsClient::Persist(const Attempt& attempt) {
     if (clock_.Seconds() - away_since_s >= patience_s) {
       const ErrorDetail detail = DetailOf(status);
       return MakeError(status.code(), detail.reason,
-                       fmt::format("{}: {}", options_.server, std::string(status.message())),
+                       fmt::format("{}: {}{}", options_.server, std::string(status.message()),
+                                   rpc::ConnectionHint(status, options_.security)),
                        detail.metadata);
     }
     const milliseconds asked = std::min(rpc::RetryAfter(status), kMaxAskedRest);

@@ -10,6 +10,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/cancel_token.h"
 #include "common/model/trace_context.h"
+#include "common/rpc/client_security.h"
 #include "common/stage/stopwatch.h"
 #include "services/cli/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -19,6 +20,7 @@ namespace slicefarm::cli {
 
 struct JobsClientOptions {
   std::string server = "127.0.0.1:50050";
+  rpc::ClientSecurity security = {};
   /// How long the server may be out of reach at a stretch before that is an error.
   std::chrono::milliseconds patience{30'000};
   CancelToken cancel = {};  ///< ends calls as Cancelled
@@ -28,7 +30,7 @@ struct JobsClientOptions {
 /// Meshes, Jobs and Profiles of a coordinator. Every call has a deadline and is made again while
 /// the server is out of reach; uploads, downloads and watches go on where they broke off. Errors:
 /// the server's, with their reason; UNAVAILABLE naming the server after `patience`; Cancelled after
-/// an interrupt.
+/// an interrupt; those of rpc::Secured, by every call.
 class JobsClient {
  public:
   explicit JobsClient(JobsClientOptions options);
@@ -66,6 +68,7 @@ class JobsClient {
                         const std::function<void(int64_t)>& sent);
 
   const JobsClientOptions options_;
+  const absl::StatusOr<rpc::ChannelOptions> connection_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/model/sha256.h"
 #include "common/model/temp_directory_test.h"
 #include "services/cli/exit_code.h"
 #include "services/cli/fake_coordinator_test.h"
@@ -101,7 +102,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = Run({"--help"});
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command : {"slice", "submit", "watch", "list", "get", "cancel", "delete",
-                              "trace", "render", "settings", "health", "version"}) {
+                              "trace", "render", "settings", "health", "token", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -110,6 +111,20 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   for (int code = 0; code <= 9; ++code) {
     EXPECT_THAT(help.out, HasSubstr("\n  " + std::to_string(code) + "  "));
   }
+}
+
+TEST_F(Program, MakesTokensAndTheirEntries) {
+  const Outcome outcome = Run({"token", "--scope", "read", "--expires", "2027-01-31T12:00:00Z"});
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  const std::string token = outcome.out.substr(0, outcome.out.find('\n'));
+  EXPECT_THAT(token, testing::MatchesRegex("sf_[0-9a-f]{64}"));
+  const auto entry = nlohmann::json::parse(outcome.out.substr(token.size()));
+  EXPECT_EQ(entry["sha256"], Sha256Hex(token));
+  EXPECT_EQ(entry["scopes"], nlohmann::json({"read"}));
+  EXPECT_EQ(entry["expires"], "2027-01-31T12:00:00Z");
+  EXPECT_NE(Run({"token"}).out, Run({"token"}).out);
+  EXPECT_EQ(Run({"token", "--scope", "write"}).code, ExitCode::kUsage);
+  EXPECT_EQ(Run({"token", "--expires", "soon"}).code, ExitCode::kUsage);
 }
 
 TEST_F(Program, SlicesACube) {

@@ -18,10 +18,13 @@ void AddServerOptions(CLI::App& app, ServerOptions& options) {
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str()
       ->type_name("S");
+  rpc::AddTlsOptions(app, &options.security);
+  rpc::AddTokenOptions(app, &options.security);
 }
 
 JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt) {
   return {.server = options.server,
+          .security = options.security,
           .patience = std::chrono::milliseconds(static_cast<int64_t>(options.patience_s * 1000)),
           .cancel = interrupt == nullptr ? CancelToken() : interrupt->Token()};
 }

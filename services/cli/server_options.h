@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "common/rpc/client_security.h"
 #include "services/cli/console.h"
 #include "services/cli/interrupt.h"
 #include "services/cli/jobs_client.h"
@@ -12,6 +13,7 @@ namespace slicefarm::cli {
 /// Which coordinator to speak with.
 struct ServerOptions {
   std::string server = "127.0.0.1:50050";
+  rpc::ClientSecurity security;
   double patience_s = 30;
 };
 

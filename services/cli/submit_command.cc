@@ -249,8 +249,9 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
                    "Seconds after which the job is of no use, and fails")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
-  command->add_option("--webhook", options->webhook,
-                      "Is posted the job when it has ended; the farm must allow it")
+  command
+      ->add_option("--webhook", options->webhook,
+                   "Is posted the job when it has ended; the farm must allow it")
       ->type_name("URL");
   command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
   command->add_flag("--check", options->check,

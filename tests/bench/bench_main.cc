@@ -20,6 +20,8 @@ constexpr std::array kBenchmarks = {
               [](const std::string&) { return slicefarm::bench::BenchSlice(); }},
     Benchmark{"hop", "", "bytes and time per layer between processes, fused and split",
               [](const std::string&) { return slicefarm::bench::BenchHop(); }},
+    Benchmark{"hop-tls", "CERTS", "the same with TLS, by certificates of deploy/dev-certs.sh",
+              slicefarm::bench::BenchHopWithTls},
     Benchmark{"mesh", "", "reading meshes in processes of their own, and directly",
               [](const std::string&) { return slicefarm::bench::BenchMesh(); }},
     Benchmark{"walls", "DIR_OF_OUTLINES", "walls of variable width beside a Voronoi diagram alone",

@@ -7,6 +7,7 @@ namespace slicefarm::bench {
 /// Each prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
 int BenchHop();
+int BenchHopWithTls(const std::string& certs);
 int BenchMesh();
 int BenchWalls(const std::string& outlines);
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/identity.h"
+#include "common/rpc/tls.h"
 #include "common/stage/layer_chain.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/program_wire.h"
@@ -209,7 +211,17 @@ Traffic Count(const Job& job) {
 /// Clients of canned stages over a real socket.
 class Farm {
  public:
-  explicit Farm(const Job& job) : job_(job), canned_slicing_(job), canned_(job) {}
+  /// `tls` null: in plain text.
+  Farm(const Job& job, const rpc::Tls* tls)
+      : job_(job),
+        canned_slicing_(job),
+        canned_(job),
+        host_({canned_slicing_, canned_, canned_, canned_, canned_, canned_}, {4, 0},
+              {.credentials = tls ? tls->ForServer(rpc::ClientCerts::kRequired) : nullptr}),
+        remote_(
+            host_.Address(), {},
+            {.credentials = tls ? tls->ForIdentity(rpc::kCoordinatorIdentity, NoLog()) : nullptr}) {
+  }
 
   /// Each returns false if a call failed.
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
@@ -234,8 +246,8 @@ class Farm {
   const Job& job_;
   const CannedSlicing canned_slicing_;
   const CannedStages canned_;
-  StageHost host_{{canned_slicing_, canned_, canned_, canned_, canned_, canned_}};
-  const RemoteClients remote_{host_.Address()};
+  StageHost host_;
+  const RemoteClients remote_;
 };
 
 void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing, double job_cpu_s,
@@ -247,12 +259,10 @@ void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing,
   std::printf("%s_transport_share %.4f\n", way, transport_s / (transport_s + job_cpu_s));
 }
 
-}  // namespace
-
 /// What the way between processes costs, on the benchy: bytes, time and CPU time per layer for
 /// fused workers (one hop) and for split stages (four), and their share of a job's CPU time, the
 /// hop of the mesh included.
-int BenchHop() {
+int Bench(const rpc::Tls* tls) {
   Job job;
   job.input = Benchy();
   const absl::StatusOr<Cost> local = Compute(&job);
@@ -260,7 +270,7 @@ int BenchHop() {
     std::fprintf(stderr, "%s\n", local.status().ToString().c_str());
     return 1;
   }
-  const Farm farm(job);
+  const Farm farm(job, tls);
   bool sound = true;
   const Cost slicing = Measure([&] { sound &= farm.Slice(); });
   const Cost fused = Measure([&] { sound &= farm.Fused(); });
@@ -272,6 +282,18 @@ int BenchHop() {
   Print("fused", traffic.fused(), fused, slicing, local->cpu_s, job.layer_count());
   Print("split", traffic.split(), split, slicing, local->cpu_s, job.layer_count());
   return sound ? 0 : 1;
+}
+
+}  // namespace
+
+int BenchHop() { return Bench(nullptr); }
+
+int BenchHopWithTls(const std::string& certs) {
+  const std::string files = certs + "/coordinator";
+  const auto tls = rpc::Tls::Open({files + "/cert.pem", files + "/key.pem", files + "/ca.pem"});
+  if (tls.ok()) return Bench(tls->get());
+  std::fprintf(stderr, "%s\n", tls.status().ToString().c_str());
+  return 1;
 }
 
 }  // namespace slicefarm::bench

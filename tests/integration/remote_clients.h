@@ -10,8 +10,9 @@ namespace slicefarm {
 
 /// All stages and the worker of one host, as its clients see them.
 struct RemoteClients {
-  explicit RemoteClients(const std::string& address, const coordinator::RemoteOptions& options = {})
-      : replica(rpc::MakeChannel(address)),
+  explicit RemoteClients(const std::string& address, const coordinator::RemoteOptions& options = {},
+                         const rpc::ChannelOptions& channel = {})
+      : replica(rpc::MakeChannel(address, channel)),
         slicing(replica, options),
         beading(replica, options),
         infill(replica, options),

@@ -18,7 +18,8 @@ constexpr milliseconds kMaxWait{2'000};
 }  // namespace
 
 bool IsReplicasFault(const absl::Status& status) {
-  return absl::IsUnavailable(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+  return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
+         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
 }
 
 bool IsOverloaded(const absl::Status& status) {

@@ -38,7 +38,8 @@ class SingleReplica : public ReplicaSource {
   const std::shared_ptr<grpc::Channel> channel_;  // gRPC's own handle
 };
 
-/// True if the status says that this server cannot take the call, while another one may.
+/// True if the status says that this server cannot take the call, or not from us, while another one
+/// may.
 bool IsReplicasFault(const absl::Status& status);
 
 /// True if the server is there and takes no more calls for now.

@@ -26,8 +26,9 @@ bool IsReady(grpc::Channel& channel) {
 }  // namespace
 
 struct StagePool::Replica {
-  explicit Replica(std::string where)
-      : address(std::move(where)), channel(rpc::MakeChannel(address)) {}
+  Replica(std::string where, const StagePoolOptions& options)
+      : address(std::move(where)),
+        channel(rpc::MakeChannel(address, {.credentials = options.credentials})) {}
 
   const std::string address;
   const std::shared_ptr<grpc::Channel> channel;  // gRPC's own handle
@@ -75,7 +76,8 @@ void StagePool::Update(const std::vector<std::string>& addresses) {
     for (const std::string& address : addresses) {
       const auto known =
           std::ranges::find(replicas_, address, [](const auto& r) { return r->address; });
-      updated.push_back(known != replicas_.end() ? *known : std::make_shared<Replica>(address));
+      updated.push_back(known != replicas_.end() ? *known
+                                                 : std::make_shared<Replica>(address, options_));
     }
     replicas_.swap(updated);
     for (const auto& replica : replicas_) replica->channel->GetState(/*try_to_connect=*/true);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <grpcpp/security/credentials.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -21,6 +23,7 @@ struct StagePoolOptions {
   /// How long a call waits for any replica to be reachable: longer than one takes to start again.
   std::chrono::milliseconds connect_patience{15'000};
   AddressWatchOptions watch = {};
+  std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
 /// The replicas of one stage: one channel to each address behind the names, which may change at any

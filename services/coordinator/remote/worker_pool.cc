@@ -51,8 +51,10 @@ struct WorkerPool::Greeting {
 };
 
 struct WorkerPool::Member {
-  Member(std::string where, const RemoteOptions& options)
-      : address(std::move(where)), replica(rpc::MakeChannel(address)), worker(replica, options) {}
+  Member(std::string where, const WorkerPoolOptions& options)
+      : address(std::move(where)),
+        replica(rpc::MakeChannel(address, {.credentials = options.credentials})),
+        worker(replica, options.remote) {}
 
   const std::string address;
   SingleReplica replica;
@@ -96,12 +98,13 @@ class WorkerPool::Ranges : public RangeRunner {
 };
 
 WorkerPool::WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
-                       const RemoteOptions& options, const AddressWatchOptions& watch)
+                       const WorkerPoolOptions& options)
     : runners_(runners),
       log_(std::move(log)),
       options_(options),
       watch_(std::make_unique<AddressWatch>(
-          std::move(names), [this](const auto& addresses) { Update(addresses); }, watch)) {}
+          std::move(names), [this](const auto& addresses) { Update(addresses); }, options_.watch)) {
+}
 
 WorkerPool::~WorkerPool() {
   watch_.reset();

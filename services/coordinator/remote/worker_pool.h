@@ -1,5 +1,7 @@
 #pragma once
 
+#include <grpcpp/security/credentials.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <map>
@@ -16,6 +18,12 @@
 
 namespace slicefarm::coordinator {
 
+struct WorkerPoolOptions {
+  RemoteOptions remote = {};
+  AddressWatchOptions watch = {};
+  std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
+};
+
 /// The workers behind some names. Each joins the runners once it has told its build and its slots,
 /// and leaves them when its address goes; in between, it may be down for a while
 /// (Runner::await_ready). Workers of another build do not join; one that was started anew with
@@ -24,7 +32,7 @@ class WorkerPool {
  public:
   /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
   WorkerPool(RunnerSet& runners, std::vector<std::string> names, rpc::JsonLog log,
-             const RemoteOptions& options = {}, const AddressWatchOptions& watch = {});
+             const WorkerPoolOptions& options = {});
   /// The workers leave.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -51,7 +59,7 @@ class WorkerPool {
 
   RunnerSet& runners_;
   const rpc::JsonLog log_;
-  const RemoteOptions options_;
+  const WorkerPoolOptions options_;
   mutable std::mutex mutex_;
   std::condition_variable greeted_;
   std::map<std::string, MemberPtr> members_;

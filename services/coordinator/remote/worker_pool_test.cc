@@ -59,7 +59,7 @@ class WorkerPoolTest : public testing::Test {
   void Start(std::vector<std::string> addresses) {
     name_.Set(std::move(addresses));
     pool_ = std::make_unique<WorkerPool>(runners_, std::vector<std::string>{"name:1"}, NoLog(),
-                                         RemoteOptions{}, name_.Options());
+                                         WorkerPoolOptions{.watch = name_.Options()});
   }
 
   FakeName name_;

@@ -23,12 +23,12 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, Swept& swept) {
   }
 }
 
-/// Those of `idle` that nothing refers to.
-absl::Status SweepIdle(JobStore& jobs, BlobStore& blobs, const std::vector<BlobEntry>& idle,
-                       double idle_s, Swept& swept) {
+/// Those of `idle` that no job of the tenant refers to.
+absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blobs,
+                       const std::vector<BlobEntry>& idle, double idle_s, Swept& swept) {
   std::set<std::string> digests;
   for (const BlobEntry& blob : idle) digests.insert(blob.digest);
-  const auto referenced = jobs.Referenced(digests);
+  const auto referenced = jobs.Referenced(tenant, digests);
   if (!referenced.ok()) return referenced.status();
   for (const BlobEntry& blob : idle) {
     if (referenced->contains(blob.digest)) continue;
@@ -41,26 +41,38 @@ absl::Status SweepIdle(JobStore& jobs, BlobStore& blobs, const std::vector<BlobE
   return absl::OkStatus();
 }
 
+absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& blobs, double idle_s,
+                         Swept& swept) {
+  std::vector<BlobEntry> idle;
+  absl::Status status = blobs.ForEach([&](const BlobEntry& blob) {
+    if (blob.idle_s >= idle_s) idle.push_back(blob);
+  });
+  for (size_t first = 0; status.ok() && first < idle.size(); first += kBlobsAtOnce) {
+    const auto begin = idle.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = std::min(kBlobsAtOnce, idle.size() - first);
+    status = SweepIdle(jobs, tenant, blobs, {begin, begin + static_cast<std::ptrdiff_t>(count)},
+                       idle_s, swept);
+  }
+  return status;
+}
+
 }  // namespace
 
-absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStore& blobs, const SweepOptions& options,
+absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us) {
   Swept swept;
   if (options.keep_jobs_s > 0) {
     const auto kept_us = static_cast<int64_t>(options.keep_jobs_s * 1e6);
     if (absl::Status done = SweepJobs(jobs, now_us - kept_us, swept); !done.ok()) return done;
   }
-  std::vector<BlobEntry> idle;
-  absl::Status status = blobs.ForEach([&](const BlobEntry& blob) {
-    if (blob.idle_s >= options.keep_blobs_s) idle.push_back(blob);
-  });
-  for (size_t first = 0; status.ok() && first < idle.size(); first += kBlobsAtOnce) {
-    const auto begin = idle.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto count = std::min(kBlobsAtOnce, idle.size() - first);
-    status = SweepIdle(jobs, blobs, {begin, begin + static_cast<std::ptrdiff_t>(count)},
-                       options.keep_blobs_s, swept);
+  const auto tenants = blobs.Tenants();
+  if (!tenants.ok()) return tenants.status();
+  for (const std::string& tenant : *tenants) {
+    const auto store = blobs.Of(tenant);
+    if (!store.ok()) return store.status();
+    const absl::Status done = SweepTenant(jobs, tenant, **store, options.keep_blobs_s, swept);
+    if (!done.ok()) return done;
   }
-  if (!status.ok()) return status;
   return swept;
 }
 

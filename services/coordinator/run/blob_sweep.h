@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
@@ -24,7 +24,7 @@ struct Swept {
 /// Removes what nobody needs any more: jobs that ended long ago; blobs that are no input and no
 /// result of a job; uploads that were given up. Safe beside other coordinators, which may use a
 /// blob at any moment: using it comes before referring to it, and keeps it. Errors: the stores'.
-absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStore& blobs, const SweepOptions& options,
+absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us);
 
 }  // namespace slicefarm::coordinator

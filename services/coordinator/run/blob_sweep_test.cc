@@ -6,7 +6,6 @@
 #include <string>
 
 #include "common/model/temp_directory_test.h"
-#include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/sql_job_store.h"
 
 namespace slicefarm::coordinator {
@@ -14,8 +13,10 @@ namespace {
 
 class BlobSweepTest : public testing::Test {
  protected:
-  std::string MakeJob(const std::string& id, const std::string& mesh) {
+  std::string MakeJob(const std::string& id, const std::string& mesh,
+                      const std::string& tenant = "") {
     NewJob job;
+    job.tenant = tenant;
     job.id = id;
     job.action_digest = id;
     job.inputs = {mesh};
@@ -37,7 +38,7 @@ class BlobSweepTest : public testing::Test {
   }
 
   Swept Sweep(const SweepOptions& options) {
-    const auto swept = coordinator::Sweep(*jobs_, *blobs_, options, now_us_);
+    const auto swept = coordinator::Sweep(*jobs_, *stores_, options, now_us_);
     EXPECT_TRUE(swept.ok()) << swept.status();
     return *swept;
   }
@@ -46,7 +47,8 @@ class BlobSweepTest : public testing::Test {
 
   TempDirectory directory_;
   std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
-  std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
+  std::unique_ptr<BlobStores> stores_ = *OpenDirectoryBlobs(directory_.path());
+  std::shared_ptr<BlobStore> blobs_ = *stores_->Of("");
   int64_t now_us_ = 0;
 };
 
@@ -87,6 +89,18 @@ TEST_F(BlobSweepTest, JobsGoAfterTheirTime) {
   EXPECT_EQ(Sweep({.keep_jobs_s = 9, .keep_blobs_s = 3600}).jobs, 1);
   EXPECT_TRUE(absl::IsNotFound(jobs_->Get("a").status()));
   EXPECT_TRUE(jobs_->Get("still waiting").ok());
+}
+
+TEST_F(BlobSweepTest, WhatOneTenantNeedsKeepsNothingOfAnothers) {
+  const auto of_a = *stores_->Of("a"), of_b = *stores_->Of("b");
+  const std::string mesh = *of_a->Put("mesh");
+  ASSERT_TRUE(of_b->Put("mesh").ok());
+  ASSERT_TRUE(blobs_->Put("mesh").ok());
+  MakeJob("of a", mesh, "a");
+  EXPECT_EQ(Sweep({.keep_jobs_s = 0, .keep_blobs_s = 0}).blobs, 2);
+  EXPECT_TRUE(of_a->Open(mesh).ok());
+  EXPECT_FALSE(of_b->Open(mesh).ok());
+  EXPECT_FALSE(Has(mesh));
 }
 
 TEST_F(BlobSweepTest, UploadsThatWereGivenUpGo) {

@@ -13,9 +13,10 @@ constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxStoreRetryUs = 60'000'000;
 
 /// True if the services that are needed are not there; for some time there may be others in their
-/// places, of another build.
+/// places, of another build, or some that do not know this coordinator.
 bool IsAway(const absl::Status& status) {
-  return absl::IsUnavailable(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+  return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
+         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
 }
 
 }  // namespace

@@ -37,17 +37,18 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       pipeline_(slicing, motion, executor),
       results_(jobs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
-      intake_(jobs_, blobs_, disk_, options_.build_id, NowUs),
-      runner_(
-          RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id, log,
-                         [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
-          options_.runner),
-      meshes_service_(blobs_, disk_, options_.transfers),
+      callers_(options_.tenants, NowUs),
+      intake_(jobs_, blobs_, disk_, options_.build_id, options_.sharing, NowUs),
+      runner_(RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id,
+                             options_.sharing, log,
+                             [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
+              options_.runner),
+      meshes_service_(callers_, blobs_, disk_, options_.transfers),
       jobs_service_(
-          JobsBackend{jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles, *stores_.webhooks,
-                      options_.webhooks, slicing, options_.rates, NowUs, log},
+          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                      *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
           options_.transfers),
-      profiles_service_(*stores_.profiles, NowUs) {}
+      profiles_service_(callers_, *stores_.profiles, NowUs) {}
 
 prometheus::Registry& Coordinator::Registry() {
   return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;

@@ -27,6 +27,8 @@ struct CoordinatorOptions {
   std::string build_id;
   TransferOptions transfers = {};
   Maintenance::Options maintenance = {};
+  TenantsNow tenants = {};  ///< none: one tenant without a name
+  ResultSharing sharing = ResultSharing::kOff;
   prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
 };
 
@@ -65,12 +67,13 @@ class Coordinator {
   const rpc::JsonLog log_;
   prometheus::Registry unseen_metrics_;
   MeteredJobStore jobs_;
-  MeteredBlobStore blobs_;
+  MeteredBlobStores blobs_;
   StageSeconds stage_seconds_;
   JobPipeline pipeline_;
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;
+  const Callers callers_;
   JobIntake intake_;
   JobRunner runner_;
   MeshesService meshes_service_;

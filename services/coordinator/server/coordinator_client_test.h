@@ -10,6 +10,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/sha256.h"
+#include "common/rpc/channel.h"
 #include "common/rpc/status_mapping.h"
 #include "common/rpc/trace_metadata.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -22,7 +23,17 @@ namespace slicefarm::coordinator {
 class CoordinatorClient {
  public:
   void Connect(const std::string& address) {
-    const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
+    Use(grpc::CreateChannel(address, grpc::InsecureChannelCredentials()));
+  }
+
+  /// As somebody: with a token, a certificate.
+  void Connect(const std::string& address, rpc::ChannelOptions options) {
+    options.retries = false;
+    options.own_connection = true;
+    Use(rpc::MakeChannel(address, options));
+  }
+
+  void Use(const std::shared_ptr<grpc::Channel>& channel) {
     jobs_ = v1::Jobs::NewStub(channel);
     meshes_ = v1::Meshes::NewStub(channel);
   }
@@ -58,6 +69,16 @@ class CoordinatorClient {
     v1::Upload upload;
     EXPECT_TRUE(meshes_->GetUpload(&context, request, &upload).ok());
     return upload;
+  }
+
+  absl::StatusOr<v1::Job> Get(const std::string& id) {
+    v1::GetJobRequest request;
+    request.set_id(id);
+    v1::Job job;
+    grpc::ClientContext context;
+    const absl::Status status = rpc::FromGrpc(jobs_->GetJob(&context, request, &job));
+    if (!status.ok()) return status;
+    return job;
   }
 
   static v1::CreateJobRequest RequestFor(const std::string& mesh) {

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <map>
 
 #include "common/model/limits.h"
+#include "common/rpc/listen_address.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/server/transfers.h"
 
@@ -28,7 +30,22 @@ std::string DefaultName() {
   return host.data();
 }
 
+void CheckSecurity(const CoordinatorFlags& flags) {
+  const bool tls = flags.serve.tls.enabled();
+  const bool optional = flags.serve.client_certs == rpc::ClientCerts::kOptional;
+  if (optional && (!tls || flags.tenants_file.empty())) {
+    throw CLI::ValidationError(
+        "--client-certs optional takes tokens instead: it needs --tenants and --tls-cert");
+  }
+  const std::string& listen = flags.serve.server.listen;
+  if (!flags.tenants_file.empty() && !tls && !rpc::IsLoopback(listen)) {
+    throw CLI::ValidationError("--tenants without --tls-cert: tokens would come to " + listen +
+                               " in plain text, which is for loopback addresses only");
+  }
+}
+
 void Check(const CoordinatorFlags& flags) {
+  CheckSecurity(flags);
   if (flags.stores.state_dir.empty() == flags.stores.postgres.empty()) {
     throw CLI::ValidationError("one of --state-dir and --postgres is needed");
   }
@@ -66,6 +83,7 @@ SplitStages::Names CoordinatorFlags::split_names() const {
 
 void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->runner.owner = DefaultName();
+  flags->serve.policy = rpc::OpenPolicy();  // the services know what each tenant may
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
   flags->serve.server.max_streams_per_connection = kStreamsPerConnection;
@@ -104,6 +122,16 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  app.add_option("--tenants", flags->tenants_file,
+                 "JSON file of tenants, their tokens and what they may; without, all are one")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--share-cache", flags->share_cache,
+               "Tenants take each other's results for the same work, and may so learn of it");
+  app.add_option("--client-certs", flags->serve.client_certs,
+                 "With TLS, whether clients must show a certificate: required or optional")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
+          {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
+      ->type_name("HOW");
   app.add_option("--min-free", flags->min_free_mib,
                  "MiB of --state-dir's disk below which nothing new is taken")
       ->check(CLI::NonNegativeNumber)

@@ -25,6 +25,8 @@ struct CoordinatorFlags {
   JobRunnerOptions runner;
   std::string rates_file;
   std::string webhooks_file;
+  std::string tenants_file;  ///< empty: one tenant, who is anybody
+  bool share_cache = false;
   int64_t min_free_mib = 1024;
   double lease_s = 10;
   double keep_jobs_days = 0;

@@ -21,20 +21,17 @@ std::string NewJobId() {
 }
 
 absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
-  const auto id_bytes = static_cast<int64_t>(submission.request_id.size());
-  if (id_bytes > limits::kMaxNameBytes) {
-    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
-                      id_bytes);
-  }
+  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
                       spec_bytes);
   }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
-  auto resolved = ResolveJob(submission.request, build_id_);
+  auto resolved =
+      ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
   if (!resolved.ok()) return resolved.status();
-  if (absl::Status ok = CheckMeshes(resolved->request); !ok.ok()) return ok;
+  if (absl::Status ok = CheckMeshes(submission.tenant, resolved->request); !ok.ok()) return ok;
   return resolved;
 }
 
@@ -44,6 +41,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   if (!resolved.ok()) return resolved.status();
   NewJob job;
   job.id = NewJobId();
+  job.tenant = std::move(submission.tenant);
   job.request_id = std::move(submission.request_id);
   job.spec_digest = std::move(submission.spec_digest);
   job.spec = std::move(submission.spec);
@@ -52,7 +50,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.deadline_us = submission.deadline_us;
   job.webhook_url = std::move(submission.webhook_url);
   job.traceparent = Traceparent(submission.trace.empty() ? TraceOfJob(job.id) : submission.trace);
-  job.max_open = limits::kMaxOpenJobs;
+  job.max_open = submission.max_open_jobs;
   for (const ObjectRequest& object : resolved->request.objects)
     job.inputs.push_back(object.mesh_sha256);
   job.settings_digest = resolved->settings_digest;
@@ -61,10 +59,12 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   return jobs_.Create(job, now_us_());
 }
 
-absl::Status JobIntake::CheckMeshes(const JobRequest& request) {
+absl::Status JobIntake::CheckMeshes(const std::string& tenant, const JobRequest& request) {
+  const auto blobs = blobs_.Of(tenant);
+  if (!blobs.ok()) return blobs.status();
   int64_t bytes = 0;
   for (const ObjectRequest& object : request.objects) {
-    const auto status = blobs_.Keep(object.mesh_sha256);
+    const auto status = (*blobs)->Keep(object.mesh_sha256);
     if (!status.ok()) return status.status();
     if (!status->complete) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,

@@ -4,15 +4,19 @@
 #include <map>
 #include <string>
 
+#include "common/model/limits.h"
 #include "common/model/trace_context.h"
 #include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/server/job_request.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/server/job_results.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
 
 struct Submission {
+  std::string tenant = {};
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant
   std::string request_id;
   std::string spec_digest;  ///< of the request as it came: equal for equal requests
   std::string spec;         ///< the request as it will be kept
@@ -27,28 +31,31 @@ struct Submission {
 /// The edge where requests become jobs: what comes behind it has been checked.
 class JobIntake {
  public:
-  JobIntake(JobStore& jobs, BlobStore& blobs, const DiskGuard& disk, std::string build_id,
-            std::function<int64_t()> now_us)
+  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, std::string build_id,
+            ResultSharing sharing, std::function<int64_t()> now_us)
       : jobs_(jobs),
         blobs_(blobs),
         disk_(disk),
         build_id_(std::move(build_id)),
+        sharing_(sharing),
         now_us_(std::move(now_us)) {}
 
   /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard and JobStore::Create;
-  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that was not uploaded.
+  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not
+  /// uploaded.
   absl::StatusOr<Created> Create(Submission submission);
 
   /// All of that but the keeping: the job that would be made, without an id.
   absl::StatusOr<ResolvedJob> Check(const Submission& submission);
 
  private:
-  absl::Status CheckMeshes(const JobRequest& request);
+  absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);
 
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
   const DiskGuard& disk_;
   const std::string build_id_;
+  const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
 };
 

@@ -14,6 +14,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
+absl::Status CheckText(const std::string& field, const std::string& text) {
+  if (ReplaceControls(text, '?') == text) return absl::OkStatus();
+  return Malformed(field, "has control characters");
+}
+
 absl::Status CheckObject(const ObjectRequest& object, size_t index) {
   const auto field = [index](const char* name) {
     return fmt::format("objects[{}].{}", index, name);
@@ -27,17 +32,15 @@ absl::Status CheckObject(const ObjectRequest& object, size_t index) {
                       name_bytes);
   }
   // Names end up in G-code comments, where a line end would begin a command.
-  if (std::ranges::any_of(object.name, IsControl)) {
-    return Malformed(field("name"), "has control characters");
-  }
-  return absl::OkStatus();
+  return CheckText(field("name"), object.name);
 }
 
 /// The text of all that decides the result. Texts that may hold anything come with their length.
 std::string ActionText(const JobRequest& request, const config::ResolvedSettings& settings,
-                       std::string_view build_id) {
+                       std::string_view build_id, std::string_view result_tenant) {
   std::string text = fmt::format("build {}\n", build_id);
   auto out = std::back_inserter(text);
+  if (!result_tenant.empty()) fmt::format_to(out, "tenant {}\n", result_tenant);
   for (const ObjectRequest& object : request.objects) {
     const Placement& p = object.placement;
     fmt::format_to(out, "object {} {} {}:{}\n", object.mesh_sha256, static_cast<int>(object.format),
@@ -79,17 +82,29 @@ absl::Status CheckLabels(const std::map<std::string, std::string>& labels) {
       return LimitError(Reason::kRequestTooLarge, "bytes of a label", limits::kMaxLabelBytes,
                         bytes);
     }
+    // They are shown by others, and not every database keeps a NUL in a text.
+    if (absl::Status ok = CheckText("labels", key + value); !ok.ok()) return ok;
   }
   return absl::OkStatus();
 }
 
-absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id) {
+absl::Status CheckRequestId(const std::string& request_id) {
+  const auto bytes = static_cast<int64_t>(request_id.size());
+  if (bytes > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of request_id", limits::kMaxNameBytes,
+                      bytes);
+  }
+  return CheckText("request_id", request_id);
+}
+
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
+                                       std::string_view result_tenant) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
   auto settings = config::Resolve(request.settings);
   if (!settings.ok()) return settings.status();
   ResolvedJob job;
   job.settings_digest = Sha256Hex(settings->effective_text);
-  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id));
+  job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
   job.serving_actions = {job.action_digest};
   if (request.mode == JobMode::kQuote) {
     job.action_digest = Sha256Hex("quote of " + job.action_digest);

@@ -32,7 +32,7 @@ struct ResolvedJob {
   JobRequest request;
   config::ResolvedSettings settings;
   std::string settings_digest;  ///< of the effective settings
-  std::string action_digest;    ///< of all that the result depends on, the build included
+  std::string action_digest;    ///< of all that the result depends on, build and tenant included
   /// Actions whose results serve as this one's, its own last: a print is a quote, too.
   std::vector<std::string> serving_actions;
 };
@@ -40,8 +40,11 @@ struct ResolvedJob {
 /// Objects, names and copies within their bounds. Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE.
 absl::Status CheckRequest(const JobRequest& request);
 absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
+absl::Status CheckRequestId(const std::string& request_id);
 
-/// CheckRequest, and the settings resolved. Errors also: those of config::Resolve.
-absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id);
+/// CheckRequest, and the settings resolved. `result_tenant`: whose results the job may take and
+/// leave (job_results.h). Errors also: those of config::Resolve.
+absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
+                                       std::string_view result_tenant);
 
 }  // namespace slicefarm::coordinator

@@ -29,9 +29,9 @@ class ActionDigestTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ActionDigestTest, DependsOnThis) {
   JobRequest request = SimpleRequest();
-  const auto before = ResolveJob(request, "build");
+  const auto before = ResolveJob(request, "build", "");
   GetParam().change(request);
-  const auto after = ResolveJob(request, "build");
+  const auto after = ResolveJob(request, "build", "");
   ASSERT_TRUE(before.ok() && after.ok()) << after.status();
   EXPECT_NE(before->action_digest, after->action_digest);
 }
@@ -60,15 +60,17 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(ResolveJob, TheBuildIsPartOfTheAction) {
-  EXPECT_NE(ResolveJob(SimpleRequest(), "a")->action_digest,
-            ResolveJob(SimpleRequest(), "b")->action_digest);
+  EXPECT_NE(ResolveJob(SimpleRequest(), "a", "")->action_digest,
+            ResolveJob(SimpleRequest(), "b", "")->action_digest);
+  EXPECT_NE(ResolveJob(SimpleRequest(), "a", "")->action_digest,
+            ResolveJob(SimpleRequest(), "a", "acme")->action_digest);
 }
 
 TEST(ResolveJob, SettingsSaidInAnotherWayAreTheSame) {
   JobRequest other = SimpleRequest();
   other.settings = {{"perimeters", " 3 "}};
   const JobRequest plain = SimpleRequest();  // 3 is the standard
-  EXPECT_EQ(ResolveJob(other, "b")->action_digest, ResolveJob(plain, "b")->action_digest);
+  EXPECT_EQ(ResolveJob(other, "b", "")->action_digest, ResolveJob(plain, "b", "")->action_digest);
 }
 
 TEST(CheckRequest, CountsCopies) {
@@ -82,8 +84,13 @@ TEST(CheckRequest, CountsCopies) {
   EXPECT_EQ(DetailOf(status).metadata.at("got"), "1001");
 }
 
+std::vector<std::string> HostileTexts() {
+  return {"a\nb",     "a\rb",        "a\tb",       "\x7f", std::string("a\0b", 3),
+          "a\x1b[2J", "a\u0085M112", "a\u2028M112"};
+}
+
 TEST(CheckRequest, NamesStayOnTheirLine) {
-  for (const char* name : {"a\nb", "a\rb", "a\tb", "\x7f"}) {
+  for (const std::string& name : HostileTexts()) {
     JobRequest request = SimpleRequest();
     request.objects[0].name = name;
     const absl::Status status = CheckRequest(request);
@@ -98,6 +105,16 @@ TEST(CheckLabels, HaveBounds) {
   std::map<std::string, std::string> many;
   for (int i = 0; i < 65; ++i) many[std::to_string(i)] = "";
   EXPECT_FALSE(CheckLabels(many).ok());
+}
+
+TEST(CheckLabels, AndRequestIdsHaveNoControlCharacters) {
+  for (const std::string& text : HostileTexts()) {
+    for (const absl::Status& status :
+         {CheckLabels({{text, "x"}}), CheckLabels({{"x", text}}), CheckRequestId(text)}) {
+      EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
+    }
+  }
+  EXPECT_TRUE(CheckRequestId("../../etc/passwd; DROP TABLE jobs").ok());  // goes nowhere
 }
 
 }  // namespace

@@ -15,15 +15,19 @@ JobUpdate Success(JobResult result) {
 
 }  // namespace
 
-absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output) {
+absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output,
+                                           const std::string& result_tenant) {
+  const auto blobs = blobs_.Of(result_tenant);
+  if (!blobs.ok()) return blobs.status();
   JobResult result = std::move(output.result);
+  result.tenant = result_tenant;
   if (job.request.mode == JobMode::kPrint) {
     result.gcode_size = static_cast<int64_t>(output.gcode.size());
-    auto gcode = blobs_.Put(output.gcode);
+    auto gcode = (*blobs)->Put(output.gcode);
     if (!gcode.ok()) return gcode.status();
     result.gcode_sha256 = *std::move(gcode);
   }
-  auto report = blobs_.Put(output.report_json);
+  auto report = (*blobs)->Put(output.report_json);
   if (!report.ok()) return report.status();
   result.report_sha256 = *std::move(report);
   result.cost = CostOfJob(job, result);
@@ -65,10 +69,12 @@ absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job
 
 /// True if all artifacts are there, unchanged.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
+  const auto blobs = blobs_.Of(result.tenant);
+  if (!blobs.ok()) return blobs.status();
   for (const std::string& digest : {result.gcode_sha256, result.report_sha256}) {
     if (digest.empty()) continue;
-    absl::Status opened = blobs_.Keep(digest).status();
-    if (opened.ok()) opened = blobs_.Open(digest).status();
+    absl::Status opened = (*blobs)->Keep(digest).status();
+    if (opened.ok()) opened = (*blobs)->Open(digest).status();
     if (absl::IsNotFound(opened) || absl::IsDataLoss(opened)) return false;
     if (!opened.ok()) return opened;
   }

@@ -6,7 +6,7 @@
 
 #include "services/coordinator/algo/cost.h"
 #include "services/coordinator/server/job_request.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
@@ -18,16 +18,26 @@ struct RunOutput {
   JobResult result;  ///< without digests, size and cost
 };
 
+/// Whether tenants take each other's results for the same work. It shows: a result that is there at
+/// once tells that somebody has sliced this mesh before.
+enum class ResultSharing { kOff, kOn };
+
+/// Whose results a tenant's jobs take and leave: its own, or everybody's, which go without a name.
+inline std::string ResultTenant(ResultSharing sharing, const std::string& tenant) {
+  return sharing == ResultSharing::kOn ? "" : tenant;
+}
+
 /// Results of jobs: record and blobs together, so that no job refers to a blob that is not there.
 /// Blobs that nothing refers to are left to BlobSweep, which spares those that were just written.
 class JobResults {
  public:
-  JobResults(JobStore& jobs, BlobStore& blobs, Rates rates)
+  JobResults(JobStore& jobs, BlobStores& blobs, Rates rates)
       : jobs_(jobs), blobs_(blobs), rates_(std::move(rates)) {}
 
-  /// Keeps the artifacts; what is left is to write the update, which ends the job as SUCCEEDED.
-  /// Errors: those of the blob store.
-  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, RunOutput output);
+  /// Keeps the artifacts among the tenant's blobs; what is left is to write the update, which ends
+  /// the job as SUCCEEDED. Errors: those of the blob store.
+  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, RunOutput output,
+                                 const std::string& result_tenant);
 
   /// Ends the job with the result that the same work came to before, at today's rates. nullopt:
   /// there is none, or its blobs are gone.
@@ -40,7 +50,7 @@ class JobResults {
   Cost CostOfJob(const ResolvedJob& job, const JobResult& result) const;
 
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
   const Rates rates_;
 };
 

@@ -36,6 +36,7 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
 JobRun::JobRun(RunEnvironment& environment, JobRecord job)
     : environment_(environment),
       job_(std::move(job)),
+      result_tenant_(ResultTenant(environment.sharing, job_.tenant)),
       lease_{job_.id, job_.owner_epoch},
       spans_(environment.now_us(), kMaxJobSpans) {
   if (job_.cancel_requested) wishes_->Cancel();
@@ -75,7 +76,7 @@ absl::StatusOr<bool> JobRun::Take(RunSteps::Step step, const absl::Status& error
 absl::StatusOr<bool> JobRun::FindCached() {
   auto request = ReadSpec(job_.spec);
   if (!request.ok()) return request.status();
-  auto resolved = ResolveJob(*std::move(request), environment_.build_id);
+  auto resolved = ResolveJob(*std::move(request), environment_.build_id, result_tenant_);
   if (!resolved.ok()) return resolved.status();
   resolved_ = *std::move(resolved);
   std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
@@ -94,7 +95,9 @@ absl::StatusOr<bool> JobRun::Begin() {
 
 absl::StatusOr<bool> JobRun::Compute() {
   std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
-  auto meshes = LoadMeshes(resolved_->request, environment_.blobs);
+  const auto blobs = environment_.blobs.Of(job_.tenant);
+  if (!blobs.ok()) return blobs.status();
+  auto meshes = LoadMeshes(resolved_->request, **blobs);
   if (!meshes.ok()) return meshes.status();
   loading.reset();
   StageCall call;
@@ -114,7 +117,7 @@ absl::StatusOr<bool> JobRun::Compute() {
 
 absl::StatusOr<bool> JobRun::Keep() {
   std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
-  auto update = environment_.results.Keep(*resolved_, *std::move(output_));
+  auto update = environment_.results.Keep(*resolved_, *std::move(output_), result_tenant_);
   if (!update.ok()) return update.status();
   keeping.reset();
   update->trace_sha256 = KeepTrace("ok");

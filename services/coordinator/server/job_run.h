@@ -22,12 +22,13 @@ namespace slicefarm::coordinator {
 /// What all runs share. Everything outlives the runs.
 struct RunEnvironment {
   JobStore& jobs;
-  BlobStore& blobs;
+  BlobStores& blobs;
   JobResults& results;
   const JobPipeline& pipeline;
   JobFeed& feed;
   std::function<int64_t()> now_us;
   std::string build_id;
+  ResultSharing sharing = ResultSharing::kOff;
   rpc::JsonLog log;
   /// Told what the stages took for each job that was computed.
   std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
@@ -63,6 +64,7 @@ class JobRun {
 
   RunEnvironment& environment_;
   const JobRecord job_;
+  const std::string result_tenant_;
   const Lease lease_;
   const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
   std::optional<ResolvedJob> resolved_;  ///< from FindCached to Compute

@@ -9,10 +9,11 @@ namespace {
 
 constexpr double kRequestIdSweepS = 3600;
 
-absl::StatusOr<JobIdentity> IdentityOf(const std::string& spec, const std::string& build_id) {
-  auto request = ReadSpec(spec);
+absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
+                                       ResultSharing sharing) {
+  auto request = ReadSpec(record.spec);
   if (!request.ok()) return request.status();
-  auto job = ResolveJob(*std::move(request), build_id);
+  auto job = ResolveJob(*std::move(request), build_id, ResultTenant(sharing, record.tenant));
   if (!job.ok()) return job.status();
   return JobIdentity{std::move(job->settings_digest), std::move(job->action_digest), build_id};
 }
@@ -87,7 +88,7 @@ std::set<std::string> JobRunner::Busy() {
 /// the name that this build gives it. False: the same is being worked on, so the job is back in the
 /// queue; or the store failed, so it will be claimed again.
 bool JobRunner::Adopt(JobRecord& job) {
-  const auto identity = IdentityOf(job.spec, environment_.build_id);
+  const auto identity = IdentityOf(job, environment_.build_id, environment_.sharing);
   if (!identity.ok()) return true;  // the run will end with that error
   const Lease lease{job.id, job.owner_epoch};
   if (!environment_.jobs.Adopt(lease, *identity).ok()) return false;

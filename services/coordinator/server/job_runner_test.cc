@@ -17,7 +17,6 @@
 #include "services/coordinator/server/fake_stages_test.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/jobs_wire.h"
-#include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/sql_job_store.h"
 
 namespace slicefarm::coordinator {
@@ -47,7 +46,8 @@ class JobRunnerTest : public testing::Test {
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner =
         std::make_unique<JobRunner>(RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_,
-                                                   Clock(), "build", rpc::JsonLog("test")},
+                                                   Clock(), "build", ResultSharing::kOff,
+                                                   rpc::JsonLog("test")},
                                     options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
@@ -56,14 +56,15 @@ class JobRunnerTest : public testing::Test {
   std::string Submit(const std::string& mesh, const std::string& build = "build") {
     v1::JobSpec spec;
     v1::Object* object = spec.add_objects();
-    object->set_mesh_sha256(*blobs_->Put(mesh));
+    object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
-    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), build, Clock())
-                             .Create({.request_id = {},
-                                      .spec_digest = Sha256Hex(SpecBytes(spec)),
-                                      .spec = SpecBytes(spec),
-                                      .request = *FromProto(spec),
-                                      .labels = {}});
+    const auto created =
+        JobIntake(*jobs_, *blobs_, DiskGuard("", 0), build, ResultSharing::kOff, Clock())
+            .Create({.request_id = {},
+                     .spec_digest = Sha256Hex(SpecBytes(spec)),
+                     .spec = SpecBytes(spec),
+                     .request = *FromProto(spec),
+                     .labels = {}});
     EXPECT_TRUE(created.ok()) << created.status();
     return created->job.id;
   }
@@ -107,7 +108,7 @@ class JobRunnerTest : public testing::Test {
   TempDirectory directory_;
   std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
   FailingJobStore failing_{*jobs_};
-  std::unique_ptr<BlobStore> blobs_ = *DirectoryBlobStore::OpenAt(directory_.path());
+  std::unique_ptr<BlobStores> blobs_ = *OpenDirectoryBlobs(directory_.path());
   FakeSlicing slicing_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();

@@ -14,9 +14,11 @@ namespace {
 /// More than a job has that is not put back all the time.
 constexpr int32_t kMaxEvents = 2'000;
 
-absl::StatusOr<JobTrace> Read(const JobRecord& job, BlobStore& blobs) {
+absl::StatusOr<JobTrace> Read(const JobRecord& job, BlobStores& stores) {
   if (job.trace_sha256.empty()) return JobTrace();
-  const auto json = blobs.Get(job.trace_sha256);
+  const auto blobs = stores.Of(job.tenant);
+  if (!blobs.ok()) return blobs.status();
+  const auto json = (*blobs)->Get(job.trace_sha256);
   if (!json.ok()) return json.status();
   return JobTraceFromJson(*json);
 }
@@ -47,7 +49,9 @@ absl::StatusOr<std::string> JobTraces::Keep(const JobRecord& job, const SpanLog&
   // A trace that is lost is no reason to lose the next one too.
   JobTrace trace = Joined(Read(job, blobs_).value_or(JobTrace()), run);
   trace.spans.push_back(std::move(whole));
-  return blobs_.Put(ToJson(trace));
+  const auto blobs = blobs_.Of(job.tenant);
+  if (!blobs.ok()) return blobs.status();
+  return (*blobs)->Put(ToJson(trace));
 }
 
 absl::StatusOr<std::string> JobTraces::Chrome(const JobRecord& job) {

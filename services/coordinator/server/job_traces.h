@@ -3,16 +3,16 @@
 #include <string>
 
 #include "common/stage/span_log.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
 namespace slicefarm::coordinator {
 
-/// What was done for jobs, and when: a blob for each job that was computed, which grows with each
-/// run that comes to an end. What a coordinator did that was killed is not in it.
+/// What was done for jobs, and when: a blob of its tenant's for each job that was computed, which
+/// grows with each run that comes to an end. What a coordinator did that was killed is not in it.
 class JobTraces {
  public:
-  JobTraces(JobStore& jobs, BlobStore& blobs) : jobs_(jobs), blobs_(blobs) {}
+  JobTraces(JobStore& jobs, BlobStores& blobs) : jobs_(jobs), blobs_(blobs) {}
 
   /// Keeps what earlier runs of the job did, and this one: its spans and the run as a whole.
   /// Returns the blob's name, for the job's record. Errors: the blob store's.
@@ -24,7 +24,7 @@ class JobTraces {
 
  private:
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
 };
 
 }  // namespace slicefarm::coordinator

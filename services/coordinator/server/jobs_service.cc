@@ -17,6 +17,7 @@
 #include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/jobs_wire.h"
 #include "services/coordinator/server/profile_settings.h"
+#include "services/coordinator/store/job_steps.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -59,18 +60,42 @@ class TextReader : public BlobReader {
   const std::string text_;
 };
 
+/// A watch that ends before it begins. Deletes itself.
+class RefusedWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
+ public:
+  explicit RefusedWatch(const absl::Status& why) { Finish(rpc::ToGrpc(why)); }
+  void OnDone() override { delete this; }
+};
+
 }  // namespace
+
+/// The job, if the caller may know of it.
+absl::StatusOr<JobRecord> JobsService::Find(const Caller& caller, const std::string& id, Of of) {
+  auto job = backend_.jobs.Get(id);
+  if (!job.ok() || job->tenant == caller.tenant) return job;
+  if (of == Of::kAllForAdmins && caller.may(Scope::kAdmin)) return job;
+  return JobNotFound(id);
+}
+
+absl::StatusOr<JobRecord> JobsService::Find(const grpc::ServerContextBase& context,
+                                            const Scopes& one_of, const std::string& id, Of of) {
+  const auto caller = backend_.callers.Find(context, one_of);
+  if (!caller.ok()) return caller.status();
+  return Find(*caller, id, of);
+}
 
 grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
                                     const v1::CreateJobRequest* request, v1::Job* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
   if (request->validate_only()) {
     return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
-      auto job = Validate(*request, call);
+      auto job = Validate(*caller, *request, call);
       if (job.ok()) *response = *std::move(job);
       return job.status();
     });
   }
-  const auto created = Create(*request, rpc::TraceOf(*context));
+  const auto created = Create(*caller, *request, rpc::TraceOf(*context));
   if (created.ok()) *response = ToProto(*created);
   return rpc::ToGrpc(created.status());
 }
@@ -78,6 +103,8 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
 grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
                                           const v1::BatchCreateJobsRequest* request,
                                           v1::BatchCreateJobsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
   if (request->requests_size() > limits::kMaxBatchJobs) {
     return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
                                   limits::kMaxBatchJobs, request->requests_size()));
@@ -86,7 +113,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     const auto created =
         each.validate_only()
             ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
-            : Create(each, rpc::TraceOf(*context));
+            : Create(*caller, each, rpc::TraceOf(*context));
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
@@ -98,14 +125,16 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
   return grpc::Status::OK;
 }
 
-absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& request,
+absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
                                               const TraceContext& trace) {
-  auto submission = Read(request);
+  auto submission = Read(caller, request);
   if (submission.ok()) submission->trace = trace;
   auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
                                  : absl::StatusOr<Created>(submission.status());
   if (!created.ok()) {
-    backend_.log.Warn("job refused", {{"error", std::string(created.status().message())}});
+    backend_.log.Warn("job refused", {{"tenant", caller.tenant},
+                                      {"error", std::string(created.status().message())}});
     return created.status();
   }
   if (created->fresh) {
@@ -115,14 +144,17 @@ absl::StatusOr<JobRecord> JobsService::Create(const v1::CreateJobRequest& reques
   return std::move(created->job);
 }
 
-absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request) {
-  const auto spec = WithProfiles(request.spec(), "", backend_.profiles);
+absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
+                                             const v1::CreateJobRequest& request) {
+  const auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
   if (!spec.ok()) return spec.status();
   auto job = FromProto(*spec);
   if (!job.ok()) return Within("spec", job.status());
   const auto priority = FromProto(request.priority());
   if (!priority.ok()) return priority.status();
   Submission submission;
+  submission.tenant = caller.tenant;
+  submission.max_open_jobs = caller.max_open_jobs;
   submission.request_id = request.request_id();
   submission.spec_digest = Sha256Hex(SpecBytes(request.spec()));
   submission.spec = SpecBytes(*spec);
@@ -131,7 +163,7 @@ absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request
   submission.priority = *priority;
   submission.webhook_url = request.webhook_url();
   if (!submission.webhook_url.empty()) {
-    absl::Status allowed = backend_.webhook_policy.Check("", submission.webhook_url);
+    absl::Status allowed = backend_.webhook_policy.Check(caller.tenant, submission.webhook_url);
     if (!allowed.ok()) return allowed;
   }
   if (!request.has_deadline()) return submission;
@@ -141,13 +173,16 @@ absl::StatusOr<Submission> JobsService::Read(const v1::CreateJobRequest& request
   return submission;
 }
 
-absl::StatusOr<v1::Job> JobsService::Validate(const v1::CreateJobRequest& request,
+absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
                                               const rpc::Call& call) {
-  const auto submission = Read(request);
+  const auto submission = Read(caller, request);
   if (!submission.ok()) return submission.status();
   const auto resolved = backend_.intake.Check(*submission);
   if (!resolved.ok()) return resolved.status();
-  auto meshes = LoadMeshes(resolved->request, backend_.blobs);
+  const auto blobs = backend_.blobs.Of(caller.tenant);
+  if (!blobs.ok()) return blobs.status();
+  auto meshes = LoadMeshes(resolved->request, **blobs);
   if (!meshes.ok()) return meshes.status();
   StageCall stage_call;
   stage_call.cancel = call.cancel;
@@ -167,17 +202,21 @@ absl::StatusOr<v1::Job> JobsService::Validate(const v1::CreateJobRequest& reques
   return job;
 }
 
-grpc::Status JobsService::GetJob(grpc::ServerContext*, const v1::GetJobRequest* request,
+grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                                  v1::Job* response) {
-  const auto job = backend_.jobs.Get(request->id());
+  const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
   if (job.ok()) *response = ToProto(*job);
   return rpc::ToGrpc(job.status());
 }
 
-grpc::Status JobsService::ListJobs(grpc::ServerContext*, const v1::ListJobsRequest* request,
+grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
                                    v1::ListJobsResponse* response) {
-  const auto query = FromProto(*request);
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  auto query = FromProto(*request);
   if (!query.ok()) return rpc::ToGrpc(query.status());
+  query->tenant = caller->tenant;
+  query->all_tenants = caller->may(Scope::kAdmin);
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
   return rpc::ToGrpc(jobs.status());
@@ -185,12 +224,17 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext*, const v1::ListJobsReque
 
 grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(grpc::CallbackServerContext* context,
                                                               const v1::WatchJobRequest* request) {
+  const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  if (!job.ok()) return new RefusedWatch(job.status());
   return new JobWatch(*context, backend_.jobs, backend_.feed, request->id(),
                       request->after_sequence());
 }
 
-grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobRequest* request,
-                                    v1::Job* response) {
+grpc::Status JobsService::CancelJob(grpc::ServerContext* context,
+                                    const v1::CancelJobRequest* request, v1::Job* response) {
+  const auto known =
+      Find(*context, {Scope::kSubmit, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  if (!known.ok()) return rpc::ToGrpc(known.status());
   const auto job = backend_.jobs.RequestCancel(request->id(), backend_.now_us());
   if (!job.ok()) return rpc::ToGrpc(job.status());
   backend_.log.Info("job cancelled", FieldsOf(*job));
@@ -200,17 +244,19 @@ grpc::Status JobsService::CancelJob(grpc::ServerContext*, const v1::CancelJobReq
   return grpc::Status::OK;
 }
 
-grpc::Status JobsService::GetWebhook(grpc::ServerContext*, const v1::GetWebhookRequest* request,
-                                     v1::Webhook* response) {
-  const auto job = backend_.jobs.Get(request->job_id());
+grpc::Status JobsService::GetWebhook(grpc::ServerContext* context,
+                                     const v1::GetWebhookRequest* request, v1::Webhook* response) {
+  const auto job = Find(*context, {Scope::kRead}, request->job_id(), Of::kTenant);
   if (!job.ok()) return rpc::ToGrpc(job.status());
   const auto webhook = backend_.webhooks.Get(request->job_id());
   if (webhook.ok() && *webhook) *response = ToProto(**webhook);
   return rpc::ToGrpc(webhook.status());
 }
 
-grpc::Status JobsService::DeleteJob(grpc::ServerContext*, const v1::DeleteJobRequest* request,
-                                    google::protobuf::Empty*) {
+grpc::Status JobsService::DeleteJob(grpc::ServerContext* context,
+                                    const v1::DeleteJobRequest* request, google::protobuf::Empty*) {
+  const auto known = Find(*context, {Scope::kSubmit}, request->id(), Of::kTenant);
+  if (!known.ok()) return rpc::ToGrpc(known.status());
   return rpc::ToGrpc(backend_.jobs.Delete(request->id()));
 }
 
@@ -218,7 +264,9 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRec
                                                                     v1::Artifact artifact) {
   const auto digest = ArtifactOf(job, artifact);
   if (!digest.ok()) return digest.status();
-  return backend_.blobs.Open(*digest);
+  const auto blobs = backend_.blobs.Of(job.result->tenant);
+  if (!blobs.ok()) return blobs.status();
+  return (*blobs)->Open(*digest);
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobRecord& job) {
@@ -228,8 +276,8 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobReco
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
-    const v1::DownloadRequest& request) {
-  const auto job = backend_.jobs.Get(request.id());
+    const Caller& caller, const v1::DownloadRequest& request) {
+  const auto job = Find(caller, request.id(), Of::kTenant);
   if (!job.ok()) return job.status();
   auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
                                                          : OpenResult(*job, request.artifact());
@@ -242,13 +290,17 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
 
 grpc::Status JobsService::Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                                    grpc::ServerWriter<v1::DownloadResponse>* stream) {
-  return rpc::ToGrpc(downloads_.Run(
-      *context, [&](const Transfers::Moved& moved) { return Send(*request, moved, *stream); }));
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(downloads_.Run(*context, [&](const Transfers::Moved& moved) {
+    return Send(*caller, *request, moved, *stream);
+  }));
 }
 
-absl::Status JobsService::Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
+absl::Status JobsService::Send(const Caller& caller, const v1::DownloadRequest& request,
+                               const Transfers::Moved& moved,
                                grpc::ServerWriter<v1::DownloadResponse>& stream) {
-  const auto reader = OpenArtifact(request);
+  const auto reader = OpenArtifact(caller, request);
   if (!reader.ok()) return reader.status();
   v1::DownloadResponse response;
   for (int64_t at = request.offset(); at < (*reader)->size(); at += kDownloadChunkBytes) {

@@ -5,6 +5,7 @@
 #include "common/rpc/call_gate.h"
 #include "common/rpc/json_log.h"
 #include "services/coordinator/algo/cost.h"
+#include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
@@ -18,8 +19,9 @@ namespace slicefarm::coordinator {
 
 /// What the service speaks for. Everything outlives it.
 struct JobsBackend {
+  const Callers& callers;
   JobStore& jobs;
-  BlobStore& blobs;
+  BlobStores& blobs;
   JobIntake& intake;
   JobRunner& runner;
   JobFeed& feed;
@@ -32,7 +34,8 @@ struct JobsBackend {
   rpc::JsonLog log;
 };
 
-/// Translates slicefarm.v1.Jobs.
+/// Translates slicefarm.v1.Jobs. A job of another tenant is, to its callers, one that does not
+/// exist.
 class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   JobsService(JobsBackend backend, const TransferOptions& options)
@@ -61,14 +64,22 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
 
  private:
-  absl::StatusOr<Submission> Read(const v1::CreateJobRequest& request);
-  absl::StatusOr<JobRecord> Create(const v1::CreateJobRequest& request, const TraceContext& trace);
-  absl::StatusOr<v1::Job> Validate(const v1::CreateJobRequest& request, const rpc::Call& call);
+  enum class Of { kTenant, kAllForAdmins };
+  absl::StatusOr<JobRecord> Find(const Caller& caller, const std::string& id, Of of);
+  absl::StatusOr<JobRecord> Find(const grpc::ServerContextBase& context, const Scopes& one_of,
+                                 const std::string& id, Of of);
+  absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
+  absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
+                                   const TraceContext& trace);
+  absl::StatusOr<v1::Job> Validate(const Caller& caller, const v1::CreateJobRequest& request,
+                                   const rpc::Call& call);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
                                                          v1::Artifact artifact);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
-  absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const v1::DownloadRequest& request);
-  absl::Status Send(const v1::DownloadRequest& request, const Transfers::Moved& moved,
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const Caller& caller,
+                                                           const v1::DownloadRequest& request);
+  absl::Status Send(const Caller& caller, const v1::DownloadRequest& request,
+                    const Transfers::Moved& moved,
                     grpc::ServerWriter<v1::DownloadResponse>& stream);
 
   JobsBackend backend_;

@@ -70,6 +70,7 @@ absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
 v1::Job SummaryToProto(const JobRecord& job) {
   v1::Job proto;
   proto.set_id(job.id);
+  proto.set_tenant(job.tenant);
   proto.set_state(ToProto(job.state));
   proto.mutable_labels()->insert(job.labels.begin(), job.labels.end());
   proto.set_priority(static_cast<v1::JobPriority>(static_cast<int>(job.priority) + 1));

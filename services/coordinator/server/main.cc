@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/model/build_info.h"
+#include "common/rpc/identity.h"
 #include "common/rpc/serve.h"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/remote/remote_stages.h"
@@ -17,23 +18,44 @@
 #include "services/coordinator/server/rates_file.h"
 #include "services/coordinator/server/split_stages.h"
 #include "services/coordinator/server/status_board.h"
+#include "services/coordinator/server/tenants_file.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
 int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
+  std::shared_ptr<const rpc::Tls> tls;
+  if (flags.serve.tls.enabled()) {
+    auto opened = rpc::Tls::Open(flags.serve.tls);
+    if (!opened.ok()) {
+      program.log().Error("cannot serve", {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tls = *std::move(opened);
+  }
+  // Whoever listens on a stage's address must have that stage's certificate.
+  const auto credentials = [&](const std::string& identity) {
+    return tls ? tls->ForIdentity(identity, program.log()) : nullptr;
+  };
+  const auto pool_options = [&](const std::string& stage) {
+    return StagePoolOptions{.credentials = credentials(rpc::StageIdentity(stage))};
+  };
+
   // Made in the order of use, and so ended in the reverse one.
-  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log());
-  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log());
+  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log(),
+                         pool_options("slicing"));
+  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
+                        pool_options("motion"));
   const RemoteSlicing slicing(slicing_pool);
   const RemoteMotion motion(motion_pool);
   std::optional<SplitStages> split;
-  if (flags.split()) split.emplace(flags.split_names(), motion_pool, program.log());
+  if (flags.split()) split.emplace(flags.split_names(), pool_options, motion_pool, program.log());
   Dispatcher dispatcher;
   Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
   if (!flags.workers.empty()) {
-    workers.emplace(fleet, SplitAddresses(flags.workers), program.log());
+    workers.emplace(fleet, SplitAddresses(flags.workers), program.log(),
+                    WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
   }
   if (split) fleet.Join(split->AsRunner(flags.split_slots));
 
@@ -50,14 +72,28 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                         {{"error", std::string(webhooks.status().message())}});
     return 1;
   }
-  CoordinatorOptions options{.stores = flags.stores,
-                             .runner = flags.runner_options(),
-                             .rates = *rates,
-                             .webhooks = *std::move(webhooks),
-                             .min_free_bytes = flags.min_free_mib << 20,
-                             .build_id = std::string(BuildId()),
-                             .maintenance = flags.maintenance(),
-                             .metrics = &program.metrics().registry()};
+  std::unique_ptr<TenantsFile> tenants;
+  if (!flags.tenants_file.empty()) {
+    auto opened =
+        TenantsFile::Open(flags.tenants_file, program.metrics().registry(), program.log());
+    if (!opened.ok()) {
+      program.log().Error("cannot use the tenants",
+                          {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tenants = *std::move(opened);
+  }
+  CoordinatorOptions options{
+      .stores = flags.stores,
+      .runner = flags.runner_options(),
+      .rates = *rates,
+      .webhooks = *std::move(webhooks),
+      .min_free_bytes = flags.min_free_mib << 20,
+      .build_id = std::string(BuildId()),
+      .maintenance = flags.maintenance(),
+      .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
+      .metrics = &program.metrics().registry()};
+  if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
       Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
   if (!coordinator.ok()) {

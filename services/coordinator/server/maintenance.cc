@@ -5,7 +5,7 @@
 
 namespace slicefarm::coordinator {
 
-Maintenance::Maintenance(JobStore& jobs, BlobStore& blobs, Options options,
+Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, Options options,
                          std::function<int64_t()> now_us, rpc::JsonLog log)
     : jobs_(jobs),
       blobs_(blobs),

@@ -19,7 +19,7 @@ class Maintenance {
     std::chrono::seconds every{600};
   };
 
-  Maintenance(JobStore& jobs, BlobStore& blobs, Options options, std::function<int64_t()> now_us,
+  Maintenance(JobStore& jobs, BlobStores& blobs, Options options, std::function<int64_t()> now_us,
               rpc::JsonLog log);
   ~Maintenance();
 
@@ -28,7 +28,7 @@ class Maintenance {
   void SweepOnce();
 
   JobStore& jobs_;
-  BlobStore& blobs_;
+  BlobStores& blobs_;
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;

@@ -33,35 +33,13 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
   return Malformed("data", "holds more bytes than `size` says");
 }
 
-}  // namespace
-
-grpc::Status MeshesService::GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
-                                      v1::Upload* response) {
-  const auto status = blobs_.Status(request->sha256());
-  if (status.ok()) *response = ToProto(request->sha256(), *status);
-  return rpc::ToGrpc(status.status());
-}
-
-grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
-                                       v1::Upload* response) {
-  return rpc::ToGrpc(uploads_.Run(
-      *context, [&](const Transfers::Moved& moved) { return Take(*stream, moved, response); }));
-}
-
-absl::Status MeshesService::Take(Reader& stream, const Transfers::Moved& moved,
-                                 v1::Upload* response) {
-  v1::UploadMeshRequest first;
-  if (!stream.Read(&first)) return Malformed("sha256", "is missing");
-  const auto status = Receive(stream, moved, first);
-  if (status.ok()) *response = ToProto(first.sha256(), *status);
-  return status.status();
-}
+using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 
 /// Keeps chunk after chunk; a call that breaks leaves what it brought.
-absl::StatusOr<BlobStatus> MeshesService::Receive(Reader& stream, const Transfers::Moved& moved,
-                                                  v1::UploadMeshRequest& first) {
+absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
+                                   const Transfers::Moved& moved, v1::UploadMeshRequest& first) {
   if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
-  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
+  if (absl::Status room = disk.CheckRoom(); !room.ok()) return room;
   const std::string digest = first.sha256();
   const int64_t size = first.size();
   int64_t offset = first.write_offset();
@@ -69,12 +47,44 @@ absl::StatusOr<BlobStatus> MeshesService::Receive(Reader& stream, const Transfer
   do {
     moved();
     if (absl::Status ok = CheckChunk(chunk.data(), offset, size); !ok.ok()) return ok;
-    const auto status = blobs_.Append(digest, offset, chunk.data());
+    const auto status = blobs.Append(digest, offset, chunk.data());
     if (!status.ok() || status->complete) return status;
     offset += static_cast<int64_t>(chunk.data().size());
   } while (stream.Read(&chunk));
-  if (offset < size) return blobs_.Status(digest);
-  return blobs_.Finish(digest, size);
+  if (offset < size) return blobs.Status(digest);
+  return blobs.Finish(digest, size);
+}
+
+}  // namespace
+
+/// Of the caller, if he may upload.
+absl::StatusOr<std::shared_ptr<BlobStore>> MeshesService::BlobsOf(
+    const grpc::ServerContextBase& context) {
+  const auto caller = callers_.Find(context, {Scope::kSubmit});
+  if (!caller.ok()) return caller.status();
+  return blobs_.Of(caller->tenant);
+}
+
+grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
+                                      const v1::GetUploadRequest* request, v1::Upload* response) {
+  const auto blobs = BlobsOf(*context);
+  if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
+  const auto status = (*blobs)->Status(request->sha256());
+  if (status.ok()) *response = ToProto(request->sha256(), *status);
+  return rpc::ToGrpc(status.status());
+}
+
+grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
+                                       v1::Upload* response) {
+  const auto blobs = BlobsOf(*context);
+  if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
+  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) -> absl::Status {
+    v1::UploadMeshRequest first;
+    if (!stream->Read(&first)) return Malformed("sha256", "is missing");
+    const auto status = Receive(**blobs, disk_, *stream, moved, first);
+    if (status.ok()) *response = ToProto(first.sha256(), *status);
+    return status.status();
+  }));
 }
 
 }  // namespace slicefarm::coordinator

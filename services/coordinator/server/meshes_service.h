@@ -1,18 +1,21 @@
 #pragma once
 
 #include "absl/status/statusor.h"
+#include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/server/transfers.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
-/// Translates slicefarm.v1.Meshes to a BlobStore.
+/// Translates slicefarm.v1.Meshes to the caller's BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
-  MeshesService(BlobStore& blobs, const DiskGuard& disk, const TransferOptions& options)
-      : blobs_(blobs), disk_(disk), uploads_(options) {}
+  /// `callers`, `blobs` and `disk` must outlive it.
+  MeshesService(const Callers& callers, BlobStores& blobs, const DiskGuard& disk,
+                const TransferOptions& options)
+      : callers_(callers), blobs_(blobs), disk_(disk), uploads_(options) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
                          v1::Upload* response) override;
@@ -22,12 +25,10 @@ class MeshesService final : public v1::Meshes::Service {
                           v1::Upload* response) override;
 
  private:
-  using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
-  absl::Status Take(Reader& stream, const Transfers::Moved& moved, v1::Upload* response);
-  absl::StatusOr<BlobStatus> Receive(Reader& stream, const Transfers::Moved& moved,
-                                     v1::UploadMeshRequest& first);
+  absl::StatusOr<std::shared_ptr<BlobStore>> BlobsOf(const grpc::ServerContextBase& context);
 
-  BlobStore& blobs_;
+  const Callers& callers_;
+  BlobStores& blobs_;
   const DiskGuard& disk_;
   Transfers uploads_;
 };

@@ -18,21 +18,22 @@ namespace {
 
 constexpr int32_t kDefaultPageSize = 50;
 
-/// Of everybody, where there are no tenants.
-constexpr char kTenant[] = "";
-
 absl::Status CheckSettings(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
   return config::Resolve(SettingsFromProto(settings)).status();
 }
 
 }  // namespace
 
-grpc::Status ProfilesService::PutProfile(grpc::ServerContext*, const v1::PutProfileRequest* request,
+grpc::Status ProfilesService::PutProfile(grpc::ServerContext* context,
+                                         const v1::PutProfileRequest* request,
                                          v1::Profile* response) {
-  return rpc::ToGrpc(Put(*request, response));
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(Put(caller->tenant, *request, response));
 }
 
-absl::Status ProfilesService::Put(const v1::PutProfileRequest& request, v1::Profile* response) {
+absl::Status ProfilesService::Put(const std::string& tenant, const v1::PutProfileRequest& request,
+                                  v1::Profile* response) {
   if (absl::Status named = CheckProfileName(request.name()); !named.ok()) return named;
   std::string bytes = ProfileBytes(request.settings());
   if (std::ssize(bytes) > limits::kMaxSpecBytes) {
@@ -41,36 +42,42 @@ absl::Status ProfilesService::Put(const v1::PutProfileRequest& request, v1::Prof
   }
   if (absl::Status known = CheckSettings(request.settings()); !known.ok()) return known;
   const std::string digest = Sha256Hex(bytes);
-  const auto record = profiles_.Put({kTenant, request.name(), std::move(bytes), digest}, now_us_());
+  const auto record = profiles_.Put({tenant, request.name(), std::move(bytes), digest}, now_us_());
   if (!record.ok()) return record.status();
   auto profile = ReadProfile(*record);
   if (profile.ok()) *response = *std::move(profile);
   return profile.status();
 }
 
-grpc::Status ProfilesService::GetProfile(grpc::ServerContext*, const v1::GetProfileRequest* request,
+grpc::Status ProfilesService::GetProfile(grpc::ServerContext* context,
+                                         const v1::GetProfileRequest* request,
                                          v1::Profile* response) {
+  const auto caller = callers_.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
   if (request->revision() < 0) return rpc::ToGrpc(Malformed("revision", "is negative"));
-  const auto record = profiles_.Get(kTenant, request->name(), request->revision());
+  const auto record = profiles_.Get(caller->tenant, request->name(), request->revision());
   if (!record.ok()) return rpc::ToGrpc(record.status());
   auto profile = ReadProfile(*record);
   if (profile.ok()) *response = *std::move(profile);
   return rpc::ToGrpc(profile.status());
 }
 
-grpc::Status ProfilesService::ListProfiles(grpc::ServerContext*,
+grpc::Status ProfilesService::ListProfiles(grpc::ServerContext* context,
                                            const v1::ListProfilesRequest* request,
                                            v1::ListProfilesResponse* response) {
-  return rpc::ToGrpc(List(*request, response));
+  const auto caller = callers_.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(List(caller->tenant, *request, response));
 }
 
-absl::Status ProfilesService::List(const v1::ListProfilesRequest& request,
+absl::Status ProfilesService::List(const std::string& tenant,
+                                   const v1::ListProfilesRequest& request,
                                    v1::ListProfilesResponse* response) {
   if (request.page_size() < 0) return Malformed("page_size", "is negative");
   const int32_t limit = request.page_size() == 0
                             ? kDefaultPageSize
                             : std::min(request.page_size(), limits::kMaxPageSize);
-  const auto records = profiles_.List(kTenant, request.page_token(), limit);
+  const auto records = profiles_.List(tenant, request.page_token(), limit);
   if (!records.ok()) return records.status();
   for (const ProfileRecord& record : *records) {
     auto profile = ReadProfile(record);

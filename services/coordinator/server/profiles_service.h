@@ -2,16 +2,18 @@
 
 #include <functional>
 
+#include "services/coordinator/server/callers.h"
 #include "services/coordinator/store/profile_store.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
-/// Translates slicefarm.v1.Profiles to a ProfileStore.
+/// Translates slicefarm.v1.Profiles to a ProfileStore. Each tenant has profiles of its own.
 class ProfilesService final : public v1::Profiles::Service {
  public:
-  ProfilesService(ProfileStore& profiles, std::function<int64_t()> now_us)
-      : profiles_(profiles), now_us_(std::move(now_us)) {}
+  /// `callers` and `profiles` must outlive it.
+  ProfilesService(const Callers& callers, ProfileStore& profiles, std::function<int64_t()> now_us)
+      : callers_(callers), profiles_(profiles), now_us_(std::move(now_us)) {}
 
   grpc::Status PutProfile(grpc::ServerContext* context, const v1::PutProfileRequest* request,
                           v1::Profile* response) override;
@@ -21,9 +23,12 @@ class ProfilesService final : public v1::Profiles::Service {
                             v1::ListProfilesResponse* response) override;
 
  private:
-  absl::Status Put(const v1::PutProfileRequest& request, v1::Profile* response);
-  absl::Status List(const v1::ListProfilesRequest& request, v1::ListProfilesResponse* response);
+  absl::Status Put(const std::string& tenant, const v1::PutProfileRequest& request,
+                   v1::Profile* response);
+  absl::Status List(const std::string& tenant, const v1::ListProfilesRequest& request,
+                    v1::ListProfilesResponse* response);
 
+  const Callers& callers_;
   ProfileStore& profiles_;
   const std::function<int64_t()> now_us_;
 };

@@ -5,10 +5,12 @@
 
 namespace slicefarm::coordinator {
 
-SplitStages::SplitStages(const Names& names, StagePool& motion, const rpc::JsonLog& log)
-    : beading_pool_("beading", names.beading, log),
-      infill_pool_("infill", names.infill, log),
-      ordering_pool_("ordering", names.ordering, log),
+SplitStages::SplitStages(const Names& names,
+                         const std::function<StagePoolOptions(const std::string& stage)>& options,
+                         StagePool& motion, const rpc::JsonLog& log)
+    : beading_pool_("beading", names.beading, log, options("beading")),
+      infill_pool_("infill", names.infill, log, options("infill")),
+      ordering_pool_("ordering", names.ordering, log, options("ordering")),
       motion_pool_(motion) {}
 
 Runner SplitStages::AsRunner(int slots) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,8 +23,10 @@ class SplitStages {
     std::vector<std::string> ordering;
   };
 
-  /// `motion` must outlive it.
-  SplitStages(const Names& names, StagePool& motion, const rpc::JsonLog& log);
+  /// `options` of the pool of a stage, by its name. `motion` must outlive it.
+  SplitStages(const Names& names,
+              const std::function<StagePoolOptions(const std::string& stage)>& options,
+              StagePool& motion, const rpc::JsonLog& log);
 
   /// The chain as a runner of `slots` ranges at a time; it can be reached when all its stages can.
   /// The object must outlive the runner's calls.

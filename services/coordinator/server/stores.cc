@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "services/coordinator/store/directory_blob_store.h"
 #include "services/coordinator/store/posix_file.h"
-#include "services/coordinator/store/postgres_blob_store.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/postgres_job_changes.h"
 #include "services/coordinator/store/sql_job_store.h"
@@ -22,7 +20,7 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   auto opened = SqliteDatabase::Open(directory + "/jobs.db");
   if (!opened.ok()) return opened.status();
   const std::shared_ptr<SqlDatabase> database = *std::move(opened);
-  auto blobs = DirectoryBlobStore::OpenAt(directory);
+  auto blobs = OpenDirectoryBlobs(directory);
   if (!blobs.ok()) return blobs.status();
   return Stores{.lock = *std::move(lock),
                 .jobs = std::make_unique<SqlJobStore>(database),
@@ -40,7 +38,7 @@ absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
   if (!blobs.ok()) return blobs.status();
   return Stores{.lock = nullptr,
                 .jobs = std::make_unique<SqlJobStore>(database),
-                .blobs = std::make_unique<PostgresBlobStore>(*std::move(blobs)),
+                .blobs = MakePostgresBlobs(*std::move(blobs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "services/coordinator/server/state_lock.h"
-#include "services/coordinator/store/blob_store.h"
+#include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_changes.h"
 #include "services/coordinator/store/job_store.h"
 #include "services/coordinator/store/profile_store.h"
@@ -23,7 +23,7 @@ struct StoreOptions {
 struct Stores {
   std::unique_ptr<StateLock> lock;  ///< of a directory
   std::unique_ptr<JobStore> jobs;
-  std::unique_ptr<BlobStore> blobs;
+  std::unique_ptr<BlobStores> blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
 };

@@ -261,13 +261,14 @@ void CheckedStore::CheckJob(const MemoryJobs::Entry& entry, Seen& seen) {
 }
 
 void CheckedStore::CheckBlobs(const MemoryJobs::Entry& entry) {
-  std::vector<std::string> blobs = entry.inputs;
+  std::vector<BlobKey> blobs;
+  for (const std::string& input : entry.inputs) blobs.push_back({entry.job.tenant, input});
   if (const auto& result = entry.job.result) {
-    blobs.push_back(result->gcode_sha256);
-    blobs.push_back(result->report_sha256);
+    blobs.push_back({result->tenant, result->gcode_sha256});
+    blobs.push_back({result->tenant, result->report_sha256});
   }
-  for (const std::string& blob : blobs) {
-    if (!world_.blobs.Has(blob)) world_.Violated("{} lacks its blob {}", entry.job.id, blob);
+  for (const BlobKey& blob : blobs) {
+    if (!world_.blobs.Has(blob)) world_.Violated("{} lacks its blob {}", entry.job.id, blob.digest);
   }
 }
 

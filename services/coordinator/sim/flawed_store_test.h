@@ -98,8 +98,9 @@ class FlawedStore : public ForwardingJobStore {
     }
     return events;
   }
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
-    auto referenced = store().Referenced(digests);
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override {
+    auto referenced = store().Referenced(tenant, digests);
     if (flaw_ != Flaw::kReferencesForgotten || !referenced.ok()) return referenced;
     std::erase_if(*referenced, [](const std::string& digest) { return digest[0] == 'g'; });
     return referenced;

@@ -87,7 +87,7 @@ Scenario MakeScenario(Random& random) {
   scenario.quiet_from_us = random.Between(5, 40) * kSecondUs;
   scenario.clients = MakeClients(random, scenario.quiet_from_us);
   for (const ClientPlan& client : scenario.clients) {
-    if (random.Chance(500)) scenario.meshes.push_back(client.work);
+    if (random.Chance(500)) scenario.meshes.push_back({client.tenant, MeshOf(client.work)});
   }
   for (int i = 0; i < kFaults; ++i) {
     if (random.Chance(400)) scenario.faults.push_back(static_cast<Fault>(i));

@@ -9,6 +9,7 @@
 
 #include "services/coordinator/algo/range_scheduler.h"
 #include "services/coordinator/sim/random.h"
+#include "services/coordinator/sim/sim_blobs.h"
 #include "services/coordinator/sim/work.h"
 #include "services/coordinator/store/job_store.h"
 
@@ -78,7 +79,7 @@ struct Scenario {
   std::vector<CoordinatorPlan> coordinators;  ///< 1 to 3
   std::vector<WorkerPlan> workers;            ///< 1 to 8
   std::vector<ClientPlan> clients;            ///< 1 to 12
-  std::vector<Work> meshes;                   ///< whose meshes were uploaded long ago
+  std::vector<BlobKey> meshes;                ///< that were uploaded long ago
   std::vector<Fault> faults;                  ///< that happen
   int64_t fault_every_us = kSecondUs;         ///< on average
   int64_t quiet_from_us = 20 * kSecondUs;     ///< then nothing goes wrong any more

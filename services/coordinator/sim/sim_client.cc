@@ -85,7 +85,9 @@ void SimClient::Create() {
 
 void SimClient::NotCreated(const absl::Status& error) {
   const Reason reason = DetailOf(error).reason;
-  if (reason == Reason::kBlobNotFound) world_.blobs.Put(MeshOf(plan_.work), world_.wall_us());
+  if (reason == Reason::kBlobNotFound) {
+    world_.blobs.Put({plan_.tenant, MeshOf(plan_.work)}, world_.wall_us());
+  }
   const bool refused = reason == Reason::kBlobNotFound || reason == Reason::kQueueFull;
   // Without a request_id, who does not know whether there is a job must not ask again.
   const bool may_ask = refused || !plan_.request_id.empty();

@@ -255,7 +255,7 @@ void SimCoordinator::Create(const ClientPlan& client, const std::string& job_id,
   if (client.deadline_us) {
     job.deadline_us = World::kBeginUs + client.begin_us + *client.deadline_us;
   }
-  if (!world_.blobs.Keep(job.inputs.front(), world_.wall_us())) {
+  if (!world_.blobs.Keep({job.tenant, job.inputs.front()}, world_.wall_us())) {
     return reply(MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,
                            "the mesh was not uploaded"));
   }

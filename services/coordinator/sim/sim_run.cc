@@ -75,7 +75,7 @@ void SimRun::FindCached() {
 void SimRun::CheckBlobs(const JobResult& found) {
   World& world = desk_.world;
   for (const std::string& blob : {found.gcode_sha256, found.report_sha256}) {
-    if (!world.blobs.Keep(blob, world.wall_us())) return ForgetResult();
+    if (!world.blobs.Keep({found.tenant, blob}, world.wall_us())) return ForgetResult();
   }
   JobResult result = found;
   result.cached = true;
@@ -95,7 +95,7 @@ void SimRun::ForgetResult() {
 
 void SimRun::Compute() {
   computing_ = true;
-  if (!desk_.world.blobs.Has(MeshOf(work_))) {
+  if (!desk_.world.blobs.Has({job_.tenant, MeshOf(work_)})) {
     return Computed(MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound, "no mesh"));
   }
   if (job_.deadline_us != kNoDeadlineUs) {
@@ -177,8 +177,9 @@ void SimRun::PutBlobs() {
   result.gcode_sha256 = GcodeOf(layers_);
   result.report_sha256 = absl::StrCat("report-", job_.id, "-", lease_.epoch);
   result.layers = static_cast<int32_t>(layers_.size());
-  world.blobs.Put(result.gcode_sha256, world.wall_us());
-  world.blobs.Put(result.report_sha256, world.wall_us());
+  for (const std::string& blob : {result.gcode_sha256, result.report_sha256}) {
+    world.blobs.Put({result.tenant, blob}, world.wall_us());
+  }
   Write(Success(std::move(result)), [this](const absl::Status& written) {
     Took(written.ok() ? absl::StatusOr<bool>(true) : written);
   });

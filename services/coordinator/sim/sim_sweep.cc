@@ -33,29 +33,32 @@ class WaitingJobs : public ForwardingJobStore {
     if (absl::Status lives = waiter_.Wait(); !lives.ok()) return lives;
     return store().Delete(id);
   }
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override {
     if (absl::Status lives = waiter_.Wait(); !lives.ok()) return lives;
-    return store().Referenced(digests);
+    return store().Referenced(tenant, digests);
   }
 
  private:
   Waiter& waiter_;
 };
 
-/// As much of a blob store as a sweep needs.
+/// As much of a tenant's blob store as a sweep needs.
 class WaitingBlobs : public BlobStore {
  public:
-  WaitingBlobs(World& world, Waiter& waiter) : world_(world), waiter_(waiter) {}
+  WaitingBlobs(World& world, Waiter& waiter, std::string tenant)
+      : world_(world), waiter_(waiter), tenant_(std::move(tenant)) {}
 
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override {
     if (absl::Status lives = waiter_.Wait(); !lives.ok()) return lives;
     const auto idle_us = static_cast<int64_t>(idle_s * kSecondUs);
-    return world_.blobs.Delete(digest, world_.wall_us() - idle_us);
+    return world_.blobs.Delete({tenant_, digest}, world_.wall_us() - idle_us);
   }
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override {
-    for (const auto& [digest, used_us] : world_.blobs.used_us()) {
+    for (const auto& [key, used_us] : world_.blobs.used_us()) {
+      if (key.tenant != tenant_) continue;
       const auto idle_s = static_cast<double>(world_.wall_us() - used_us) / kSecondUs;
-      visit({.digest = digest, .size = 1, .complete = true, .idle_s = idle_s});
+      visit({.digest = key.digest, .size = 1, .complete = true, .idle_s = idle_s});
     }
     return absl::OkStatus();
   }
@@ -75,6 +78,25 @@ class WaitingBlobs : public BlobStore {
 
   World& world_;
   Waiter& waiter_;
+  const std::string tenant_;
+};
+
+class WaitingBlobStores : public BlobStores {
+ public:
+  WaitingBlobStores(World& world, Waiter& waiter) : world_(world), waiter_(waiter) {}
+
+  absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string& tenant) override {
+    return std::make_shared<WaitingBlobs>(world_, waiter_, tenant);
+  }
+  absl::StatusOr<std::vector<std::string>> Tenants() override {
+    std::set<std::string> tenants;
+    for (const auto& [key, used_us] : world_.blobs.used_us()) tenants.insert(key.tenant);
+    return std::vector<std::string>(tenants.begin(), tenants.end());
+  }
+
+ private:
+  World& world_;
+  Waiter& waiter_;
 };
 
 }  // namespace
@@ -82,7 +104,7 @@ class WaitingBlobs : public BlobStore {
 absl::StatusOr<Swept> SweepInTime(World& world, Process& process, JobStore& jobs, int64_t now_us) {
   Waiter waiter(world, process);
   WaitingJobs waiting_jobs(jobs, waiter);
-  WaitingBlobs waiting_blobs(world, waiter);
+  WaitingBlobStores waiting_blobs(world, waiter);
   const SweepOptions options = {.keep_jobs_s = world.scenario.keep_jobs_s,
                                 .keep_blobs_s = world.variant.keep_blobs_s};
   return Sweep(waiting_jobs, waiting_blobs, options, now_us);

@@ -39,7 +39,7 @@ class Simulation {
 
   Outcome Run() {
     for (const auto& coordinator : coordinators_) coordinator->Start();
-    for (const Work& work : world_.scenario.meshes) world_.blobs.Put(MeshOf(work), kYesterdayUs);
+    for (const BlobKey& mesh : world_.scenario.meshes) world_.blobs.Put(mesh, kYesterdayUs);
     for (size_t i = 0; i < clients_.size(); ++i) Begin(i);
     if (coordinators_.size() > 1 && world_.scenario.changes_told) {
       world_.changed = [this](const JobChange& change) { Announce(change); };
@@ -74,9 +74,9 @@ class Simulation {
     result.gcode_sha256 = ExpectedGcode(plan.work, build);
     result.report_sha256 = "report-yesterday";
     result.layers = plan.work.layers;
-    for (const std::string& blob :
-         {job.inputs.front(), result.gcode_sha256, result.report_sha256}) {
-      world_.blobs.Put(blob, kYesterdayUs);
+    world_.blobs.Put({job.tenant, job.inputs.front()}, kYesterdayUs);
+    for (const std::string& blob : {result.gcode_sha256, result.report_sha256}) {
+      world_.blobs.Put({result.tenant, blob}, kYesterdayUs);
     }
     store_.Create(job, kYesterdayUs).IgnoreError();
     store_.Claim("past", kYesterdayUs, kYesterdayUs + kSecondUs, {}).IgnoreError();

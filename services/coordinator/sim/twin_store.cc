@@ -103,8 +103,9 @@ absl::StatusOr<std::vector<OpenJobs>> TwinStore::CountOpen() {
   return Both("CountOpen", [](JobStore& store) { return store.CountOpen(); });
 }
 
-absl::StatusOr<std::set<std::string>> TwinStore::Referenced(const std::set<std::string>& digests) {
-  return Both("Referenced", [&](JobStore& store) { return store.Referenced(digests); });
+absl::StatusOr<std::set<std::string>> TwinStore::Referenced(const std::string& tenant,
+                                                            const std::set<std::string>& digests) {
+  return Both("Referenced", [&](JobStore& store) { return store.Referenced(tenant, digests); });
 }
 
 absl::StatusOr<std::vector<std::string>> TwinStore::EndedBefore(int64_t time_us, int32_t limit) {

@@ -33,19 +33,23 @@ class DirectoryPlace : public StorePlace<BlobStore> {
 
 class PostgresPlace : public StorePlace<BlobStore> {
  public:
+  explicit PostgresPlace(std::string tenant = "") : tenant_(std::move(tenant)) {}
+
   std::unique_ptr<BlobStore> Open() override {
     auto database = PostgresDatabase::Open(database_);
     EXPECT_TRUE(database.ok()) << database.status();
-    return std::make_unique<PostgresBlobStore>(*std::move(database));
+    return std::make_unique<PostgresBlobStore>(*std::move(database), tenant_);
   }
 
  private:
+  const std::string tenant_;
   const std::string database_ = SharedPostgres().NewDatabase();
 };
 
 const std::vector<StoreKind<BlobStore>> kStores = {
     {"Directory", [] { return std::make_unique<DirectoryPlace>(); }},
     {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+    {"PostgresOfATenant", [] { return std::make_unique<PostgresPlace>("acme"); }},
 };
 
 class BlobStoreTest : public testing::TestWithParam<StoreKind<BlobStore>> {

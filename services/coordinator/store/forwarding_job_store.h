@@ -59,8 +59,9 @@ class ForwardingJobStore : public JobStore {
     return store_.CountByState();
   }
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override { return store_.CountOpen(); }
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override {
-    return store_.Referenced(digests);
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override {
+    return store_.Referenced(tenant, digests);
   }
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override {
     return store_.EndedBefore(time_us, limit);

@@ -9,7 +9,8 @@ namespace {
 /// The statement of a list: conditions are there only if they are asked for, so that the index that
 /// suits them is used.
 std::string ListSql(const ListQuery& list) {
-  std::string sql = "SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE tenant = ?";
+  std::string sql = "SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE TRUE";
+  if (!list.all_tenants) sql += " AND tenant = ?";
   if (list.after_number > 0) sql += list.oldest_first ? " AND number > ?" : " AND number < ?";
   if (list.priority) sql += " AND priority = ?";
   if (list.created_from_us > 0) sql += " AND create_us >= ?";
@@ -27,7 +28,7 @@ std::string ListSql(const ListQuery& list) {
 absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list) {
   const std::string sql = ListSql(list);
   SqlQuery query(db, sql);
-  query.Bind(list.tenant);
+  if (!list.all_tenants) query.Bind(list.tenant);
   if (list.after_number > 0) query.Bind(list.after_number);
   if (list.priority) query.Bind(static_cast<int64_t>(*list.priority));
   if (list.created_from_us > 0) query.Bind(list.created_from_us);

@@ -66,7 +66,8 @@ std::string ToJson(const JobError& error) {
 }
 
 std::string ToJson(const JobResult& result) {
-  return Dump({{"gcode_sha256", result.gcode_sha256},
+  return Dump({{"tenant", result.tenant},
+               {"gcode_sha256", result.gcode_sha256},
                {"gcode_size", result.gcode_size},
                {"report_sha256", result.report_sha256},
                {"print_time_s", result.print_time_s},
@@ -95,6 +96,7 @@ absl::Status FromJson(const std::string& text, JobError& error) {
 absl::Status FromJson(const std::string& text, JobResult& result) {
   Json json;
   if (absl::Status parsed = ParseObject(text, json); !parsed.ok()) return parsed;
+  Take(json, "tenant", result.tenant);
   Take(json, "gcode_sha256", result.gcode_sha256);
   Take(json, "gcode_size", result.gcode_size);
   Take(json, "report_sha256", result.report_sha256);

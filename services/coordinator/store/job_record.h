@@ -26,6 +26,7 @@ JobError JobErrorOf(const absl::Status& status);
 
 /// What a job came to: the names of its artifacts, and what lists show of them.
 struct JobResult {
+  std::string tenant;        ///< whose blobs the artifacts are
   std::string gcode_sha256;  ///< empty: of a quote
   int64_t gcode_size = 0;
   std::string report_sha256;

@@ -9,6 +9,7 @@ namespace {
 
 TEST(JobRecord, ResultsComeBack) {
   JobResult result;
+  result.tenant = "acme";
   result.gcode_sha256 = "ab";
   result.gcode_size = int64_t{1} << 40;
   result.report_sha256 = "cd";

@@ -112,15 +112,15 @@ absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
       db,
       "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
       " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-      " report_sha256 = ?, cancel_requested = ?, retries = ?, store_failures = ?,"
-      " last_sequence = ?, trace_sha256 = ?, owner = ?, owner_epoch = ?, owner_until_us = ?"
-      " WHERE number = ?");
+      " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?,"
+      " store_failures = ?, last_sequence = ?, trace_sha256 = ?, owner = ?, owner_epoch = ?,"
+      " owner_until_us = ? WHERE number = ?");
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
-              job.result ? job.result->report_sha256 : "", job.cancel_requested, job.retries,
-              job.store_failures, job.last_sequence, job.trace_sha256, job.owner, job.owner_epoch,
-              job.owner_until_us, job.number);
+              job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
+              job.cancel_requested, job.retries, job.store_failures, job.last_sequence,
+              job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us, job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
   if (IsTerminal(job.state)) {

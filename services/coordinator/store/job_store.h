@@ -69,6 +69,7 @@ struct JobUpdate {
 /// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
 struct ListQuery {
   std::string tenant = {};
+  bool all_tenants = false;  ///< whatever `tenant` says
   std::vector<JobState> states = {};
   std::map<std::string, std::string> labels = {};
   std::optional<Priority> priority = {};
@@ -162,9 +163,9 @@ class JobStore {
   /// Those that have not ended, by state and priority; kinds of which there are none are left out.
   virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
 
-  /// Of these digests, those of inputs and results of jobs.
+  /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
   virtual absl::StatusOr<std::set<std::string>> Referenced(
-      const std::set<std::string>& digests) = 0;
+      const std::string& tenant, const std::set<std::string>& digests) = 0;
 
   /// Jobs that ended before, the oldest first, at most `limit`.
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;

@@ -516,15 +516,52 @@ TEST_P(JobStoreTest, ResultsGoWithTheLastJobThatRefersToThem) {
   MakeDone("a", ResultOf("gcode", "report-a"));
   MakeDone("b", ResultOf("gcode", "report-b"));
   const std::set<std::string> blobs = {"gcode", "report-a", "report-b", "mesh of a", "other"};
-  EXPECT_THAT(*store_->Referenced(blobs),
+  EXPECT_THAT(*store_->Referenced("", blobs),
               ElementsAre("gcode", "mesh of a", "report-a", "report-b"));
   ASSERT_TRUE(store_->Delete("a").ok());
   EXPECT_FALSE(store_->FindResult("action-a")->has_value());
   EXPECT_TRUE(store_->FindResult("action-b")->has_value());
-  EXPECT_THAT(*store_->Referenced(blobs), ElementsAre("gcode", "report-b"));
+  EXPECT_THAT(*store_->Referenced("", blobs), ElementsAre("gcode", "report-b"));
   ASSERT_TRUE(store_->Delete("b").ok());
   EXPECT_FALSE(store_->FindResult("action-b")->has_value());
-  EXPECT_THAT(*store_->Referenced(blobs), IsEmpty());
+  EXPECT_THAT(*store_->Referenced("", blobs), IsEmpty());
+}
+
+TEST_P(JobStoreTest, WhatATenantRefersToKeepsNothingOfAnothers) {
+  const auto make_done = [&](const std::string& id, const std::string& tenant) {
+    NewJob job = JobOf(id);
+    job.tenant = tenant;
+    job.inputs = {"mesh"};
+    EXPECT_TRUE(store_->Create(job, ++now_).ok());
+    ++now_;
+    const auto claimed = *store_->Claim("me", now_, now_ + 100);
+    const Lease lease{claimed->id, claimed->owner_epoch};
+    EXPECT_TRUE(store_->Update(lease, {.state = JobState::kRunning}, ++now_).ok());
+    JobUpdate update{.state = JobState::kSucceeded, .result = ResultOf("gcode", "report")};
+    update.result->tenant = tenant;
+    EXPECT_TRUE(store_->Update(lease, update, ++now_).ok());
+  };
+  make_done("a", "tenant-a");
+  make_done("b", "tenant-b");
+  const std::set<std::string> blobs = {"mesh", "gcode", "report"};
+  EXPECT_THAT(*store_->Referenced("tenant-a", blobs), ElementsAre("gcode", "mesh", "report"));
+  EXPECT_THAT(*store_->Referenced("", blobs), IsEmpty());
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_THAT(*store_->Referenced("tenant-a", blobs), IsEmpty());
+  EXPECT_THAT(*store_->Referenced("tenant-b", blobs), ElementsAre("gcode", "mesh", "report"));
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  EXPECT_TRUE(store_->FindResult("action-b")->has_value());
+}
+
+TEST_P(JobStoreTest, ListsTheJobsOfATenantOrOfAll) {
+  for (const std::string tenant : {"", "a", "b"}) {
+    NewJob job = JobOf("of " + tenant);
+    job.tenant = tenant;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  EXPECT_EQ(store_->List({})->size(), 1u);
+  EXPECT_EQ(store_->List({.tenant = "a"})->at(0).id, "of a");
+  EXPECT_EQ(store_->List({.all_tenants = true})->size(), 3u);
 }
 
 TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
@@ -541,9 +578,9 @@ TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
   update.trace_sha256 = "trace 2";
   ASSERT_TRUE(store_->Update(second, update, ++now_).ok());
   EXPECT_EQ(store_->Get("a")->trace_sha256, "trace 2");
-  EXPECT_THAT(*store_->Referenced({"trace 1", "trace 2"}), ElementsAre("trace 2"));
+  EXPECT_THAT(*store_->Referenced("", {"trace 1", "trace 2"}), ElementsAre("trace 2"));
   ASSERT_TRUE(store_->Delete("a").ok());
-  EXPECT_THAT(*store_->Referenced({"trace 2"}), IsEmpty());
+  EXPECT_THAT(*store_->Referenced("", {"trace 2"}), IsEmpty());
 }
 
 TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {

@@ -18,13 +18,15 @@ void WriteStep(MemoryJobs::Entry& entry, JobRecord job, int64_t now_us) {
   entry.job = std::move(job);
 }
 
-bool RefersTo(const JobRecord& job, const std::string& digest) {
-  if (job.trace_sha256 == digest) return true;
-  return job.result && (job.result->gcode_sha256 == digest || job.result->report_sha256 == digest);
+/// To a blob of the tenant.
+bool RefersTo(const JobRecord& job, const std::string& tenant, const std::string& digest) {
+  if (job.trace_sha256 == digest && job.tenant == tenant) return true;
+  return job.result && job.result->tenant == tenant &&
+         (job.result->gcode_sha256 == digest || job.result->report_sha256 == digest);
 }
 
 bool IsWanted(const JobRecord& job, const ListQuery& query) {
-  if (job.tenant != query.tenant) return false;
+  if (!query.all_tenants && job.tenant != query.tenant) return false;
   if (query.priority && job.priority != *query.priority) return false;
   if (job.create_us < query.created_from_us || job.create_us >= query.created_before_us) {
     return false;
@@ -225,7 +227,7 @@ absl::Status MemoryJobStore::IndexResult(const JobRecord& job) {
   const JobResult& taken = *job.result;
   const bool there = std::ranges::any_of(jobs_.results_, [&](const auto& entry) {
     const JobResult& kept = entry.second;
-    return kept.report_sha256 == taken.report_sha256 &&
+    return kept.tenant == taken.tenant && kept.report_sha256 == taken.report_sha256 &&
            (taken.gcode_sha256.empty() || kept.gcode_sha256 == taken.gcode_sha256);
   });
   return there ? absl::OkStatus() : CachedResultGone(job.id);
@@ -250,28 +252,31 @@ absl::Status MemoryJobStore::Delete(const std::string& id) {
   jobs_.entries_.erase(job.number);
   jobs_.numbers_.erase(id);
   if (!job.result) return absl::OkStatus();
-  ForgetUnreferenced(job.result->gcode_sha256);
-  ForgetUnreferenced(job.result->report_sha256);
+  ForgetUnreferenced(job.result->tenant, job.result->gcode_sha256);
+  ForgetUnreferenced(job.result->tenant, job.result->report_sha256);
   return absl::OkStatus();
 }
 
-bool MemoryJobStore::IsArtifact(const std::string& digest) const {
+bool MemoryJobStore::IsArtifact(const std::string& tenant, const std::string& digest) const {
   return std::any_of(jobs_.entries_.begin(), jobs_.entries_.end(),
-                     [&](const auto& entry) { return RefersTo(entry.second.job, digest); });
+                     [&](const auto& entry) { return RefersTo(entry.second.job, tenant, digest); });
 }
 
-bool MemoryJobStore::IsInput(const std::string& digest) const {
+bool MemoryJobStore::IsInput(const std::string& tenant, const std::string& digest) const {
   return std::any_of(jobs_.entries_.begin(), jobs_.entries_.end(), [&](const auto& entry) {
     const std::vector<std::string>& inputs = entry.second.inputs;
-    return std::find(inputs.begin(), inputs.end(), digest) != inputs.end();
+    return entry.second.job.tenant == tenant &&
+           std::find(inputs.begin(), inputs.end(), digest) != inputs.end();
   });
 }
 
 /// Results made of what no job refers to any more leave the index.
-void MemoryJobStore::ForgetUnreferenced(const std::string& digest) {
-  if (digest.empty() || IsArtifact(digest)) return;
-  std::erase_if(jobs_.results_, [&](const auto& result) {
-    return result.second.gcode_sha256 == digest || result.second.report_sha256 == digest;
+void MemoryJobStore::ForgetUnreferenced(const std::string& tenant, const std::string& digest) {
+  if (digest.empty() || IsArtifact(tenant, digest)) return;
+  std::erase_if(jobs_.results_, [&](const auto& entry) {
+    const JobResult& result = entry.second;
+    return result.tenant == tenant &&
+           (result.gcode_sha256 == digest || result.report_sha256 == digest);
   });
 }
 
@@ -334,11 +339,11 @@ absl::StatusOr<std::vector<OpenJobs>> MemoryJobStore::CountOpen() {
 }
 
 absl::StatusOr<std::set<std::string>> MemoryJobStore::Referenced(
-    const std::set<std::string>& digests) {
+    const std::string& tenant, const std::set<std::string>& digests) {
   Lock lock(jobs_.mutex_);
   std::set<std::string> referenced;
   for (const std::string& digest : digests) {
-    if (IsArtifact(digest) || IsInput(digest)) referenced.insert(digest);
+    if (IsArtifact(tenant, digest) || IsInput(tenant, digest)) referenced.insert(digest);
   }
   return referenced;
 }

@@ -73,7 +73,8 @@ class MemoryJobStore : public JobStore {
   absl::Status ExpireRequestIds(int64_t now_us) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override;
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
 
  private:
@@ -86,9 +87,9 @@ class MemoryJobStore : public JobStore {
   JobRecord* Claimable(const std::string& tenant, int64_t now_us,
                        const std::set<std::string>& busy);
   absl::Status IndexResult(const JobRecord& job);
-  bool IsArtifact(const std::string& digest) const;
-  bool IsInput(const std::string& digest) const;
-  void ForgetUnreferenced(const std::string& digest);
+  bool IsArtifact(const std::string& tenant, const std::string& digest) const;
+  bool IsInput(const std::string& tenant, const std::string& digest) const;
+  void ForgetUnreferenced(const std::string& tenant, const std::string& digest);
 
   MemoryJobs& jobs_;
 };

@@ -8,13 +8,14 @@
 
 namespace slicefarm::coordinator {
 
-/// Blobs in the tables of `deploy/postgres/0002_blobs.sql`, for coordinators that share them.
+/// A tenant's blobs in the tables `blobs` and `blob_pieces` of `deploy/postgres`, for coordinators
+/// that share them.
 /// Damaged ones go under the name `corrupt/DIGEST`. Of an upload, what came in the last moments
 /// before the database was killed may be missing; a complete blob is on disk.
 class PostgresBlobStore : public BlobStore {
  public:
-  explicit PostgresBlobStore(std::shared_ptr<SqlDatabase> database)
-      : database_(std::move(database)) {}
+  explicit PostgresBlobStore(std::shared_ptr<SqlDatabase> database, std::string tenant = "")
+      : database_(std::move(database)), tenant_(std::move(tenant)) {}
 
   absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
   absl::StatusOr<BlobStatus> Keep(const std::string& digest) override;
@@ -31,6 +32,7 @@ class PostgresBlobStore : public BlobStore {
   absl::Status Corrupt(const std::string& digest, const std::string& got);
 
   const std::shared_ptr<SqlDatabase> database_;  // shared with the readers that it gave
+  const std::string tenant_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -95,7 +95,14 @@ class PostgresStatement : public SqlStatement {
   }
 
   void Bind(int64_t value) override { Add(absl::StrCat(value), /*binary=*/false); }
-  void Bind(std::string_view value) override { Add(std::string(value), /*binary=*/false); }
+  void Bind(std::string_view value) override {
+    // libpq would take what stands before it, and so another text.
+    if (value.find('\0') != std::string_view::npos) {
+      status_.Update(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                               "a text has a NUL character"));
+    }
+    Add(std::string(value), /*binary=*/false);
+  }
   void Bind(Blob value) override { Add(std::string(value.bytes), /*binary=*/true); }
 
   bool Next() override {

@@ -44,6 +44,14 @@ TEST_F(PostgresConnectionTest, ErrorsStick) {
   EXPECT_TRUE(db_->alive());
 }
 
+// It would be cut off there.
+TEST_F(PostgresConnectionTest, ATextWithANulIsRefused) {
+  SqlQuery query(*db_, "SELECT ?::TEXT");
+  query.Bind(std::string("a\0b", 3));
+  EXPECT_FALSE(query.Next());
+  EXPECT_EQ(DetailOf(query.status()).reason, Reason::kRequestMalformed);
+}
+
 TEST_F(PostgresConnectionTest, TransactionsRollBack) {
   ASSERT_TRUE(db_->Execute("CREATE TABLE t (a BIGINT)").ok());
   {

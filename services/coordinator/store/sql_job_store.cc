@@ -81,39 +81,46 @@ absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
   if (result.cached) {
     // A quote, which has no G-code, may have taken the report of a print.
     SqlQuery query(db,
-                   "SELECT 1 FROM results WHERE report_sha256 = ?"
+                   "SELECT 1 FROM results WHERE report_sha256 = ? AND tenant = ?"
                    " AND (gcode_sha256 = ? OR '' = ?)");
-    query.Bind(result.report_sha256, result.gcode_sha256, result.gcode_sha256);
+    query.Bind(result.report_sha256, result.tenant, result.gcode_sha256, result.gcode_sha256);
     if (query.Next()) return absl::OkStatus();
     return query.status().ok() ? CachedResultGone(job.id) : query.status();
   }
   SqlQuery insert(db,
-                  "INSERT INTO results (action_digest, result, gcode_sha256, report_sha256)"
-                  " VALUES (?, ?, ?, ?) ON CONFLICT (action_digest) DO UPDATE SET"
-                  " result = excluded.result, gcode_sha256 = excluded.gcode_sha256,"
-                  " report_sha256 = excluded.report_sha256");
-  return insert.Bind(job.action_digest, ToJson(result), result.gcode_sha256, result.report_sha256)
-      .Run();
+                  "INSERT INTO results (action_digest, result, tenant, gcode_sha256, report_sha256)"
+                  " VALUES (?, ?, ?, ?, ?) ON CONFLICT (action_digest) DO UPDATE SET"
+                  " result = excluded.result, tenant = excluded.tenant,"
+                  " gcode_sha256 = excluded.gcode_sha256, report_sha256 = excluded.report_sha256");
+  insert.Bind(job.action_digest, ToJson(result), result.tenant, result.gcode_sha256,
+              result.report_sha256);
+  return insert.Run();
 }
 
-absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& digest) {
+/// Whether a job's result refers to this blob of the tenant.
+absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& tenant,
+                                const std::string& digest) {
   SqlQuery query(db,
-                 "SELECT 1 WHERE EXISTS"
-                 " (SELECT 1 FROM jobs WHERE gcode_sha256 = ? AND gcode_sha256 <> '')"
-                 " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ? AND report_sha256 <> '')"
-                 " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = ? AND trace_sha256 <> '')");
-  const bool referenced = query.Bind(digest, digest, digest).Next();
+                 "SELECT 1 WHERE EXISTS (SELECT 1 FROM jobs WHERE gcode_sha256 = ?"
+                 "  AND gcode_sha256 <> '' AND result_tenant = ?)"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ?"
+                 "  AND report_sha256 <> '' AND result_tenant = ?)"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = ?"
+                 "  AND trace_sha256 <> '' AND tenant = ?)");
+  const bool referenced = query.Bind(digest, tenant, digest, tenant, digest, tenant).Next();
   if (!query.status().ok()) return query.status();
   return referenced;
 }
 
 /// Results made of what no job refers to any more leave the index.
-absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& digest) {
+absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& tenant,
+                                const std::string& digest) {
   if (digest.empty()) return absl::OkStatus();
-  const auto referenced = IsArtifact(db, digest);
+  const auto referenced = IsArtifact(db, tenant, digest);
   if (!referenced.ok() || *referenced) return referenced.status();
-  SqlQuery forget(db, "DELETE FROM results WHERE gcode_sha256 = ? OR report_sha256 = ?");
-  return forget.Bind(digest, digest).Run();
+  SqlQuery forget(
+      db, "DELETE FROM results WHERE tenant = ? AND (gcode_sha256 = ? OR report_sha256 = ?)");
+  return forget.Bind(tenant, digest, digest).Run();
 }
 
 /// Does `work(connection)` as a transaction.
@@ -167,7 +174,8 @@ absl::Status DeleteIn(SqlConnection& db, const std::string& id) {
   if (absl::Status done = remove.Bind(job->number).Run(); !done.ok()) return done;
   if (!job->result) return absl::OkStatus();
   for (const std::string& digest : {job->result->gcode_sha256, job->result->report_sha256}) {
-    if (absl::Status done = ForgetUnreferenced(db, digest); !done.ok()) return done;
+    absl::Status done = ForgetUnreferenced(db, job->result->tenant, digest);
+    if (!done.ok()) return done;
   }
   return absl::OkStatus();
 }
@@ -323,15 +331,17 @@ absl::StatusOr<std::vector<OpenJobs>> SqlJobStore::CountOpen() {
 }
 
 absl::StatusOr<std::set<std::string>> SqlJobStore::Referenced(
-    const std::set<std::string>& digests) {
+    const std::string& tenant, const std::set<std::string>& digests) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
   std::set<std::string> referenced;
   for (const std::string& digest : digests) {
-    const auto artifact = IsArtifact(**session, digest);
+    const auto artifact = IsArtifact(**session, tenant, digest);
     if (!artifact.ok()) return artifact.status();
-    SqlQuery input(**session, "SELECT 1 FROM inputs WHERE digest = ? LIMIT 1");
-    if (*artifact || input.Bind(digest).Next()) referenced.insert(digest);
+    SqlQuery input(**session,
+                   "SELECT 1 FROM inputs JOIN jobs ON jobs.number = inputs.job"
+                   " WHERE inputs.digest = ? AND jobs.tenant = ? LIMIT 1");
+    if (*artifact || input.Bind(digest, tenant).Next()) referenced.insert(digest);
     if (!input.status().ok()) return input.status();
   }
   return referenced;

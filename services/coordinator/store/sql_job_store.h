@@ -34,7 +34,8 @@ class SqlJobStore : public JobStore {
   absl::Status ExpireRequestIds(int64_t now_us) override;
   absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
   absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
-  absl::StatusOr<std::set<std::string>> Referenced(const std::set<std::string>& digests) override;
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override;
   absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
 
  private:

@@ -159,6 +159,10 @@ CREATE TABLE webhook_attempts (
 ALTER TABLE jobs ADD COLUMN trace_sha256 TEXT NOT NULL DEFAULT '';
 CREATE INDEX jobs_by_trace ON jobs (trace_sha256) WHERE trace_sha256 <> '';
 )",
+    R"(
+ALTER TABLE results ADD COLUMN tenant TEXT NOT NULL DEFAULT '';     -- whose blobs they are
+ALTER TABLE jobs ADD COLUMN result_tenant TEXT NOT NULL DEFAULT '';  -- of result
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/rpc/client_security.h"
 #include "services/load/client/farm_calls.h"
 
 namespace slicefarm::load {
@@ -18,7 +19,10 @@ class Farm {
   /// The one place where the generator opens channels. Each has a connection of its own, since a
   /// server lets one have only so many calls open, and none repeats a call by itself: what fails
   /// is to show. Errors: UNAVAILABLE if the server does not answer within `patience`.
-  static absl::StatusOr<std::unique_ptr<Farm>> Connect(const std::string& server, int connections,
+  /// Also those of rpc::Secured.
+  static absl::StatusOr<std::unique_ptr<Farm>> Connect(const std::string& server,
+                                                       const rpc::ClientSecurity& security,
+                                                       int connections,
                                                        std::chrono::milliseconds patience);
 
   FarmCalls& Next() { return *calls_[next_++ % calls_.size()]; }

@@ -25,6 +25,8 @@ void AddWhat(CLI::App& app, LoadFlags* flags) {
       ->envname("SLICEFARM_SERVER")
       ->capture_default_str()
       ->type_name("HOST:PORT");
+  rpc::AddTlsOptions(app, &flags->security);
+  rpc::AddTokenOptions(app, &flags->security);
   app.add_option("--scenario", flags->scenario,
                  "print: upload, create, watch, download; submit: create; get: GetJob; watch: as "
                  "print, with many watchers and no download")

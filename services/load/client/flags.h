@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/rpc/client_security.h"
 #include "services/load/client/run.h"
 #include "services/load/client/scenario.h"
 
@@ -13,6 +14,7 @@ namespace slicefarm::load {
 /// The command line.
 struct LoadFlags {
   std::string server = "127.0.0.1:50050";
+  rpc::ClientSecurity security;
   std::string scenario = "print";
   std::string mix = "tiny";
   bool same = false;

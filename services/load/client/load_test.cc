@@ -21,7 +21,7 @@ class LoadTest : public testing::Test {
  protected:
   RunRecord RunIt(const ScenarioOptions& scenario_options, const RunOptions& options,
                   int connections = 2) {
-    farm_ = Farm::Connect(fake_.address(), connections, kPatience).value();
+    farm_ = Farm::Connect(fake_.address(), {}, connections, kPatience).value();
     const auto scenario = MakeScenario(scenario_options, *farm_);
     RunLog before;
     prepared_ = scenario->Prepare(
@@ -205,7 +205,7 @@ TEST_F(LoadTest, AClosedLoopSendsOnlyAsManyAtOnce) {
 }
 
 TEST(Farm, ToldWhenNobodyAnswers) {
-  const auto farm = Farm::Connect("127.0.0.1:1", 1, std::chrono::milliseconds(50));
+  const auto farm = Farm::Connect("127.0.0.1:1", {}, 1, std::chrono::milliseconds(50));
   EXPECT_EQ(farm.status().code(), absl::StatusCode::kUnavailable);
 }
 

@@ -71,7 +71,8 @@ RunReport RunOnce(const LoadFlags& flags, const RunOptions& options, Scenario& s
 }
 
 absl::Status PutOnLoad(const LoadFlags& flags) {
-  auto farm = Farm::Connect(flags.server, flags.needed_connections(), kConnectPatience);
+  auto farm =
+      Farm::Connect(flags.server, flags.security, flags.needed_connections(), kConnectPatience);
   if (!farm.ok()) return farm.status();
   const auto scenario = MakeScenario(flags.scenario_options(), **farm);
   RunLog before;

@@ -1,7 +1,5 @@
 #include "services/motion/algo/comment_text.h"
 
-#include <algorithm>
-
 #include "common/model/text.h"
 
 namespace slicefarm::motion {
@@ -21,23 +19,19 @@ std::string OneLine(std::string_view text) {
         line += "\\\\";
         break;
       default:
-        line += IsControl(c) ? ' ' : c;
+        line += c;
     }
   }
-  return line;
+  return ReplaceControls(line, ' ');
 }
 
-std::string CommentLine(std::string_view line) {
-  std::string safe(line);
-  std::replace_if(safe.begin(), safe.end(), IsControl, ' ');
-  return safe;
-}
+std::string CommentLine(std::string_view line) { return ReplaceControls(line, ' '); }
 
 std::string JsonString(std::string_view text) {
   std::string json = "\"";
-  for (const char c : text) {
+  for (const char c : ReplaceControls(text, ' ')) {
     if (c == '"' || c == '\\') json += '\\';
-    json += IsControl(c) ? ' ' : c;
+    json += c;
   }
   return json + '"';
 }

@@ -7,7 +7,7 @@ namespace slicefarm::motion {
 
 /// `text` as it may stand in a comment: on one line, so that nothing in it can become a command. A
 /// line feed becomes "\n", a carriage return "\r", a backslash "\\"; other control characters
-/// become spaces.
+/// (ReplaceControls) become spaces.
 std::string OneLine(std::string_view text);
 
 /// A line that is escaped already, as it may stand in a comment: control characters become spaces.

@@ -9,6 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/duration_text.h"
 #include "common/model/filament_use.h"
+#include "services/motion/algo/comment_text.h"
 #include "services/motion/algo/settings_text.h"
 #include "services/motion/algo/template_defaults.h"
 
@@ -168,7 +169,8 @@ void AddTime(double time_s, TemplateVariables& variables) {
 }
 
 void AddObjects(const std::vector<std::string>& names, TemplateVariables& variables) {
-  const std::string name = names.empty() ? "" : names.front();
+  // Start G-code may print it, outside of any comment.
+  const std::string name = names.empty() ? "" : CommentLine(names.front());
   variables["num_objects"] = variables["num_instances"] = {static_cast<int64_t>(names.size())};
   variables["input_filename"] = {name};
   variables["input_filename_base"] = {name.substr(0, name.rfind('.'))};

@@ -56,6 +56,9 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
               ElementsAre(TemplateValue(200.0), TemplateValue(180.5)));
   EXPECT_THAT(variables.at("used_filament"), ElementsAre(TemplateValue(1.5)));
   EXPECT_THAT(variables.at("input_filename_base"), ElementsAre(TemplateValue(std::string("a.b"))));
+  summary.object_names = {"a\nM112.stl"};
+  EXPECT_THAT(ProgramVariables(MotionOptions{}, summary, 0).at("input_filename_base"),
+              ElementsAre(TemplateValue(std::string("a M112"))));
   EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));
   EXPECT_THAT(variables.at("perimeters"), ElementsAre(TemplateValue(int64_t{3})));
   EXPECT_THAT(variables.at("notes"), ElementsAre(TemplateValue(std::string("a\nb"))));

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Certificates to develop and test with: a CA of its own, and one certificate for each role that it signs. A farm has its
+# own CA, which gives the same identities (URI) and keeps its key elsewhere.
+#
+#   deploy/dev-certs.sh DIR [--days N] [ROLE...]
+#
+# ROLE     coordinator, worker, stage/slicing and so on, tenant/NAME. None: all of slicefarm's own, and tenant/dev.
+# --days   how long they are valid (30). 0: they have expired already.
+# What is made: DIR/ROLE/{cert,key,ca}.pem (with - for / in the role), a directory that can be mounted as a whole where it
+# is needed, and the CA in DIR/ca. An existing CA is used again; an existing role gets a new certificate, by renaming, so
+# that a program that runs finds the old pair or the new one.
+set -euo pipefail
+
+usage() { sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 2; }
+[[ $# -ge 1 && $1 != -* ]] || usage
+dir=$1 days=30 roles=()
+shift
+while [[ $# -gt 0 ]]; do
+  case "$1" in
+    --days) days=${2:?}; shift 2 ;;
+    -*) usage ;;
+    *) roles+=("$1"); shift ;;
+  esac
+done
+[[ "$days" =~ ^[0-9]+$ ]] || usage
+stages=(slicing beading infill ordering motion)
+[[ ${#roles[@]} -gt 0 ]] || roles=(coordinator worker "${stages[@]/#/stage/}" tenant/dev)
+
+umask 077
+mkdir -p "$dir"
+work=$(mktemp -d "$dir/.new-XXXXXX")
+trap 'rm -rf "$work"' EXIT
+
+new_key() { openssl ecparam -name prime256v1 -genkey -noout -out "$1"; }
+
+if [[ ! -s "$dir/ca/ca.pem" ]]; then
+  mkdir "$work/ca"
+  new_key "$work/ca/key.pem"
+  openssl req -x509 -new -key "$work/ca/key.pem" -days 3650 -subj "/O=slicefarm/CN=slicefarm development CA" \
+    -addext basicConstraints=critical,CA:TRUE -addext keyUsage=critical,keyCertSign,cRLSign -out "$work/ca/ca.pem"
+  mv "$work/ca" "$dir/ca"
+fi
+
+# The names by which the role's servers are reached on this machine and in the compose files. Only clients that know a
+# server by its name look at them: the coordinator knows its stages by their URI, whatever address they have.
+names_of() {
+  case "$1" in
+    tenant/*) ;;
+    *) echo ",DNS:localhost,DNS:${1##*/},IP:127.0.0.1,IP:::1" ;;
+  esac
+}
+
+for role in "${roles[@]}"; do
+  [[ "$role" =~ ^(coordinator|worker|stage/[a-z]+|tenant/[a-z0-9][a-z0-9_-]*)$ ]] ||
+    { echo "dev-certs.sh: there is no role '$role'" >&2; exit 2; }
+  name=${role//\//-} new=$work/${role//\//-}
+  mkdir "$new"
+  new_key "$new/key.pem"
+  # A tenant's certificate serves nobody: with one, no tenant can pass for the coordinator.
+  use=serverAuth,clientAuth
+  [[ "$role" == tenant/* ]] && use=clientAuth
+  openssl req -new -key "$new/key.pem" -subj "/O=slicefarm/CN=$name" -out "$work/request.pem"
+  openssl x509 -req -in "$work/request.pem" -CA "$dir/ca/ca.pem" -CAkey "$dir/ca/key.pem" \
+    -set_serial "0x$(openssl rand -hex 16)" -days "$days" -out "$new/cert.pem" -extfile <(
+      echo "basicConstraints=critical,CA:FALSE"
+      echo "keyUsage=critical,digitalSignature"
+      echo "extendedKeyUsage=$use"
+      echo "subjectAltName=URI:spiffe://slicefarm/$role$(names_of "$role")"
+    ) 2>/dev/null
+  cp "$dir/ca/ca.pem" "$new/ca.pem"
+  # The name is a link, because a link can be replaced at once.
+  version=.$name-$(openssl rand -hex 4)
+  old=$(readlink "$dir/$name" || true)
+  mv "$new" "$dir/$version"
+  ln -s "$version" "$work/link"
+  mv -T "$work/link" "$dir/$name"
+  [[ -z "$old" ]] || rm -rf "${dir:?}/$old"
+done

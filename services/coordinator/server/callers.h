@@ -1,0 +1,37 @@
+#pragma once
+
+#include <grpcpp/server_context.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/algo/tenants.h"
+
+namespace slicefarm::coordinator {
+
+/// The tenants at the moment. None: there is one only, without a name, and each caller is it.
+using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
+
+/// Finds out who calls: the first thing that each method of the public services does. Not gRPC's
+/// AuthMetadataProcessor, which there is with TLS only, and whose errors have no details.
+/// Thread-safe.
+class Callers {
+ public:
+  Callers(TenantsNow tenants, std::function<int64_t()> now_us)
+      : tenants_(std::move(tenants)), now_us_(std::move(now_us)) {}
+
+  /// The caller, by his token, or else by his certificate (with both, they must be of one tenant).
+  /// He has at least one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata
+  /// `scope` if it is one that he lacks.
+  absl::StatusOr<Caller> Find(const grpc::ServerContextBase& context, const Scopes& one_of) const;
+
+ private:
+  absl::StatusOr<Caller> Known(const grpc::ServerContextBase& context) const;
+
+  const TenantsNow tenants_;
+  const std::function<int64_t()> now_us_;
+};
+
+}  // namespace slicefarm::coordinator
