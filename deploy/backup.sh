@@ -37,32 +37,47 @@ copy_blobs() {
   done
 }
 
+# The folder of a tenant's blobs, within a state directory. No name: of all, where there are no tenants.
+folder_of() { if [[ -z $1 ]]; then echo blobs; else echo "tenants/$1/blobs"; fi; }
+
+# copy_all FROM TO: the blobs of all tenants.
+copy_all() {
+  local folder
+  copy_blobs "$1/blobs" "$2/blobs"
+  for folder in "$1"/tenants/*/blobs; do
+    [[ -d $folder ]] || continue
+    copy_blobs "$folder" "$2/${folder#"$1/"}"
+  done
+}
+
 backup_sqlite() {
   local state=$1 dest=$2
   [[ -f $state/jobs.db ]] || die "$state is no state directory: it has no jobs.db"
   mkdir -p "$dest/blobs"
   rm -f "$dest/jobs.db.new"
-  copy_blobs "$state/blobs" "$dest/blobs"
+  copy_all "$state" "$dest"
   sqlite3 -cmd '.timeout 60000' "$state/jobs.db" "VACUUM INTO '${dest//\'/\'\'}/jobs.db.new'"
-  copy_blobs "$state/blobs" "$dest/blobs"
-  check_blobs "$dest/jobs.db.new" "$dest/blobs" "$state/blobs"
+  copy_all "$state" "$dest"
+  check_blobs "$dest/jobs.db.new" "$dest" "$state"
   sync --file-system "$dest"
   mv "$dest/jobs.db.new" "$dest/jobs.db"
 }
 
-# The names of all blobs that jobs and results refer to.
+# TENANT|DIGEST of all blobs that jobs and results refer to.
 referenced() {
-  sqlite3 "$1" "SELECT gcode_sha256 FROM jobs UNION SELECT report_sha256 FROM jobs UNION SELECT trace_sha256 FROM jobs
-    UNION SELECT gcode_sha256 FROM results UNION SELECT report_sha256 FROM results UNION SELECT digest FROM inputs" |
-    grep -E '^[0-9a-f]{64}$' || true
+  sqlite3 -separator '|' "$1" "SELECT result_tenant, gcode_sha256 FROM jobs UNION SELECT result_tenant, report_sha256 FROM jobs
+    UNION SELECT tenant, trace_sha256 FROM jobs UNION SELECT tenant, gcode_sha256 FROM results
+    UNION SELECT tenant, report_sha256 FROM results
+    UNION SELECT jobs.tenant, digest FROM inputs JOIN jobs ON jobs.number = inputs.job" |
+    grep -E '\|[0-9a-f]{64}$' || true
 }
 
 # Every blob that the copied database refers to is there, unless the farm itself has lost it.
 check_blobs() {
-  local database=$1 blobs=$2 origin=$3 path
-  referenced "$database" | while read -r digest; do
-    path=${digest:0:2}/$digest
-    [[ -f $blobs/$path ]] && continue
+  local database=$1 copy=$2 origin=$3 path
+  referenced "$database" | while IFS='|' read -r tenant digest; do
+    path=$(folder_of "$tenant")/${digest:0:2}/$digest
+    [[ -f $copy/$path ]] && continue
     if [[ -f $origin/$path ]] && intact "$origin/$path"; then die "blob $digest came late: run the backup again"; fi
     echo "backup: blob $digest is lost or damaged in the store already" >&2
   done

@@ -15,10 +15,10 @@ umask 077
 usage() { sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "restore: $*" >&2; exit 1; }
 
-# Names of files in the folders of $1 whose SHA-256 is another.
+# Files in the folders of $1 whose SHA-256 is another than their name.
 damaged() {
-  (cd "$1" && find . -type f -name '[0-9a-f]*' -exec sha256sum {} +) |
-    awk '{ name = $2; sub(/.*\//, "", name); if ($1 != name) print name }'
+  (cd "$1" && find . -path '*blobs/*' -type f -name '[0-9a-f]*' -exec sha256sum {} +) |
+    awk '{ name = $2; sub(/.*\//, "", name); if ($1 != name) print $2 }'
 }
 
 restore_sqlite() {
@@ -28,8 +28,9 @@ restore_sqlite() {
   mkdir -p "$state/blobs"
   [[ $(sqlite3 "$backup/jobs.db" 'PRAGMA integrity_check') == ok ]] || die "$backup/jobs.db is damaged"
   cp -R "$backup/blobs/." "$state/blobs/"
-  bad=$(damaged "$state/blobs")
-  for blob in $bad; do rm "$state/blobs/${blob:0:2}/$blob"; done
+  [[ ! -d $backup/tenants ]] || cp -R "$backup/tenants" "$state/"
+  bad=$(damaged "$state")
+  for blob in $bad; do rm "$state/$blob"; done
   cp "$backup/jobs.db" "$state/jobs.db.new"
   [[ $(id -u) -ne 0 ]] || chown -R --reference="$state" "$state" # else only root could run the coordinator
   sync --file-system "$state"
@@ -45,10 +46,10 @@ restore_postgres() {
   [[ $tables == 0 ]] || die "the database is not empty"
   pg_restore --no-owner --no-privileges --exit-on-error --single-transaction --dbname="$SLICEFARM_POSTGRES" "$backup/slicefarm.dump"
   # PostgreSQL puts a blob together in memory for this, up to 1 GB; coordinators check the others when they read them.
-  bad=$(sql "SELECT b.digest FROM blobs b WHERE b.complete = 1 AND b.size < 900000000 AND b.digest <>
+  bad=$(sql "SELECT b.tenant || '/' || b.digest FROM blobs b WHERE b.complete = 1 AND b.size < 900000000 AND b.digest <>
     (SELECT encode(sha256(coalesce(string_agg(p.bytes, ''::bytea ORDER BY p.at), ''::bytea)), 'hex')
-     FROM blob_pieces p WHERE p.digest = b.digest)")
-  for blob in $bad; do sql "DELETE FROM blobs WHERE digest = '$blob'" >/dev/null; done
+     FROM blob_pieces p WHERE p.tenant = b.tenant AND p.digest = b.digest)")
+  for blob in $bad; do sql "DELETE FROM blobs WHERE tenant || '/' || digest = '$blob'" >/dev/null; done
   [[ -z $bad ]] || die "damaged in the backup, and left out: $bad"
 }
 

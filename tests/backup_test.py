@@ -2,9 +2,10 @@
 """deploy/backup.sh and restore.sh with real processes: jobs are submitted while the backup runs; in a new place there are all
 that were acknowledged before it began, and they come to the same bytes.
 
-    tests/backup_test.py sqlite|postgres        SLICEFARM_BIN: where the programs are (build/bin)
+    tests/backup_test.py sqlite|postgres [--tenants]        SLICEFARM_BIN: where the programs are (build/bin)
 """
 import hashlib
+import json
 import os
 import pathlib
 import shutil
@@ -71,13 +72,17 @@ class Store:
             self.server("stop")
 
 
+TOKEN = "sf_of_a_test"
+
+
 class Farm:
     def __init__(self, stages, store):
         self.coordinator = Server("coordinator", *store.arguments(), "--jobs", "1", *stages, env=store.env)
+        self.env = dict(os.environ, SLICEFARM_TOKEN=TOKEN)
 
     def call(self, *arguments, check=True):
         command = [BIN / "slicefarm", *arguments, "--server", self.coordinator.address]
-        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.env)
         if check and run.returncode != 0:
             raise SystemExit(f"{arguments}: {run.stderr}")
         return run.stdout
@@ -104,7 +109,7 @@ def check_damage(kind, work, backup):
         return  # pg_restore and coordinators check for themselves
     spoilt = work / "spoilt"
     shutil.copytree(backup, spoilt)
-    blob = next(path for path in (spoilt / "blobs").rglob("*") if path.is_file())
+    blob = next(path for path in spoilt.rglob("*") if path.is_file() and len(path.name) == 64)
     blob.write_bytes(blob.read_bytes() + b"!")
     restored = Store(kind, work / "from-spoilt").restore(spoilt)
     expect(restored.returncode != 0 and blob.name in restored.stderr, "damage was not found")
@@ -168,6 +173,11 @@ def main():
     servers = {name: Server(name) for name in ("slicing", "motion", "worker")}
     stages = ["--slicing", servers["slicing"].address, "--motion", servers["motion"].address,
               "--workers", servers["worker"].address]
+    if "--tenants" in sys.argv:
+        entry = {"sha256": hashlib.sha256(TOKEN.encode()).hexdigest(), "scopes": ["submit", "read"]}
+        tenants = work / "tenants.json"
+        tenants.write_text(json.dumps({"tenants": {"acme": {"tokens": [entry]}}}))
+        stages += ["--tenants", str(tenants)]
     try:
         run(kind, work, stages)
     finally:
