@@ -416,6 +416,7 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   refusal(TlsFlags(files) + Arguments{"--client-certs", "optional"}, "--client-certs optional ");
   refusal({"--tls-cert", files.cert, "--tls-key", files.key}, "--tls-cert requires ");
   refusal({"--tls-ca", files.ca}, "--tls-ca requires ");
+  refusal({"--tenants", directory_.path() + "/none.json"}, "--tenants: File does not exist");
 
   const auto fails = [&](const Arguments& arguments) {
     return ChildProcess("slicefarm-coordinator",
@@ -425,7 +426,6 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
         .Wait();
   };
   EXPECT_EQ(fails(TlsFlags(certs_.Make("coordinator", 0))), 1);
-  EXPECT_EQ(fails({"--tenants", directory_.path() + "/none.json"}), 1);
   WriteTenants(R"({"tenants": {"a": {"quota": 1}}})");
   EXPECT_EQ(fails({"--tenants", tenants_file_}), 1);
 }
