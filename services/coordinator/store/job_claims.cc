@@ -10,7 +10,7 @@ namespace {
 
 /// Tenants with open jobs, those whose turn it is first.
 absl::StatusOr<std::vector<std::string>> Tenants(SqlConnection& db, int64_t now_us) {
-  const std::string sql = TenantsSql();
+  const std::string sql = TenantsSql(db.dialect());
   SqlQuery query(db, sql);
   query.Bind(now_us);
   std::vector<std::string> tenants;
@@ -29,7 +29,7 @@ absl::StatusOr<std::optional<JobRecord>> ClaimOf(SqlConnection& db, const std::s
   const std::string sql = absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
-      ClaimableSql(request), std::string(db.dialect().skip_locked),
+      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked),
       ") RETURNING " SLICEFARM_JOB_COLUMNS);
   SqlQuery claim(db, sql);
   claim.Bind(request.owner, request.until_us);
@@ -50,23 +50,31 @@ absl::Status NoteTurn(SqlConnection& db, const std::string& tenant, int64_t now_
 }  // namespace
 
 /// Goes from tenant to tenant through the index of open jobs, whose jobs it need not read.
-std::string TenantsSql() {
-  return "WITH RECURSIVE open_tenants (tenant) AS ("
-         " SELECT min(tenant) FROM jobs WHERE " SLICEFARM_OPEN
-         " UNION ALL"
-         " SELECT (SELECT min(j.tenant) FROM jobs j WHERE j." SLICEFARM_OPEN
-         "  AND j.tenant > o.tenant) FROM open_tenants o WHERE o.tenant IS NOT NULL)"
-         " SELECT o.tenant FROM open_tenants o LEFT JOIN tenants t ON t.tenant = o.tenant"
-         " WHERE o.tenant IS NOT NULL"
-         " ORDER BY (SELECT count(*) FROM jobs h WHERE h.tenant = o.tenant"
-         "  AND h." SLICEFARM_OPEN
-         " AND h.owner <> '' AND h.owner_until_us > ?),"
-         " coalesce(t.claimed_us, 0), o.tenant";
+std::string TenantsSql(const SqlDialect& dialect) {
+  const std::string open = dialect.Through("jobs_open");
+  return absl::StrCat(
+      "WITH RECURSIVE open_tenants (tenant) AS ("
+      " SELECT min(tenant) FROM jobs",
+      open,
+      " WHERE " SLICEFARM_OPEN
+      " UNION ALL"
+      " SELECT (SELECT min(j.tenant) FROM jobs j",
+      open,
+      " WHERE j." SLICEFARM_OPEN
+      "  AND j.tenant > o.tenant) FROM open_tenants o WHERE o.tenant IS NOT NULL)"
+      " SELECT o.tenant FROM open_tenants o LEFT JOIN tenants t ON t.tenant = o.tenant"
+      " WHERE o.tenant IS NOT NULL"
+      " ORDER BY (SELECT count(*) FROM jobs h",
+      dialect.Through("jobs_held"),
+      " WHERE h.tenant = o.tenant AND h." SLICEFARM_OPEN
+      "  AND h.owner <> '' AND h.owner_until_us > ?),"
+      " coalesce(t.claimed_us, 0), o.tenant");
 }
 
-std::string ClaimableSql(const ClaimRequest& request) {
+std::string ClaimableSql(const SqlDialect& dialect, const ClaimRequest& request) {
   std::string sql =
-      "SELECT number FROM jobs WHERE tenant = ? AND " SLICEFARM_OPEN " AND owner_until_us <= ?";
+      absl::StrCat("SELECT number FROM jobs", dialect.Through("jobs_open"),
+                   " WHERE tenant = ? AND " SLICEFARM_OPEN " AND owner_until_us <= ?");
   const char* next = " AND action_digest NOT IN (?";
   for (size_t i = 0; i < request.busy.size(); ++i) {
     sql += next;
@@ -79,7 +87,7 @@ std::string ClaimableSql(const ClaimRequest& request) {
 absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request) {
   const auto tenants = Tenants(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
-  const std::string sql = ClaimableSql(request);
+  const std::string sql = ClaimableSql(db.dialect(), request);
   for (const std::string& tenant : *tenants) {
     SqlQuery query(db, sql);
     BindClaimable(query, tenant, request);

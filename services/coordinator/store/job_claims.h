@@ -29,7 +29,7 @@ absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
                                                  int64_t until_us);
 
 /// The statements, for a test of how they are planned.
-std::string TenantsSql();
-std::string ClaimableSql(const ClaimRequest& request);
+std::string TenantsSql(const SqlDialect& dialect);
+std::string ClaimableSql(const SqlDialect& dialect, const ClaimRequest& request);
 
 }  // namespace slicefarm::coordinator

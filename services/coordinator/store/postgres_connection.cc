@@ -18,6 +18,7 @@ constexpr SqlDialect kDialect = {
     .for_update = " FOR UPDATE",
     .skip_locked = " FOR UPDATE SKIP LOCKED",
     .notify = "SELECT pg_notify('slicefarm_jobs', ?)",
+    .names_indexes = false,
 };
 
 /// Later settings of a connection string win, so these are only what `conninfo` does not say.

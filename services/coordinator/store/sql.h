@@ -19,6 +19,12 @@ struct SqlDialect {
   std::string_view for_update;   ///< after a SELECT of rows that the transaction will write
   std::string_view skip_locked;  ///< the same, passing over rows that another one holds
   std::string_view notify;       ///< tells other processes of a job; empty: there are none
+  bool names_indexes;            ///< its planner knows no statistics, and needs to be told
+
+  /// After the name of a table, the index by which it is to be read.
+  std::string Through(std::string_view index) const {
+    return names_indexes ? " INDEXED BY " + std::string(index) : std::string();
+  }
 };
 
 /// Bytes that are no text.

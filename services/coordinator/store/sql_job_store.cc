@@ -45,7 +45,9 @@ absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t
 
 absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
   if (job.max_open == INT64_MAX) return absl::OkStatus();
-  SqlQuery query(db, "SELECT 1 FROM jobs WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
+  const std::string sql = absl::StrCat("SELECT 1 FROM jobs", db.dialect().Through("jobs_open"),
+                                       " WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
+  SqlQuery query(db, sql);
   const bool full = query.Bind(job.tenant, job.max_open - 1).Next();
   if (!query.status().ok()) return query.status();
   return full ? QueueFull(job.max_open) : absl::OkStatus();
@@ -237,7 +239,8 @@ absl::StatusOr<std::vector<HeldJob>> SqlJobStore::Renew(const std::vector<Lease>
 }
 
 absl::Status SqlJobStore::Release(const std::string& owner) {
-  return RunOne(*database_, "UPDATE jobs SET owner = '', owner_until_us = 0 WHERE owner = ?",
+  return RunOne(*database_,
+                "UPDATE jobs SET owner = '', owner_until_us = 0 WHERE owner = ? AND owner <> ''",
                 owner);
 }
 

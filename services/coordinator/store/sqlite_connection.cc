@@ -11,7 +11,12 @@ namespace {
 constexpr int kBusyTimeoutMs = 5000;
 /// From its beginning no other connection writes, which is all the locking there is.
 constexpr SqlDialect kDialect = {
-    .begin = "BEGIN IMMEDIATE", .for_update = "", .skip_locked = "", .notify = ""};
+    .begin = "BEGIN IMMEDIATE",
+    .for_update = "",
+    .skip_locked = "",
+    .notify = "",
+    .names_indexes = true,
+};
 
 /// DISK_FULL, or STORE_FAILED with SQLite's words.
 absl::Status ErrorOf(sqlite3* db, int code) {
@@ -91,7 +96,8 @@ absl::StatusOr<std::unique_ptr<SqliteConnection>> SqliteConnection::Open(const s
   sqlite3_extended_result_codes(db, 1);
   sqlite3_busy_timeout(db, kBusyTimeoutMs);
   const absl::Status ready = connection->Execute(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;");
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
+      "PRAGMA cache_size = -32768;");  // KiB
   if (!ready.ok()) return ready;
   return connection;
 }
