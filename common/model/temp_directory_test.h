@@ -8,11 +8,11 @@
 
 namespace slicefarm {
 
-/// A directory for one test, removed at its end.
+/// A directory for one test, removed at its end. `parent` ends with a slash.
 class TempDirectory {
  public:
-  TempDirectory() {
-    std::string pattern = testing::TempDir() + "slicefarm-XXXXXX";
+  explicit TempDirectory(const std::string& parent = testing::TempDir()) {
+    std::string pattern = parent + "slicefarm-XXXXXX";
     path_ = mkdtemp(pattern.data());
   }
   ~TempDirectory() { std::filesystem::remove_all(path_); }

@@ -30,12 +30,6 @@ absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
   }
 }
 
-/// So that it counts as new for what removes old blobs.
-void Touch(const std::string& path) {
-  std::error_code ignored;  // a blob that is taken for older than it is, at worst
-  std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
-}
-
 /// Since the file was last written or touched; none if it is not there.
 std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   std::error_code gone;
@@ -43,6 +37,13 @@ std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   if (gone) return std::nullopt;
   const auto now = std::filesystem::file_time_type::clock::now();
   return std::chrono::duration<double>(now - written).count();
+}
+
+absl::Status WriteDurably(const std::string& path, std::string_view bytes) {
+  const auto file = PosixFile::OpenToWrite(path);
+  if (!file.ok()) return file.status();
+  if (absl::Status written = file->WriteAt(0, bytes); !written.ok()) return written;
+  return file->Sync();
 }
 
 class FileReader : public BlobReader {
@@ -58,6 +59,11 @@ class FileReader : public BlobReader {
   int64_t size_;
 };
 
+absl::Status ListError(const std::string& path, const std::error_code& error) {
+  return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                   absl::StrCat("list ", path, ": ", error.message()));
+}
+
 absl::StatusOr<PosixFile> OpenBlob(const std::string& path, const std::string& digest) {
   auto file = PosixFile::OpenToRead(path);
   if (!absl::IsNotFound(file.status())) return file;
@@ -68,16 +74,35 @@ absl::StatusOr<PosixFile> OpenBlob(const std::string& path, const std::string& d
 
 absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> DirectoryBlobStore::OpenAt(
     const std::string& root) {
-  std::error_code ignored;  // what was being written when the last process ended
-  std::filesystem::remove_all(root + "/tmp", ignored);
   for (const char* part : {"/blobs", "/uploads", "/tmp", "/corrupt"}) {
     if (absl::Status made = MakeDirectory(root + part); !made.ok()) return made;
   }
-  return std::unique_ptr<DirectoryBlobStore>(new DirectoryBlobStore(root));
+  std::unique_ptr<DirectoryBlobStore> store(new DirectoryBlobStore(root));
+  if (absl::Status removed = store->RemoveLeftovers(); !removed.ok()) return removed;
+  return store;
+}
+
+/// What was being written when the last process ended, and uploads of blobs that are there.
+absl::Status DirectoryBlobStore::RemoveLeftovers() const {
+  namespace fs = std::filesystem;
+  for (const auto& [part, all] : {std::pair("/tmp", true), std::pair("/uploads", false)}) {
+    std::error_code error;
+    fs::directory_iterator files(root_ + part, error);
+    for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+      if (!all && !fs::exists(BlobPath(files->path().filename()), error)) continue;
+      if (absl::Status removed = RemoveFile(files->path()); !removed.ok()) return removed;
+    }
+    if (error) return ListError(root_ + part, error);
+  }
+  return absl::OkStatus();
+}
+
+std::string DirectoryBlobStore::FolderOf(const std::string& digest) const {
+  return absl::StrCat(root_, "/blobs/", digest.substr(0, 2));
 }
 
 std::string DirectoryBlobStore::BlobPath(const std::string& digest) const {
-  return absl::StrCat(root_, "/blobs/", digest.substr(0, 2), "/", digest);
+  return absl::StrCat(FolderOf(digest), "/", digest);
 }
 
 std::string DirectoryBlobStore::UploadPath(const std::string& digest) const {
@@ -88,13 +113,16 @@ std::mutex& DirectoryBlobStore::MutexOf(const std::string& digest) {
   return mutexes_[std::hash<std::string>()(digest) % mutexes_.size()];
 }
 
-absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& digest) const {
+absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& digest) {
   for (const bool complete : {true, false}) {
     const auto file = PosixFile::OpenToRead(complete ? BlobPath(digest) : UploadPath(digest));
     if (absl::IsNotFound(file.status())) continue;
     if (!file.ok()) return file.status();
     const auto size = file->Size();
     if (!size.ok()) return size.status();
+    if (complete) {
+      if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+    }
     return BlobStatus{*size, complete};
   }
   return BlobStatus{};
@@ -104,6 +132,13 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest)
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   return StatusLocked(digest);
+}
+
+/// What is complete counts as used from now on.
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Used(const std::string& digest,
+                                                    const BlobStatus& status) const {
+  if (absl::Status done = TouchFile(BlobPath(digest)); !done.ok()) return done;
+  return status;
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest, int64_t offset,
@@ -123,28 +158,51 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest,
     file->Truncate(committed).IgnoreError();
     return written;
   }
+  if (committed == 0) {
+    Lock doubts(doubts_mutex_);
+    written_here_.insert(digest);
+  }
   status->committed_size += static_cast<int64_t>(bytes.size());
   return status;
 }
 
-/// The file becomes the blob: durable first, and under its name then.
-absl::Status DirectoryBlobStore::Complete(const std::string& path,
-                                          const std::string& digest) const {
-  const auto file = PosixFile::OpenToWrite(path);
-  if (!file.ok()) return file.status();
-  if (absl::Status synced = file->Sync(); !synced.ok()) return synced;
-  const std::string target = BlobPath(digest);
-  const std::string folder = std::filesystem::path(target).parent_path();
+/// Makes the folder if need be. Afterwards the names that it had before are on disk.
+absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
+  Lock lock(doubts_mutex_);
+  if (settled_.contains(folder)) return absl::OkStatus();
   if (absl::Status made = MakeDirectory(folder); !made.ok()) return made;
-  return RenameDurably(path, target);
+  if (absl::Status synced = SyncDirectory(folder); !synced.ok()) return synced;
+  settled_.insert(folder);
+  return absl::OkStatus();
+}
+
+/// A file whose bytes are on disk becomes the blob.
+absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
+  const std::string folder = FolderOf(digest);
+  if (absl::Status settled = Settle(folder); !settled.ok()) return settled;
+  if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
+  absl::Status synced = SyncDirectory(folder);
+  if (!synced.ok()) {
+    Lock lock(doubts_mutex_);
+    settled_.erase(folder);
+  }
+  return synced;
+}
+
+absl::Status DirectoryBlobStore::SyncUpload(const std::string& digest, const PosixFile& file) {
+  const bool dirty = [&] {
+    Lock lock(doubts_mutex_);
+    return written_here_.erase(digest) > 0;
+  }();
+  return dirty ? file.Sync() : file.SyncAnew();
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest, int64_t size) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   const auto status = StatusLocked(digest);
-  if (status.ok() && status->complete) Touch(BlobPath(digest));
-  if (!status.ok() || status->complete) return status;
+  if (!status.ok()) return status;
+  if (status->complete) return Used(digest, *status);
   if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
   const std::string path = UploadPath(digest);
   const auto file = PosixFile::OpenToWrite(path);  // also makes the file of an empty blob
@@ -155,26 +213,30 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
     return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
   }
+  if (absl::Status synced = SyncUpload(digest, *file); !synced.ok()) return synced;
   if (absl::Status done = Complete(path, digest); !done.ok()) return done;
   return BlobStatus{status->committed_size, /*complete=*/true};
+}
+
+/// A good blob is there already, and counts as used. An unreadable one is to be mended.
+absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
+  const auto file = PosixFile::OpenToRead(BlobPath(digest));
+  if (!file.ok()) return false;
+  const auto got = DigestOf(*file);
+  if (!got.ok() || *got != digest) return false;
+  if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+  if (absl::Status touched = TouchFile(BlobPath(digest)); !touched.ok()) return touched;
+  return true;
 }
 
 absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
   const std::string digest = Sha256Hex(bytes);
   Lock lock(MutexOf(digest));
-  if (const auto old = PosixFile::OpenToRead(BlobPath(digest)); old.ok()) {
-    const auto got = DigestOf(*old);
-    if (got.ok() && *got == digest) {
-      Touch(BlobPath(digest));
-      return digest;
-    }
-  }
+  const auto here = HasGood(digest);
+  if (!here.ok()) return here.status();
+  if (*here) return digest;
   const std::string path = absl::StrCat(root_, "/tmp/", next_tmp_++);
-  absl::Status written = [&]() -> absl::Status {
-    const auto file = PosixFile::OpenToWrite(path);
-    if (!file.ok()) return file.status();
-    return file->WriteAt(0, bytes);
-  }();
+  absl::Status written = WriteDurably(path, bytes);
   if (written.ok()) written = Complete(path, digest);
   if (!written.ok()) {
     RemoveFile(path).IgnoreError();
@@ -187,10 +249,16 @@ absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
 absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::string& got) {
   Lock lock(MutexOf(digest));
   const auto file = OpenBlob(BlobPath(digest), digest);
-  const auto now = file.ok() ? DigestOf(*file) : file.status();
-  if (now.ok() && *now != digest) {
+  if (absl::IsNotFound(file.status()))
+    return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
+  if (!file.ok()) return file.status();
+  const auto now = DigestOf(*file);
+  if (!now.ok()) return now.status();
+  if (*now != digest) {
     const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
-    RenameDurably(BlobPath(digest), aside).IgnoreError();  // the error below is the one that counts
+    // If a power cut left half of a rename, this is the same file, and to rename it does nothing.
+    if (absl::Status removed = RemoveFile(aside); !removed.ok()) return removed;
+    if (absl::Status moved = RenameFile(BlobPath(digest), aside); !moved.ok()) return moved;
   }
   return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
 }
@@ -223,8 +291,8 @@ absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
-  Touch(BlobPath(digest));
-  return StatusLocked(digest);
+  const auto status = StatusLocked(digest);
+  return status.ok() && status->complete ? Used(digest, *status) : status;
 }
 
 absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {
@@ -255,10 +323,7 @@ absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntr
       entry.idle_s = *idle;
       visit(entry);
     }
-    if (error) {
-      return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
-                       absl::StrCat("list ", root_, ": ", error.message()));
-    }
+    if (error) return ListError(root_, error);
   }
   return absl::OkStatus();
 }

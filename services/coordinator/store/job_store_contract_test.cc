@@ -3,12 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <barrier>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "common/model/from_environment_test.h"
 #include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/memory_job_store.h"
 #include "services/coordinator/store/postgres_database.h"
@@ -87,6 +92,14 @@ JobResult ResultOf(const std::string& gcode, const std::string& report) {
   result.layers = 3;
   result.warnings = {"careful"};
   return result;
+}
+
+/// Runs `work(0)` to `work(threads - 1)` at the same time.
+template <typename Work>
+void Race(int threads, const Work& work) {
+  std::vector<std::thread> racers;
+  for (int i = 0; i < threads; ++i) racers.emplace_back([&, i] { work(i); });
+  for (std::thread& racer : racers) racer.join();
 }
 
 class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
@@ -196,23 +209,34 @@ TEST_P(JobStoreTest, RequestIdIsForgottenAfterItsTime) {
   EXPECT_TRUE(store_->Create(other, 2).ok());
 }
 
+// 10,000 rounds on demand: SLICEFARM_RACE_ROUNDS.
 TEST_P(JobStoreTest, RequestIdRacedByManyMakesOneJob) {
-  for (int round = 0; round < 20; ++round) {
-    std::vector<std::string> ids(16);
-    std::vector<std::thread> threads;
-    for (int i = 0; i < 16; ++i) {
-      threads.emplace_back([&, i] {
-        NewJob job = JobOf(absl::StrCat("job-", round, "-", i));
-        job.request_id = absl::StrCat("request-", round);
-        job.spec_digest = "same";
-        const auto created = store_->Create(job, 1);
-        if (created.ok()) ids[i] = created->job.id;
-      });
+  constexpr int kThreads = 64;
+  const int64_t rounds = FromEnvironment("SLICEFARM_RACE_ROUNDS", 10);
+  std::vector<absl::StatusOr<Created>> created(kThreads, absl::UnknownError("not called"));
+  int64_t wrong = 0;
+  std::barrier start(kThreads);
+  std::barrier end(kThreads, [&]() noexcept {
+    int fresh = 0;
+    bool same = true;
+    for (const auto& call : created) {
+      same = same && call.ok() && created[0].ok() && call->job == created[0]->job;
+      fresh += call.ok() && call->fresh ? 1 : 0;
     }
-    for (std::thread& thread : threads) thread.join();
-    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 1u);
-    EXPECT_FALSE(ids[0].empty());
-  }
+    wrong += same && fresh == 1 ? 0 : 1;
+  });
+  Race(kThreads, [&](int thread) {
+    for (int64_t round = 0; round < rounds; ++round) {
+      NewJob job = JobOf(absl::StrCat("job-", round, "-", thread));
+      job.request_id = absl::StrCat("request-", round);
+      job.spec_digest = "same";
+      start.arrive_and_wait();
+      created[thread] = store_->Create(job, 1);
+      end.arrive_and_wait();
+    }
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_THAT(*store_->CountByState(), ElementsAre(Pair(kQueued, rounds)));
 }
 
 TEST_P(JobStoreTest, ListsNewestFirstAndByPages) {
@@ -323,6 +347,49 @@ TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
   all.insert(claimed[1].begin(), claimed[1].end());
   EXPECT_EQ(all.size(), static_cast<size_t>(kJobs));
   EXPECT_EQ(claimed[0].size() + claimed[1].size(), static_cast<size_t>(kJobs)) << "none twice";
+}
+
+// 1000 jobs on demand: SLICEFARM_RACE_JOBS.
+TEST_P(JobStoreTest, ClaimsRacedByManyAreOneAnEpoch) {
+  constexpr int kThreads = 8;
+  const int64_t jobs = FromEnvironment("SLICEFARM_RACE_JOBS", 60);
+  for (int64_t i = 0; i < jobs; ++i) Make(absl::StrCat("job", i));
+  std::mutex mutex;
+  std::map<Lease, std::string> owners;  // of each claim
+  int64_t claims = 0;
+  std::atomic<int64_t> clock = 1'000'000'000;
+  /// Claims until there is nothing to claim, or as often as `limit`.
+  const auto claim = [&](int64_t lease_us, int64_t limit) {
+    Race(kThreads, [&](int thread) {
+      const std::string owner = absl::StrCat("owner", thread);
+      for (int64_t i = 0; i < limit; ++i) {
+        const int64_t now_us = clock++;
+        const auto job = store_->Claim(owner, now_us, now_us + lease_us);
+        ASSERT_TRUE(job.ok()) << job.status();
+        if (!*job) return;
+        std::lock_guard<std::mutex> lock(mutex);
+        owners.emplace(Lease{(*job)->id, (*job)->owner_epoch}, owner);
+        ++claims;
+      }
+    });
+  };
+  claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
+  EXPECT_EQ(claims, jobs);
+  EXPECT_EQ(std::ssize(owners), jobs);
+  clock += 1'000'000;  // all leases run out
+  claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
+  EXPECT_EQ(claims, 2 * jobs);
+  clock += 1'000'000;
+  claim(/*lease_us=*/jobs / 2, /*limit=*/jobs / 4);  // they run out in the middle of the race
+  EXPECT_EQ(std::ssize(owners), claims) << "each epoch of a job was given to one claimer";
+  for (int64_t i = 0; i < jobs; ++i) {
+    const auto job = store_->Get(absl::StrCat("job", i));
+    ASSERT_TRUE(job.ok()) << job.status();
+    const auto last = owners.find({job->id, job->owner_epoch});
+    ASSERT_NE(last, owners.end());
+    EXPECT_EQ(last->second, job->owner);
+    EXPECT_FALSE(owners.contains({job->id, job->owner_epoch + 1}));
+  }
 }
 
 TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {

@@ -16,6 +16,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
+constexpr int64_t kCopyBytes = 1 << 20;
+
 absl::Status ErrnoError(const char* what, const std::string& path) {
   const int error = errno;
   const std::string message = absl::StrCat(what, " ", path, ": ", std::strerror(error));
@@ -36,17 +38,6 @@ auto Retry(const Call& call) {
   auto result = call();
   while (result < 0 && errno == EINTR) result = call();
   return result;
-}
-
-absl::Status SyncDirectory(const std::string& path) {
-  const auto directory = PosixFile::OpenToRead(path);
-  if (!directory.ok()) return directory.status();
-  return directory->Sync();
-}
-
-std::string ParentOf(const std::string& path) {
-  const std::string parent = std::filesystem::path(path).parent_path();
-  return parent.empty() ? "." : parent;
 }
 
 }  // namespace
@@ -116,19 +107,52 @@ absl::Status PosixFile::Sync() const {
   return ErrnoError("fsync", path_);
 }
 
-absl::Status MakeDirectory(const std::string& path) {
-  if (std::filesystem::is_directory(path)) return absl::OkStatus();
-  const std::string parent = ParentOf(path);
-  if (parent != path) {
-    if (absl::Status made = MakeDirectory(parent); !made.ok()) return made;
+absl::Status PosixFile::SyncAnew() const {
+  for (int64_t offset = 0;;) {
+    const auto bytes = ReadAt(offset, kCopyBytes);
+    if (!bytes.ok()) return bytes.status();
+    if (bytes->empty()) return Sync();
+    if (absl::Status written = WriteAt(offset, *bytes); !written.ok()) return written;
+    offset += static_cast<int64_t>(bytes->size());
   }
-  if (mkdir(path.c_str(), 0750) != 0 && errno != EEXIST) return ErrnoError("mkdir", path);
+}
+
+std::string ParentOf(const std::string& path) {
+  const std::string parent = std::filesystem::path(path).parent_path();
+  return parent.empty() ? "." : parent;
+}
+
+absl::Status MakeDirectory(const std::string& path) {
+  const std::string parent = ParentOf(path);
+  std::error_code ignored;  // mkdir tells
+  if (!std::filesystem::is_directory(path, ignored)) {
+    if (parent != path) {
+      if (absl::Status made = MakeDirectory(parent); !made.ok()) return made;
+    }
+    if (mkdir(path.c_str(), 0750) != 0 && errno != EEXIST) return ErrnoError("mkdir", path);
+  } else if (access(parent.c_str(), R_OK) != 0) {
+    return absl::OkStatus();  // not of our making
+  }
+  // Also of one that was there: who made it may not have lived to do so.
   return SyncDirectory(parent);
 }
 
-absl::Status RenameDurably(const std::string& from, const std::string& to) {
-  if (rename(from.c_str(), to.c_str()) != 0) return ErrnoError("rename", from);
-  return SyncDirectory(ParentOf(to));
+absl::Status SyncDirectory(const std::string& path) {
+  const auto directory = PosixFile::OpenToRead(path);
+  if (!directory.ok()) return directory.status();
+  return directory->Sync();
+}
+
+absl::Status RenameFile(const std::string& from, const std::string& to) {
+  if (rename(from.c_str(), to.c_str()) == 0) return absl::OkStatus();
+  return ErrnoError("rename", from);
+}
+
+absl::Status TouchFile(const std::string& path) {
+  if (utimensat(AT_FDCWD, path.c_str(), nullptr, 0) == 0 || errno == ENOENT) {
+    return absl::OkStatus();
+  }
+  return ErrnoError("touch", path);
 }
 
 absl::Status RemoveFile(const std::string& path) {

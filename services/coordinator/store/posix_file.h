@@ -26,6 +26,9 @@ class PosixFile {
   absl::StatusOr<std::string> ReadAt(int64_t offset, int64_t limit) const;
   absl::Status Truncate(int64_t size) const;
   absl::Status Sync() const;
+  /// Writes every byte over itself, and syncs. A plain Sync says nothing of bytes that an earlier
+  /// fsync could not write: the kernel tells it once, and calls them written from then on.
+  absl::Status SyncAnew() const;
 
  private:
   PosixFile(int fd, std::string path) : fd_(fd), path_(std::move(path)) {}
@@ -34,11 +37,21 @@ class PosixFile {
   std::string path_;
 };
 
-/// Makes a directory (with its parents) that survives a power cut.
+/// Makes a directory (with its parents) that survives a power cut; one that is there does so
+/// afterwards, too.
 absl::Status MakeDirectory(const std::string& path);
 
-/// rename, then fsync of the directory that holds `to`.
-absl::Status RenameDurably(const std::string& from, const std::string& to);
+/// The directory that a file is in: "." for a name alone.
+std::string ParentOf(const std::string& path);
+
+/// fsync of a directory: the names in it are on disk.
+absl::Status SyncDirectory(const std::string& path);
+
+/// A power cut may undo it, before SyncDirectory of where `to` is.
+absl::Status RenameFile(const std::string& from, const std::string& to);
+
+/// So that it was written just now; OK if there is none.
+absl::Status TouchFile(const std::string& path);
 
 /// Removes a file; OK if there is none.
 absl::Status RemoveFile(const std::string& path);

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+
 #include "common/model/error.h"
 #include "common/model/temp_directory_test.h"
 
@@ -20,6 +23,8 @@ TEST(PosixFile, WritesAndReads) {
   EXPECT_EQ(*file->Size(), 8);
   EXPECT_EQ(*file->ReadAt(2, 100), "23xy67");
   EXPECT_EQ(*file->ReadAt(8, 100), "");
+  ASSERT_TRUE(file->SyncAnew().ok());
+  EXPECT_EQ(*file->ReadAt(0, 100), "0123xy67");
 }
 
 TEST(PosixFile, ErrorsNameThePath) {
@@ -41,12 +46,24 @@ TEST(PosixFile, RenamesAndRemoves) {
   TempDirectory directory;
   const std::string a = directory.path() + "/a", b = directory.path() + "/b";
   ASSERT_TRUE(PosixFile::OpenToWrite(a)->WriteAt(0, "x").ok());
-  ASSERT_TRUE(RenameDurably(a, b).ok());
+  ASSERT_TRUE(RenameFile(a, b).ok());
   EXPECT_TRUE(absl::IsNotFound(PosixFile::OpenToRead(a).status()));
   EXPECT_TRUE(PosixFile::OpenToRead(b).ok());
   EXPECT_TRUE(RemoveFile(b).ok());
   EXPECT_TRUE(RemoveFile(b).ok());
-  EXPECT_FALSE(RenameDurably(a, b).ok());
+  EXPECT_FALSE(RenameFile(a, b).ok());
+}
+
+TEST(PosixFile, TouchesWhatIsThere) {
+  namespace fs = std::filesystem;
+  TempDirectory directory;
+  const std::string path = directory.path() + "/a";
+  ASSERT_TRUE(PosixFile::OpenToWrite(path).ok());
+  fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(9));
+  ASSERT_TRUE(TouchFile(path).ok());
+  EXPECT_GT(fs::last_write_time(path), fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_TRUE(TouchFile(path + "b").ok());
+  EXPECT_FALSE(fs::exists(path + "b"));
 }
 
 TEST(MakeDirectory, MakesParents) {

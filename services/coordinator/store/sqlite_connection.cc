@@ -2,6 +2,8 @@
 
 #include <sqlite3.h>
 
+#include <cerrno>
+
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 
@@ -18,13 +20,22 @@ constexpr SqlDialect kDialect = {
     .names_indexes = true,
 };
 
+/// Whether there was no room for a file of the database. SQLite calls most of that an I/O error.
+bool IsDiskFull(sqlite3* db, int code) {
+  if (code == SQLITE_FULL) return true;
+  if (code != SQLITE_IOERR && code != SQLITE_CANTOPEN) return false;
+  const int error = sqlite3_system_errno(db);
+  return error == ENOSPC || error == EDQUOT;
+}
+
 /// DISK_FULL, or STORE_FAILED with SQLite's words.
 absl::Status ErrorOf(sqlite3* db, int code) {
   if (code == SQLITE_OK) return absl::OkStatus();
   const std::string message = absl::StrCat("SQLite: ", sqlite3_errmsg(db));
+  if (IsDiskFull(db, code & 0xff)) {
+    return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, message);
+  }
   switch (code & 0xff) {
-    case SQLITE_FULL:
-      return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, message);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, message);
@@ -93,6 +104,10 @@ absl::StatusOr<std::unique_ptr<SqliteConnection>> SqliteConnection::Open(const s
       path.c_str(), &db, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
   std::unique_ptr<SqliteConnection> connection(new SqliteConnection(db));
   if (code != SQLITE_OK) return ErrorOf(db, code);
+  if (sqlite3_db_readonly(db, "main") == 1) {  // what SQLite makes of a file that it may not write
+    return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                     absl::StrCat("SQLite: ", path, " cannot be written"));
+  }
   sqlite3_extended_result_codes(db, 1);
   sqlite3_busy_timeout(db, kBusyTimeoutMs);
   const absl::Status ready = connection->Execute(

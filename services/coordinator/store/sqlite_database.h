@@ -12,7 +12,8 @@ namespace slicefarm::coordinator {
 /// so that no reader waits for a writer's fsync.
 class SqliteDatabase : public SqlDatabase {
  public:
-  /// Opens or creates the database and brings it to the present schema.
+  /// Opens or creates the database and brings it to the present schema. What can be read then
+  /// survives a power cut, whatever happened to those who wrote it.
   static absl::StatusOr<std::unique_ptr<SqliteDatabase>> Open(const std::string& path);
 
   absl::StatusOr<SqlSession> Read() override { return Take(read_mutex_, *reader_); }

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "services/coordinator/store/disk_calls_test.h"
+
+namespace slicefarm::coordinator {
+
+struct LifeStep {
+  std::string name;
+  std::function<absl::Status()> run;
+};
+
+/// What a store goes through in a test, and what it promised on the way.
+class StoreLife {
+ public:
+  virtual ~StoreLife() = default;
+
+  virtual absl::Status Open() = 0;
+  virtual void Close() = 0;
+  /// Each may fail, and is then done again.
+  virtual std::vector<LifeStep> Steps() = 0;
+
+  /// What is wrong with the state in `directory`, as it was found after `changes` of the disk: a
+  /// promise made before that is broken, bytes that are others, a store that does not work. May
+  /// change what is there.
+  virtual std::vector<std::string> Check(const std::string& directory, size_t changes) const = 0;
+};
+
+/// A life in a directory that is there, and may hold an older state.
+using NewLife = std::function<std::unique_ptr<StoreLife>(DiskCalls&, const std::string& directory)>;
+
+struct TrialOptions {
+  NewLife life;
+  /// Called with the empty directory first.
+  std::function<void(const std::string& directory)> prepare = [](const std::string&) {};
+  /// So many errors are tried at each site, spread over its calls.
+  int64_t errors_a_site = INT64_MAX;
+  /// After one of so many changes the power is cut.
+  int64_t cut_every = 1;
+  int64_t seed = 1;  ///< which ones, and what a power cut leaves
+  Lie lie = Lie::kNone;
+};
+
+struct TrialResults {
+  int64_t calls = 0;              ///< of a life without faults
+  std::set<std::string> sites{};  ///< functions, and for which part of the directory
+  int64_t trials = 0;
+  std::vector<std::string> violations{};
+};
+
+/// Lets calls of a life fail, one a life: with each error that a call can end with, once or until a
+/// step failed; the life then goes on with the same store, or a new one opens the state. Violations
+/// are steps that do not succeed in the end, errors without a reason, and what Check finds in what
+/// is there at the end, and in what a power cut would leave of it.
+TrialResults InjectErrors(const TrialOptions& options);
+
+/// Cuts the power after each change of the disk in a life. Violations are what Check finds then,
+/// and also after a second cut while it looked.
+TrialResults CutPower(const TrialOptions& options);
+
+/// Prints the figures, and keeps them as properties of the test.
+void RecordTrials(const TrialResults& results);
+
+}  // namespace slicefarm::coordinator

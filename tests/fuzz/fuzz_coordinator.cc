@@ -1,0 +1,245 @@
+#include <grpcpp/grpcpp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/coordinator.h"
+#include "services/coordinator/server/fake_stages_test.h"
+#include "services/coordinator/store/sqlite_connection.h"
+#include "slicefarm/v1/jobs.grpc.pb.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
+#include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/proto_mutator.h"
+
+// Calls to the coordinator's public services, as they come off a wire, over real stores and stages
+// that take no time. No job runs: they wait, or are cancelled.
+
+namespace slicefarm::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Expect(bool holds) {
+  if (!holds) std::abort();
+}
+
+std::string NewDirectory() {
+  std::string path = fs::is_directory("/dev/shm") ? "/dev/shm/" : "/tmp/";
+  path += "fuzz_coordinator-XXXXXX";
+  Expect(mkdtemp(path.data()) != nullptr);
+  return path;
+}
+
+class Farm {
+ public:
+  Farm() {
+    coordinator::CoordinatorOptions options;
+    options.stores.state_dir = directory_;
+    options.build_id = "fuzz";
+    options.runner.owner = "fuzz";
+    auto opened = coordinator::Coordinator::Open(options, slicing_, motion_, dispatcher_,
+                                                 rpc::JsonLog("fuzz"));
+    Expect(opened.ok());
+    coordinator_ = *std::move(opened);
+    grpc::ServerBuilder builder;
+    for (grpc::Service* service : coordinator_->services()) builder.RegisterService(service);
+    server_ = builder.BuildAndStart();
+    const auto channel = server_->InProcessChannel({});
+    meshes_ = v1::Meshes::NewStub(channel);
+    jobs_ = v1::Jobs::NewStub(channel);
+    profiles_ = v1::Profiles::NewStub(channel);
+    database_ = *coordinator::SqliteConnection::Open(directory_ + "/jobs.db");
+  }
+  ~Farm() {
+    server_->Shutdown();
+    coordinator_->Stop();
+    fs::remove_all(directory_);
+  }
+
+  void Call(const CoordinatorCall& call);
+
+  /// As before the first call.
+  void Clear() {
+    Expect(database_
+               ->Execute("DELETE FROM jobs; DELETE FROM requests; DELETE FROM results;"
+                         "DELETE FROM profiles; DELETE FROM tenants; DELETE FROM sqlite_sequence")
+               .ok());
+    if (!uploaded_) return;
+    uploaded_ = false;
+    for (const char* part : {"/blobs", "/uploads", "/corrupt"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(directory_ + part))
+        if (entry.is_regular_file()) fs::remove(entry.path());
+    }
+  }
+
+ private:
+  template <typename Stub, typename Request, typename Response>
+  using Unary = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Response*);
+
+  /// What is refused says why: no call ends as UNKNOWN, or as an error of our own.
+  static bool Ends(const grpc::Status& status) {
+    Expect(status.error_code() != grpc::StatusCode::UNKNOWN);
+    Expect(status.error_code() != grpc::StatusCode::INTERNAL);
+    return status.ok();
+  }
+
+  void Upload(const fuzz::Upload& upload);
+  void Create(const v1::CreateJobRequest& request);
+  void Watch(const v1::WatchJobRequest& request);
+  void Download(const v1::DownloadRequest& request);
+  void PutProfile(const v1::PutProfileRequest& request);
+
+  const std::string directory_ = NewDirectory();
+  coordinator::FakeSlicing slicing_;
+  coordinator::FakeMotion motion_;
+  coordinator::Dispatcher dispatcher_;
+  std::unique_ptr<coordinator::Coordinator> coordinator_;
+  std::unique_ptr<grpc::Server> server_;
+  std::unique_ptr<v1::Meshes::Stub> meshes_;
+  std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Profiles::Stub> profiles_;
+  std::unique_ptr<coordinator::SqliteConnection> database_;
+  bool uploaded_ = false;
+};
+
+void Farm::Upload(const fuzz::Upload& upload) {
+  grpc::ClientContext context;
+  v1::Upload response;
+  const auto stream = meshes_->UploadMesh(&context, &response);
+  for (const v1::UploadMeshRequest& request : upload.requests())
+    if (!stream->Write(request)) break;
+  stream->WritesDone();
+  uploaded_ = true;
+  Ends(stream->Finish());
+}
+
+/// What was accepted is kept as it was sent.
+void Farm::Create(const v1::CreateJobRequest& request) {
+  grpc::ClientContext context;
+  v1::Job job;
+  if (!Ends(jobs_->CreateJob(&context, request, &job)) || request.validate_only()) return;
+  v1::GetJobRequest get;
+  get.set_id(job.id());
+  v1::Job kept;
+  grpc::ClientContext again;
+  Expect(Ends(jobs_->GetJob(&again, get, &kept)));
+  Expect(kept.labels_size() == request.labels_size());
+  for (const auto& [key, value] : request.labels()) {
+    const auto found = kept.labels().find(key);
+    Expect(found != kept.labels().end() && found->second == value);
+  }
+  if (request.spec().profiles_size() == 0) {
+    Expect(kept.spec().SerializeAsString() == request.spec().SerializeAsString());
+  }
+  v1::ListJobsRequest list;
+  list.mutable_labels()->insert(request.labels().begin(), request.labels().end());
+  v1::ListJobsResponse listed;
+  grpc::ClientContext listing;
+  Expect(Ends(jobs_->ListJobs(&listing, list, &listed)) && listed.jobs_size() > 0);
+}
+
+void Farm::Watch(const v1::WatchJobRequest& request) {
+  grpc::ClientContext context;
+  const auto stream = jobs_->WatchJob(&context, request);
+  v1::JobEvent event;
+  stream->Read(&event);  // of a job that goes on, there may come more for ever
+  context.TryCancel();
+  stream->Finish();
+}
+
+void Farm::Download(const v1::DownloadRequest& request) {
+  grpc::ClientContext context;
+  const auto stream = jobs_->Download(&context, request);
+  v1::DownloadResponse response;
+  while (stream->Read(&response)) {
+  }
+  Ends(stream->Finish());
+}
+
+void Farm::PutProfile(const v1::PutProfileRequest& request) {
+  grpc::ClientContext context;
+  v1::Profile profile;
+  if (!Ends(profiles_->PutProfile(&context, request, &profile))) return;
+  v1::GetProfileRequest get;
+  get.set_name(request.name());
+  v1::Profile kept;
+  grpc::ClientContext again;
+  Expect(Ends(profiles_->GetProfile(&again, get, &kept)));
+  Expect(kept.settings_size() == request.settings_size());
+  for (int i = 0; i < request.settings_size(); ++i)
+    Expect(kept.settings(i).SerializeAsString() == request.settings(i).SerializeAsString());
+}
+
+void Farm::Call(const CoordinatorCall& call) {
+  grpc::ClientContext context;
+  switch (call.call_case()) {
+    case CoordinatorCall::kGetUpload: {
+      v1::Upload response;
+      Ends(meshes_->GetUpload(&context, call.get_upload(), &response));
+      return;
+    }
+    case CoordinatorCall::kUpload:
+      return Upload(call.upload());
+    case CoordinatorCall::kCreateJob:
+      return Create(call.create_job());
+    case CoordinatorCall::kBatchCreateJobs: {
+      v1::BatchCreateJobsResponse response;
+      if (Ends(jobs_->BatchCreateJobs(&context, call.batch_create_jobs(), &response)))
+        Expect(response.outcomes_size() == call.batch_create_jobs().requests_size());
+      return;
+    }
+    case CoordinatorCall::kGetJob: {
+      v1::Job response;
+      Ends(jobs_->GetJob(&context, call.get_job(), &response));
+      return;
+    }
+    case CoordinatorCall::kListJobs: {
+      v1::ListJobsResponse response;
+      Ends(jobs_->ListJobs(&context, call.list_jobs(), &response));
+      return;
+    }
+    case CoordinatorCall::kWatchJob:
+      return Watch(call.watch_job());
+    case CoordinatorCall::kCancelJob: {
+      v1::Job response;
+      Ends(jobs_->CancelJob(&context, call.cancel_job(), &response));
+      return;
+    }
+    case CoordinatorCall::kDeleteJob: {
+      google::protobuf::Empty response;
+      Ends(jobs_->DeleteJob(&context, call.delete_job(), &response));
+      return;
+    }
+    case CoordinatorCall::kDownload:
+      return Download(call.download());
+    case CoordinatorCall::kPutProfile:
+      return PutProfile(call.put_profile());
+    case CoordinatorCall::kGetProfile: {
+      v1::Profile response;
+      Ends(profiles_->GetProfile(&context, call.get_profile(), &response));
+      return;
+    }
+    case CoordinatorCall::kListProfiles: {
+      v1::ListProfilesResponse response;
+      Ends(profiles_->ListProfiles(&context, call.list_profiles(), &response));
+      return;
+    }
+    case CoordinatorCall::CALL_NOT_SET:
+      return;
+  }
+}
+
+void Run(const CoordinatorCalls& calls) {
+  static Farm farm;
+  for (const CoordinatorCall& call : calls.calls()) farm.Call(call);
+  farm.Clear();
+}
+
+}  // namespace
+}  // namespace slicefarm::fuzz
+
+SLICEFARM_PROTO_FUZZER(slicefarm::fuzz::CoordinatorCalls, slicefarm::fuzz::Run)

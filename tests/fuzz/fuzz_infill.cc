@@ -1,0 +1,41 @@
+#include <vector>
+
+#include "common/wire/message_stream.h"
+#include "common/wire/start_wire.h"
+#include "services/infill/algo/local_infill_stage.h"
+#include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/proto_mutator.h"
+#include "tests/fuzz/stage_call.h"
+
+namespace slicefarm::fuzz {
+namespace {
+
+void Run(const FillCall& given) {
+  static const auto stage = infill::MakeLocalInfill();
+  for (const v1::FillRequest& request : given.requests()) {
+    CheckRoundTrip(request.start());
+    CheckRoundTrip(request.neighbour());
+    CheckRoundTrip(request.layer());
+  }
+  Requests<v1::FillRequest> requests(given.requests());
+  const auto start = ReadStart<v1::FillRequest>(requests, WithDeadline());
+  if (!start.ok()) return;
+  std::vector<SlicedLayer> neighbours;
+  std::vector<WalledLayer> walled;
+  absl::Status read = ReadEach<v1::FillRequest>(requests, [&](const v1::FillRequest& request) {
+    return request.has_neighbour() ? AppendNext(FromProto(request.neighbour()), &neighbours)
+                                   : AppendNext(FromProto(request.layer()), &walled);
+  });
+  read.Update(CheckNeighbourhood(neighbours, start->range, start->layer_count));
+  read.Update(CheckLayersOfRange(walled, start->range));
+  if (!read.ok()) return;
+  const auto filled = stage->Fill(start->call, std::move(walled),
+                                  {start->range, start->layer_count, neighbours}, start->options);
+  if (!filled.ok()) return;
+  for (const FilledLayer& layer : *filled) CheckRoundTrip(Encoded<v1::FilledLayer>(layer));
+}
+
+}  // namespace
+}  // namespace slicefarm::fuzz
+
+SLICEFARM_PROTO_FUZZER(slicefarm::fuzz::FillCall, slicefarm::fuzz::Run)

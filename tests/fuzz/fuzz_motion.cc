@@ -1,0 +1,66 @@
+#include <vector>
+
+#include "common/wire/message_stream.h"
+#include "common/wire/motion_options_wire.h"
+#include "common/wire/program_wire.h"
+#include "common/wire/stage_call_wire.h"
+#include "common/wire/start_wire.h"
+#include "services/motion/algo/local_motion_stage.h"
+#include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/proto_mutator.h"
+#include "tests/fuzz/stage_call.h"
+
+namespace slicefarm::fuzz {
+namespace {
+
+const MotionStage& Stage() {
+  static const auto stage = motion::MakeLocalMotion();
+  return *stage;
+}
+
+void Program(const MotionCall& given) {
+  Requests<v1::ProgramRequest> requests(given.requests());
+  const auto start = ReadStart<v1::ProgramRequest>(requests, WithDeadline());
+  if (!start.ok()) return;
+  std::vector<OrderedLayer> layers;
+  const absl::Status read =
+      ReadEach<v1::ProgramRequest>(requests, [&](const v1::ProgramRequest& request) {
+        return AppendNext(FromProto(request.layer()), &layers);
+      });
+  if (!read.ok()) return;
+  const auto programs = Stage().Program(start->call, std::move(layers), start->options);
+  if (!programs.ok()) return;
+  for (const LayerProgram& program : *programs) {
+    CheckGcode(program.gcode);
+    CheckRoundTrip(Encoded<v1::LayerProgram>(program));
+  }
+}
+
+void Frame(const v1::FrameRequest& request) {
+  CheckRoundTrip(request.options());
+  CheckRoundTrip(request);
+  const auto options = FromProto(request.options());
+  const auto summary = FromProto(request);
+  if (!options.ok() || !summary.ok()) return;
+  StageCall call;
+  call.cancel = WithDeadline();
+  const auto frame = Stage().Frame(call, *summary, *options);
+  if (!frame.ok()) return;
+  CheckGcode(frame->prologue);
+  CheckGcode(frame->epilogue);
+  CheckRoundTrip(Encoded<v1::ProgramFrame>(*frame));
+}
+
+void Run(const MotionCall& given) {
+  for (const v1::ProgramRequest& request : given.requests()) {
+    CheckRoundTrip(request.start());
+    CheckRoundTrip(request.layer());
+  }
+  Program(given);
+  Frame(given.frame());
+}
+
+}  // namespace
+}  // namespace slicefarm::fuzz
+
+SLICEFARM_PROTO_FUZZER(slicefarm::fuzz::MotionCall, slicefarm::fuzz::Run)

@@ -1,0 +1,43 @@
+#include "common/stage/layer_chain.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/program_wire.h"
+#include "common/wire/start_wire.h"
+#include "services/beading/algo/local_beading_stage.h"
+#include "services/infill/algo/local_infill_stage.h"
+#include "services/motion/algo/local_motion_stage.h"
+#include "services/ordering/algo/local_ordering_stage.h"
+#include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/proto_mutator.h"
+#include "tests/fuzz/stage_call.h"
+
+namespace slicefarm::fuzz {
+namespace {
+
+void Run(const WorkCall& given) {
+  static const auto beading = beading::MakeLocalBeading();
+  static const auto infill = infill::MakeLocalInfill();
+  static const auto ordering = ordering::MakeLocalOrdering();
+  static const auto motion = motion::MakeLocalMotion();
+  static const LayerChain chain(*beading, *infill, *ordering, *motion);
+  for (const v1::WorkRequest& request : given.requests()) {
+    CheckRoundTrip(request.start());
+    CheckRoundTrip(request.layer());
+  }
+  Requests<v1::WorkRequest> requests(given.requests());
+  const auto start = ReadStart<v1::WorkRequest>(requests, WithDeadline());
+  if (!start.ok()) return;
+  const auto layers = ReadNeighbourhood<v1::WorkRequest>(requests, *start);
+  if (!layers.ok()) return;
+  const auto result = chain.Run(
+      start->call, {start->range, start->layer_count, *layers, start->plans, &start->settings});
+  if (!result.ok()) return;
+  for (const LayerProgram& program : result->programs) {
+    CheckGcode(program.gcode);
+    CheckRoundTrip(Encoded<v1::LayerProgram>(program));
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::fuzz
+
+SLICEFARM_PROTO_FUZZER(slicefarm::fuzz::WorkCall, slicefarm::fuzz::Run)

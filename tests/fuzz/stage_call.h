@@ -1,0 +1,95 @@
+#pragma once
+
+#include <chrono>
+#include <concepts>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "common/model/build_info.h"
+#include "common/model/cancel_token.h"
+#include "google/protobuf/repeated_field.h"
+
+namespace slicefarm::fuzz {
+
+/// The messages of a call, as a stage's service reads them.
+template <typename Request>
+class Requests {
+ public:
+  explicit Requests(google::protobuf::RepeatedPtrField<Request> requests)
+      : requests_(std::move(requests)) {
+    for (Request& request : requests_) {
+      if (request.has_start()) Welcome(*request.mutable_start()->mutable_call());
+    }
+  }
+
+  bool Read(Request* request) {
+    if (next_ == requests_.size()) return false;
+    *request = std::move(requests_[next_++]);
+    return true;
+  }
+
+ private:
+  /// Of this build, unless it says otherwise.
+  template <typename Call>
+  static void Welcome(Call& call) {
+    if (call.build_id().empty()) call.set_build_id(std::string(BuildId()));
+  }
+
+  google::protobuf::RepeatedPtrField<Request> requests_;
+  int next_ = 0;
+};
+
+/// As a service cancels a call whose deadline has passed.
+inline CancelToken WithDeadline(
+    std::chrono::milliseconds deadline = std::chrono::milliseconds(1000)) {
+  const auto end = std::chrono::steady_clock::now() + deadline;
+  return CancelToken([end] { return std::chrono::steady_clock::now() > end; });
+}
+
+/// ToProto in each of its forms.
+template <typename Proto, typename Model>
+Proto Encoded(const Model& model) {
+  Proto proto;
+  if constexpr (requires {
+                  { ToProto(model) } -> std::same_as<Proto>;
+                }) {
+    proto = ToProto(model);
+  } else if constexpr (requires {
+                         { ToProto(model, &proto) } -> std::same_as<absl::Status>;
+                       }) {
+    if (!ToProto(model, &proto).ok()) std::abort();  // what came over the wire fits on it
+  } else {
+    ToProto(model, &proto);
+  }
+  return proto;
+}
+
+/// What is accepted is told on without loss.
+template <typename Proto>
+void CheckRoundTrip(const Proto& proto) {
+  const auto model = FromProto(proto);
+  if (!model.ok()) return;
+  const Proto told = Encoded<Proto>(*model);
+  const auto again = FromProto(told);
+  if (!again.ok()) std::abort();
+  if constexpr (requires { *again == *model; }) {
+    if (!(*again == *model)) std::abort();
+  }
+  if (Encoded<Proto>(*again).SerializeAsString() != told.SerializeAsString()) std::abort();
+}
+
+/// Numbers that no printer can read.
+inline void CheckGcode(std::string_view gcode) {
+  for (size_t begin = 0; begin < gcode.size();) {
+    const size_t end = std::min(gcode.find('\n', begin), gcode.size());
+    const std::string_view line = gcode.substr(begin, end - begin);
+    const bool moves = line.starts_with("G1 ");
+    if (moves && line.find_first_of("ni", 3) < line.find(';')) std::abort();  // nan, inf
+    begin = end + 1;
+  }
+}
+
+}  // namespace slicefarm::fuzz
