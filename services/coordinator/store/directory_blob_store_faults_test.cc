@@ -95,6 +95,12 @@ class BlobLife : public StoreLife {
     };
   }
 
+  /// A short write is an error only if the disk is full then.
+  bool Tells(const absl::Status& status, Fault fault) const override {
+    const bool io = fault == Fault::kEio || fault == Fault::kEintr;
+    return DetailOf(status).reason == (io ? Reason::kStoreFailed : Reason::kDiskFull);
+  }
+
   std::vector<std::string> Check(const std::string& directory, size_t changes) const override {
     std::vector<std::string> wrong;
     auto opened = DirectoryBlobStore::OpenAt(directory + "/deep");

@@ -26,11 +26,6 @@ struct ErrorPlan {
   bool reopens = false;  ///< after a step that failed
 };
 
-/// What a call that ended so is to come to. A short write is one only if the disk is full then.
-Reason ReasonFor(Fault fault) {
-  return fault == Fault::kEio || fault == Fault::kEintr ? Reason::kStoreFailed : Reason::kDiskFull;
-}
-
 /// Runs the steps. Gives what went wrong otherwise than by an error that says why.
 std::vector<std::string> Live(StoreLife& life, DiskCalls& disk, const ErrorPlan& plan) {
   std::vector<std::string> violations;
@@ -42,7 +37,7 @@ std::vector<std::string> Live(StoreLife& life, DiskCalls& disk, const ErrorPlan&
       status = step.run();
       if (status.ok()) break;
       if (!disk.struck()) violations.push_back(step.name + " fails without a reason");
-      if (DetailOf(status).reason != ReasonFor(plan.fault))
+      if (!life.Tells(status, plan.fault))
         violations.push_back(absl::StrCat(step.name, ": ", status.ToString()));
       if (plan.reopens) life.Close();
       disk.Heal();
@@ -172,6 +167,11 @@ std::map<std::string, std::vector<ErrorPlan>> PlansFor(const std::vector<DiskCal
 }
 
 }  // namespace
+
+bool StoreLife::Tells(const absl::Status& status, Fault) const {
+  const Reason reason = DetailOf(status).reason;
+  return reason == Reason::kStoreFailed || reason == Reason::kDiskFull;
+}
 
 TrialResults InjectErrors(const TrialOptions& options) {
   TrialResults results;

@@ -27,6 +27,9 @@ class StoreLife {
   /// Each may fail, and is then done again.
   virtual std::vector<LifeStep> Steps() = 0;
 
+  /// Whether an error says enough of what happened to a call.
+  virtual bool Tells(const absl::Status& status, Fault fault) const;
+
   /// What is wrong with the state in `directory`, as it was found after `changes` of the disk: a
   /// promise made before that is broken, bytes that are others, a store that does not work. May
   /// change what is there.
