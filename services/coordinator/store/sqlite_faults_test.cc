@@ -222,6 +222,7 @@ class StateLife : public StoreLife {
 
   absl::Status Succeed(const std::string& id) {
     JobResult result;
+    result.tenant = "tenant";
     for (std::string* digest : {&result.gcode_sha256, &result.report_sha256}) {
       const auto put = state_.blobs->Put(absl::StrCat("result of ", id, result.gcode_sha256));
       if (!put.ok()) return put.status();
@@ -239,7 +240,7 @@ class StateLife : public StoreLife {
     absl::Status listed =
         state_.blobs->ForEach([&](const BlobEntry& blob) { digests.insert(blob.digest); });
     if (!listed.ok()) return listed;
-    const auto referenced = state_.jobs->Referenced(digests);
+    const auto referenced = state_.jobs->Referenced("tenant", digests);
     if (!referenced.ok()) return referenced.status();
     for (const std::string& digest : digests) {
       if (referenced->contains(digest)) continue;
