@@ -117,7 +117,7 @@ absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credenti
 }
 
 int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
-                       const std::function<void()>& on_signal) {
+                       const std::function<void()>& on_signal, QueuedMethods* queued) {
   RaiseOpenFilesLimit();
   ServerOptions options = flags.server;
   const CallGateOptions gate = GateOptions(flags);
@@ -128,7 +128,8 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
     return 1;
   }
   options.credentials = *std::move(credentials);
-  absl::StatusOr<std::unique_ptr<Server>> server = Server::Start(options, services, call_metrics_);
+  absl::StatusOr<std::unique_ptr<Server>> server =
+      Server::Start(options, services, call_metrics_, queued);
   if (!server.ok()) {
     log_.Error("cannot serve", {{"error", std::string(server.status().message())}});
     return 1;

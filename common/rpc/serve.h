@@ -55,12 +55,12 @@ class ServerProgram {
   /// Shows how busy the service behind the gate is. The gate outlives Run.
   void Show(const CallGate& gate);
 
-  /// Serves `services` until a signal comes; then calls `on_signal`, which ends what would
-  /// otherwise keep calls in flight. When it returns, neither services nor shown metrics are used
-  /// any more. Returns the exit code of the program: 0, or 1 if it cannot listen, or not with these
-  /// certificates.
+  /// Serves `services`, among them that of `queued`, until a signal comes; then calls `on_signal`,
+  /// which ends what would otherwise keep calls in flight. When it returns, neither services nor
+  /// shown metrics are used any more. Returns the exit code of the program: 0, or 1 if it cannot
+  /// listen, or not with these certificates.
   int Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
-          const std::function<void()>& on_signal = {});
+          const std::function<void()>& on_signal = {}, QueuedMethods* queued = nullptr);
 
  private:
   absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> Credentials(

@@ -40,7 +40,7 @@ void SetConnectionRules(grpc::ServerBuilder* builder) {
 
 absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
                                                       const std::vector<grpc::Service*>& services,
-                                                      CallMetrics& metrics) {
+                                                      CallMetrics& metrics, QueuedMethods* queued) {
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
@@ -55,12 +55,14 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   interceptors.push_back(std::make_unique<UnreadableRequestFactory>());  // before it is counted
   interceptors.push_back(std::make_unique<CallMetricsFactory>(metrics));
   builder.experimental().SetInterceptorCreators(std::move(interceptors));
+  auto queue = queued == nullptr ? nullptr : std::make_unique<CallQueue>(builder);
   std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
   if (server == nullptr || port == 0) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "cannot listen on " + options.listen, {{"address", options.listen}});
   }
-  return std::unique_ptr<Server>(new Server(std::move(server), port));
+  if (queued != nullptr) queued->ServeFrom(queue->queue());
+  return std::unique_ptr<Server>(new Server(std::move(server), std::move(queue), port));
 }
 
 Server::~Server() { Drain(std::chrono::milliseconds(0)); }
@@ -69,6 +71,7 @@ void Server::Drain(std::chrono::milliseconds patience) {
   if (auto* health = server_->GetHealthCheckService()) health->Shutdown();
   server_->Shutdown(std::chrono::system_clock::now() + patience);
   server_->Wait();
+  queue_.reset();
 }
 
 }  // namespace slicefarm::rpc

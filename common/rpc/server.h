@@ -12,6 +12,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/limits.h"
 #include "common/rpc/call_metrics.h"
+#include "common/rpc/call_queue.h"
 
 namespace slicefarm::rpc {
 
@@ -28,11 +29,12 @@ struct ServerOptions {
 /// A gRPC server with health checking, reflection, limits, keepalive and metrics.
 class Server {
  public:
-  /// `services` and `metrics` must outlive the server. Errors: Unavailable if it cannot listen
-  /// there.
+  /// `services`, with those of `queued`, and `metrics` must outlive the server. Errors: Unavailable
+  /// if it cannot listen there.
   static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
                                                        const std::vector<grpc::Service*>& services,
-                                                       CallMetrics& metrics);
+                                                       CallMetrics& metrics,
+                                                       QueuedMethods* queued = nullptr);
   ~Server();
 
   int port() const { return port_; }
@@ -42,10 +44,11 @@ class Server {
   void Drain(std::chrono::milliseconds patience);
 
  private:
-  Server(std::unique_ptr<grpc::Server> server, int port)
-      : server_(std::move(server)), port_(port) {}
+  Server(std::unique_ptr<grpc::Server> server, std::unique_ptr<CallQueue> queue, int port)
+      : server_(std::move(server)), queue_(std::move(queue)), port_(port) {}
 
   std::unique_ptr<grpc::Server> server_;
+  std::unique_ptr<CallQueue> queue_;  ///< null if nothing is served from one
   const int port_;
 };
 

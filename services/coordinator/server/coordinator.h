@@ -54,6 +54,7 @@ class Coordinator {
   std::vector<grpc::Service*> services() {
     return {&meshes_service_, &jobs_service_, &profiles_service_};
   }
+  rpc::QueuedMethods& queued_methods() { return jobs_service_; }
   JobStore& jobs() { return jobs_; }
 
  private:

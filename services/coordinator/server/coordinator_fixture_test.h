@@ -53,7 +53,8 @@ class CoordinatorTest : public testing::Test, protected CoordinatorClient {
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
-    auto server = rpc::Server::Start({}, coordinator_->services(), metrics_);
+    auto server =
+        rpc::Server::Start({}, coordinator_->services(), metrics_, &coordinator_->queued_methods());
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     Connect(absl::StrCat("127.0.0.1:", server_->port()));

@@ -254,7 +254,8 @@ class IsolationTest : public testing::Test {
         Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
-    auto server = rpc::Server::Start({}, coordinator_->services(), metrics_);
+    auto server =
+        rpc::Server::Start({}, coordinator_->services(), metrics_, &coordinator_->queued_methods());
     ASSERT_TRUE(server.ok()) << server.status();
     server_ = *std::move(server);
     ASSERT_TRUE(coordinator_->Start().ok());

@@ -44,11 +44,10 @@ class JobRunnerTest : public testing::Test {
     JobRunnerOptions options;
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
-    auto runner =
-        std::make_unique<JobRunner>(RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_,
-                                                   Clock(), "build", ResultSharing::kOff,
-                                                   rpc::JsonLog("test")},
-                                    options);
+    auto runner = std::make_unique<JobRunner>(
+        RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_, Clock(), "build",
+                       ResultSharing::kOff, rpc::JsonLog("test")},
+        options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
   }

@@ -1,6 +1,5 @@
 #include "services/coordinator/server/job_watch.h"
 
-#include <optional>
 #include <utility>
 
 #include "common/model/error.h"
@@ -20,88 +19,101 @@ absl::Status Stopping() {
 
 }  // namespace
 
-JobWatch::JobWatch(grpc::CallbackServerContext& context, JobStore& jobs, JobFeed& feed,
-                   std::string job_id, int64_t after_sequence)
-    : jobs_(jobs), feed_(feed), job_id_(std::move(job_id)), sent_(after_sequence) {
+JobWatch::JobWatch(const JobWatches& watches) : watches_(watches) {
+  context_.AsyncNotifyWhenDone(&left_tag_);
+  watches_.service.RequestWatchJob(&context_, &request_, &writer_, &watches_.queue, &watches_.queue,
+                                   &begun_tag_);
+}
+
+/// There is a call; or there will be none, because the server stops.
+void JobWatch::Begin(bool ok) {
+  if (!ok) return Release();
+  Await(watches_);
+  ++tags_;  // left_tag_, which gRPC calls only of calls that began
+  if (const absl::Status allowed = watches_.check(context_, request_); !allowed.ok()) {
+    End(allowed);
+    return Release();
+  }
+  read_to_ = request_.after_sequence();
+  ticket_ = watches_.feed.Listen(request_.id(), [this] { Wake(); });
   // A client cannot tell a quiet job from a server that is gone: this says that the watch stands.
-  context.AddInitialMetadata("slicefarm-watch", "open");
-  StartSendInitialMetadata();
-  ticket_ = feed_.Listen(job_id_, [this] { Wake(); });
-  Advance();
+  context_.AddInitialMetadata("slicefarm-watch", "open");
+  busy_ = true;
+  ++tags_;
+  writer_.SendInitialMetadata(&sent_tag_);
+  Release();
 }
 
-/// The feed has something new. REQUIRES: no lock held.
+/// The feed has something new. On any thread.
 void JobWatch::Wake() {
-  {
-    std::lock_guard lock(mutex_);
-    news_ = true;
-    if (busy_) return;
-    busy_ = true;
-  }
+  if (waking_.exchange(true)) return;
+  ++tags_;
+  alarm_.Set(&watches_.queue, gpr_now(GPR_CLOCK_MONOTONIC), &woken_tag_);
+}
+
+void JobWatch::Woken() {
+  waking_ = false;
   Advance();
+  Release();
 }
 
-/// Sends the next event, ends the call, or goes idle. REQUIRES: busy_ was set by the caller.
+void JobWatch::Sent(bool ok) {
+  busy_ = !ok;  // if it could not be sent, nothing more can, and the call is soon over
+  Advance();
+  Release();
+}
+
+/// The client has all it is to get, or wants no more.
+void JobWatch::Left() {
+  left_ = true;
+  watches_.feed.Forget(ticket_);
+  Release();
+}
+
+/// Sends the next event, ends the call, or waits for the feed.
 void JobWatch::Advance() {
-  std::unique_lock lock(mutex_);
-  std::optional<absl::Status> end;
-  while (!end && events_.empty()) {
-    if (cancelled_) end = absl::CancelledError("the client left");
-    if (!end && terminal_) end = absl::OkStatus();
-    if (!end && feed_.closed()) end = Stopping();
-    if (end) break;
-    news_ = false;
-    lock.unlock();
-    absl::Status status;
-    const bool found = Read(status);
-    lock.lock();
-    if (!status.ok()) end = status;
-    if (end || found || news_) continue;
-    busy_ = false;
-    return;
+  if (busy_ || left_) return;
+  if (events_.empty() && !terminal_) {
+    if (const absl::Status read = Read(); !read.ok()) return End(read);
   }
-  lock.unlock();
-  if (end) return Finish(rpc::ToGrpc(*end));  // busy_ stays: nothing happens any more
-  StartWrite(&events_.front());
+  if (!events_.empty()) return Send();
+  if (terminal_) return End(absl::OkStatus());
+  if (watches_.feed.closed()) End(Stopping());
 }
 
-/// Fetches events from the store. True if there are some, or the job's end was reached.
-bool JobWatch::Read(absl::Status& status) {
-  const auto events = jobs_.Events(job_id_, sent_, kReadEvents);
-  const auto job = jobs_.Get(job_id_);
-  status = events.ok() ? job.status() : events.status();
-  if (!status.ok()) return false;
+/// Fetches events from the store, and whether they are the last.
+absl::Status JobWatch::Read() {
+  const auto events = watches_.jobs.Events(request_.id(), read_to_, kReadEvents);
+  if (!events.ok()) return events.status();
+  const auto job = watches_.jobs.Get(request_.id());
+  if (!job.ok()) return job.status();
   for (const JobEventRecord& event : *events) {
     events_.push_back(ToProto(event, *job));
-    sent_ = event.sequence;
+    read_to_ = event.sequence;
   }
   // The job may have gone on between the two reads: its end is reached with its last event. A
   // watcher that starts after that has nothing to wait for.
-  terminal_ = IsTerminal(job->state) && sent_ >= job->last_sequence;
-  return !events->empty() || terminal_;
+  terminal_ = IsTerminal(job->state) && read_to_ >= job->last_sequence;
+  return absl::OkStatus();
 }
 
-void JobWatch::OnWriteDone(bool ok) {
-  {
-    std::lock_guard lock(mutex_);
-    events_.pop_front();
-    if (!ok) cancelled_ = true;
-    if (cancelled_) events_.clear();
-  }
-  Advance();
+void JobWatch::Send() {
+  const v1::JobEvent event = std::move(events_.front());
+  events_.pop_front();
+  busy_ = true;
+  ++tags_;
+  writer_.Write(event, &sent_tag_);
 }
 
-void JobWatch::OnCancel() {
-  {
-    std::lock_guard lock(mutex_);
-    cancelled_ = true;
-  }
-  Wake();
+void JobWatch::End(const absl::Status& status) {
+  busy_ = true;  // for good
+  ++tags_;
+  writer_.Finish(rpc::ToGrpc(status), &ended_tag_);
 }
 
-void JobWatch::OnDone() {
-  feed_.Forget(ticket_);
-  delete this;
+/// One of the tags was called. The last one takes the watch with it.
+void JobWatch::Release() {
+  if (--tags_ == 0) delete this;
 }
 
 }  // namespace slicefarm::coordinator

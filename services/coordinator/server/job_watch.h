@@ -1,46 +1,78 @@
 #pragma once
 
-#include <grpcpp/support/server_callback.h>
+#include <grpcpp/alarm.h>
+#include <grpcpp/grpcpp.h>
 
+#include <atomic>
+#include <cstdint>
 #include <deque>
-#include <mutex>
-#include <string>
+#include <functional>
 
+#include "absl/status/status.h"
+#include "common/rpc/call_queue.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/store/job_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 
+/// What watches need; everything outlives them.
+struct JobWatches {
+  using Service = v1::Jobs::WithAsyncMethod_WatchJob<v1::Jobs::Service>;
+
+  Service& service;
+  grpc::ServerCompletionQueue& queue;
+  JobStore& jobs;
+  JobFeed& feed;
+  /// Whether the caller may know of the job.
+  std::function<absl::Status(const grpc::ServerContext& context,
+                             const v1::WatchJobRequest& request)>
+      check;
+};
+
 /// One WatchJob call: sends the job's events from the store, then those that the feed announces,
 /// and ends after the terminal one. Holds no thread while nothing happens, so that a thousand may
-/// watch. Deletes itself.
-class JobWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
+/// watch. All but Wake happens on the queue's thread. Deletes itself.
+class JobWatch {
  public:
-  JobWatch(grpc::CallbackServerContext& context, JobStore& jobs, JobFeed& feed, std::string job_id,
-           int64_t after_sequence);
-
-  void OnWriteDone(bool ok) override;
-  void OnCancel() override;
-  void OnDone() override;
+  /// Waits for the next call; when it comes, another one waits for the one after.
+  static void Await(const JobWatches& watches) { new JobWatch(watches); }
 
  private:
+  explicit JobWatch(const JobWatches& watches);
+
+  void Begin(bool ok);
+  void Sent(bool ok);
+  void Woken();
+  void Left();
+
   void Wake();
   void Advance();
-  bool Read(absl::Status& status);
+  absl::Status Read();
+  void Send();
+  void End(const absl::Status& status);
+  void Release();
 
-  JobStore& jobs_;
-  JobFeed& feed_;
-  const std::string job_id_;
-  int64_t ticket_ = 0;
+  const JobWatches& watches_;
+  grpc::ServerContext context_;
+  v1::WatchJobRequest request_;
+  grpc::ServerAsyncWriter<v1::JobEvent> writer_{&context_};
 
-  std::mutex mutex_;
-  int64_t sent_ = 0;       ///< sequence of the last event that was read
-  bool terminal_ = false;  ///< that event was the job's last
-  bool busy_ = true;       ///< a write is under way, or somebody decides what comes next
-  bool news_ = false;      ///< the feed called meanwhile
-  bool cancelled_ = false;
-  std::deque<v1::JobEvent> events_;  ///< to be sent; the first one is being sent
+  rpc::QueueTag begun_tag_ = [this](bool ok) { Begin(ok); };
+  rpc::QueueTag sent_tag_ = [this](bool ok) { Sent(ok); };
+  rpc::QueueTag woken_tag_ = [this](bool) { Woken(); };
+  rpc::QueueTag ended_tag_ = [this](bool) { Release(); };
+  rpc::QueueTag left_tag_ = [this](bool) { Left(); };
+  std::atomic<int> tags_ = 1;         ///< that the queue has still to call
+  std::atomic<bool> waking_ = false;  ///< woken_tag_ is one of them
+  grpc::Alarm alarm_;                 ///< by which the feed gets onto the queue's thread
+
+  int64_t ticket_ = 0;               ///< of the feed
+  int64_t read_to_ = 0;              ///< sequence of the last event that was read
+  bool terminal_ = false;            ///< that event was the job's last
+  bool busy_ = false;                ///< something is being sent
+  bool left_ = false;                ///< the call is over
+  std::deque<v1::JobEvent> events_;  ///< to be sent; the first one is being sent if busy_
 };
 
 }  // namespace slicefarm::coordinator

@@ -60,13 +60,6 @@ class TextReader : public BlobReader {
   const std::string text_;
 };
 
-/// A watch that ends before it begins. Deletes itself.
-class RefusedWatch final : public grpc::ServerWriteReactor<v1::JobEvent> {
- public:
-  explicit RefusedWatch(const absl::Status& why) { Finish(rpc::ToGrpc(why)); }
-  void OnDone() override { delete this; }
-};
-
 }  // namespace
 
 /// The job, if the caller may know of it.
@@ -222,12 +215,13 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   return rpc::ToGrpc(jobs.status());
 }
 
-grpc::ServerWriteReactor<v1::JobEvent>* JobsService::WatchJob(grpc::CallbackServerContext* context,
-                                                              const v1::WatchJobRequest* request) {
-  const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
-  if (!job.ok()) return new RefusedWatch(job.status());
-  return new JobWatch(*context, backend_.jobs, backend_.feed, request->id(),
-                      request->after_sequence());
+void JobsService::ServeFrom(grpc::ServerCompletionQueue& queue) {
+  const auto check = [this](const grpc::ServerContext& context,
+                            const v1::WatchJobRequest& request) {
+    return Find(context, {Scope::kRead, Scope::kAdmin}, request.id(), Of::kAllForAdmins).status();
+  };
+  watches_.emplace(JobWatches{*this, queue, backend_.jobs, backend_.feed, check});
+  JobWatch::Await(*watches_);
 }
 
 grpc::Status JobsService::CancelJob(grpc::ServerContext* context,

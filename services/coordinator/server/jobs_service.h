@@ -1,14 +1,17 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "common/rpc/call_gate.h"
+#include "common/rpc/call_queue.h"
 #include "common/rpc/json_log.h"
 #include "services/coordinator/algo/cost.h"
 #include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
 #include "services/coordinator/server/job_runner.h"
+#include "services/coordinator/server/job_watch.h"
 #include "services/coordinator/server/transfers.h"
 #include "services/coordinator/server/webhook_policy.h"
 #include "services/coordinator/store/profile_store.h"
@@ -36,7 +39,7 @@ struct JobsBackend {
 
 /// Translates slicefarm.v1.Jobs. A job of another tenant is, to its callers, one that does not
 /// exist.
-class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
+class JobsService final : public JobWatches::Service, public rpc::QueuedMethods {
  public:
   JobsService(JobsBackend backend, const TransferOptions& options)
       : backend_(std::move(backend)),
@@ -52,8 +55,6 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                       v1::Job* response) override;
   grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
                         v1::ListJobsResponse* response) override;
-  grpc::ServerWriteReactor<v1::JobEvent>* WatchJob(grpc::CallbackServerContext* context,
-                                                   const v1::WatchJobRequest* request) override;
   grpc::Status CancelJob(grpc::ServerContext* context, const v1::CancelJobRequest* request,
                          v1::Job* response) override;
   grpc::Status DeleteJob(grpc::ServerContext* context, const v1::DeleteJobRequest* request,
@@ -62,6 +63,7 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
                           v1::Webhook* response) override;
   grpc::Status Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
                         grpc::ServerWriter<v1::DownloadResponse>* stream) override;
+  void ServeFrom(grpc::ServerCompletionQueue& queue) override;  // WatchJob
 
  private:
   enum class Of { kTenant, kAllForAdmins };
@@ -85,6 +87,7 @@ class JobsService final : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs:
   JobsBackend backend_;
   Transfers downloads_;
   rpc::CallGate preflights_;  ///< which take as long as slicing does
+  std::optional<JobWatches> watches_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -118,7 +118,9 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     program.log().Error("cannot start", {{"error", std::string(started.message())}});
     return 1;
   }
-  return program.Run(flags.serve, (*coordinator)->services(), [&] { (*coordinator)->Stop(); });
+  return program.Run(
+      flags.serve, (*coordinator)->services(), [&] { (*coordinator)->Stop(); },
+      &(*coordinator)->queued_methods());
 }
 
 }  // namespace
