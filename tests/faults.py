@@ -3,132 +3,21 @@
 import argparse
 import collections
 import hashlib
-import json
-import os
 import pathlib
 import random
 import shutil
-import signal
-import socket
 import subprocess
 import sys
 import tempfile
 import threading
 import time
-import urllib.request
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-BIN = pathlib.Path(os.environ.get("SLICEFARM_BIN", ROOT / "build/bin"))
+from local_farm import BIN, ROOT, Farm, percentile
+
 MODEL = ROOT / "tests/corpus/models/textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
 LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-class Service:
-    """A program, on the same address in every life."""
-
-    def __init__(self, name, log, *arguments):
-        self.name, self.log, self.port, self.metrics_port = name, log, free_port(), free_port()
-        self.address = f"127.0.0.1:{self.port}"
-        program = BIN / f"slicefarm-{name.split('-')[0]}"
-        self.command = [program, "--listen", self.address, "--metrics-port", str(self.metrics_port), *arguments]
-        self.process = None
-
-    def start(self):
-        with open(self.log / f"{self.name}.log", "ab") as log:
-            self.process = subprocess.Popen(self.command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
-
-    def kill(self):
-        self.process.send_signal(signal.SIGKILL)
-        self.process.wait()
-
-    def stop(self):
-        self.process.terminate()
-        self.process.wait()
-
-    def metric(self, name):
-        """Sum over its labels; None while the service is being started."""
-        try:
-            with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
-                lines = page.read().decode().splitlines()
-        except OSError:
-            return None
-        return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
-
-
-class Postgres:
-    name = "postgres"
-
-    def __init__(self, directory):
-        self.directory = directory
-        self.start()
-
-    def run(self, command):
-        script = ROOT / "deploy/postgres/server.sh"
-        return subprocess.run([script, command, self.directory], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
-
-    def start(self):
-        self.connection = self.run("start")
-
-    def kill(self):
-        self.run("kill")
-
-    def stop(self):
-        self.run("stop")
-
-
-class Farm:
-    def __init__(self, store, directory):
-        self.log = directory / "log"
-        self.log.mkdir()
-        slicing, motion = Service("slicing", self.log), Service("motion", self.log)
-        workers = [Service(f"worker-{i}", self.log, "--slots", "1") for i in (1, 2)]
-        stages = ["--slicing", slicing.address, "--motion", motion.address, "--workers", ",".join(w.address for w in workers)]
-        self.postgres = Postgres(directory / "postgres") if store == "postgres" else None
-        if self.postgres:
-            state = ["--postgres", self.postgres.connection]
-        else:
-            state = ["--state-dir", str(directory / "state")]
-        self.coordinators = [
-            Service(f"coordinator-{i}", self.log, "--name", f"coordinator-{i}", *state, *stages)
-            for i in range(1, 3 if self.postgres else 2)
-        ]
-        self.services = [slicing, motion, *workers, *self.coordinators]
-        for service in self.services:
-            service.start()
-        self.victims = [*self.services, *([self.postgres] if self.postgres else [])]
-
-    def client(self, *arguments, coordinator=None):
-        coordinator = coordinator or random.choice(self.coordinators)
-        command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
-        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-    def has_work(self):
-        open_jobs = [
-            (c.metric('slicefarm_jobs{state="QUEUED"}') or 0) + (c.metric('slicefarm_jobs{state="RUNNING"}') or 0)
-            for c in self.coordinators
-        ]
-        return max(open_jobs) > 0
-
-    def jobs(self):
-        listed = self.client("list", "--json", "--limit", "100000")
-        if listed.returncode != 0:
-            return None
-        jobs = json.loads(listed.stdout)
-        return jobs["jobs"] if isinstance(jobs, dict) else jobs
-
-    def stop(self):
-        for service in reversed(self.services):
-            service.stop()
-        if self.postgres:
-            self.postgres.stop()
 
 
 class Progress:
@@ -231,11 +120,6 @@ def judge(acknowledged, jobs, directory):
     return lost, duplicated, differing
 
 
-def percentile(values, part):
-    values = sorted(values)
-    return values[min(len(values) - 1, int(part * len(values)))] if values else 0.0
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=100)
@@ -244,7 +128,6 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-faults-"))
-    directory.chmod(0o755)  # PostgreSQL's user goes through it
     random.seed(options.seed)
     farm = Farm(options.store, directory)
     progress = Progress(farm.coordinators)

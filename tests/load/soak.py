@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Whether a farm stays as it is: mixed load for hours, and what its processes hold meanwhile.
+
+  tests/load/soak.py [--minutes 120] [--rate 4] [--store sqlite|postgres] [--seed S] [--csv FILE]
+
+`key value` rows: requests, errors, and for each process the megabytes at the end and their slope, in percent an hour, over
+all but the first quarter (caches fill in it), and descriptors at a quarter and at the end, when nothing is under way. Old
+jobs are removed while it runs (--keep-jobs), as on a farm that goes on for years.
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from local_farm import BIN, Farm, percentile  # noqa: E402
+
+EVERY_S = 15
+KEPT_JOBS_DAYS = 0.01  # a quarter of an hour
+KEPT_BLOBS_H = 1  # the least
+
+
+class Watch(threading.Thread):
+    """Rows of (seconds, process, MiB, descriptors)."""
+
+    def __init__(self, farm):
+        super().__init__()
+        self.farm, self.rows, self.ended, self.begun = farm, [], threading.Event(), time.monotonic()
+
+    def run(self):
+        while not self.ended.wait(EVERY_S):
+            now = time.monotonic() - self.begun
+            self.rows += [(now, s.name, s.rss_mib(), s.descriptors()) for s in self.farm.services]
+
+    def stop(self):
+        self.ended.set()
+        self.join()
+
+
+def slope_percent_an_hour(points):
+    """Least squares; of the mean."""
+    n = len(points)
+    mean_t, mean_v = sum(t for t, _ in points) / n, sum(v for _, v in points) / n
+    variance = sum((t - mean_t) ** 2 for t, _ in points)
+    slope = sum((t - mean_t) * (v - mean_v) for t, v in points) / variance if variance else 0.0
+    return 100 * slope * 3600 / mean_v
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--minutes", type=float, default=120)
+    parser.add_argument("--rate", type=float, default=4)
+    parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--csv", type=pathlib.Path)
+    options = parser.parse_args()
+    directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-soak-"))
+    report = directory / "load.json"
+    farm = Farm(options.store, directory, extra=["--keep-jobs", str(KEPT_JOBS_DAYS), "--keep-blobs", str(KEPT_BLOBS_H)])
+    watch = Watch(farm)
+    try:
+        watch.start()
+        load = [BIN / "slicefarm-load", "--server", farm.coordinators[0].address, "--rate", str(options.rate)]
+        load += ["--seconds", str(60 * options.minutes), "--mix", "mixed", "--seed", str(options.seed), "--json", report]
+        subprocess.run(load, check=True, stdout=subprocess.DEVNULL)
+    finally:
+        watch.stop()
+        farm.stop()
+    if options.csv:
+        options.csv.write_text("seconds,process,mib,descriptors\n" + "".join("%.0f,%s,%.1f,%d\n" % row for row in watch.rows))
+    told = json.loads(report.read_text())
+    print("requests", told["count"])
+    print("errors", sum(told["errorDistribution"].values()))
+    print("skipped", told["skipped"])
+    quarter = 60 * options.minutes / 4
+    for name in dict.fromkeys(row[1] for row in watch.rows):
+        late = [(t, mib, files) for t, process, mib, files in watch.rows if process == name and t > quarter]
+        print(f"{name}_mib {late[-1][1]:.1f}")
+        print(f"{name}_slope_percent_h {slope_percent_an_hour([(t, mib) for t, mib, _ in late]):.2f}")
+        half = len(late) // 2
+        print(f"{name}_descriptors {percentile([f for *_, f in late[:half]], 0.5)} {percentile([f for *_, f in late[half:]], 0.5)}")
+    shutil.rmtree(directory)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,142 @@
+"""A farm of real processes on this machine, for the programs that put it under load or kill parts of it."""
+import json
+import os
+import pathlib
+import random
+import signal
+import socket
+import subprocess
+import urllib.request
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BIN = pathlib.Path(os.environ.get("SLICEFARM_BIN", ROOT / "build/bin"))
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Service:
+    """A program, on the same address in every life."""
+
+    def __init__(self, name, log, *arguments):
+        self.name, self.log, self.port, self.metrics_port = name, log, free_port(), free_port()
+        self.address = f"127.0.0.1:{self.port}"
+        program = BIN / f"slicefarm-{name.split('-')[0]}"
+        self.command = [program, "--listen", self.address, "--metrics-port", str(self.metrics_port), *arguments]
+        self.process = None
+
+    def start(self):
+        with open(self.log / f"{self.name}.log", "ab") as log:
+            self.process = subprocess.Popen(self.command, stdout=log, stderr=log, stdin=subprocess.DEVNULL)
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait()
+
+    def cpu_s(self):
+        """Of the life that it has now."""
+        fields = self.proc("stat").rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def rss_mib(self):
+        return int(self.proc("statm").split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+    def descriptors(self):
+        return len(os.listdir(f"/proc/{self.process.pid}/fd"))
+
+    def proc(self, name):
+        return pathlib.Path(f"/proc/{self.process.pid}/{name}").read_text()
+
+    def metric(self, name):
+        """Sum over its labels; None while the service is being started."""
+        try:
+            with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
+                lines = page.read().decode().splitlines()
+        except OSError:
+            return None
+        return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
+
+
+class Postgres:
+    name = "postgres"
+
+    def __init__(self, directory):
+        self.directory = directory
+        self.start()
+
+    def run(self, command):
+        script = ROOT / "deploy/postgres/server.sh"
+        return subprocess.run([script, command, self.directory], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
+    def start(self):
+        self.connection = self.run("start")
+
+    def kill(self):
+        self.run("kill")
+
+    def stop(self):
+        self.run("stop")
+
+
+class Farm:
+    """Fused workers, on one coordinator with SQLite or on two with PostgreSQL. `extra`: arguments of the coordinators."""
+
+    def __init__(self, store, directory, workers=2, slots=1, extra=()):
+        directory = pathlib.Path(directory)
+        directory.chmod(0o755)  # PostgreSQL's user goes through it
+        self.log = directory / "log"
+        self.log.mkdir()
+        slicing, motion = Service("slicing", self.log), Service("motion", self.log)
+        self.workers = [Service(f"worker-{i + 1}", self.log, "--slots", str(slots)) for i in range(workers)]
+        stages = ["--slicing", slicing.address, "--motion", motion.address]
+        stages += ["--workers", ",".join(w.address for w in self.workers)]
+        self.postgres = Postgres(directory / "postgres") if store == "postgres" else None
+        if self.postgres:
+            state = ["--postgres", self.postgres.connection]
+        else:
+            state = ["--state-dir", str(directory / "state")]
+        self.coordinators = [
+            Service(f"coordinator-{i}", self.log, "--name", f"coordinator-{i}", *state, *stages, *extra)
+            for i in range(1, 3 if self.postgres else 2)
+        ]
+        self.services = [slicing, motion, *self.workers, *self.coordinators]
+        for service in self.services:
+            service.start()
+        self.victims = [*self.services, *([self.postgres] if self.postgres else [])]
+
+    def client(self, *arguments, coordinator=None):
+        coordinator = coordinator or random.choice(self.coordinators)
+        command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
+        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def has_work(self):
+        open_jobs = [
+            (c.metric('slicefarm_jobs{state="QUEUED"}') or 0) + (c.metric('slicefarm_jobs{state="RUNNING"}') or 0)
+            for c in self.coordinators
+        ]
+        return max(open_jobs) > 0
+
+    def jobs(self):
+        listed = self.client("list", "--json", "--limit", "100000")
+        if listed.returncode != 0:
+            return None
+        jobs = json.loads(listed.stdout)
+        return jobs["jobs"] if isinstance(jobs, dict) else jobs
+
+    def stop(self):
+        for service in reversed(self.services):
+            service.stop()
+        if self.postgres:
+            self.postgres.stop()
+
+
+def percentile(values, part):
+    values = sorted(values)
+    return values[min(len(values) - 1, int(part * len(values)))] if values else 0.0
