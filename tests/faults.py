@@ -12,37 +12,12 @@ import tempfile
 import threading
 import time
 
-from local_farm import BIN, ROOT, Farm, percentile
+from local_farm import BIN, MODELS, Farm, Progress, percentile
 
-MODEL = ROOT / "tests/corpus/models/textbox.stl"
+MODEL = MODELS / "textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
 LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
-
-
-class Progress:
-    """When ranges were finished, by looking again and again."""
-
-    def __init__(self, coordinators):
-        self.coordinators, self.times, self.ended = coordinators, [], threading.Event()
-        self.thread = threading.Thread(target=self.run)
-        self.thread.start()
-
-    def run(self):
-        last = {}
-        while not self.ended.wait(0.02):
-            for coordinator in self.coordinators:
-                finished = coordinator.metric('slicefarm_ranges_total{outcome="ok"}') or 0
-                if finished > last.get(coordinator.name, 0):
-                    self.times.append(time.monotonic())
-                last[coordinator.name] = finished
-
-    def stop(self):
-        self.ended.set()
-        self.thread.join()
-
-    def recovery_s(self, since):
-        return next((t - since for t in self.times if t > since), None)
 
 
 def settings_of(number):
@@ -96,16 +71,6 @@ def kill_at_random(farm, submitter, kills, rng):
     return killed
 
 
-def await_end(farm):
-    until = time.monotonic() + PATIENCE_S
-    while time.monotonic() < until:
-        jobs = farm.jobs()
-        if jobs is not None and all(job["state"] not in ("JOB_STATE_QUEUED", "JOB_STATE_RUNNING") for job in jobs):
-            return jobs
-        time.sleep(0.5)
-    return farm.jobs() or []
-
-
 def judge(acknowledged, jobs, directory):
     by_id = {job["id"]: job for job in jobs}
     numbers = collections.Counter(job["labels"]["number"] for job in jobs)
@@ -136,7 +101,7 @@ def main():
         submitter.start()
         killed = kill_at_random(farm, submitter, options.kills, random.Random(options.seed))
         submitter.join()
-        jobs = await_end(farm)
+        jobs = farm.await_end(PATIENCE_S)
     finally:
         progress.stop()
         farm.stop()

@@ -6,10 +6,14 @@ import random
 import signal
 import socket
 import subprocess
+import threading
+import time
 import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BIN = pathlib.Path(os.environ.get("SLICEFARM_BIN", ROOT / "build/bin"))
+MODELS = ROOT / "tests/corpus/models"
+OPEN = ("JOB_STATE_QUEUED", "JOB_STATE_RUNNING")
 
 
 def free_port():
@@ -96,7 +100,8 @@ class Farm:
         slicing, motion = Service("slicing", self.log), Service("motion", self.log)
         self.workers = [Service(f"worker-{i + 1}", self.log, "--slots", str(slots)) for i in range(workers)]
         stages = ["--slicing", slicing.address, "--motion", motion.address]
-        stages += ["--workers", ",".join(w.address for w in self.workers)]
+        if self.workers:
+            stages += ["--workers", ",".join(w.address for w in self.workers)]
         self.postgres = Postgres(directory / "postgres") if store == "postgres" else None
         if self.postgres:
             state = ["--postgres", self.postgres.connection]
@@ -115,6 +120,30 @@ class Farm:
         coordinator = coordinator or random.choice(self.coordinators)
         command = [BIN / "slicefarm", *arguments, "--server", coordinator.address, "--patience", "120"]
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def submit(self, model, *arguments, coordinator=None):
+        """Its id, once it is acknowledged."""
+        done = self.client("submit", model, "--detach", "-q", *arguments, coordinator=coordinator)
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    def load(self, *arguments, coordinator=None):
+        """What slicefarm-load reports of one run."""
+        coordinator = coordinator or self.coordinators[0]
+        report = self.log / f"load-{time.monotonic_ns()}.json"
+        command = [BIN / "slicefarm-load", "--server", coordinator.address, "--json", report, *arguments]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        return json.loads(report.read_text())
+
+    def await_end(self, patience_s=600):
+        """All jobs, when none is open any more or patience ends."""
+        until = time.monotonic() + patience_s
+        while time.monotonic() < until:
+            jobs = self.jobs()
+            if jobs is not None and all(job["state"] not in OPEN for job in jobs):
+                return jobs
+            time.sleep(0.2)
+        return self.jobs() or []
 
     def has_work(self):
         open_jobs = [
@@ -135,6 +164,31 @@ class Farm:
             service.stop()
         if self.postgres:
             self.postgres.stop()
+
+
+class Progress:
+    """When ranges were finished, by looking again and again."""
+
+    def __init__(self, coordinators):
+        self.coordinators, self.times, self.ended = coordinators, [], threading.Event()
+        self.thread = threading.Thread(target=self.run)
+        self.thread.start()
+
+    def run(self):
+        last = {}
+        while not self.ended.wait(0.02):
+            for coordinator in self.coordinators:
+                finished = coordinator.metric('slicefarm_ranges_total{outcome="ok"}') or 0
+                if finished > last.get(coordinator.name, 0):
+                    self.times.append(time.monotonic())
+                last[coordinator.name] = finished
+
+    def stop(self):
+        self.ended.set()
+        self.thread.join()
+
+    def recovery_s(self, since):
+        return next((t - since for t in self.times if t > since), None)
 
 
 def percentile(values, part):

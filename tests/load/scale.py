@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""How much a farm takes at once: `key value` rows.
+
+  tests/load/scale.py [submit] [get] [watch] [dispatch] [virtual] [two]      all of them by default
+
+submit    durable CreateJob calls, 200 a second          get   GetJob calls, 500 a second
+watch     1000 watchers of a job                         dispatch   CPU of the coordinator over that of the stages
+virtual   64 workers that sleep 50 ms a layer: layers' time over workers' time
+two       a job on two workers of one slot each against one of them
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from local_farm import BIN, MODELS, Farm  # noqa: E402
+
+VIRTUAL_WORKERS = 64
+LAYER_MS = 50
+VIRTUAL_JOBS = 64
+REPEATS = 5
+
+
+def in_farm(measure, *arguments, **farm_options):
+    with tempfile.TemporaryDirectory(prefix="slicefarm-scale-") as directory:
+        farm = Farm("sqlite", directory, **farm_options)
+        try:
+            return measure(farm, *arguments)
+        finally:
+            farm.stop()
+
+
+def milliseconds(report, percentile):
+    return f"{report['percentiles'][percentile] / 1e6:.1f}"
+
+
+def errors(report):
+    return sum(report["errorDistribution"].values()) + report["skipped"]
+
+
+def submit(farm):
+    report = farm.load("--scenario", "submit", "--rate", "200", "--seconds", "30")
+    yield "submit_per_s", f"{report['achieved_rps']:.0f}"
+    yield "submit_p50_ms", milliseconds(report, "p50")
+    yield "submit_p99_ms", milliseconds(report, "p99")
+    yield "submit_errors", errors(report)
+
+
+def get(farm):
+    report = farm.load("--scenario", "get", "--rate", "500", "--seconds", "30")
+    yield "get_per_s", f"{report['achieved_rps']:.0f}"
+    yield "get_p99_ms", milliseconds(report, "p99")
+    yield "get_errors", errors(report)
+
+
+def watch(farm):
+    report = farm.load("--scenario", "watch", "--watchers", "1000", "--closed", "1", "--seconds", "20")
+    yield "watch_jobs", report["count"]
+    yield "watch_events", report["events"]
+    yield "watch_job_p99_ms", milliseconds(report, "p99")
+    yield "watch_errors", errors(report)
+
+
+def dispatch(farm):
+    for number in range(REPEATS):
+        for model in ("benchy", "spot", "featuretype"):
+            farm.submit(MODELS / f"{model}.stl", "--set", f"infill_speed={40 + number}")
+    jobs = farm.await_end()
+    coordinator = farm.coordinators[0].cpu_s()
+    stages = sum(service.cpu_s() for service in farm.services) - coordinator
+    yield "dispatch_jobs", sum(job["state"] == "JOB_STATE_SUCCEEDED" for job in jobs)
+    yield "dispatch_cpu_percent", f"{100 * coordinator / stages:.1f}"
+
+
+def virtual():
+    program = [BIN / "slicefarm-virtual-workers", "--count", str(VIRTUAL_WORKERS), "--layer-ms", str(LAYER_MS)]
+    workers = subprocess.Popen(program, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        addresses = workers.stdout.readline().strip()
+        yield from in_farm(lambda farm: list(fill(farm)), workers=0, extra=["--workers", addresses, "--jobs", "8"])
+    finally:
+        workers.terminate()
+        workers.wait()
+
+
+def fill(farm):
+    """Jobs whose every layer is slept over. From the first submission to the last end."""
+    begin = time.time()
+    for number in range(VIRTUAL_JOBS):
+        farm.submit(MODELS / "benchy.stl", "--set", "layer_height=0.05", "--set", f"infill_speed={40 + number}")
+    jobs = farm.await_end()
+    seconds = time.time() - begin
+    layers = sum(job["result"]["layers"] for job in jobs)
+    yield "virtual_layers", layers
+    yield "virtual_seconds", f"{seconds:.1f}"
+    yield "virtual_efficiency_percent", f"{100 * layers * LAYER_MS / 1000 / (VIRTUAL_WORKERS * seconds):.1f}"
+
+
+def job_seconds(farm):
+    """Of a part whose time goes into layers; the least of several."""
+    took = []
+    for number in range(REPEATS):
+        begin = time.monotonic()
+        done = farm.client("submit", MODELS / "featuretype.stl", "-q", "-o", farm.log / "out.gcode",
+                           "--set", "layer_height=0.05", "--set", f"infill_speed={40 + number}")  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        took.append(time.monotonic() - begin)
+    return min(took)
+
+
+def two():
+    one_s, two_s = (in_farm(job_seconds, workers=count) for count in (1, 2))
+    yield "one_worker_s", f"{one_s:.2f}"
+    yield "two_workers_s", f"{two_s:.2f}"
+    yield "two_workers_speedup", f"{one_s / two_s:.2f}"
+
+
+ROWS = {
+    "submit": lambda: in_farm(lambda farm: list(submit(farm))),
+    "get": lambda: in_farm(lambda farm: list(get(farm))),
+    "watch": lambda: in_farm(lambda farm: list(watch(farm))),
+    "dispatch": lambda: in_farm(lambda farm: list(dispatch(farm))),
+    "virtual": virtual,
+    "two": two,
+}
+
+if __name__ == "__main__":
+    for name in sys.argv[1:] or ROWS:
+        for key, value in ROWS[name]():
+            print(key, value, flush=True)

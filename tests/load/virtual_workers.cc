@@ -1,0 +1,89 @@
+// Workers that sleep instead of working, to see what the coordinator makes of more of them than
+// this machine has cores.
+//
+// Prints their addresses, one line; serves until it is told to end.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/strings/str_join.h"
+#include "common/rpc/call_gate.h"
+#include "common/rpc/json_log.h"
+#include "common/rpc/metrics.h"
+#include "common/rpc/open_files.h"
+#include "common/rpc/server.h"
+#include "common/rpc/shutdown_signal.h"
+#include "services/worker/server/worker_service.h"
+
+namespace slicefarm {
+namespace {
+
+/// Takes so long a layer, and makes a line of each.
+class SleepingRunner final : public RangeRunner {
+ public:
+  explicit SleepingRunner(std::chrono::duration<double, std::milli> layer) : layer_(layer) {}
+
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+    RangeResult result;
+    for (const SlicedLayer& layer : task.layers) {
+      if (!task.range.Contains(layer.frame.index)) continue;
+      if (absl::Status go_on = call.cancel.Check(); !go_on.ok()) return go_on;
+      std::this_thread::sleep_for(layer_);
+      LayerProgram program;
+      program.frame = layer.frame;
+      program.gcode = "; slept\n";
+      program.stats.features[0] = {.time_s = 1, .length_mm = 1, .filament_mm = 1, .volume_mm3 = 1};
+      result.programs.push_back(std::move(program));
+    }
+    return result;
+  }
+
+ private:
+  const std::chrono::duration<double, std::milli> layer_;
+};
+
+struct VirtualWorker {
+  VirtualWorker(const RangeRunner& runner, const rpc::JsonLog& log, rpc::CallMetrics& metrics)
+      : gate({.slots = 1, .queue = 4}, log),
+        service(runner, gate),
+        server(*rpc::Server::Start({}, {&service}, metrics)) {}
+
+  rpc::CallGate gate;
+  worker::WorkerService service;
+  std::unique_ptr<rpc::Server> server;
+};
+
+}  // namespace
+}  // namespace slicefarm
+
+int main(int argc, char** argv) {
+  using namespace slicefarm;
+  CLI::App app("Workers that sleep");
+  int count = 64;
+  double layer_ms = 50;
+  app.add_option("--count", count, "Workers, of one slot each")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--layer-ms", layer_ms, "Milliseconds that a layer takes")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+
+  rpc::RaiseOpenFilesLimit();
+  rpc::ShutdownSignal signal;
+  const rpc::JsonLog log("virtual-workers");
+  rpc::Metrics metrics;
+  rpc::CallMetrics call_metrics(metrics.registry());
+  const SleepingRunner runner{std::chrono::duration<double, std::milli>(layer_ms)};
+  std::vector<std::unique_ptr<VirtualWorker>> workers;
+  for (int i = 0; i < count; ++i)
+    workers.push_back(std::make_unique<VirtualWorker>(runner, log, call_metrics));
+  std::printf("%s\n", absl::StrJoin(workers, ",", [](std::string* out, const auto& worker) {
+                        out->append("127.0.0.1:" + std::to_string(worker->server->port()));
+                      }).c_str());
+  std::fflush(stdout);
+  signal.Wait();
+}
