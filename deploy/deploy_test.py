@@ -123,6 +123,19 @@ class Manifests:
                "kubernetes: kustomization.yaml names other files than there are")
         for _, document in self.all:
             getattr(self, "check_" + document["kind"], lambda d: None)(document)
+        self.check_tls()
+
+    def check_tls(self):
+        """The component changes every deployment, by the names that they have."""
+        component = yaml.safe_load((self.folder / "tls/kustomization.yaml").read_text())
+        patches = [yaml.safe_load(patch["patch"]) for patch in component["patches"] if "target" not in patch]
+        expect({p["metadata"]["name"] for p in patches} == set(self.deployments), "kubernetes: tls leaves out a deployment")
+        for patch in patches:
+            name, pod = patch["metadata"]["name"], patch["spec"]["template"]["spec"]
+            names = [c["name"] for c in self.deployments[name]["spec"]["template"]["spec"]["containers"]]
+            expect([c["name"] for c in pod["containers"]] == names, f"kubernetes: tls for a container that {name} has not")
+            mounted = {mount["name"] for c in pod["containers"] for mount in c["volumeMounts"]}
+            expect(mounted == {volume["name"] for volume in pod["volumes"]}, f"kubernetes: volumes of tls for {name}")
 
     def check_Deployment(self, document):
         name, spec = document["metadata"]["name"], document["spec"]
@@ -139,7 +152,8 @@ class Manifests:
         ports = {port["name"]: port["containerPort"] for port in container["ports"]}
         expect(ports == {"grpc": PORT, "metrics": METRICS_PORT}, f"{where}: ports {ports}")
         for probe in ("readinessProbe", "livenessProbe"):
-            expect(container[probe]["grpc"]["port"] == PORT, f"{where}: {probe}")
+            command = container[probe]["exec"]["command"]
+            expect(command[:3] == ["slicefarm", "health", f"127.0.0.1:{PORT}"], f"{where}: {probe}")
         variables = {variable["name"] for variable in container.get("env", [])}
         for used in re.findall(r"\$\((\w+)\)", " ".join(container["args"])):
             expect(used in variables, f"{where}: $({used}) is not set")

@@ -56,19 +56,38 @@ class Submitter(threading.Thread):
                 self.refused.append(done.stderr.strip())
 
 
-def kill_at_random(farm, submitter, kills, rng):
-    """Kills, and starts again at once. Returns what was killed when, while there was work."""
-    killed = []
-    for i in range(kills):
-        submitter.allow(i * submitter.count // kills + LEAD)
+def kill_at_random(farm, submitter, options):
+    """Kills, and starts again at once; now and then a worker is only slow. Returns what was killed when, while there was
+    work, and how many ranges were finished."""
+    rng = random.Random(options.seed)
+    killed, ranges = [], Ranges(farm.coordinators)
+    for i in range(options.kills):
+        submitter.allow(i * submitter.count // options.kills + LEAD)
         time.sleep(rng.expovariate(1 / PAUSE_S))
+        if rng.random() < options.slow:
+            rng.choice(farm.workers).pause(rng.uniform(0.5, 2))
         victim = rng.choice(farm.victims)
         if farm.has_work():
             killed.append((victim.name, time.monotonic()))
+        ranges.look()
         victim.kill()
         victim.start()
     submitter.allow(submitter.count)
-    return killed
+    return killed, ranges
+
+
+class Ranges:
+    """How many were finished, over the lives of the coordinators: a little fewer, as none looks in the instant of a kill."""
+
+    def __init__(self, coordinators):
+        self.coordinators, self.last, self.count = coordinators, {}, 0
+
+    def look(self):
+        for coordinator in self.coordinators:
+            now = coordinator.metric('slicefarm_ranges_total{outcome="ok"}') or 0
+            before = self.last.get(coordinator.name, 0)
+            self.count += now - before if now >= before else now
+            self.last[coordinator.name] = now
 
 
 def judge(acknowledged, jobs, directory):
@@ -91,17 +110,21 @@ def main():
     parser.add_argument("--jobs", type=int, default=50)
     parser.add_argument("--store", choices=["sqlite", "postgres"], default="sqlite")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--split", action="store_true")
+    parser.add_argument("--slow", type=float, default=0.0)
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-faults-"))
     random.seed(options.seed)
-    farm = Farm(options.store, directory)
+    farm = Farm(options.store, directory, workers=options.workers, split=options.split)
     progress = Progress(farm.coordinators)
     submitter = Submitter(farm, options.jobs)
     try:
         submitter.start()
-        killed = kill_at_random(farm, submitter, options.kills, random.Random(options.seed))
+        killed, ranges = kill_at_random(farm, submitter, options)
         submitter.join()
         jobs = farm.await_end(PATIENCE_S)
+        ranges.look()
     finally:
         progress.stop()
         farm.stop()
@@ -118,6 +141,7 @@ def main():
         ("lost", len(lost)),
         ("duplicated", duplicated),
         ("differing", len(differing)),
+        ("ranges", int(ranges.count)),
         ("recover_p99_s", f"{percentile([r for each in recoveries.values() for r in each], 0.99):.2f}"),
         *((f"recover_{name}_p99_s", f"{percentile(each, 0.99):.2f}") for name, each in sorted(recoveries.items())),
     ]:

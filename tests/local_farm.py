@@ -40,6 +40,12 @@ class Service:
         self.process.send_signal(signal.SIGKILL)
         self.process.wait()
 
+    def pause(self, seconds):
+        """Stopped, as a machine that swaps or a debugger would; then it goes on."""
+        self.process.send_signal(signal.SIGSTOP)
+        time.sleep(seconds)
+        self.process.send_signal(signal.SIGCONT)
+
     def stop(self):
         self.process.terminate()
         self.process.wait()
@@ -90,28 +96,32 @@ class Postgres:
 
 
 class Farm:
-    """Fused workers, on one coordinator with SQLite or on two with PostgreSQL. `extra`: arguments of the coordinators."""
+    """Workers of one slot each, on one coordinator with SQLite or on two with PostgreSQL. `split`: so many replicas of each
+    layer stage instead. `extra`: arguments of the coordinators."""
 
-    def __init__(self, store, directory, workers=2, slots=1, extra=()):
+    def __init__(self, store, directory, workers=2, split=False, extra=()):
         directory = pathlib.Path(directory)
         directory.chmod(0o755)  # PostgreSQL's user goes through it
         self.log = directory / "log"
         self.log.mkdir()
-        slicing, motion = Service("slicing", self.log), Service("motion", self.log)
-        self.workers = [Service(f"worker-{i + 1}", self.log, "--slots", str(slots)) for i in range(workers)]
-        stages = ["--slicing", slicing.address, "--motion", motion.address]
-        if self.workers:
-            stages += ["--workers", ",".join(w.address for w in self.workers)]
+        singles = [Service(name, self.log) for name in ("slicing", "motion")]
+        stages = ("beading", "infill", "ordering") if split else ("worker",)
+        slots = [] if split else ["--slots", "1"]
+        self.workers = [Service(f"{name}-{i + 1}", self.log, *slots) for name in stages for i in range(workers)]
+        arguments = [part for service in singles for part in (f"--{service.name}", service.address)]
+        for name in stages if workers else ():
+            addresses = [service.address for service in self.workers if service.name.startswith(name)]
+            arguments += ["--workers" if name == "worker" else f"--{name}", ",".join(addresses)]
         self.postgres = Postgres(directory / "postgres") if store == "postgres" else None
         if self.postgres:
             state = ["--postgres", self.postgres.connection]
         else:
             state = ["--state-dir", str(directory / "state")]
         self.coordinators = [
-            Service(f"coordinator-{i}", self.log, "--name", f"coordinator-{i}", *state, *stages, *extra)
+            Service(f"coordinator-{i}", self.log, "--name", f"coordinator-{i}", *state, *arguments, *extra)
             for i in range(1, 3 if self.postgres else 2)
         ]
-        self.services = [slicing, motion, *self.workers, *self.coordinators]
+        self.services = [*singles, *self.workers, *self.coordinators]
         for service in self.services:
             service.start()
         self.victims = [*self.services, *([self.postgres] if self.postgres else [])]

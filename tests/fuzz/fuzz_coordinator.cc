@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "common/rpc/call_queue.h"
 #include "services/coordinator/algo/dispatcher.h"
 #include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/fake_stages_test.h"
@@ -47,7 +48,9 @@ class Farm {
     coordinator_ = *std::move(opened);
     grpc::ServerBuilder builder;
     for (grpc::Service* service : coordinator_->services()) builder.RegisterService(service);
+    queue_ = std::make_unique<rpc::CallQueue>(builder);
     server_ = builder.BuildAndStart();
+    coordinator_->queued_methods().ServeFrom(queue_->queue());
     const auto channel = server_->InProcessChannel({});
     meshes_ = v1::Meshes::NewStub(channel);
     jobs_ = v1::Jobs::NewStub(channel);
@@ -55,8 +58,9 @@ class Farm {
     database_ = *coordinator::SqliteConnection::Open(directory_ + "/jobs.db");
   }
   ~Farm() {
-    server_->Shutdown();
     coordinator_->Stop();
+    server_->Shutdown();
+    queue_.reset();
     fs::remove_all(directory_);
   }
 
@@ -98,6 +102,7 @@ class Farm {
   coordinator::FakeMotion motion_;
   coordinator::Dispatcher dispatcher_;
   std::unique_ptr<coordinator::Coordinator> coordinator_;
+  std::unique_ptr<rpc::CallQueue> queue_;
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<v1::Meshes::Stub> meshes_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
@@ -212,6 +217,11 @@ void Farm::Call(const CoordinatorCall& call) {
     case CoordinatorCall::kDeleteJob: {
       google::protobuf::Empty response;
       Ends(jobs_->DeleteJob(&context, call.delete_job(), &response));
+      return;
+    }
+    case CoordinatorCall::kGetWebhook: {
+      v1::Webhook response;
+      Ends(jobs_->GetWebhook(&context, call.get_webhook(), &response));
       return;
     }
     case CoordinatorCall::kDownload:

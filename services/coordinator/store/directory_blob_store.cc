@@ -305,6 +305,10 @@ absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, doubl
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
     deleted = true;
   }
+  if (deleted) {
+    Lock doubts(doubts_mutex_);
+    written_here_.erase(digest);
+  }
   return deleted;
 }
 
