@@ -17,7 +17,7 @@ build=(
 )
 runtime=(
   libgrpc++1.51 libprotobuf32 libpolyclipping22 libspdlog1.10 libprometheus-cpp-core1.0 libcivetweb1
-  libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libcairo2 libseccomp2
+  ca-certificates libsqlite3-0 sqlite3 libpq5 libcurl4 libssl3 libpng16-16 libcairo2 libseccomp2
 )
 
 packages=("${build[@]}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs every test.
+# Installs what is missing, builds everything and runs the tests.
 #
 #   deploy/test.sh          the tests that CI runs
 #   deploy/test.sh --slow   the slow ones too (soaks, large corpora)
@@ -11,6 +11,6 @@ python3 tests/check_layers.py
 python3 tests/check_docs.py
 cmake --preset release
 cmake --build --preset release
-slow=(-LE slow)
-[[ "${1:-}" == --slow ]] && slow=()
-ctest --preset release -j "$(nproc)" "${slow[@]}"
+tests=(-LE slow)
+[[ "${1:-}" == --slow ]] && tests=(-C nightly)
+ctest --preset release -j "$(nproc)" "${tests[@]}"

@@ -36,6 +36,8 @@ inline constexpr int64_t kMaxLabels = 64;
 inline constexpr int64_t kMaxLabelBytes = 1024;  ///< key and value together
 inline constexpr int32_t kMaxPageSize = 1'000;
 inline constexpr int32_t kMaxBatchJobs = 100;  ///< made by one call
+inline constexpr int32_t kMaxJobProfiles = 16;
+inline constexpr int64_t kMaxProfileRevisions = 10'000;  ///< of a tenant
 inline constexpr int64_t kMaxUrlBytes = 2'048;
 inline constexpr int64_t kMaxOpenJobs = 10'000;  ///< of a tenant, waiting and running
 

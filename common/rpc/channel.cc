@@ -11,7 +11,8 @@
 namespace slicefarm::rpc {
 namespace {
 
-// Streams are left out: what their caller has read of an answer cannot be taken back.
+// Streams are left out: what their caller has read of an answer cannot be taken back. So is
+// DeleteJob, of which the second attempt would find no job. CreateJob is safe with a request_id.
 constexpr char kServiceConfig[] = R"({
   "methodConfig": [{
     "name": [
@@ -24,7 +25,6 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Jobs", "method": "ListJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "CancelJob"},
       {"service": "slicefarm.v1.Jobs", "method": "GetWebhook"},
-      {"service": "slicefarm.v1.Jobs", "method": "DeleteJob"},
       {"service": "slicefarm.v1.Profiles"}
     ],
     "retryPolicy": {

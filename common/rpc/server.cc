@@ -25,7 +25,11 @@ void SetLimits(const ServerOptions& options, grpc::ServerBuilder* builder) {
   }
 }
 
-void SetConnectionRules(grpc::ServerBuilder* builder) {
+void SetConnectionRules(const ServerOptions& options, grpc::ServerBuilder* builder) {
+  if (options.max_connection_age > std::chrono::seconds(0)) {
+    const std::chrono::milliseconds age = options.max_connection_age;
+    builder->AddChannelArgument(GRPC_ARG_MAX_CONNECTION_AGE_MS, static_cast<int>(age.count()));
+  }
   // Clients ping each 20 s (channel.cc); a server of the default setting takes that for abuse.
   builder->AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
   builder->AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
@@ -49,7 +53,7 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
       options.listen, options.credentials ? options.credentials : grpc::InsecureServerCredentials(),
       &port);
   SetLimits(options, &builder);
-  SetConnectionRules(&builder);
+  SetConnectionRules(options, &builder);
   for (grpc::Service* service : services) builder.RegisterService(service);
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> interceptors;
   interceptors.push_back(std::make_unique<UnreadableRequestFactory>());  // before it is counted

@@ -21,6 +21,9 @@ struct ServerOptions {
   int64_t max_message_bytes = limits::kMaxStageMessageBytes;
   int64_t max_buffer_bytes = int64_t{1} << 30;  ///< of messages in flight, over all calls
   int max_threads = 64;  ///< calls beyond are refused with RESOURCE_EXHAUSTED
+  /// After which a connection takes no new calls, so that clients spread over new replicas. Calls
+  /// that are open go on. 0: never.
+  std::chrono::seconds max_connection_age{0};
   /// Calls that one connection may have open; more wait in the client. 0: any number.
   int max_streams_per_connection = 0;
   std::shared_ptr<grpc::ServerCredentials> credentials = nullptr;  ///< null: no TLS

@@ -278,6 +278,31 @@ TEST_F(ServerTest, MoreCallsThanItTakesAreRefused) {
   EXPECT_TRUE(first.get().ok());
 }
 
+TEST_F(ServerTest, MoreCallsThanAConnectionMayHaveWaitInTheClient) {
+  ServerOptions options;
+  options.max_streams_per_connection = 1;
+  Start({}, options);
+  Event begun;
+  Event go_on;
+  std::atomic<int> calls = 0;
+  service_->OnCall([&](Call&) {
+    if (++calls > 1) return absl::OkStatus();
+    begun.Happen();
+    go_on.Await();
+    return absl::OkStatus();
+  });
+  auto first = std::async(std::launch::async, [&] { return CallFrame(); });
+  begun.Await();
+  ClientCallOptions hurried;
+  hurried.deadline = std::chrono::milliseconds(50);
+  EXPECT_EQ(CallFrame(hurried).code(), absl::StatusCode::kDeadlineExceeded);
+  EXPECT_EQ(calls, 1) << "it never reached the server";
+  auto second = std::async(std::launch::async, [&] { return CallFrame(); });
+  go_on.Happen();
+  EXPECT_TRUE(first.get().ok());
+  EXPECT_TRUE(second.get().ok());
+}
+
 TEST_F(ServerTest, MessagesBeyondTheLimitAreRefused) {
   ServerOptions options;
   options.max_message_bytes = 1000;

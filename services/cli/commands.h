@@ -24,6 +24,7 @@ void AddGet(CLI::App& app, CommandContext& context);
 void AddCancel(CLI::App& app, CommandContext& context);
 void AddDelete(CLI::App& app, CommandContext& context);
 void AddTrace(CLI::App& app, CommandContext& context);
+void AddWebhook(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
 void AddProfile(CLI::App& app, CommandContext& context);   ///< profile_command.cc
 void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc

@@ -108,6 +108,14 @@ ExitCode Delete(const JobCommandOptions& options, Interrupt& interrupt) {
   return deleted.ok() ? ExitCode::kOk : Fail(deleted);
 }
 
+ExitCode Webhook(const JobCommandOptions& options, Interrupt& interrupt) {
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto webhook = client.GetWebhook(options.id);
+  if (!webhook.ok()) return Fail(webhook.status());
+  Print(ToJson(*webhook));
+  return ExitCode::kOk;
+}
+
 v1::JobState StateOf(const std::string& name) {
   for (const v1::JobState state : {v1::JOB_STATE_QUEUED, v1::JOB_STATE_RUNNING,
                                    v1::JOB_STATE_SUCCEEDED, v1::JOB_STATE_FAILED}) {
@@ -219,6 +227,15 @@ void AddDelete(CLI::App& app, CommandContext& context) {
   const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
   command->callback([options, &context] {
     context.run = [options, &context] { return Delete(*options, *context.interrupt); };
+  });
+}
+
+void AddWebhook(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("webhook", "Show what became of a job's webhook: each try, as JSON");
+  const auto options = AddJobCommand(*command, std::make_shared<JobCommandOptions>());
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Webhook(*options, *context.interrupt); };
   });
 }
 

@@ -225,9 +225,19 @@ absl::StatusOr<v1::Job> JobsClient::CancelJob(const std::string& id) {
 absl::Status JobsClient::DeleteJob(const std::string& id) {
   v1::DeleteJobRequest request;
   request.set_id(id);
-  return Call<google::protobuf::Empty>(request,
-                                       [&](auto... a) { return jobs_->AsyncDeleteJob(a...); })
-      .status();
+  int attempts = 0;
+  const absl::Status deleted = Call<google::protobuf::Empty>(request, [&](auto... a) {
+                                 ++attempts;
+                                 return jobs_->AsyncDeleteJob(a...);
+                               }).status();
+  // One whose answer was lost on the way has deleted it all the same.
+  return absl::IsNotFound(deleted) && attempts > 1 ? absl::OkStatus() : deleted;
+}
+
+absl::StatusOr<v1::Webhook> JobsClient::GetWebhook(const std::string& job_id) {
+  v1::GetWebhookRequest request;
+  request.set_job_id(job_id);
+  return Call<v1::Webhook>(request, [&](auto... a) { return jobs_->AsyncGetWebhook(a...); });
 }
 
 absl::StatusOr<v1::ListJobsResponse> JobsClient::ListJobs(const v1::ListJobsRequest& request) {

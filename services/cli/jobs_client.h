@@ -45,6 +45,7 @@ class JobsClient {
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);
+  absl::StatusOr<v1::Webhook> GetWebhook(const std::string& job_id);
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request);
 
   absl::StatusOr<v1::Profile> PutProfile(const v1::PutProfileRequest& request);

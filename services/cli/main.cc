@@ -80,8 +80,8 @@ ExitCode Main(int argc, char** argv) {
   app.set_version_flag("--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add :
-       {AddSlice, AddSubmit, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddProfile,
-        AddRender, AddBeads, AddSettings, AddHealth, AddToken, AddVersion}) {
+       {AddSlice, AddSubmit, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
+        AddProfile, AddRender, AddBeads, AddSettings, AddHealth, AddToken, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -101,8 +101,9 @@ class Program : public testing::Test {
 TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = Run({"--help"});
   EXPECT_EQ(help.code, ExitCode::kOk);
-  for (const char* command : {"slice", "submit", "watch", "list", "get", "cancel", "delete",
-                              "trace", "render", "settings", "health", "token", "version"}) {
+  for (const char* command :
+       {"slice", "submit", "watch", "list", "get", "cancel", "delete", "trace", "webhook", "render",
+        "settings", "health", "token", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;

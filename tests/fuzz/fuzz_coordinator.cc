@@ -153,7 +153,7 @@ void Farm::Watch(const v1::WatchJobRequest& request) {
   v1::JobEvent event;
   stream->Read(&event);  // of a job that goes on, there may come more for ever
   context.TryCancel();
-  stream->Finish();
+  Ends(stream->Finish());
 }
 
 void Farm::Download(const v1::DownloadRequest& request) {

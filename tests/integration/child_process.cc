@@ -6,13 +6,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 #include <utility>
+
+#include "tests/integration/http_get.h"
 
 extern char** environ;
 
@@ -83,11 +87,36 @@ int ChildProcess::Wait() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
+namespace {
+
+int MetricsPort(ChildProcess& process, const std::vector<std::string>& arguments) {
+  if (std::find(arguments.begin(), arguments.end(), "--metrics-port") == arguments.end()) return 0;
+  const std::string where = process.AwaitLine("metrics on ");
+  return where.empty() ? 0 : std::stoi(where.substr(where.rfind(':') + 1));
+}
+
+}  // namespace
+
 ServerProcess::ServerProcess(const std::string& program, std::vector<std::string> arguments)
-    : process(program, std::move(arguments)), address(process.AwaitLine("listening on ")) {
+    : process(program, arguments),
+      metrics_port(MetricsPort(process, arguments)),
+      address(process.AwaitLine("listening on ")) {
   if (!address.empty()) return;
   process.Signal(SIGKILL);
   throw std::runtime_error(program + " does not serve");  // a fixture's others are to end with it
+}
+
+std::string ServerProcess::Metric(const std::string& name) const {
+  const std::string page = HttpGet(metrics_port, "/metrics");
+  const size_t line = page.find("\n" + name + " ");
+  if (line == std::string::npos) return "";
+  const size_t begin = line + name.size() + 2;
+  return page.substr(begin, page.find('\n', begin) - begin);
+}
+
+void ServerProcess::AwaitMetric(const std::string& line) const {
+  while (HttpGet(metrics_port, "/metrics").find("\n" + line + "\n") == std::string::npos)
+    std::this_thread::yield();
 }
 
 }  // namespace slicefarm

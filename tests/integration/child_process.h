@@ -43,7 +43,13 @@ struct ServerProcess {
   /// Dies if it does not serve.
   explicit ServerProcess(const std::string& program, std::vector<std::string> arguments = {});
 
+  /// What /metrics shows for a metric; empty: there is none of that name and labels.
+  std::string Metric(const std::string& name) const;
+  /// Waits until /metrics shows this line. REQUIRES: `--metrics-port 0` among the arguments.
+  void AwaitMetric(const std::string& line) const;
+
   ChildProcess process;
+  const int metrics_port;  ///< 0: it serves none
   const std::string address;
 };
 

@@ -97,6 +97,7 @@ TEST_F(ClusterTest, AStoppedOneIsFencedAndGoesOnServing) {
   v1::CreateJobRequest another = FarmClient::RequestFor(mesh_);
   another.mutable_spec()->mutable_objects(0)->set_name("another");
   EXPECT_EQ(AwaitEnd(*a_, a_->client.Create(another)->id()).job().state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(AwaitEnd(*a_, id).sequence(), end.sequence()) << "nor when its own run had ended";
 }
 
 TEST_F(ClusterTest, ACancelReachesTheOneThatWorks) {

@@ -73,18 +73,24 @@ TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
 }
 
 TEST_F(CoordinatorProcessesTest, AKilledWorkerLosesNothing) {
-  first_.process.Signal(SIGSTOP);
   StartCoordinator(state_);
+  AwaitWorkers(2);
+  StopWorkers();
   const std::string id = Submit();
-  client_->Watch(id, 0, IsSliced);
+  AwaitBusySlots(2);
   first_.process.Signal(SIGKILL);
+  second_.process.Signal(SIGCONT);
   ExpectTheSame(client_->Watch(id, 0));
 }
 
 TEST_F(CoordinatorProcessesTest, AStoppedWorkerHoldsNothingUp) {
   StartCoordinator(state_);
-  first_.process.Signal(SIGSTOP);
-  ExpectTheSame(client_->Watch(Submit(), 0));
+  AwaitWorkers(2);
+  StopWorkers();
+  const std::string id = Submit();
+  AwaitBusySlots(2);
+  second_.process.Signal(SIGCONT);
+  ExpectTheSame(client_->Watch(id, 0));
 }
 
 TEST_F(CoordinatorProcessesTest, AnUploadGoesOnAfterAKill) {

@@ -28,20 +28,21 @@ class FailuresTest : public FarmProcessesTest {
  protected:
   /// A coordinator that reaches one worker only, over `proxy`.
   void StartOver(const TcpProxy& proxy) {
-    server_.emplace(
-        "slicefarm-coordinator",
-        std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
-                                 "--motion", motion_.address, "--workers", proxy.address()});
+    server_.emplace("slicefarm-coordinator",
+                    std::vector<std::string>{"--state-dir", state_.path(), "--slicing",
+                                             slicing_.address, "--motion", motion_.address,
+                                             "--workers", proxy.address(), "--metrics-port", "0"});
     client_.emplace(server_->address);
   }
 };
 
 TEST_F(FailuresTest, AConnectionToAWorkerThatIsCutLosesNothing) {
   TcpProxy proxy(first_.address);
-  first_.process.Signal(SIGSTOP);  // until the range has gone its way
   StartOver(proxy);
+  AwaitWorkers(1);
+  first_.process.Signal(SIGSTOP);
   const std::string id = Submit();
-  client_->Watch(id, 0, IsSliced);
+  AwaitBusySlots(1);
   proxy.Cut();
   first_.process.Signal(SIGCONT);
   ExpectTheSame(client_->Watch(id, 0));
@@ -49,19 +50,19 @@ TEST_F(FailuresTest, AConnectionToAWorkerThatIsCutLosesNothing) {
 
 TEST_F(FailuresTest, AWorkerThatNobodyHearsOfAnyMoreHoldsNothingUp) {
   TcpProxy proxy(first_.address);
-  server_.emplace("slicefarm-coordinator",
-                  std::vector<std::string>{"--state-dir", state_.path(), "--slicing",
-                                           slicing_.address, "--motion", motion_.address,
-                                           "--workers", proxy.address() + "," + second_.address});
+  server_.emplace(
+      "slicefarm-coordinator",
+      std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
+                               "--motion", motion_.address, "--workers",
+                               proxy.address() + "," + second_.address, "--metrics-port", "0"});
   client_.emplace(server_->address);
-  // Both workers have been greeted when a first job is through.
-  EXPECT_EQ(client_->Watch(Submit(), 0).job().state(), v1::JOB_STATE_SUCCEEDED);
+  AwaitWorkers(2);
+  StopWorkers();
+  const std::string id = Submit();
+  AwaitBusySlots(2);
   proxy.Hold();
-  v1::CreateJobRequest again = FarmClient::RequestFor(mesh_);
-  again.mutable_spec()->mutable_objects(0)->set_name("another name, another job");
-  const auto job = client_->Create(again);
-  ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_EQ(client_->Watch(job->id(), 0).job().state(), v1::JOB_STATE_SUCCEEDED);
+  ContinueWorkers();
+  ExpectTheSame(client_->Watch(id, 0));
 }
 
 TEST_F(FailuresTest, AClientWhoseConnectionIsCutAgainAndAgainGetsItsGcode) {
@@ -89,8 +90,9 @@ TEST_F(FailuresTest, AClientWhoseConnectionIsCutAgainAndAgainGetsItsGcode) {
 }
 
 TEST_F(FailuresTest, SlicingThatIsKilledAndStartedAgainLosesNothing) {
-  slicing_.process.Signal(SIGSTOP);
   StartCoordinator(state_);
+  WarmUp();
+  slicing_.process.Signal(SIGSTOP);
   const std::string id = Submit();
   client_->Watch(id, 0, [](const v1::Job& job) { return job.state() == v1::JOB_STATE_RUNNING; });
   slicing_.process.Signal(SIGKILL);
@@ -100,10 +102,13 @@ TEST_F(FailuresTest, SlicingThatIsKilledAndStartedAgainLosesNothing) {
 }
 
 TEST_F(FailuresTest, MotionThatIsKilledAndStartedAgainLosesNothing) {
-  motion_.process.Signal(SIGSTOP);
   StartCoordinator(state_);
+  WarmUp();
+  const std::string done = "slicefarm_ranges_total{outcome=\"ok\"}";
+  const int ranges = std::stoi(server_->Metric(done));
+  motion_.process.Signal(SIGSTOP);
   const std::string id = Submit();
-  client_->Watch(id, 0, IsSliced);
+  server_->AwaitMetric(done + " " + std::to_string(2 * ranges));  // now motion is asked
   motion_.process.Signal(SIGKILL);
   motion_.process.Wait();
   const ServerProcess again("slicefarm-motion", {"--listen", motion_.address});

@@ -57,8 +57,27 @@ class FarmProcessesTest : public testing::Test {
   }
 
   void StartCoordinator(const TempDirectory& state) {
-    server_.emplace("slicefarm-coordinator", Arguments({"--state-dir", state.path()}));
+    server_.emplace("slicefarm-coordinator",
+                    Arguments({"--state-dir", state.path(), "--metrics-port", "0"}));
     client_.emplace(server_->address);
+  }
+
+  void AwaitWorkers(int count) const {
+    server_->AwaitMetric("slicefarm_workers " + std::to_string(count));
+  }
+  /// Ranges that workers have got and not answered.
+  void AwaitBusySlots(int count) const {
+    server_->AwaitMetric("slicefarm_worker_slots{state=\"busy\"} " + std::to_string(count));
+  }
+
+  /// A job before the one that matters, so that all services have been reached.
+  void WarmUp() {
+    EXPECT_TRUE(client_->Upload(mesh_).ok());
+    v1::CreateJobRequest request = FarmClient::RequestFor(mesh_);
+    request.mutable_spec()->mutable_objects(0)->set_name("another name, another job");
+    const auto job = client_->Create(request);
+    ASSERT_TRUE(job.ok()) << job.status();
+    EXPECT_EQ(client_->Watch(job->id(), 0).job().state(), v1::JOB_STATE_SUCCEEDED);
   }
 
   void KillCoordinator() {

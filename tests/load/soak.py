@@ -74,8 +74,9 @@ def main():
     if options.csv:
         options.csv.write_text("seconds,process,mib,descriptors\n" + "".join("%.0f,%s,%.1f,%d\n" % row for row in watch.rows))
     told = json.loads(report.read_text())
+    errors = sum(told["errorDistribution"].values())
     print("requests", told["count"])
-    print("errors", sum(told["errorDistribution"].values()))
+    print("errors", errors)
     print("skipped", told["skipped"])
     quarter = 60 * options.minutes / 4
     for name in dict.fromkeys(row[1] for row in watch.rows):
@@ -85,7 +86,8 @@ def main():
         half = len(late) // 2
         print(f"{name}_descriptors {percentile([f for *_, f in late[:half]], 0.5)} {percentile([f for *_, f in late[half:]], 0.5)}")
     shutil.rmtree(directory)
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -40,9 +40,13 @@ std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
     Job& job = jobs_.at(id);
     if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
   }
+  if (hedges_left_ < 1) return std::nullopt;
   for (const auto& [running, turn, id] : order) {
     Job& job = jobs_.at(id);
-    if (const auto grant = job.scheduler.Hedge(runner, now_s)) return Granted(id, job, *grant);
+    const auto grant = job.scheduler.Hedge(runner, now_s);
+    if (!grant) continue;
+    --hedges_left_;
+    return Granted(id, job, *grant);
   }
   return std::nullopt;
 }
@@ -56,7 +60,9 @@ RangeScheduler::Accepted FanOut::Succeeded(const Grant& grant, double now_s) {
   RangeScheduler* scheduler = Find(grant.job);
   if (!scheduler) return {};
   auto accepted = scheduler->Succeeded(grant.ticket, now_s);
-  if (accepted.first) ++counts_.done;
+  if (!accepted.first) return accepted;
+  ++counts_.done;
+  hedges_left_ = std::min(options_.hedge_burst, hedges_left_ + options_.hedge_share);
   return accepted;
 }
 

@@ -25,7 +25,8 @@ struct DispatchCounts {
 ///
 /// Jobs share the runners evenly: a free slot takes from the job with the fewest ranges in flight,
 /// of these from the one that has waited longest. A slow range is doubled only when nothing is
-/// queued. Not thread-safe.
+/// queued, and not more than `hedge_share` of all: when everything is slow, second copies would
+/// make it slower. Not thread-safe.
 class FanOut {
  public:
   using JobId = int64_t;
@@ -44,7 +45,8 @@ class FanOut {
     kPoisoned,      ///< it ends: this range has failed too often
   };
 
-  explicit FanOut(const SchedulerOptions& options = {}) : options_(options) {}
+  explicit FanOut(const SchedulerOptions& options = {})
+      : options_(options), hedges_left_(options.hedge_burst) {}
 
   /// A job with so many ranges to run.
   JobId Add(int32_t ranges);
@@ -78,6 +80,7 @@ class FanOut {
   std::map<JobId, Job> jobs_;
   JobId next_job_ = 1;
   int64_t next_turn_ = 1;
+  double hedges_left_;
   DispatchCounts counts_;  ///< of jobs that were removed; done and poisoned of all
 };
 

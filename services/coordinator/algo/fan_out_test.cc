@@ -40,6 +40,24 @@ TEST(FanOut, NothingIsDoubledWhileAnythingIsQueued) {
   EXPECT_EQ(fan_out.Counts().hedged, 1);
 }
 
+TEST(FanOut, SecondCopiesHaveABudget) {
+  FanOut fan_out({.hedge_after_s = 1, .hedge_share = 0.5, .hedge_burst = 1});
+  fan_out.Add(4);
+  const auto first = *fan_out.Take(1, 0);
+  const auto second = *fan_out.Take(1, 0);
+  const auto third = *fan_out.Take(1, 0);
+  fan_out.Take(1, 0);
+  EXPECT_TRUE(fan_out.Take(2, 100)) << "of the first";
+  EXPECT_FALSE(fan_out.Take(2, 100)) << "all four are slow, and the budget is spent";
+  fan_out.Succeeded(second, 0.5);
+  EXPECT_FALSE(fan_out.Take(2, 100));
+  fan_out.Succeeded(third, 0.5);
+  const auto copy = fan_out.Take(2, 100);
+  ASSERT_TRUE(copy) << "two ranges are done: one more";
+  EXPECT_EQ(copy->range, 3);
+  EXPECT_NE(copy->range, first.range);
+}
+
 TEST(FanOut, ErrorsEndAJobOrDoNot) {
   FanOut fan_out;
   const auto job = fan_out.Add(1);

@@ -17,6 +17,8 @@ struct SchedulerOptions {
   int max_tries = 10;            ///< and so does one that failed this often on however many
   double hedge_after_s = 1;      ///< a range is slow when it runs longer than this ...
   double hedge_after_ratio = 2;  ///< ... and than this many times the slowest range that is done
+  double hedge_share = 0.05;     ///< second copies, as a part of the ranges that are done,
+  double hedge_burst = 16;       ///< and how many more there may be at once
 };
 
 /// What is to be done next with the ranges of one job: a pure state machine. It has no threads and

@@ -11,11 +11,13 @@ namespace {
 constexpr int32_t kJobsAtOnce = 100;
 constexpr size_t kBlobsAtOnce = 100;
 
-absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, Swept& swept) {
+absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToken& cancel,
+                       Swept& swept) {
   while (true) {
     const auto ended = jobs.EndedBefore(ended_before_us, kJobsAtOnce);
     if (!ended.ok() || ended->empty()) return ended.status();
     for (const std::string& id : *ended) {
+      if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
       const absl::Status deleted = jobs.Delete(id);
       if (!deleted.ok() && !absl::IsNotFound(deleted)) return deleted;
       ++swept.jobs;
@@ -25,13 +27,15 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, Swept& swept) {
 
 /// Those of `idle` that no job of the tenant refers to.
 absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blobs,
-                       const std::vector<BlobEntry>& idle, double idle_s, Swept& swept) {
+                       const std::vector<BlobEntry>& idle, double idle_s, const CancelToken& cancel,
+                       Swept& swept) {
   std::set<std::string> digests;
   for (const BlobEntry& blob : idle) digests.insert(blob.digest);
   const auto referenced = jobs.Referenced(tenant, digests);
   if (!referenced.ok()) return referenced.status();
   for (const BlobEntry& blob : idle) {
     if (referenced->contains(blob.digest)) continue;
+    if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
     const auto deleted = blobs.Delete(blob.digest, idle_s);
     if (!deleted.ok()) return deleted.status();
     if (!*deleted) continue;
@@ -42,7 +46,7 @@ absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blo
 }
 
 absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& blobs, double idle_s,
-                         Swept& swept) {
+                         const CancelToken& cancel, Swept& swept) {
   std::vector<BlobEntry> idle;
   absl::Status status = blobs.ForEach([&](const BlobEntry& blob) {
     if (blob.idle_s >= idle_s) idle.push_back(blob);
@@ -51,7 +55,7 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
     const auto begin = idle.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(kBlobsAtOnce, idle.size() - first);
     status = SweepIdle(jobs, tenant, blobs, {begin, begin + static_cast<std::ptrdiff_t>(count)},
-                       idle_s, swept);
+                       idle_s, cancel, swept);
   }
   return status;
 }
@@ -59,20 +63,23 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
 }  // namespace
 
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
-                            int64_t now_us) {
+                            int64_t now_us, const CancelToken& cancel) {
   Swept swept;
   if (options.keep_jobs_s > 0) {
     const auto kept_us = static_cast<int64_t>(options.keep_jobs_s * 1e6);
-    if (absl::Status done = SweepJobs(jobs, now_us - kept_us, swept); !done.ok()) return done;
+    if (absl::Status done = SweepJobs(jobs, now_us - kept_us, cancel, swept); !done.ok())
+      return done;
   }
   const auto tenants = blobs.Tenants();
   if (!tenants.ok()) return tenants.status();
+  absl::Status first_error;  // of a tenant, which keeps nobody from the others
   for (const std::string& tenant : *tenants) {
     const auto store = blobs.Of(tenant);
-    if (!store.ok()) return store.status();
-    const absl::Status done = SweepTenant(jobs, tenant, **store, options.keep_blobs_s, swept);
-    if (!done.ok()) return done;
+    first_error.Update(store.status());
+    if (!store.ok()) continue;
+    first_error.Update(SweepTenant(jobs, tenant, **store, options.keep_blobs_s, cancel, swept));
   }
+  if (!first_error.ok()) return first_error;
   return swept;
 }
 

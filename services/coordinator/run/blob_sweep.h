@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/model/cancel_token.h"
 #include "services/coordinator/store/blob_stores.h"
 #include "services/coordinator/store/job_store.h"
 
@@ -23,8 +24,9 @@ struct Swept {
 
 /// Removes what nobody needs any more: jobs that ended long ago; blobs that are no input and no
 /// result of a job; uploads that were given up. Safe beside other coordinators, which may use a
-/// blob at any moment: using it comes before referring to it, and keeps it. Errors: the stores'.
+/// blob at any moment: using it comes before referring to it, and keeps it. Errors: the stores';
+/// CANCELLED.
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
-                            int64_t now_us);
+                            int64_t now_us, const CancelToken& cancel = {});
 
 }  // namespace slicefarm::coordinator

@@ -41,7 +41,7 @@ void LeaseBook::Renewed(const std::vector<Lease>& asked, const std::vector<HeldJ
   }
 }
 
-void LeaseBook::NotRenewed(int64_t now_us) {
+void LeaseBook::GiveUpLate(int64_t now_us) {
   for (const auto& [lease, held] : held_) {
     if (now_us > held.until_us - lease_us_ / 5) held.wishes->Lose();
   }

@@ -40,9 +40,9 @@ class LeaseBook {
   /// any more is lost; one whose end was requested is cancelled.
   void Renewed(const std::vector<Lease>& asked, const std::vector<HeldJob>& held, int64_t until_us);
 
-  /// The store does not answer: runs with less than a fifth of their lease left are lost. Rather
-  /// stop too early than work beside another coordinator.
-  void NotRenewed(int64_t now_us);
+  /// Runs with less than a fifth of their lease left are lost: the store has not answered for long.
+  /// Rather stop too early than work beside another coordinator.
+  void GiveUpLate(int64_t now_us);
 
   void Cancel(const std::string& job_id);
   void HandBackAll();

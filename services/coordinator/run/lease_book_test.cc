@@ -48,12 +48,12 @@ TEST_F(LeaseBookTest, WhatTheStoreDoesNotHoldAnyMoreIsLost) {
 
 TEST_F(LeaseBookTest, AStoreThatDoesNotAnswerCostsARunOnlyLate) {
   const auto run = Add({"a", 1}, /*claimed_us=*/0);
-  book_.NotRenewed(8'000);
+  book_.GiveUpLate(8'000);
   EXPECT_FALSE(run->lost());
   book_.Renewed({{"a", 1}}, {{{"a", 1}, false}}, 13'000);
-  book_.NotRenewed(11'000);
+  book_.GiveUpLate(11'000);
   EXPECT_FALSE(run->lost());
-  book_.NotRenewed(11'001);
+  book_.GiveUpLate(11'001);
   EXPECT_TRUE(run->lost());
 }
 

@@ -9,14 +9,19 @@ namespace {
 
 constexpr int32_t kMaxRetries = 5;
 constexpr int64_t kFirstRetryUs = 500'000;
+constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
-constexpr int64_t kMaxStoreRetryUs = 60'000'000;
+constexpr int64_t kMaxRetryUs = 60'000'000;
 
 /// True if the services that are needed are not there; for some time there may be others in their
-/// places, of another build, or some that do not know this coordinator.
+/// places that do not know this coordinator.
 bool IsAway(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
-         absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
+         absl::IsUnauthenticated(status);
+}
+
+int64_t PauseUs(int32_t times) {
+  return std::min(kMaxRetryUs, kFirstRetryUs << std::min(times, 10));
 }
 
 }  // namespace
@@ -41,11 +46,12 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.claimable_from_us = now_us + kDiskFullRetryUs;
   } else if (DetailOf(error).reason == Reason::kStoreFailed) {
     // Says nothing of the job, so however often it happens, it does not end it.
-    update.claimable_from_us =
-        now_us + std::min(kMaxStoreRetryUs, kFirstRetryUs << std::min(job.store_failures, 10));
+    update.claimable_from_us = now_us + PauseUs(job.store_failures);
     update.store_failed = true;
+  } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
+    update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
   } else if (IsAway(error) && job.retries < kMaxRetries) {
-    update.claimable_from_us = now_us + (kFirstRetryUs << job.retries);
+    update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;
   } else {
     update.state = JobState::kFailed;

@@ -16,7 +16,8 @@ namespace slicefarm::coordinator {
 ///   its deadline has passed                               FAILED
 ///   the disk is full                                      QUEUED, in 10 s, however often
 ///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
-///   services are not there, or of another build           QUEUED, in 0.5 s, ever later, five times
+///   services are of another build                         QUEUED, in 5 s, however often
+///   services are not there                                QUEUED, in 0.5 s, ever later, five times
 ///   anything else                                         FAILED
 ///
 /// "Ever later": twice as long each time.

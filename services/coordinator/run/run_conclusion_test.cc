@@ -53,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"FifthTimeAway", Away(), 4, 9, kQueued, 8'000'000},
         Case{"SixthTimeAway", Away(), 5, 0, kFailed, 0},
         Case{"OfAnotherBuild",
-             MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, ""), 1, 0,
-             kQueued, 1'000'000},
+             MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, ""), 5, 9,
+             kQueued, 5'000'000},
         Case{"StoreFails", StoreFailed(), 5, 0, kQueued, 500'000},
         Case{"StoreFailsStill", StoreFailed(), 5, 1000, kQueued, 60'000'000},
         Case{"DiskFull", MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, ""), 5,
@@ -69,6 +69,9 @@ TEST(Conclusion, WhatAFailureCountsAs) {
   const JobUpdate store = Conclusion({}, RunWishes(), StoreFailed(), {}, kNowUs);
   EXPECT_FALSE(store.retry);
   EXPECT_TRUE(store.store_failed);
+  const absl::Status misfit =
+      MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
+  EXPECT_FALSE(Conclusion({}, RunWishes(), misfit, {}, kNowUs).retry);
 }
 
 TEST(Conclusion, WishesComeBeforeErrors) {

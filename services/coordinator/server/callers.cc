@@ -38,7 +38,12 @@ absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) co
   if (!identity.empty() && !shown) {
     return Denied(absl::StrCat("the certificate is ", identity, "'s, and no tenant's"));
   }
-  if (!tenants_) return Caller{.tenant = "", .scopes = {Scope::kSubmit, Scope::kRead}};
+  if (!tenants_) {
+    // The CA may be one that signs for others as well.
+    if (context.auth_context()->IsPeerAuthenticated() && !shown)
+      return Denied("the certificate names no tenant");
+    return Caller{.tenant = "", .scopes = {Scope::kSubmit, Scope::kRead}};
+  }
   const std::shared_ptr<const Tenants> tenants = tenants_();
   const std::optional<std::string> token = rpc::BearerToken(context);
   if (!token && !shown) return Unauthenticated("a token is needed: `authorization: Bearer TOKEN`");

@@ -48,7 +48,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
           JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                       *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
           options_.transfers),
-      profiles_service_(callers_, *stores_.profiles, NowUs) {}
+      profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 
 prometheus::Registry& Coordinator::Registry() {
   return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;
@@ -66,12 +66,13 @@ absl::Status Coordinator::Start() {
   return absl::OkStatus();
 }
 
+/// First what others wait for.
 void Coordinator::Stop() {
-  maintenance_.reset();
-  webhook_sender_.reset();
-  changes_.reset();
   feed_.Close();
   runner_.Stop();
+  changes_.reset();
+  maintenance_.reset();
+  webhook_sender_.reset();
 }
 
 /// Another coordinator, or this one, wrote to a job.

@@ -34,6 +34,7 @@ class CoordinatorClient {
   }
 
   void Use(const std::shared_ptr<grpc::Channel>& channel) {
+    channel_ = channel;
     jobs_ = v1::Jobs::NewStub(channel);
     meshes_ = v1::Meshes::NewStub(channel);
   }
@@ -99,6 +100,7 @@ class CoordinatorClient {
     return job;
   }
 
+  std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Meshes::Stub> meshes_;
 };

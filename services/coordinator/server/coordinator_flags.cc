@@ -22,6 +22,8 @@ static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
 
 /// Whatever one connection has open, it does not take all threads.
 constexpr int kStreamsPerConnection = 128;
+/// Clients behind one name find new coordinators within this time.
+constexpr std::chrono::minutes kConnectionAge{10};
 
 /// A container's host name is its own.
 std::string DefaultName() {
@@ -87,6 +89,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
   flags->serve.server.max_threads = kThreads;
   flags->serve.server.max_streams_per_connection = kStreamsPerConnection;
+  flags->serve.server.max_connection_age = kConnectionAge;
   AddServeFlags(app, &flags->serve);
   app.add_option("--state-dir", flags->stores.state_dir,
                  "Directory for jobs and blobs, of this coordinator alone; made if needed");

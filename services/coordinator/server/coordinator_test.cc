@@ -2,6 +2,7 @@
 #include "services/coordinator/server/coordinator.h"
 
 #include <gmock/gmock.h>
+#include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/sha256.h"
+#include "common/rpc/client_call.h"
 #include "nlohmann/json.hpp"
 #include "services/coordinator/server/coordinator_fixture_test.h"
 
@@ -375,6 +377,20 @@ TEST_F(CoordinatorTest, WatchOfNoJobIsAnError) {
   absl::Status end;
   EXPECT_THAT(Watch("nonsense", 0, &end), SizeIs(0));
   EXPECT_EQ(DetailOf(end).reason, Reason::kJobNotFound);
+}
+
+// It is served by another way than the other methods, which does not tell that by itself.
+TEST_F(CoordinatorTest, AWatchThatCannotBeReadHasAReason) {
+  rpc::StreamCall<grpc::ByteBuffer, grpc::ByteBuffer> call({}, [&](auto* context, auto* queue) {
+    return grpc::GenericStub(channel_).PrepareCall(context, "/slicefarm.v1.Jobs/WatchJob", queue);
+  });
+  const grpc::Slice slice(std::string(10, '\xff'));
+  grpc::ByteBuffer response;
+  EXPECT_TRUE(call.Write(grpc::ByteBuffer(&slice, 1)) && call.WritesDone());
+  EXPECT_FALSE(call.Read(&response));
+  const absl::Status status = call.Finish();
+  EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
 }
 
 TEST_F(CoordinatorTest, AWatcherMayLeave) {

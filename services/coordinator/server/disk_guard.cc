@@ -10,12 +10,13 @@
 
 namespace slicefarm::coordinator {
 
-absl::Status DiskGuard::CheckRoom() const {
-  if (directory_.empty()) return absl::OkStatus();
+absl::Status DiskGuard::CheckRoom(int64_t bytes) const {
+  if (directory_.empty() || min_free_bytes_ == 0) return absl::OkStatus();
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(directory_, error);
   // What cannot be asked is left to the writes, which tell better.
-  if (error || static_cast<int64_t>(space.available) >= min_free_bytes_) return absl::OkStatus();
+  if (error || static_cast<int64_t>(space.available) - bytes >= min_free_bytes_)
+    return absl::OkStatus();
   return MakeError(
       absl::StatusCode::kResourceExhausted, Reason::kDiskLow,
       fmt::format("{} MiB of the server's disk are free; it takes nothing new below {}",

@@ -11,12 +11,13 @@ namespace slicefarm::coordinator {
 /// there can be ended.
 class DiskGuard {
  public:
-  /// `directory` empty: the state is somewhere else, and there is always room.
+  /// `directory` empty: the state is somewhere else, and there is always room. `min_free_bytes` 0:
+  /// whatever fits.
   DiskGuard(std::string directory, int64_t min_free_bytes)
       : directory_(std::move(directory)), min_free_bytes_(min_free_bytes) {}
 
-  /// Errors: DISK_LOW, with the time after which to try again.
-  absl::Status CheckRoom() const;
+  /// For so many bytes more. Errors: DISK_LOW, with the time after which to try again.
+  absl::Status CheckRoom(int64_t bytes = 0) const;
 
  private:
   const std::string directory_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <set>
@@ -21,9 +22,16 @@ class FailingJobStore : public ForwardingJobStore {
     const std::lock_guard lock(mutex_);
     errors_[call] = std::move(error);
   }
+  /// It gets no answer.
+  void Block(Call call) {
+    const std::lock_guard lock(mutex_);
+    blocked_.insert(call);
+  }
   void Recover() {
     const std::lock_guard lock(mutex_);
     errors_.clear();
+    blocked_.clear();
+    recovered_.notify_all();
   }
   /// Calls so far, failed or not.
   int Calls(Call call) {
@@ -54,13 +62,16 @@ class FailingJobStore : public ForwardingJobStore {
 
  private:
   absl::Status Enter(Call call) {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     ++calls_[call];
+    recovered_.wait(lock, [&] { return !blocked_.contains(call); });
     const auto error = errors_.find(call);
     return error == errors_.end() ? absl::OkStatus() : error->second;
   }
 
   std::mutex mutex_;
+  std::condition_variable recovered_;
+  std::set<Call> blocked_;
   std::map<Call, absl::Status> errors_;
   std::map<Call, int> calls_;
 };

@@ -36,10 +36,13 @@ absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
 }
 
 absl::StatusOr<Created> JobIntake::Create(Submission submission) {
-  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
-  const auto resolved = Check(submission);
-  if (!resolved.ok()) return resolved.status();
+  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   NewJob job;
+  job.refusal = disk_.CheckRoom();
+  const auto resolved = Check(submission);
+  job.refusal.Update(resolved.status());
+  // A call that is made again gets its job, though there is no room any more, or no mesh.
+  if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
   job.id = NewJobId();
   job.tenant = std::move(submission.tenant);
   job.request_id = std::move(submission.request_id);
@@ -51,11 +54,13 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.webhook_url = std::move(submission.webhook_url);
   job.traceparent = Traceparent(submission.trace.empty() ? TraceOfJob(job.id) : submission.trace);
   job.max_open = submission.max_open_jobs;
-  for (const ObjectRequest& object : resolved->request.objects)
-    job.inputs.push_back(object.mesh_sha256);
-  job.settings_digest = resolved->settings_digest;
-  job.action_digest = resolved->action_digest;
   job.build_id = build_id_;
+  if (resolved.ok()) {
+    for (const ObjectRequest& object : resolved->request.objects)
+      job.inputs.push_back(object.mesh_sha256);
+    job.settings_digest = resolved->settings_digest;
+    job.action_digest = resolved->action_digest;
+  }
   return jobs_.Create(job, now_us_());
 }
 

@@ -8,6 +8,7 @@ namespace slicefarm::coordinator {
 namespace {
 
 constexpr double kRequestIdSweepS = 3600;
+constexpr int kJudgementsALease = 20;
 
 absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
                                        ResultSharing sharing) {
@@ -33,6 +34,7 @@ absl::Status JobRunner::Start() {
   }
   for (int i = 0; i < options_.jobs; ++i) threads_.emplace_back([this] { Serve(); });
   threads_.emplace_back([this] { Keep(); });
+  threads_.emplace_back([this] { Judge(); });
   return absl::OkStatus();
 }
 
@@ -108,7 +110,8 @@ std::unique_ptr<JobRun> JobRunner::Claim() {
   std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
   auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy());
-  if (!job.ok() || !*job) return nullptr;  // a store that fails is asked again soon
+  if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
+  if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
   auto run = std::make_unique<JobRun>(environment_, **std::move(job));
   std::lock_guard lock(mutex_);
@@ -136,14 +139,28 @@ void JobRunner::Keep() {
 void JobRunner::RenewLeases() {
   std::unique_lock lock(mutex_);
   const std::vector<Lease> leases = leases_.ToRenew();
-  lock.unlock();
   const int64_t until_us = leases_.UntilUs(NowUs());
+  unanswered_ = true;
+  lock.unlock();
   const auto held = environment_.jobs.Renew(leases, until_us);
+  if (!held.ok()) Warn("leases not renewed", held.status());
   lock.lock();
-  if (held.ok()) {
-    leases_.Renewed(leases, *held, until_us);
-  } else {
-    leases_.NotRenewed(NowUs());
+  if (!held.ok()) return;
+  unanswered_ = false;
+  leases_.Renewed(leases, *held, until_us);
+}
+
+void JobRunner::Warn(const std::string& what, const absl::Status& why) const {
+  environment_.log.Warn(what, {{"error", std::string(why.message())}});
+}
+
+/// Gives up runs whose leases were not renewed, on a thread that a store without an answer does not
+/// hold up.
+void JobRunner::Judge() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    if (unanswered_) leases_.GiveUpLate(NowUs());
+    wake_.wait_for(lock, options_.lease / kJudgementsALease, [this] { return stopping_; });
   }
 }
 

@@ -47,6 +47,8 @@ class JobRunner {
  private:
   void Serve();
   void Keep();
+  void Judge();
+  void Warn(const std::string& what, const absl::Status& why) const;
   void RenewLeases();
   std::set<std::string> Busy();
   std::unique_ptr<JobRun> Claim();
@@ -58,7 +60,8 @@ class JobRunner {
   std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
   std::mutex mutex_;
   std::condition_variable wake_;
-  LeaseBook leases_;  ///< of the jobs that run
+  LeaseBook leases_;         ///< of the jobs that run
+  bool unanswered_ = false;  ///< the last renewal failed, or is still under way
   bool stopping_ = false;
   int64_t wakes_ = 0;
   std::vector<std::thread> threads_;

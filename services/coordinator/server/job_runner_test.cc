@@ -210,6 +210,22 @@ TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
   EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
 }
 
+TEST_F(JobRunnerTest, ARenewalWithoutAnAnswerKeepsNoRunGoing) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Block(Call::kRenew);
+  AwaitCalls(Call::kRenew, 1);
+  const int64_t until_us = jobs_->Get(id)->owner_until_us;
+  now_us_ = until_us - kSecondUs;
+  while (ranges_->cancelled() == 0) std::this_thread::yield();
+
+  failing_.Recover();
+  ranges_->LetGo();
+  now_us_ = 2 * until_us;
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
 TEST_F(JobRunnerTest, AShortAbsenceOfTheStoreCostsNothing) {
   const auto runner = Runner();
   const std::string id = SubmitHeld(*runner);
@@ -308,6 +324,19 @@ TEST_F(JobRunnerTest, AnEndThatCannotBeWrittenComesAgain) {
   const auto other = Runner("you");
   EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
   EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
+TEST_F(JobRunnerTest, AStageOfAnotherBuildNeverEndsAJob) {
+  slicing_.mismatches_ = 12;
+  const std::string id = Submit("x?");
+  const auto runner = Runner();
+  for (JobRecord job = *jobs_->Get(id); !IsTerminal(job.state); job = *jobs_->Get(id)) {
+    if (job.state == JobState::kQueued) Pass(kSecondUs);
+    runner->Wake();
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(jobs_->Get(id)->state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->retries, 0) << "so that there are some left for stages that are away";
 }
 
 TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {

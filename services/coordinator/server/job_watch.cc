@@ -4,6 +4,7 @@
 
 #include "common/model/error.h"
 #include "common/rpc/status_mapping.h"
+#include "common/wire/wire_error.h"
 #include "services/coordinator/server/jobs_wire.h"
 
 namespace slicefarm::coordinator {
@@ -21,8 +22,8 @@ absl::Status Stopping() {
 
 JobWatch::JobWatch(const JobWatches& watches) : watches_(watches) {
   context_.AsyncNotifyWhenDone(&left_tag_);
-  watches_.service.RequestWatchJob(&context_, &request_, &writer_, &watches_.queue, &watches_.queue,
-                                   &begun_tag_);
+  watches_.service.RequestWatchJob(&context_, &request_bytes_, &writer_, &watches_.queue,
+                                   &watches_.queue, &begun_tag_);
 }
 
 /// There is a call; or there will be none, because the server stops.
@@ -30,7 +31,7 @@ void JobWatch::Begin(bool ok) {
   if (!ok) return Release();
   Await(watches_);
   ++tags_;  // left_tag_, which gRPC calls only of calls that began
-  if (const absl::Status allowed = watches_.check(context_, request_); !allowed.ok()) {
+  if (const absl::Status allowed = Check(); !allowed.ok()) {
     End(allowed);
     return Release();
   }
@@ -42,6 +43,14 @@ void JobWatch::Begin(bool ok) {
   ++tags_;
   writer_.SendInitialMetadata(&sent_tag_);
   Release();
+}
+
+absl::Status JobWatch::Check() {
+  if (watches_.feed.closed()) return Stopping();
+  const auto read =
+      grpc::SerializationTraits<v1::WatchJobRequest>::Deserialize(&request_bytes_, &request_);
+  if (!read.ok()) return Malformed("request", "cannot be read");
+  return watches_.check(context_, request_);
 }
 
 /// The feed has something new. On any thread.
@@ -73,20 +82,22 @@ void JobWatch::Left() {
 /// Sends the next event, ends the call, or waits for the feed.
 void JobWatch::Advance() {
   if (busy_ || left_) return;
+  // Before the store is asked, which may be why the coordinator stops.
+  if (events_.empty() && !terminal_ && watches_.feed.closed()) return End(Stopping());
   if (events_.empty() && !terminal_) {
     if (const absl::Status read = Read(); !read.ok()) return End(read);
   }
   if (!events_.empty()) return Send();
-  if (terminal_) return End(absl::OkStatus());
-  if (watches_.feed.closed()) End(Stopping());
+  if (terminal_) End(absl::OkStatus());
 }
 
 /// Fetches events from the store, and whether they are the last.
 absl::Status JobWatch::Read() {
   const auto events = watches_.jobs.Events(request_.id(), read_to_, kReadEvents);
   if (!events.ok()) return events.status();
-  const auto job = watches_.jobs.Get(request_.id());
+  auto job = watches_.jobs.Get(request_.id());
   if (!job.ok()) return job.status();
+  job->spec.clear();  // events do without, and there may be many
   for (const JobEventRecord& event : *events) {
     events_.push_back(ToProto(event, *job));
     read_to_ = event.sequence;
@@ -98,11 +109,15 @@ absl::Status JobWatch::Read() {
 }
 
 void JobWatch::Send() {
-  const v1::JobEvent event = std::move(events_.front());
+  grpc::ByteBuffer bytes;
+  bool own = false;
+  const grpc::Status written =
+      grpc::SerializationTraits<v1::JobEvent>::Serialize(events_.front(), &bytes, &own);
+  if (!written.ok()) return End(absl::InternalError(written.error_message()));
   events_.pop_front();
   busy_ = true;
   ++tags_;
-  writer_.Write(event, &sent_tag_);
+  writer_.Write(bytes, &sent_tag_);
 }
 
 void JobWatch::End(const absl::Status& status) {

@@ -18,7 +18,8 @@ namespace slicefarm::coordinator {
 
 /// What watches need; everything outlives them.
 struct JobWatches {
-  using Service = v1::Jobs::WithAsyncMethod_WatchJob<v1::Jobs::Service>;
+  /// Raw, so that a request that cannot be read gets its error from us, with a reason.
+  using Service = v1::Jobs::WithRawMethod_WatchJob<v1::Jobs::Service>;
 
   Service& service;
   grpc::ServerCompletionQueue& queue;
@@ -42,6 +43,7 @@ class JobWatch {
   explicit JobWatch(const JobWatches& watches);
 
   void Begin(bool ok);
+  absl::Status Check();
   void Sent(bool ok);
   void Woken();
   void Left();
@@ -55,8 +57,9 @@ class JobWatch {
 
   const JobWatches& watches_;
   grpc::ServerContext context_;
+  grpc::ByteBuffer request_bytes_;
   v1::WatchJobRequest request_;
-  grpc::ServerAsyncWriter<v1::JobEvent> writer_{&context_};
+  grpc::ServerAsyncWriter<grpc::ByteBuffer> writer_{&context_};
 
   rpc::QueueTag begun_tag_ = [this](bool ok) { Begin(ok); };
   rpc::QueueTag sent_tag_ = [this](bool ok) { Sent(ok); };
@@ -72,7 +75,7 @@ class JobWatch {
   bool terminal_ = false;            ///< that event was the job's last
   bool busy_ = false;                ///< something is being sent
   bool left_ = false;                ///< the call is over
-  std::deque<v1::JobEvent> events_;  ///< to be sent; the first one is being sent if busy_
+  std::deque<v1::JobEvent> events_;  ///< to be sent
 };
 
 }  // namespace slicefarm::coordinator

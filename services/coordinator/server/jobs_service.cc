@@ -186,7 +186,10 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
              backend_.slicing);
   if (!found.ok()) return found.status();
   v1::Job job;
-  *job.mutable_spec() = request.spec();
+  job.mutable_spec()->ParseFromString(submission->spec);
+  *job.mutable_labels() = request.labels();
+  job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission->priority) + 1));
+  if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
   job.set_settings_digest(resolved->settings_digest);
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
@@ -286,7 +289,7 @@ grpc::Status JobsService::Download(grpc::ServerContext* context, const v1::Downl
                                    grpc::ServerWriter<v1::DownloadResponse>* stream) {
   const auto caller = backend_.callers.Find(*context, {Scope::kRead});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  return rpc::ToGrpc(downloads_.Run(*context, [&](const Transfers::Moved& moved) {
+  return rpc::ToGrpc(downloads_.Run(*context, caller->tenant, [&](const Transfers::Moved& moved) {
     return Send(*caller, *request, moved, *stream);
   }));
 }

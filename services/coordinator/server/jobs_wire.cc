@@ -196,7 +196,8 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
   for (const int state : request.states()) {
     const auto known = StateFromProto(static_cast<v1::JobState>(state));
     if (!known.ok()) return known.status();
-    query.states.push_back(*known);
+    if (std::ranges::find(query.states, *known) == query.states.end())
+      query.states.push_back(*known);
   }
   query.labels = {request.labels().begin(), request.labels().end()};
   if (absl::Status ok = CheckLabels(query.labels); !ok.ok()) return ok;
@@ -213,6 +214,8 @@ absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
 v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query) {
   v1::ListJobsResponse response;
   size_t bytes = 0;
+  int64_t read_bytes = 0;
+  for (const JobRecord& job : jobs) read_bytes += std::ssize(job.spec);
   for (const JobRecord& job : jobs) {
     v1::Job listed = ToProto(job);
     listed.mutable_spec()->clear_settings();
@@ -221,7 +224,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
     *response.add_jobs() = std::move(listed);
   }
   const int taken = response.jobs_size();
-  if (taken == query.limit || taken < std::ssize(jobs)) {
+  if (taken == query.limit || taken < std::ssize(jobs) || read_bytes >= kListedSpecBytes) {
     response.set_next_page_token(std::to_string(jobs[taken - 1].number));
   }
   return response;

@@ -34,7 +34,11 @@ void Maintenance::Run() {
 }
 
 void Maintenance::SweepOnce() {
-  const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_());
+  const CancelToken cancel([this] {
+    const std::lock_guard lock(mutex_);
+    return stopping_;
+  });
+  const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_(), cancel);
   if (!swept.ok()) {
     log_.Warn("sweep failed", {{"error", std::string(swept.status().message())}});
   } else if (swept->jobs + swept->blobs > 0) {

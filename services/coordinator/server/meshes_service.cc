@@ -39,14 +39,15 @@ using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
                                    const Transfers::Moved& moved, v1::UploadMeshRequest& first) {
   if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
-  if (absl::Status room = disk.CheckRoom(); !room.ok()) return room;
   const std::string digest = first.sha256();
   const int64_t size = first.size();
   int64_t offset = first.write_offset();
   v1::UploadMeshRequest chunk = first;
   do {
-    moved();
+    if (!chunk.data().empty()) moved();
     if (absl::Status ok = CheckChunk(chunk.data(), offset, size); !ok.ok()) return ok;
+    // Each time, as others write as well.
+    if (absl::Status room = disk.CheckRoom(size - offset); !room.ok()) return room;
     const auto status = blobs.Append(digest, offset, chunk.data());
     if (!status.ok() || status->complete) return status;
     offset += static_cast<int64_t>(chunk.data().size());
@@ -57,17 +58,11 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
 
 }  // namespace
 
-/// Of the caller, if he may upload.
-absl::StatusOr<std::shared_ptr<BlobStore>> MeshesService::BlobsOf(
-    const grpc::ServerContextBase& context) {
-  const auto caller = callers_.Find(context, {Scope::kSubmit});
-  if (!caller.ok()) return caller.status();
-  return blobs_.Of(caller->tenant);
-}
-
 grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
                                       const v1::GetUploadRequest* request, v1::Upload* response) {
-  const auto blobs = BlobsOf(*context);
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto blobs = blobs_.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto status = (*blobs)->Status(request->sha256());
   if (status.ok()) *response = ToProto(request->sha256(), *status);
@@ -76,15 +71,18 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
 
 grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* stream,
                                        v1::Upload* response) {
-  const auto blobs = BlobsOf(*context);
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto blobs = blobs_.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
-  return rpc::ToGrpc(uploads_.Run(*context, [&](const Transfers::Moved& moved) -> absl::Status {
+  const auto receive = [&](const Transfers::Moved& moved) -> absl::Status {
     v1::UploadMeshRequest first;
     if (!stream->Read(&first)) return Malformed("sha256", "is missing");
     const auto status = Receive(**blobs, disk_, *stream, moved, first);
     if (status.ok()) *response = ToProto(first.sha256(), *status);
     return status.status();
-  }));
+  };
+  return rpc::ToGrpc(uploads_.Run(*context, caller->tenant, receive));
 }
 
 }  // namespace slicefarm::coordinator

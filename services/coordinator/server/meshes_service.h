@@ -25,8 +25,6 @@ class MeshesService final : public v1::Meshes::Service {
                           v1::Upload* response) override;
 
  private:
-  absl::StatusOr<std::shared_ptr<BlobStore>> BlobsOf(const grpc::ServerContextBase& context);
-
   const Callers& callers_;
   BlobStores& blobs_;
   const DiskGuard& disk_;

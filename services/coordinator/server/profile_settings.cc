@@ -52,6 +52,10 @@ absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text) {
 
 absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
                                          ProfileStore& profiles) {
+  if (spec.profiles_size() > limits::kMaxJobProfiles) {
+    return LimitError(Reason::kRequestTooLarge, "profiles of a job", limits::kMaxJobProfiles,
+                      spec.profiles_size());
+  }
   google::protobuf::RepeatedPtrField<v1::Setting> settings;
   for (int i = 0; i < spec.profiles_size(); ++i) {
     const auto ref = ParseProfileRef(spec.profiles(i));

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "services/coordinator/server/callers.h"
+#include "services/coordinator/server/disk_guard.h"
 #include "services/coordinator/store/profile_store.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
@@ -12,8 +13,9 @@ namespace slicefarm::coordinator {
 class ProfilesService final : public v1::Profiles::Service {
  public:
   /// `callers` and `profiles` must outlive it.
-  ProfilesService(const Callers& callers, ProfileStore& profiles, std::function<int64_t()> now_us)
-      : callers_(callers), profiles_(profiles), now_us_(std::move(now_us)) {}
+  ProfilesService(const Callers& callers, ProfileStore& profiles, const DiskGuard& disk,
+                  std::function<int64_t()> now_us)
+      : callers_(callers), profiles_(profiles), disk_(disk), now_us_(std::move(now_us)) {}
 
   grpc::Status PutProfile(grpc::ServerContext* context, const v1::PutProfileRequest* request,
                           v1::Profile* response) override;
@@ -30,6 +32,7 @@ class ProfilesService final : public v1::Profiles::Service {
 
   const Callers& callers_;
   ProfileStore& profiles_;
+  const DiskGuard& disk_;
   const std::function<int64_t()> now_us_;
 };
 

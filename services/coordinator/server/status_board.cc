@@ -15,8 +15,10 @@ constexpr int32_t kMaxRunning = 20;
 void LookIntoStore(JobStore& jobs, CoordinatorStatus& status) {
   auto counts = jobs.CountByState();
   auto open = jobs.CountOpen();
-  auto running =
-      jobs.List({.states = {JobState::kRunning}, .oldest_first = true, .limit = kMaxRunning});
+  auto running = jobs.List({.all_tenants = true,
+                            .states = {JobState::kRunning},
+                            .oldest_first = true,
+                            .limit = kMaxRunning});
   status.store_status.Update(counts.status());
   status.store_status.Update(open.status());
   status.store_status.Update(running.status());

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/server/status_board.h"
+#include "services/coordinator/store/memory_job_store.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
@@ -50,6 +54,21 @@ TEST(StatusPage, TellsWhatIsGoingOn) {
             HasSubstr("<tr><td>slicing</td><td>s:2</td></tr>"),
             HasSubstr("<td>1970-01-01T00:00:00Z</td><td>{&quot;msg&quot;:&quot;worker failed"),
             testing::StartsWith("<!doctype html>"), testing::EndsWith("</html>\n")));
+}
+
+TEST(StatusBoard, ShowsTheJobsOfAllTenants) {
+  MemoryJobs state;
+  MemoryJobStore jobs(state);
+  NewJob job;
+  job.id = "of-acme";
+  job.tenant = "acme";
+  ASSERT_TRUE(jobs.Create(job, 1).ok());
+  const JobRecord claimed = **jobs.Claim("me", 2, 100);
+  ASSERT_TRUE(jobs.Update({job.id, claimed.owner_epoch}, {.state = JobState::kRunning}, 3).ok());
+  Dispatcher dispatcher;
+  const Fleet fleet(dispatcher);
+  const StatusBoard board({"c1", "memory", ".", jobs, fleet, {}, rpc::JsonLog("test")});
+  EXPECT_THAT(board.Page(), HasSubstr("of-acme"));
 }
 
 TEST(StatusPage, NeedsNothingFromElsewhere) {

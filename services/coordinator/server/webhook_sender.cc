@@ -52,11 +52,27 @@ void WebhookSender::Serve() {
 bool WebhookSender::SendOne() {
   const int64_t now_us = now_us_();
   // Nobody else tries it while we may still do.
-  const auto due = webhooks_.Claim(now_us, now_us + 2 * Us(options_.timeout));
+  const auto due = webhooks_.Claim(now_us, now_us + 2 * Us(options_.timeout), Busy());
   if (!due.ok()) log_.Warn("outbox not read", {{"error", std::string(due.status().message())}});
   if (!due.ok() || !*due) return false;
+  Count((*due)->tenant, 1);
   Conclude(**due, Try(**due));
+  Count((*due)->tenant, -1);
   return true;
+}
+
+/// Tenants that have their share of the threads. With but one thread there is nothing to share.
+std::set<std::string> WebhookSender::Busy() {
+  std::lock_guard lock(mutex_);
+  std::set<std::string> busy;
+  for (const auto& [tenant, tries] : in_flight_)
+    if (2 * tries >= options_.threads) busy.insert(tenant);
+  return busy;
+}
+
+void WebhookSender::Count(const std::string& tenant, int change) {
+  std::lock_guard lock(mutex_);
+  if ((in_flight_[tenant] += change) == 0) in_flight_.erase(tenant);
 }
 
 WebhookAttempt WebhookSender::Try(const DueWebhook& due) {

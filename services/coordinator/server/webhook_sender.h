@@ -3,7 +3,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -15,8 +18,8 @@
 namespace slicefarm::coordinator {
 
 /// Sends what is due in the outbox: at least once, again and ever later while the receiver does not
-/// answer with 2xx, for about a day. Threads of its own, so that a slow receiver keeps only a few
-/// others waiting.
+/// answer with 2xx, for about a day. Threads of its own, of which no tenant's receivers take more
+/// than half.
 class WebhookSender {
  public:
   struct Options {
@@ -36,6 +39,8 @@ class WebhookSender {
  private:
   void Serve();
   bool SendOne();
+  std::set<std::string> Busy();
+  void Count(const std::string& tenant, int change);
   WebhookAttempt Try(const DueWebhook& due);
   void Conclude(const DueWebhook& due, const WebhookAttempt& attempt);
 
@@ -48,6 +53,7 @@ class WebhookSender {
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopping_ = false;
+  std::map<std::string, int> in_flight_;  ///< tries, by tenant
   std::vector<std::thread> threads_;
 };
 

@@ -319,9 +319,7 @@ void CheckedStore::CheckFailure(const JobRecord& job, const Seen& seen) {
   const bool at_fault =
       work.fault == Work::Fault::kBadInput || work.fault == Work::Fault::kBadLayer;
   const bool bad_input = at_fault && reason == ReasonName(Reason::kMeshMalformed);
-  const bool away =
-      seen.job.retries == kMaxRetries &&
-      (reason == ReasonName(Reason::kUnavailable) || reason == ReasonName(Reason::kBuildMismatch));
+  const bool away = seen.job.retries == kMaxRetries && reason == ReasonName(Reason::kUnavailable);
   const bool overdue =
       job.end_us >= job.deadline_us && reason == ReasonName(Reason::kDeadlineExceeded);
   // That a range failed often enough is checked where it fails: sim_dispatcher.h.

@@ -200,7 +200,7 @@ void SimCoordinator::Keep() {
              if (held.ok()) {
                leases_->Renewed(leases, *held, until_us);
              } else {
-               leases_->NotRenewed(NowUs());
+               leases_->GiveUpLate(NowUs());
              }
              for (const auto& [lease, run] : runs_) {
                held.ok() ? CheckHeard(*run) : CheckGivenUp(*run);

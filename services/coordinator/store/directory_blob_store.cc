@@ -211,6 +211,8 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   if (!got.ok()) return got.status();
   if (*got != digest) {
     if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    Lock doubts(doubts_mutex_);
+    written_here_.erase(digest);
     return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
   }
   if (absl::Status synced = SyncUpload(digest, *file); !synced.ok()) return synced;

@@ -36,7 +36,15 @@ absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQue
   for (const JobState state : list.states) query.Bind(JobStateName(state));
   for (const auto& [key, value] : list.labels) query.Bind(key, value);
   query.Bind(list.limit);
-  return ReadJobs(query);
+  std::vector<JobRecord> jobs;
+  for (int64_t bytes = 0; bytes < kListedSpecBytes && query.Next();) {
+    auto job = ReadJob(query);
+    if (!job.ok()) return job.status();
+    bytes += std::ssize(job->spec);
+    jobs.push_back(*std::move(job));
+  }
+  if (!query.status().ok()) return query.status();
+  return jobs;
 }
 
 absl::StatusOr<std::vector<JobEventRecord>> ListEvents(SqlConnection& db, const std::string& id,

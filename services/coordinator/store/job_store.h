@@ -28,6 +28,8 @@ struct NewJob {
   std::string traceparent;
   std::string webhook_url = {};  ///< to be told of its end (webhook_store.h); empty: none
   int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
+  /// Why no job is made; but one that an earlier call with the same request_id made is found.
+  absl::Status refusal = absl::OkStatus();
 };
 
 struct Created {
@@ -80,6 +82,9 @@ struct ListQuery {
   int32_t limit = 50;
 };
 
+/// A list ends with the job whose spec brings it to so many bytes of specs, whatever its limit.
+inline constexpr int64_t kListedSpecBytes = 8 << 20;
+
 /// Jobs of one kind that have not ended.
 struct OpenJobs {
   JobState state = JobState::kQueued;
@@ -104,7 +109,8 @@ class JobStore {
   virtual ~JobStore() = default;
 
   /// Makes a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id made
-  /// another job's spec; QUEUE_FULL if the tenant has `max_open` jobs that have not ended.
+  /// another job's spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` jobs that have not
+  /// ended.
   virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
 
   virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
@@ -167,7 +173,8 @@ class JobStore {
   virtual absl::StatusOr<std::set<std::string>> Referenced(
       const std::string& tenant, const std::set<std::string>& digests) = 0;
 
-  /// Jobs that ended before, the oldest first, at most `limit`.
+  /// Jobs that ended before and whose receiver was told, if they have one (webhook_store.h); the
+  /// oldest first, at most `limit`.
   virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
 };
 

@@ -650,6 +650,29 @@ TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
   EXPECT_THAT(*store_->Referenced("", {"trace 2"}), IsEmpty());
 }
 
+TEST_P(JobStoreTest, AListOfGreatJobsEndsEarly) {
+  NewJob job = JobOf("big");
+  job.spec = std::string(kListedSpecBytes / 2, 's');
+  for (const char* id : {"1", "2", "3"}) {
+    job.id = id;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  EXPECT_EQ(store_->List({.oldest_first = true})->size(), 2U);
+}
+
+TEST_P(JobStoreTest, ARefusalStandsBehindAnEarlierJob) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  job.id = "b";
+  job.refusal = absl::ResourceExhaustedError("no room");
+  EXPECT_EQ(store_->Create(job, ++now_)->job.id, "a");
+  job.request_id = "s";
+  EXPECT_TRUE(absl::IsResourceExhausted(store_->Create(job, ++now_).status()));
+  job.refusal = absl::OkStatus();
+  EXPECT_TRUE(store_->Create(job, ++now_)->fresh) << "what was refused took no request id";
+}
+
 TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {
   MakeDone("a", ResultOf("g", "r"));
   const int64_t between_us = ++now_;

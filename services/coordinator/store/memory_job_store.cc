@@ -82,6 +82,7 @@ absl::StatusOr<Created> MemoryJobStore::Create(const NewJob& job, int64_t now_us
     if (earlier->second.spec_digest != job.spec_digest) return RequestIdReused(job.request_id);
     return Created{Find(earlier->second.job_id)->job, /*fresh=*/false};
   }
+  if (!job.refusal.ok()) return job.refusal;
   if (absl::Status ok = CheckQueue(job); !ok.ok()) return ok;
   if (!job.request_id.empty()) jobs_.requests_[request_key] = {job.id, job.spec_digest, now_us};
   JobRecord record;
@@ -119,6 +120,13 @@ absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::List(const ListQuery& que
   }
   if (!query.oldest_first) std::reverse(list.begin(), list.end());
   list.resize(std::min(list.size(), static_cast<size_t>(query.limit)));
+  int64_t bytes = 0;
+  const auto end = std::ranges::find_if(list, [&](const JobRecord& job) {
+    const bool full = bytes >= kListedSpecBytes;
+    bytes += std::ssize(job.spec);
+    return full;
+  });
+  list.erase(end, list.end());
   return list;
 }
 

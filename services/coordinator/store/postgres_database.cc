@@ -1,10 +1,18 @@
 #include "services/coordinator/store/postgres_database.h"
 
+#include <chrono>
 #include <utility>
 
+#include "common/model/error.h"
 #include "services/coordinator/store/postgres_schema.h"
 
 namespace slicefarm::coordinator {
+namespace {
+
+/// Less than a lease, so that those who renew one hear of it in time.
+constexpr std::chrono::seconds kPatience{5};
+
+}  // namespace
 
 absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
     const std::string& conninfo, int max_connections) {
@@ -19,7 +27,10 @@ absl::StatusOr<SqlSession> PostgresDatabase::Take() {
   std::unique_ptr<PostgresConnection> connection;
   {
     std::unique_lock lock(mutex_);
-    given_back_.wait(lock, [this] { return free_ > 0; });
+    if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
+      return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed,
+                       "PostgreSQL: all connections are busy");
+    }
     --free_;
     if (!idle_.empty()) {
       connection = std::move(idle_.back());

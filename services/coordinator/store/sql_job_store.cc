@@ -155,6 +155,7 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
     if (*earlier) return Created{**std::move(earlier), /*fresh=*/false};
     return absl::UnavailableError("a job with the same request_id is being removed");
   }
+  if (!job.refusal.ok()) return job.refusal;
   if (absl::Status ok = CheckQueue(db, job); !ok.ok()) return ok;
   if (absl::Status done = InsertJob(db, job, now_us); !done.ok()) return done;
   auto record = FindJob(db, job.id);
@@ -354,7 +355,9 @@ absl::StatusOr<std::vector<std::string>> SqlJobStore::EndedBefore(int64_t time_u
   const auto session = database_->Read();
   if (!session.ok()) return session.status();
   SqlQuery query(**session,
-                 "SELECT id FROM jobs WHERE end_us > 0 AND end_us < ? ORDER BY end_us LIMIT ?");
+                 "SELECT id FROM jobs WHERE end_us > 0 AND end_us < ?"
+                 " AND NOT EXISTS (SELECT 1 FROM webhooks WHERE job = number AND state = 'DUE')"
+                 " ORDER BY end_us LIMIT ?");
   query.Bind(time_us, limit);
   std::vector<std::string> ids;
   while (query.Next()) ids.push_back(query.Text(0));

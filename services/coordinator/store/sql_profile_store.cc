@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/model/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -28,6 +29,16 @@ absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::
     return std::nullopt;
   }
   return ProfileRecord{name, query.Int(0), query.Text(1), query.Text(2), query.Int(3)};
+}
+
+/// Revisions stay for ever, so there is an end to them.
+absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
+  SqlQuery query(db, "SELECT count(*) FROM profiles WHERE tenant = ?");
+  const int64_t count = query.Bind(tenant).Next() ? query.Int(0) : 0;
+  if (!query.status().ok()) return query.status();
+  if (count < limits::kMaxProfileRevisions) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "revisions of profiles", limits::kMaxProfileRevisions,
+                    count + 1);
 }
 
 /// The revision as it came to be; nullopt: another call was faster.
@@ -56,6 +67,7 @@ absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, in
     if (!newest.ok()) return newest.status();
     if (*newest && (*newest)->settings_digest == profile.settings_digest)
       return **std::move(newest);
+    if (absl::Status room = CheckRoom(**session, profile.tenant); !room.ok()) return room;
     const int64_t revision = *newest ? (*newest)->revision + 1 : 1;
     auto made = Insert(**session, profile, revision, now_us);
     if (!made.ok()) return made.status();

@@ -32,23 +32,34 @@ absl::StatusOr<bool> AnyDue(SqlDatabase& database, int64_t now_us) {
 
 }  // namespace
 
-absl::StatusOr<std::optional<DueWebhook>> SqlWebhookStore::Claim(int64_t now_us, int64_t until_us) {
+absl::StatusOr<std::optional<DueWebhook>> SqlWebhookStore::Claim(
+    int64_t now_us, int64_t until_us, const std::set<std::string>& busy) {
   const auto any = AnyDue(*database_, now_us);
   if (!any.ok()) return any.status();
   if (!*any) return std::nullopt;
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
+  std::string others;
+  for (size_t i = 0; i < busy.size(); ++i)
+    others += " AND (SELECT tenant FROM jobs WHERE number = webhooks.job) <> ?";
   SqlQuery claim(**session,
                  absl::StrCat("UPDATE webhooks SET due_us = ?, attempts = attempts + 1"
                               " WHERE job = (SELECT job FROM webhooks WHERE state = 'DUE'"
-                              " AND due_us <= ? ORDER BY due_us LIMIT 1",
+                              " AND due_us <= ?",
+                              others, " ORDER BY due_us LIMIT 1",
                               std::string((*session)->dialect().skip_locked),
                               ") RETURNING url, attempts,"
-                              " (SELECT id FROM jobs WHERE number = webhooks.job)"));
+                              " (SELECT id FROM jobs WHERE number = webhooks.job),"
+                              " (SELECT tenant FROM jobs WHERE number = webhooks.job)"));
   claim.Bind(until_us, now_us);
+  for (const std::string& tenant : busy) claim.Bind(tenant);
   std::optional<DueWebhook> due;
-  while (claim.Next())
-    due = DueWebhook{claim.Text(2), claim.Text(0), static_cast<int32_t>(claim.Int(1))};
+  while (claim.Next()) {
+    due = DueWebhook{.job_id = claim.Text(2),
+                     .tenant = claim.Text(3),
+                     .url = claim.Text(0),
+                     .attempt = static_cast<int32_t>(claim.Int(1))};
+  }
   if (!claim.status().ok()) return claim.status();
   return due;
 }
@@ -67,9 +78,10 @@ absl::Status SqlWebhookStore::Record(const std::string& job_id, const WebhookAtt
   if (absl::Status done = log.Run(); !done.ok()) return done;
   SqlQuery update(**session,
                   "UPDATE webhooks SET state = ?, due_us = ?"
-                  " WHERE job = (SELECT number FROM jobs WHERE id = ?)");
-  if (absl::Status done = update.Bind(NameOf(state), again_us, job_id).Run(); !done.ok())
-    return done;
+                  " WHERE job = (SELECT number FROM jobs WHERE id = ?)"
+                  " AND state = 'DUE' AND attempts = ?");
+  update.Bind(NameOf(state), again_us, job_id, attempt.attempt);
+  if (absl::Status done = update.Run(); !done.ok()) return done;
   return transaction.Commit();
 }
 

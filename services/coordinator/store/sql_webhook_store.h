@@ -14,7 +14,8 @@ class SqlWebhookStore : public WebhookStore {
   explicit SqlWebhookStore(std::shared_ptr<SqlDatabase> database)
       : database_(std::move(database)) {}
 
-  absl::StatusOr<std::optional<DueWebhook>> Claim(int64_t now_us, int64_t until_us) override;
+  absl::StatusOr<std::optional<DueWebhook>> Claim(int64_t now_us, int64_t until_us,
+                                                  const std::set<std::string>& busy = {}) override;
   absl::Status Record(const std::string& job_id, const WebhookAttempt& attempt, WebhookState state,
                       int64_t again_us) override;
   absl::StatusOr<std::optional<WebhookRecord>> Get(const std::string& job_id) override;

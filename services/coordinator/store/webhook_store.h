@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace slicefarm::coordinator {
 /// A delivery that somebody has to try now.
 struct DueWebhook {
   std::string job_id;
+  std::string tenant;
   std::string url;
   int32_t attempt = 1;  ///< counts from 1
 };
@@ -50,11 +52,13 @@ class WebhookStore {
  public:
   virtual ~WebhookStore() = default;
 
-  /// The one that has been due for longest; nobody else gets it before `until_us`. nullopt: none is
-  /// due.
-  virtual absl::StatusOr<std::optional<DueWebhook>> Claim(int64_t now_us, int64_t until_us) = 0;
+  /// The one that has been due for longest, but for those of `busy` tenants; nobody else gets it
+  /// before `until_us`. nullopt: none is due.
+  virtual absl::StatusOr<std::optional<DueWebhook>> Claim(
+      int64_t now_us, int64_t until_us, const std::set<std::string>& busy = {}) = 0;
 
-  /// Writes what a claimed one came to. `again_us`: when it is due again, with kDue.
+  /// Writes what a claimed one came to. `again_us`: when it is due again, with kDue. A claim that
+  /// ran out and was taken by another leaves its line in the log only.
   virtual absl::Status Record(const std::string& job_id, const WebhookAttempt& attempt,
                               WebhookState state, int64_t again_us) = 0;
 

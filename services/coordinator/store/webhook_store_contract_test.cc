@@ -57,9 +57,11 @@ const std::vector<StoreKind<JobsAndWebhooks>> kStores = {
 
 class WebhookStoreTest : public testing::TestWithParam<StoreKind<JobsAndWebhooks>> {
  protected:
-  void Create(const std::string& id, const std::string& url = "https://a/") {
+  void Create(const std::string& id, const std::string& url = "https://a/",
+              const std::string& tenant = "") {
     NewJob job;
     job.id = id;
+    job.tenant = tenant;
     job.webhook_url = url;
     ASSERT_TRUE(store_->jobs.Create(job, 1).ok());
   }
@@ -108,6 +110,39 @@ TEST_P(WebhookStoreTest, TriesAreKept) {
   EXPECT_FALSE(store_->webhooks.Claim(1'000'000, 1'000'001)->has_value());
   EXPECT_EQ(**store_->webhooks.Get("j"),
             (WebhookRecord{"https://a/", WebhookState::kDelivered, 0, {first, second}}));
+}
+
+TEST_P(WebhookStoreTest, AClaimThatRanOutDecidesNothing) {
+  Create("j");
+  End("j", 100);
+  ASSERT_TRUE(store_->webhooks.Claim(100, 200)->has_value());
+  ASSERT_TRUE(store_->webhooks.Claim(200, 300)->has_value());
+  ASSERT_TRUE(store_->webhooks.Record("j", {2, 250, 200, ""}, WebhookState::kDelivered, 0).ok());
+  ASSERT_TRUE(store_->webhooks.Record("j", {1, 290, 409, "twice"}, WebhookState::kDue, 400).ok());
+  const WebhookRecord webhook = **store_->webhooks.Get("j");
+  EXPECT_EQ(webhook.state, WebhookState::kDelivered);
+  EXPECT_EQ(webhook.attempts.size(), 2U) << "but it is told";
+}
+
+TEST_P(WebhookStoreTest, BusyTenantsArePassedOver) {
+  Create("a1", "https://a/", "a");
+  Create("a2", "https://a/", "a");
+  Create("b", "https://b/", "b");
+  for (const char* id : {"a1", "a2", "b"}) End(id, 100);
+  const auto first = **store_->webhooks.Claim(100, 200, {"b"});
+  EXPECT_EQ(first.tenant, "a");
+  EXPECT_EQ((*store_->webhooks.Claim(100, 200, {"a"}))->job_id, "b");
+  EXPECT_FALSE(store_->webhooks.Claim(100, 200, {"a", "b"})->has_value());
+  EXPECT_TRUE(store_->webhooks.Claim(100, 200)->has_value());
+}
+
+TEST_P(WebhookStoreTest, ItsJobIsNotOldBeforeItIsTold) {
+  Create("j");
+  End("j", 100);
+  EXPECT_THAT(*store_->jobs.EndedBefore(1'000, 10), testing::IsEmpty());
+  ASSERT_TRUE(store_->webhooks.Claim(100, 200)->has_value());
+  ASSERT_TRUE(store_->webhooks.Record("j", {1, 150, 200, ""}, WebhookState::kDelivered, 0).ok());
+  EXPECT_THAT(*store_->jobs.EndedBefore(1'000, 10), testing::ElementsAre("j"));
 }
 
 TEST_P(WebhookStoreTest, ItGoesWithItsJob) {
