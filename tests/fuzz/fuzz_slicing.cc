@@ -1,11 +1,17 @@
 #include <algorithm>
 
+#include "common/wire/mesh_wire.h"
 #include "common/wire/message_stream.h"
+#include "common/wire/settings_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"
 #include "tests/fuzz/stage_call.h"
+
+namespace slicefarm::v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace slicefarm::v1
 
 namespace slicefarm::fuzz {
 namespace {
