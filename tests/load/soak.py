@@ -77,6 +77,8 @@ def main():
     errors = sum(told["errorDistribution"].values())
     print("requests", told["count"])
     print("errors", errors)
+    for error, count in told["errorDistribution"].items():
+        print(count, "x", error, file=sys.stderr)
     print("skipped", told["skipped"])
     quarter = 60 * options.minutes / 4
     for name in dict.fromkeys(row[1] for row in watch.rows):

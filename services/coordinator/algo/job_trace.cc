@@ -180,18 +180,18 @@ std::string ChromeTrace(const JobTrace& trace, const std::vector<Span>& waits,
   // What encloses others comes before them.
   std::ranges::stable_sort(spans, {},
                            [](const Span& span) { return std::pair(span.begin_us, -span.end_us); });
-  const auto others =
-      std::ranges::stable_partition(spans, [](const Span& span) { return span.track.empty(); });
+  const auto others = std::stable_partition(spans.begin(), spans.end(),
+                                            [](const Span& span) { return span.track.empty(); });
 
   Events events;
   events.Name(kJobProcess, "job");
   events.Name(kJobProcess, kQueueRow, "queue");
   events.Name(kJobProcess, kRunRow, "run");
   for (const Span& wait : waits) events.Add(wait, kJobProcess, kQueueRow);
-  for (const Span& span : std::span(spans.begin(), others.begin())) {
+  for (const Span& span : std::span(spans.begin(), others)) {
     events.Add(span, kJobProcess, kRunRow);
   }
-  AddOthers({others.begin(), others.end()}, events);
+  AddOthers({others, spans.end()}, events);
 
   json facts = about;
   facts["dropped_spans"] = std::to_string(trace.dropped);
