@@ -37,8 +37,9 @@ absl::Status CheckSizes(const v1::SliceStart& start) {
   for (const v1::SliceObject& object : start.objects()) {
     if (object.size_bytes() < 0) return Malformed("objects.size_bytes", "is negative");
     if (object.size_bytes() > left) {
+      const int64_t before = limits::kMaxMeshBytes - left;
       return LimitError(Reason::kMeshTooLarge, "bytes of meshes", limits::kMaxMeshBytes,
-                        limits::kMaxMeshBytes - left + object.size_bytes());
+                        before + std::min(object.size_bytes(), INT64_MAX - before));
     }
     left -= object.size_bytes();
   }
