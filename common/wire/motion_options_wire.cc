@@ -53,6 +53,11 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
   if (std::ranges::any_of(proto.speed_mm_s(), [](double speed) { return speed < 0; })) {
     return Malformed("speed_mm_s", "is negative");
   }
+  const v1::CoolingOptions& cooling = proto.cooling();
+  for (const int32_t percent :
+       {cooling.min_fan_percent(), cooling.max_fan_percent(), cooling.bridge_fan_percent()}) {
+    if (percent < 0 || percent > 100) return Malformed("cooling", "not all fans are percentages");
+  }
   return absl::OkStatus();
 }
 

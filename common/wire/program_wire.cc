@@ -91,7 +91,10 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
   stats.travel_mm = proto.travel_mm();
   stats.travels = proto.travels();
   stats.retractions = proto.retractions();
-  if (proto.has_min()) stats.bounds = {FromProto(proto.min()), FromProto(proto.max())};
+  if (proto.has_min()) {
+    stats.bounds = {FromProto(proto.min()), FromProto(proto.max())};
+    if (stats.bounds.Empty()) return Malformed("min, max", "max is less than min");
+  }
   return stats;
 }
 

@@ -124,6 +124,12 @@ TEST(ProgramWire, ProgramReturns) {
                                                           ProtoOf<v1::LayerProgram, LayerProgram>);
 }
 
+TEST(ProgramWire, BoundsAreNotTheWrongWayRound) {
+  auto proto = ProtoOf<v1::LayerProgram>(DistinctProgram());
+  proto.mutable_stats()->mutable_max()->set_y_nm(proto.stats().min().y_nm() - 1);
+  EXPECT_EQ(FromProto(proto).status().code(), absl::StatusCode::kInvalidArgument);
+}
+
 TEST(ProgramWire, EmptyProgramReturns) {
   LayerProgram program;
   program.frame = kFrame;

@@ -414,6 +414,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NineSpeeds",
                 [](auto& p) { p.mutable_motion()->mutable_speed_mm_s()->RemoveLast(); },
                 "motion.speed_mm_s"},
+        Refused{"NegativeFan",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_cooling()->set_min_fan_percent(
+                      std::numeric_limits<int32_t>::min());
+                },
+                "motion.cooling"},
         Refused{"NoLayerHeight", [](auto& p) { p.mutable_slicing()->set_layer_height_nm(0); },
                 "slicing.layer_height_nm"},
         Refused{"BedOfTwoPoints",

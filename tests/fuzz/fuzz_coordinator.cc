@@ -1,9 +1,11 @@
 #include <grpcpp/grpcpp.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "common/rpc/call_queue.h"
@@ -24,8 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void Expect(bool holds) {
-  if (!holds) std::abort();
+/// `line`: the caller's.
+void Expect(bool holds, int line = __builtin_LINE()) {
+  if (holds) return;
+  std::fprintf(stderr, "fuzz_coordinator.cc:%d does not hold\n", line);
+  std::abort();
 }
 
 std::string NewDirectory() {
@@ -72,6 +77,7 @@ class Farm {
                ->Execute("DELETE FROM jobs; DELETE FROM requests; DELETE FROM results;"
                          "DELETE FROM profiles; DELETE FROM tenants; DELETE FROM sqlite_sequence")
                .ok());
+    created_.clear();
     if (!uploaded_) return;
     uploaded_ = false;
     for (const char* part : {"/blobs", "/uploads", "/corrupt"}) {
@@ -85,9 +91,9 @@ class Farm {
   using Unary = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Response*);
 
   /// What is refused says why: no call ends as UNKNOWN, or as an error of our own.
-  static bool Ends(const grpc::Status& status) {
-    Expect(status.error_code() != grpc::StatusCode::UNKNOWN);
-    Expect(status.error_code() != grpc::StatusCode::INTERNAL);
+  static bool Ends(const grpc::Status& status, int line = __builtin_LINE()) {
+    Expect(status.error_code() != grpc::StatusCode::UNKNOWN, line);
+    Expect(status.error_code() != grpc::StatusCode::INTERNAL, line);
     return status.ok();
   }
 
@@ -108,6 +114,7 @@ class Farm {
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Profiles::Stub> profiles_;
   std::unique_ptr<coordinator::SqliteConnection> database_;
+  std::set<std::string> created_;  // ids of jobs
   bool uploaded_ = false;
 };
 
@@ -122,11 +129,12 @@ void Farm::Upload(const fuzz::Upload& upload) {
   Ends(stream->Finish());
 }
 
-/// What was accepted is kept as it was sent.
+/// What was accepted is kept as it was sent first.
 void Farm::Create(const v1::CreateJobRequest& request) {
   grpc::ClientContext context;
   v1::Job job;
   if (!Ends(jobs_->CreateJob(&context, request, &job)) || request.validate_only()) return;
+  if (!created_.insert(job.id()).second) return;
   v1::GetJobRequest get;
   get.set_id(job.id());
   v1::Job kept;
