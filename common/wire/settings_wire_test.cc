@@ -355,7 +355,10 @@ TEST(SettingsWire, DefaultsAndDistinctValuesReturn) {
 }
 
 TEST(SettingsWire, EveryFieldChangedAloneReturns) {
-  const JobSettings defaults;
+  JobSettings defaults;
+  // The next value of 100 % would be refused.
+  defaults.motion.cooling.max_fan_percent = 50;
+  defaults.motion.cooling.bridge_fan_percent = 50;
   int fields = 0;
   ForEachChangedField(Proto(defaults), [&](const std::string& path, const Message& message) {
     SCOPED_TRACE(path);
