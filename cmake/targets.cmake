@@ -6,12 +6,15 @@ function(slicefarm_library name)
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS} slicefarm_warnings)
 endfunction()
 
-# slicefarm_binary(slicefarm-x SOURCES main.cc DEPS ...): a program in build/bin.
+# slicefarm_binary(slicefarm-x [LIBC_HEAP] SOURCES main.cc DEPS ...): a program in build/bin.
 function(slicefarm_binary name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "LIBC_HEAP" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} slicefarm_warnings)
+  if(NOT ARG_LIBC_HEAP)
+    target_link_libraries(${name} PRIVATE slicefarm_heap)
+  endif()
 endfunction()
 
 # slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
