@@ -49,6 +49,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kOverloaded, "OVERLOADED"},
     {Reason::kBuildMismatch, "BUILD_MISMATCH"},
     {Reason::kRangePoisoned, "RANGE_POISONED"},
+    {Reason::kJobPoisoned, "JOB_POISONED"},
     {Reason::kStoreFailed, "STORE_FAILED"},
     {Reason::kDiskFull, "DISK_FULL"},
     {Reason::kDiskLow, "DISK_LOW"},

@@ -53,6 +53,7 @@ enum class Reason {
   kOverloaded,
   kBuildMismatch,
   kRangePoisoned,
+  kJobPoisoned,
   kStoreFailed,
   kDiskFull,
   kDiskLow,

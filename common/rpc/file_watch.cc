@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/model/error.h"
+#include "common/model/stoppable_sleep.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -37,28 +38,16 @@ FileWatch::FileWatch(std::string path, std::string text,
       changed_(std::move(changed)),
       every_(every),
       known_(std::move(text)),
-      thread_([this] { Loop(); }) {}
+      thread_([this](const std::stop_token& stop) { Loop(stop); }) {}
 
-FileWatch::~FileWatch() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  stop_.notify_all();
-  thread_.join();
-}
-
-void FileWatch::Loop() {
-  std::unique_lock lock(mutex_);
-  while (!stop_.wait_for(lock, every_, [this] { return stopping_; })) {
-    lock.unlock();
+void FileWatch::Loop(const std::stop_token& stop) {
+  while (SleepUnlessStopped(stop, every_)) {
     absl::StatusOr<std::string> now = ReadTextFile(path_);
     const bool same = now.ok() == known_.ok() && (!now.ok() || *now == *known_);
     if (!same) {
       changed_(now);
       known_ = std::move(now);
     }
-    lock.lock();
   }
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <thread>
 
@@ -24,21 +22,15 @@ class FileWatch {
   FileWatch(std::string path, std::string text,
             std::function<void(const absl::StatusOr<std::string>&)> changed,
             std::chrono::milliseconds every = std::chrono::seconds(1));
-  ~FileWatch();
-  FileWatch(const FileWatch&) = delete;
-  FileWatch& operator=(const FileWatch&) = delete;
 
  private:
-  void Loop();
+  void Loop(const std::stop_token& stop);
 
   const std::string path_;
   const std::function<void(const absl::StatusOr<std::string>&)> changed_;
   const std::chrono::milliseconds every_;
   absl::StatusOr<std::string> known_;  ///< of the thread alone
-  std::mutex mutex_;
-  std::condition_variable stop_;
-  bool stopping_ = false;
-  std::thread thread_;  ///< the last member: it uses the others
+  std::jthread thread_;                ///< the last member: it uses the others
 };
 
 }  // namespace slicefarm::rpc

@@ -63,20 +63,24 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
                  "Port for Prometheus (/metrics) and people; 0 takes any free one, -1 serves none")
       ->check(CLI::Range(-1, 65535))
       ->capture_default_str();
-  app.add_option("--max-concurrent", flags->max_concurrent,
-                 "Calls worked on at once; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
   app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   AddTlsFlags(app, flags);
 }
 
+void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags) {
+  app.add_option("--max-concurrent", flags->max_concurrent,
+                 "Calls worked on at once; 0: one for each core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
 std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
                                    const std::string& about, ServeFlags* flags) {
   CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
   AddServeFlags(app, flags);
+  AddConcurrencyFlag(app, flags);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

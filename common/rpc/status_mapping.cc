@@ -53,6 +53,44 @@ google::rpc::RetryInfo RetryAfter(int64_t ms) {
   return info;
 }
 
+/// The first of these keys that is there, under the name that comes with it.
+std::string Named(const std::map<std::string, std::string>& metadata,
+                  std::initializer_list<std::pair<const char*, const char*>> keys) {
+  for (const auto& [key, name] : keys) {
+    const auto found = metadata.find(key);
+    if (found != metadata.end()) return ToUtf8(name + found->second, kMaxValueBytes);
+  }
+  return "";
+}
+
+/// The detail that clients' libraries know for errors of this code (AIP-193), made of what
+/// ErrorInfo says.
+void AddDetailOfCode(const ErrorDetail& detail, google::rpc::Status* proto) {
+  if (proto->code() == static_cast<int>(absl::StatusCode::kInvalidArgument)) {
+    const std::string field = Named(detail.metadata, {{"field", ""}, {"setting", "settings."}});
+    if (field.empty()) return;
+    google::rpc::BadRequest bad;
+    google::rpc::BadRequest::FieldViolation& violation = *bad.add_field_violations();
+    violation.set_field(field);
+    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
+    Pack(bad, proto->add_details());
+  } else if (proto->code() == static_cast<int>(absl::StatusCode::kResourceExhausted)) {
+    google::rpc::QuotaFailure quota;
+    google::rpc::QuotaFailure::Violation& violation = *quota.add_violations();
+    violation.set_subject(std::string(ReasonName(detail.reason)));
+    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
+    Pack(quota, proto->add_details());
+  } else if (proto->code() == static_cast<int>(absl::StatusCode::kFailedPrecondition)) {
+    google::rpc::PreconditionFailure failure;
+    google::rpc::PreconditionFailure::Violation& violation = *failure.add_violations();
+    violation.set_type(std::string(ReasonName(detail.reason)));
+    violation.set_subject(
+        Named(detail.metadata, {{"sha256", "blobs/"}, {"job", "jobs/"}, {"profile", "profiles/"}}));
+    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
+    Pack(failure, proto->add_details());
+  }
+}
+
 google::rpc::Status Details(const absl::Status& status) {
   ErrorDetail detail = DetailOf(status);
   google::rpc::Status proto;
@@ -62,6 +100,7 @@ google::rpc::Status Details(const absl::Status& status) {
     Pack(RetryAfter(ToInt(retry->second)), proto.add_details());
     detail.metadata.erase(retry);
   }
+  AddDetailOfCode(detail, &proto);
   google::rpc::ErrorInfo info;
   info.set_domain(kErrorDomain);
   info.set_reason(std::string(ReasonName(detail.reason)));

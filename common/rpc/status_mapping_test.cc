@@ -47,6 +47,48 @@ TEST(StatusMapping, ErrorsCarryErrorInfo) {
   EXPECT_EQ(info.metadata().at("got"), "12");
 }
 
+/// The detail of type `Detail`.
+template <typename Detail>
+Detail Find(const absl::Status& status) {
+  Detail found;
+  int count = 0;
+  const google::rpc::Status proto = DetailsOf(ToGrpc(status));
+  for (const google::protobuf::Any& any : proto.details()) {
+    if (any.Is<Detail>()) count += any.UnpackTo(&found);
+  }
+  EXPECT_EQ(count, 1) << Detail::descriptor()->full_name();
+  return found;
+}
+
+TEST(StatusMapping, WrongFieldsAreNamed) {
+  for (const auto& [key, field] : {std::pair("field", "age"), {"setting", "settings.age"}}) {
+    const auto bad = Find<google::rpc::BadRequest>(MakeError(absl::StatusCode::kInvalidArgument,
+                                                             Reason::kSettingMalformed, "too old",
+                                                             {{key, "age"}, {"limit", "3"}}));
+    ASSERT_EQ(bad.field_violations_size(), 1);
+    EXPECT_EQ(bad.field_violations(0).field(), field);
+    EXPECT_EQ(bad.field_violations(0).description(), "too old");
+  }
+}
+
+TEST(StatusMapping, QuotasAreNamed) {
+  const auto quota = Find<google::rpc::QuotaFailure>(
+      MakeError(absl::StatusCode::kResourceExhausted, Reason::kQueueFull, "full"));
+  ASSERT_EQ(quota.violations_size(), 1);
+  EXPECT_EQ(quota.violations(0).subject(), "QUEUE_FULL");
+  EXPECT_EQ(quota.violations(0).description(), "full");
+}
+
+TEST(StatusMapping, WhatIsMissingIsNamed) {
+  const auto failure = Find<google::rpc::PreconditionFailure>(
+      MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound, "not uploaded",
+                {{"sha256", "ab"}}));
+  ASSERT_EQ(failure.violations_size(), 1);
+  EXPECT_EQ(failure.violations(0).type(), "BLOB_NOT_FOUND");
+  EXPECT_EQ(failure.violations(0).subject(), "blobs/ab");
+  EXPECT_EQ(failure.violations(0).description(), "not uploaded");
+}
+
 TEST(StatusMapping, EqualErrorsAreEqualBytes) {
   const auto bytes = [] {
     return ToGrpc(LimitError(Reason::kRequestTooLarge, "things", 3, 7)).error_details();
@@ -99,6 +141,7 @@ TEST(StatusMapping, ErrorsWithoutDetailGetTheReasonOfTheirCode) {
 TEST(StatusMapping, WhatStrangersSentFitsIntoTrailers) {
   std::map<std::string, std::string> metadata;
   for (int i = 0; i < 100; ++i) metadata[std::to_string(i)] = std::string(100'000, 'x');
+  metadata["field"] = std::string(100'000, 'y');
   const grpc::Status status =
       ToGrpc(MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
                        std::string(1'000'000, '\xff'), metadata));

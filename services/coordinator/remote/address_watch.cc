@@ -85,16 +85,7 @@ AddressWatch::AddressWatch(std::vector<std::string> names,
     : names_(std::move(names)),
       changed_(std::move(changed)),
       options_(std::move(options)),
-      thread_([this] { Loop(); }) {}
-
-AddressWatch::~AddressWatch() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
+      thread_([this](const std::stop_token& stop) { Loop(stop); }) {}
 
 void AddressWatch::Refresh() {
   {
@@ -114,10 +105,10 @@ std::vector<std::string> AddressWatch::Look() {
   return {all.begin(), all.end()};
 }
 
-void AddressWatch::Loop() {
+void AddressWatch::Loop(const std::stop_token& stop) {
   std::vector<std::string> told;
   std::unique_lock lock(mutex_);
-  while (!stopping_) {
+  while (!stop.stop_requested()) {
     refresh_ = false;
     lock.unlock();
     std::vector<std::string> addresses = Look();
@@ -126,9 +117,8 @@ void AddressWatch::Loop() {
       told = std::move(addresses);
     }
     lock.lock();
-    wake_.wait_for(lock, options_.least_pause, [this] { return stopping_; });
-    wake_.wait_for(lock, options_.every - options_.least_pause,
-                   [this] { return stopping_ || refresh_; });
+    wake_.wait_for(lock, stop, options_.least_pause, [] { return false; });
+    wake_.wait_for(lock, stop, options_.every - options_.least_pause, [this] { return refresh_; });
   }
 }
 

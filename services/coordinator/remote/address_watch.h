@@ -40,15 +40,12 @@ class AddressWatch {
   AddressWatch(std::vector<std::string> names,
                std::function<void(const std::vector<std::string>&)> changed,
                AddressWatchOptions options = {});
-  ~AddressWatch();
-  AddressWatch(const AddressWatch&) = delete;
-  AddressWatch& operator=(const AddressWatch&) = delete;
 
   /// Asks for a look soon: an address has failed.
   void Refresh();
 
  private:
-  void Loop();
+  void Loop(const std::stop_token& stop);
   std::vector<std::string> Look();
 
   const std::vector<std::string> names_;
@@ -56,10 +53,9 @@ class AddressWatch {
   const AddressWatchOptions options_;
   std::map<std::string, std::vector<std::string>> known_;  ///< of the thread alone
   std::mutex mutex_;
-  std::condition_variable wake_;
+  std::condition_variable_any wake_;
   bool refresh_ = false;
-  bool stopping_ = false;
-  std::thread thread_;  ///< the last member: it uses the others
+  std::jthread thread_;  ///< the last member: it uses the others
 };
 
 }  // namespace slicefarm::coordinator

@@ -39,9 +39,7 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
   } else if (wishes.Overdue(now_us)) {
     update.state = JobState::kFailed;
     update.layers_done = told.layers_done;
-    update.error =
-        JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
-                             "the job's deadline has passed"));
+    update.error = DeadlinePassed();
   } else if (DetailOf(error).reason == Reason::kDiskFull) {
     update.claimable_from_us = now_us + kDiskFullRetryUs;
   } else if (DetailOf(error).reason == Reason::kStoreFailed) {
@@ -59,6 +57,11 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.error = JobErrorOf(error);
   }
   return update;
+}
+
+JobError DeadlinePassed() {
+  return JobErrorOf(MakeError(absl::StatusCode::kDeadlineExceeded, Reason::kDeadlineExceeded,
+                              "the job's deadline has passed"));
 }
 
 }  // namespace slicefarm::coordinator

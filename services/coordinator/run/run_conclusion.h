@@ -24,4 +24,7 @@ namespace slicefarm::coordinator {
 JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::Status& error,
                      const PipelineProgress& told, int64_t now_us);
 
+/// Why a job ends that has not ended by its deadline.
+JobError DeadlinePassed();
+
 }  // namespace slicefarm::coordinator

@@ -1,5 +1,9 @@
 #include "services/coordinator/run/run_steps.h"
 
+#include <fmt/format.h>
+
+#include "common/model/error.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
@@ -21,12 +25,19 @@ Step After(Step step) {
   return Step::kOver;
 }
 
+absl::Status Poisoned(int32_t lost_runs) {
+  return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned,
+                   fmt::format("{} runs of this job ended with the coordinator", lost_runs),
+                   {{"lost_runs", fmt::format("{}", lost_runs)}});
+}
+
 }  // namespace
 
 Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
   const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
   if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("given up before it began"));
+  if (step_ == Step::kBegin && lost_runs_ >= kMaxLostRuns) Took(Poisoned(lost_runs_));
   return step_;
 }
 

@@ -7,6 +7,11 @@
 
 namespace slicefarm::coordinator {
 
+/// A job that lost so many runs is to run with no other beside it, so that none is blamed for what
+/// another one does.
+inline constexpr int32_t kSuspectRuns = 3;
+inline constexpr int32_t kMaxLostRuns = 10;
+
 /// The way of one claimed job, as a pure state machine: it says what is to be done next, and is
 /// told what came of it.
 ///
@@ -14,7 +19,8 @@ namespace slicefarm::coordinator {
 ///        each of them, when it fails -> kConclude -> kOver
 ///
 /// Whoever lost the job takes no further step: all but kCompute write. Who is to give it up does
-/// not begin with it: a job whose end was requested does not end with an earlier result.
+/// not begin with it: a job whose end was requested does not end with an earlier result. A job that
+/// lost kMaxLostRuns runs fails as JOB_POISONED: it may be what its coordinators die of.
 class RunSteps {
  public:
   enum class Step {
@@ -26,6 +32,9 @@ class RunSteps {
     kOver,
   };
 
+  /// `lost_runs`: of the job, up to now.
+  explicit RunSteps(int32_t lost_runs = 0) : lost_runs_(lost_runs) {}
+
   /// The step to take now.
   Step Next(const RunWishes& wishes, int64_t now_us);
 
@@ -36,6 +45,7 @@ class RunSteps {
   const absl::Status& status() const { return status_; }
 
  private:
+  const int32_t lost_runs_;
   Step step_ = Step::kFindCached;
   absl::Status status_;
 };

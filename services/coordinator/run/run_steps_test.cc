@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/model/error.h"
+
 namespace slicefarm::coordinator {
 namespace {
 
@@ -66,6 +68,18 @@ TEST_F(RunStepsTest, WhatIsOverdueDoesNotBegin) {
   now_us_ = 100;
   Take(Step::kConclude, true);
   EXPECT_EQ(Next(), Step::kOver);
+}
+
+TEST_F(RunStepsTest, AJobThatLostManyRunsDoesNotBegin) {
+  RunSteps last_try(kMaxLostRuns - 1);
+  last_try.Took(false);
+  EXPECT_EQ(last_try.Next(wishes_, 0), Step::kBegin);
+
+  RunSteps poisoned(kMaxLostRuns);
+  EXPECT_EQ(poisoned.Next(wishes_, 0), Step::kFindCached) << "the same work may have been done";
+  poisoned.Took(false);
+  EXPECT_EQ(poisoned.Next(wishes_, 0), Step::kConclude);
+  EXPECT_EQ(DetailOf(poisoned.status()).reason, Reason::kJobPoisoned);
 }
 
 TEST_F(RunStepsTest, WhatIsMadeIsKeptEvenIfLate) {

@@ -93,9 +93,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   AddServeFlags(app, &flags->serve);
   app.add_option("--state-dir", flags->stores.state_dir,
                  "Directory for jobs and blobs, of this coordinator alone; made if needed");
-  app.add_option("--postgres", flags->stores.postgres,
-                 "Or a PostgreSQL database, which coordinators share: its connection string")
-      ->envname("SLICEFARM_POSTGRES");
+  auto* postgres =
+      app.add_option("--postgres", flags->stores.postgres,
+                     "Or a PostgreSQL database, which coordinators share: its connection string")
+          ->envname("SLICEFARM_POSTGRES");
   app.add_option("--name", flags->runner.owner,
                  "Of this coordinator among those that share a database; the same after a restart")
       ->capture_default_str();
@@ -115,12 +116,14 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->required();
   app.add_option("--motion", flags->motion, "Addresses of motion services")->required();
   app.add_option("--workers", flags->workers, "Addresses of fused workers");
-  app.add_option("--beading", flags->beading, "Addresses of beading services, for split stages");
+  auto* beading = app.add_option("--beading", flags->beading,
+                                 "Addresses of beading services, for split stages");
   app.add_option("--infill", flags->infill, "Addresses of infill services");
   app.add_option("--ordering", flags->ordering, "Addresses of ordering services");
   app.add_option("--split-slots", flags->split_slots,
                  "Layer ranges in flight over the split stages")
       ->check(CLI::Range(1, 1024))
+      ->needs(beading)
       ->capture_default_str();
   app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time")
       ->check(CLI::Range(1, 1024))
@@ -138,6 +141,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
   app.add_option("--min-free", flags->min_free_mib,
                  "MiB of --state-dir's disk below which nothing new is taken")
       ->check(CLI::NonNegativeNumber)
+      ->excludes(postgres)
       ->capture_default_str();
   app.add_option("--rates", flags->rates_file,
                  "JSON file of what the farm charges: jobs then tell what they cost")

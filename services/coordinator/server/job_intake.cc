@@ -22,6 +22,10 @@ std::string NewJobId() {
 
 absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
   if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
+  return Resolve(submission);
+}
+
+absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
   const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
   if (spec_bytes > limits::kMaxSpecBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
@@ -39,7 +43,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   NewJob job;
   job.refusal = disk_.CheckRoom();
-  const auto resolved = Check(submission);
+  const auto resolved = Resolve(submission);
   job.refusal.Update(resolved.status());
   // A call that is made again gets its job, though there is no room any more, or no mesh.
   if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;

@@ -49,6 +49,7 @@ class JobIntake {
   absl::StatusOr<ResolvedJob> Check(const Submission& submission);
 
  private:
+  absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
   absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);
 
   JobStore& jobs_;

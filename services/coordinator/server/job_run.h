@@ -45,6 +45,8 @@ class JobRun {
   void Run();
 
   const Lease& lease() const { return lease_; }
+  /// It may be what coordinators die of.
+  bool suspect() const { return job_.lost_runs >= kSuspectRuns; }
   const std::string& action_digest() const { return job_.action_digest; }
   /// Shared with those who give the run up.
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/server/job_log.h"
 #include "services/coordinator/server/jobs_wire.h"
 
 namespace slicefarm::coordinator {
@@ -9,6 +11,8 @@ namespace {
 
 constexpr double kRequestIdSweepS = 3600;
 constexpr int kJudgementsALease = 20;
+/// Leases are renewed between these.
+constexpr int32_t kMaxOverdueAtOnce = 100;
 
 absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
                                        ResultSharing sharing) {
@@ -69,15 +73,26 @@ void JobRunner::Serve() {
       if (stopping_) return;
       seen = wakes_;
     }
+    std::unique_lock claiming(claim_mutex_);
     if (const auto run = Claim()) {
+      // Nothing else is claimed while a suspect runs.
+      run->suspect() ? AwaitOthers(*run) : claiming.unlock();
       run->Run();
       std::lock_guard lock(mutex_);
       leases_.Remove(run->lease());
+      wake_.notify_all();
       continue;
     }
+    claiming.unlock();
     std::unique_lock lock(mutex_);
     wake_.wait_for(lock, options_.poll, [&] { return stopping_ || wakes_ != seen; });
   }
+}
+
+/// Until `run` is the only one, or is given up.
+void JobRunner::AwaitOthers(const JobRun& run) {
+  std::unique_lock lock(mutex_);
+  while (leases_.size() > 1 && !run.wishes()->GivenUp(NowUs())) wake_.wait_for(lock, options_.poll);
 }
 
 /// The work that is being done.
@@ -106,8 +121,8 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
+/// REQUIRES: claim_mutex_ is held.
 std::unique_ptr<JobRun> JobRunner::Claim() {
-  std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
   auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy());
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
@@ -120,13 +135,14 @@ std::unique_ptr<JobRun> JobRunner::Claim() {
   return run;
 }
 
-/// Holds the leases, and forgets old request ids.
+/// Holds the leases, ends what waited too long, and forgets old request ids.
 void JobRunner::Keep() {
   Stopwatch since_sweep;
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     lock.unlock();
     RenewLeases();
+    EndOverdue();
     if (since_sweep.Seconds() > kRequestIdSweepS) {
       environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
       since_sweep = Stopwatch();
@@ -148,6 +164,16 @@ void JobRunner::RenewLeases() {
   if (!held.ok()) return;
   unanswered_ = false;
   leases_.Renewed(leases, *held, until_us);
+}
+
+/// At the end of a long queue a job would hear of its deadline long after it.
+void JobRunner::EndOverdue() {
+  const auto ended = environment_.jobs.EndOverdue(DeadlinePassed(), NowUs(), kMaxOverdueAtOnce);
+  if (!ended.ok()) return Warn("overdue jobs not ended", ended.status());
+  for (const JobRecord& job : *ended) {
+    environment_.log.Warn("job not begun before its deadline", FieldsOf(job));
+    environment_.feed.Changed(job.id);
+  }
 }
 
 void JobRunner::Warn(const std::string& what, const absl::Status& why) const {

@@ -52,7 +52,8 @@ class JobRunnerTest : public testing::Test {
     return runner;
   }
 
-  std::string Submit(const std::string& mesh, const std::string& build = "build") {
+  std::string Submit(const std::string& mesh, const std::string& build = "build",
+                     int64_t deadline_us = kNoDeadlineUs) {
     v1::JobSpec spec;
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
@@ -63,7 +64,8 @@ class JobRunnerTest : public testing::Test {
                      .spec_digest = Sha256Hex(SpecBytes(spec)),
                      .spec = SpecBytes(spec),
                      .request = *FromProto(spec),
-                     .labels = {}});
+                     .labels = {},
+                     .deadline_us = deadline_us});
     EXPECT_TRUE(created.ok()) << created.status();
     return created->job.id;
   }
@@ -96,6 +98,24 @@ class JobRunnerTest : public testing::Test {
     } while (!IsTerminal(job.state));
     feed_.Forget(ticket);
     return job;
+  }
+
+  /// A job that coordinators died of so often, in the middle of its runs. REQUIRES: no runner;
+  /// `before` is the only other job, or empty.
+  std::string SubmitSuspect(const std::string& mesh, int runs, const std::string& before = "") {
+    std::string id = Submit(mesh);
+    LoseRuns(runs, before.empty() ? std::set<std::string>()
+                                  : std::set{jobs_->Get(before)->action_digest});
+    return id;
+  }
+  void LoseRuns(int times, const std::set<std::string>& others) {
+    for (int i = 0; i < times; ++i) {
+      const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs, others);
+      ASSERT_NE(job, std::nullopt);
+      const Lease lease{job->id, job->owner_epoch};
+      ASSERT_TRUE(jobs_->Update(lease, {.state = JobState::kRunning}, NowUs()).ok());
+      ASSERT_TRUE(jobs_->Release("dead").ok());
+    }
   }
 
   /// Waits for so many further calls.
@@ -177,12 +197,59 @@ TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 
+TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRunsAlone) {
+  ranges_->Hold();
+  const std::string before = Submit("xx");
+  const std::string suspect = SubmitSuspect("xxx", kSuspectRuns, before);
+  const std::string after = Submit("xxxx");
+  const auto runner = Runner();
+  ranges_->AwaitCall();
+  while (jobs_->Get(suspect)->owner != "me") std::this_thread::yield();
+  EXPECT_EQ(slicing_.runs(), 1) << "it waits for the one that runs";
+  EXPECT_EQ(jobs_->Get(after)->owner, "") << "and that one waits for it";
+  ranges_->LetGo();
+  for (const std::string& id : {before, suspect, after}) {
+    EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  }
+}
+
+TEST_F(JobRunnerTest, ASuspectThatIsCancelledWaitsForNobody) {
+  ranges_->Hold();
+  const std::string suspect = SubmitSuspect("xxx", kSuspectRuns, Submit("xx"));
+  const auto runner = Runner();
+  ranges_->AwaitCall();
+  while (jobs_->Get(suspect)->owner != "me") std::this_thread::yield();
+  ASSERT_TRUE(jobs_->RequestCancel(suspect, NowUs()).ok());
+  EXPECT_EQ(AwaitEnd(suspect).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
+  const std::string poisoned = SubmitSuspect("xx", kMaxLostRuns);
+  const std::string other = Submit("xxx");
+  const auto runner = Runner();
+  const JobRecord job = AwaitEnd(poisoned);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "JOB_POISONED");
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
+  const auto runner = Runner();
+  const std::string held = SubmitHeld(*runner);
+  const std::string same = Submit("xx", "build", NowUs() + kSecondUs);  // waits for the other's end
+  Pass(kSecondUs);
+  const JobRecord job = AwaitEnd(same);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "DEADLINE_EXCEEDED");
+  EXPECT_EQ(jobs_->Get(held)->state, JobState::kRunning);
+}
+
 TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
   const auto runner = Runner("me");
   const std::string id = SubmitHeld(*runner);
   // Another coordinator takes the job over, as if ours had been silent too long.
-  ASSERT_TRUE(jobs_->Release("me").ok());
-  const auto taken = jobs_->Claim("you", NowUs(), NowUs() + 60'000'000);
+  const int64_t later_us = NowUs() + 3600 * kSecondUs;
+  const auto taken = jobs_->Claim("you", later_us, later_us + 60 * kSecondUs);
   ASSERT_NE(*taken, std::nullopt);
   ranges_->LetGo();
   runner->Stop();

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "common/model/stoppable_sleep.h"
+
 namespace slicefarm::coordinator {
 
 Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, Options options,
@@ -12,32 +14,16 @@ Maintenance::Maintenance(JobStore& jobs, BlobStores& blobs, Options options,
       options_(options),
       now_us_(std::move(now_us)),
       log_(std::move(log)),
-      thread_([this] { Run(); }) {}
+      thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
-Maintenance::~Maintenance() {
-  {
-    std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  stop_.notify_all();
-  thread_.join();
+void Maintenance::Run(const std::stop_token& stop) {
+  do {
+    SweepOnce(stop);
+  } while (SleepUnlessStopped(stop, options_.every));
 }
 
-void Maintenance::Run() {
-  std::unique_lock lock(mutex_);
-  while (!stopping_) {
-    lock.unlock();
-    SweepOnce();
-    lock.lock();
-    stop_.wait_for(lock, options_.every, [this] { return stopping_; });
-  }
-}
-
-void Maintenance::SweepOnce() {
-  const CancelToken cancel([this] {
-    const std::lock_guard lock(mutex_);
-    return stopping_;
-  });
+void Maintenance::SweepOnce(const std::stop_token& stop) {
+  const CancelToken cancel([&] { return stop.stop_requested(); });
   const auto swept = Sweep(jobs_, blobs_, options_.sweep, now_us_(), cancel);
   if (!swept.ok()) {
     log_.Warn("sweep failed", {{"error", std::string(swept.status().message())}});

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <thread>
 
 #include "common/rpc/json_log.h"
@@ -21,21 +19,17 @@ class Maintenance {
 
   Maintenance(JobStore& jobs, BlobStores& blobs, Options options, std::function<int64_t()> now_us,
               rpc::JsonLog log);
-  ~Maintenance();
 
  private:
-  void Run();
-  void SweepOnce();
+  void Run(const std::stop_token& stop);
+  void SweepOnce(const std::stop_token& stop);
 
   JobStore& jobs_;
   BlobStores& blobs_;
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;
-  std::mutex mutex_;
-  std::condition_variable stop_;
-  bool stopping_ = false;
-  std::thread thread_;
+  std::jthread thread_;  ///< the last member: it uses the others
 };
 
 }  // namespace slicefarm::coordinator

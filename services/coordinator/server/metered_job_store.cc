@@ -100,6 +100,14 @@ absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::strin
   return job;
 }
 
+absl::StatusOr<std::vector<JobRecord>> MeteredJobStore::EndOverdue(const JobError& error,
+                                                                   int64_t now_us, int32_t limit) {
+  auto ended = store().EndOverdue(error, now_us, limit);
+  if (!ended.ok()) return ended;
+  for (const JobRecord& job : *ended) Ended(job);
+  return ended;
+}
+
 absl::Status MeteredJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
   absl::Status status = Timed("adopt", [&] { return store().Adopt(lease, identity); });
   if (absl::IsAborted(status)) fenced_.Increment();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/model/error.h"
+#include "services/coordinator/run/run_steps.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {
@@ -124,12 +125,33 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
     world_.Violated("{} was claimed in epoch {} after {}", job.id, job.owner_epoch,
                     before.owner_epoch);
   }
+  const bool lost = before.state == JobState::kRunning;
+  if (job.lost_runs != before.lost_runs + lost) {
+    world_.Violated("{} is said to have lost {} runs", job.id, job.lost_runs);
+  }
   seen.claimed_us = now_us;
 }
 
 /// Who listens for changes is told.
 void CheckedStore::Wrote(const JobRecord& job) {
   world_.changed({job.id, job.state, job.cancel_requested});
+}
+
+absl::StatusOr<std::vector<JobRecord>> CheckedStore::EndOverdue(const JobError& error,
+                                                                int64_t now_us, int32_t limit) {
+  auto ended = store().EndOverdue(error, now_us, limit);
+  if (ended.ok()) {
+    for (const JobRecord& job : *ended) {
+      const JobRecord& before = seen_[job.id].job;
+      world_.Tell("{} is overdue", job.id);
+      if (before.state != JobState::kQueued || !before.owner.empty() || job.deadline_us > now_us) {
+        world_.Violated("{} was ended as overdue, and was not", job.id);
+      }
+      Wrote(job);
+    }
+  }
+  CheckAll();
+  return ended;
 }
 
 absl::Status CheckedStore::Adopt(const Lease& lease, const JobIdentity& identity) {
@@ -323,7 +345,9 @@ void CheckedStore::CheckFailure(const JobRecord& job, const Seen& seen) {
   const bool overdue =
       job.end_us >= job.deadline_us && reason == ReasonName(Reason::kDeadlineExceeded);
   // That a range failed often enough is checked where it fails: sim_dispatcher.h.
-  const bool poisoned = reason == ReasonName(Reason::kRangePoisoned);
+  const bool poisoned =
+      reason == ReasonName(Reason::kRangePoisoned) ||
+      (reason == ReasonName(Reason::kJobPoisoned) && seen.job.lost_runs >= kMaxLostRuns);
   if (!bad_input && !away && !overdue && !poisoned) {
     world_.Violated("{} failed with '{}' after {} retries", job.id, reason, seen.job.retries);
   }

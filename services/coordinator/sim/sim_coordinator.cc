@@ -4,6 +4,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
+#include "services/coordinator/run/run_conclusion.h"
 #include "services/coordinator/sim/sim_sweep.h"
 
 namespace slicefarm::coordinator::sim {
@@ -14,6 +15,7 @@ constexpr int kPlaces = 2;
 constexpr int64_t kLeaseUs = 10 * kSecondUs;
 constexpr int64_t kRenewUs = 3 * kSecondUs;
 constexpr int64_t kPollUs = kSecondUs;
+constexpr int32_t kMaxOverdueAtOnce = 2;
 constexpr int64_t kRestartUs = 200 * kMillisecondUs;
 
 }  // namespace
@@ -192,6 +194,7 @@ void SimCoordinator::Nap(int place, int64_t seen) {
 void SimCoordinator::Keep() {
   if (stopping_) return;
   process_.After(kRenewUs, [this] { Keep(); });
+  EndOverdue();
   const std::vector<Lease> leases = leases_->ToRenew();
   if (leases.empty()) return;
   const int64_t until_us = leases_->UntilUs(NowUs());
@@ -207,6 +210,14 @@ void SimCoordinator::Keep() {
              }
              Notice();
            });
+}
+
+void SimCoordinator::EndOverdue() {
+  link_.Do(
+      [now_us = NowUs()](JobStore& store) {
+        return store.EndOverdue(DeadlinePassed(), now_us, kMaxOverdueAtOnce).status();
+      },
+      [](const absl::Status&) {});
 }
 
 /// The answer to a renewal tells whether the claim is still held, and whether the job is to end.

@@ -67,6 +67,7 @@ class SimCoordinator {
   void Run(int place, int64_t claimed_us, const JobRecord& job);
   void Nap(int place, int64_t seen);
   void Keep();
+  void EndOverdue();
   void CheckHeard(const SimRun& run);
   void CheckGivenUp(const SimRun& run);
   void SweepFromTimeToTime();

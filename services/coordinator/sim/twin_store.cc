@@ -52,6 +52,12 @@ absl::StatusOr<std::optional<JobRecord>> TwinStore::Claim(const std::string& own
   return Both("Claim", [&](JobStore& store) { return store.Claim(owner, now_us, until_us, busy); });
 }
 
+absl::StatusOr<std::vector<JobRecord>> TwinStore::EndOverdue(const JobError& error, int64_t now_us,
+                                                             int32_t limit) {
+  return Both("EndOverdue",
+              [&](JobStore& store) { return store.EndOverdue(error, now_us, limit); });
+}
+
 absl::Status TwinStore::Adopt(const Lease& lease, const JobIdentity& identity) {
   return Both("Adopt", [&](JobStore& store) { return store.Adopt(lease, identity); });
 }

@@ -28,6 +28,10 @@ class ForwardingJobStore : public JobStore {
                                                  const std::set<std::string>& busy = {}) override {
     return store_.Claim(owner, now_us, until_us, busy);
   }
+  absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
+                                                    int32_t limit) override {
+    return store_.EndOverdue(error, now_us, limit);
+  }
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
     return store_.Adopt(lease, identity);
   }

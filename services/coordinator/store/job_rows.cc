@@ -78,7 +78,7 @@ absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
                   job.spec, job.labels, job.settings_digest, job.action_digest, job.build_id,
                   job.traceparent, job.create_us, job.start_us, job.end_us, job.layers_total,
                   job.layers_done, job.error, job.result, job.cancel_requested, job.retries,
-                  job.store_failures, job.last_sequence, job.trace_sha256, job.owner,
+                  job.store_failures, job.lost_runs, job.last_sequence, job.trace_sha256, job.owner,
                   job.owner_epoch, job.owner_until_us);
   if (absl::Status read = columns.status(job.id); !read.ok()) return read;
   return job;

@@ -10,11 +10,11 @@
 namespace slicefarm::coordinator {
 
 /// The columns that ReadJob reads, in its order.
-#define SLICEFARM_JOB_COLUMNS                                                              \
-  "number, id, tenant, state, priority, deadline_us, spec, labels, settings_digest, "      \
-  "action_digest, build_id, traceparent, create_us, start_us, end_us, layers_total, "      \
-  "layers_done, error, result, cancel_requested, retries, store_failures, last_sequence, " \
-  "trace_sha256, owner, owner_epoch, owner_until_us"
+#define SLICEFARM_JOB_COLUMNS                                                          \
+  "number, id, tenant, state, priority, deadline_us, spec, labels, settings_digest, "  \
+  "action_digest, build_id, traceparent, create_us, start_us, end_us, layers_total, "  \
+  "layers_done, error, result, cancel_requested, retries, store_failures, lost_runs, " \
+  "last_sequence, trace_sha256, owner, owner_epoch, owner_until_us"
 
 /// States in which a job has not ended.
 #define SLICEFARM_OPEN "state IN ('QUEUED', 'RUNNING')"

@@ -59,6 +59,24 @@ bool ApplyCancel(JobRecord& job, int64_t now_us) {
   return true;
 }
 
+bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
+  const bool waits = job.state == JobState::kQueued && job.owner.empty() && !job.cancel_requested;
+  if (!waits || job.deadline_us > now_us) return false;
+  job.state = JobState::kFailed;
+  job.error = error;
+  job.end_us = now_us;
+  ++job.owner_epoch;
+  LetGo(job, 0);
+  return true;
+}
+
+void ApplyClaim(JobRecord& job, const std::string& owner, int64_t until_us) {
+  job.owner = owner;
+  ++job.owner_epoch;
+  job.owner_until_us = until_us;
+  if (job.state == JobState::kRunning) ++job.lost_runs;
+}
+
 absl::Status NotHeld(const Lease& lease) {
   return absl::AbortedError(
       absl::StrCat("job ", lease.job_id, " is not held in epoch ", lease.epoch));

@@ -120,10 +120,16 @@ class JobStore {
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is one of `busy`. Tenants take turns,
   /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
-  /// those with the earlier deadline, then the older ones.
+  /// those with the earlier deadline, then the older ones. A claim of a RUNNING job counts a lost
+  /// run.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(
       const std::string& owner, int64_t now_us, int64_t until_us,
       const std::set<std::string>& busy = {}) = 0;
+
+  /// Ends jobs that are QUEUED, that nobody holds or wants to be cancelled, and whose deadline has
+  /// passed, as FAILED with `error`; at most `limit`. Returns them.
+  virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
+                                                            int32_t limit) = 0;
 
   /// Writes what a held job is to the build that works on it, which may be another one than made
   /// it.

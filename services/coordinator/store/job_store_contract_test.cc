@@ -409,6 +409,57 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
+TEST_P(JobStoreTest, ClaimsOfRunningJobsCountLostRuns) {
+  Make("a");
+  const auto claim = [this](int64_t now_us) { return **store_->Claim("me", now_us, now_us + 10); };
+  EXPECT_EQ(claim(10).lost_runs, 0);
+  const JobRecord not_begun = claim(20);
+  EXPECT_EQ(not_begun.lost_runs, 0) << "a run that did not begin";
+  ASSERT_TRUE(Update({"a", not_begun.owner_epoch}, kRunning).ok());
+  const JobRecord again = claim(30);
+  EXPECT_EQ(again.lost_runs, 1);
+  ASSERT_TRUE(Update({"a", again.owner_epoch}, JobState::kQueued).ok());
+  EXPECT_EQ(claim(40).lost_runs, 1) << "one that was handed back";
+  EXPECT_EQ(store_->Get("a")->lost_runs, 1);
+}
+
+TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
+  const auto make = [&](const std::string& id, int64_t deadline_us) {
+    NewJob job = JobOf(id);
+    job.deadline_us = deadline_us;
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  };
+  make("held", 50);
+  ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "held");
+  make("cancelled", 50);
+  ASSERT_EQ((*store_->Claim("you", 10, 100))->id, "cancelled");
+  ASSERT_TRUE(store_->RequestCancel("cancelled", 11).ok());
+  ASSERT_TRUE(store_->Release("you").ok());
+  make("later", 51);
+  make("first", 49);
+  make("second", 50);
+  make("without", kNoDeadlineUs);
+
+  const JobError error{absl::StatusCode::kDeadlineExceeded, "DEADLINE_EXCEEDED", "late", {}};
+  const auto ended = [&](int32_t limit) {
+    std::vector<std::string> ids;
+    const auto jobs = store_->EndOverdue(error, 50, limit);
+    for (const JobRecord& job : *jobs) ids.push_back(job.id);
+    return ids;
+  };
+  EXPECT_THAT(ended(1), ElementsAre("first"));
+  EXPECT_THAT(ended(10), ElementsAre("second"));
+  EXPECT_THAT(ended(10), IsEmpty());
+  const JobRecord job = *store_->Get("second");
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error, error);
+  EXPECT_EQ(job.end_us, 50);
+  EXPECT_EQ(store_->Events("second", 1, 10)->back().state, JobState::kFailed);
+  for (const char* id : {"held", "cancelled", "later", "without"}) {
+    EXPECT_EQ(store_->Get(id)->state, JobState::kQueued) << id;
+  }
+}
+
 TEST_P(JobStoreTest, ALateRenewalShortensNoClaim) {
   Make("a");
   ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);

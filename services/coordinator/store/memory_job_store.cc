@@ -169,13 +169,25 @@ absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string
   for (const std::string& tenant : Tenants(now_us)) {
     JobRecord* job = Claimable(tenant, now_us, busy);
     if (!job) continue;
-    job->owner = owner;
-    ++job->owner_epoch;
-    job->owner_until_us = until_us;
+    ApplyClaim(*job, owner, until_us);
     jobs_.turns_[tenant] = now_us;
     return *job;
   }
   return std::nullopt;
+}
+
+absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::EndOverdue(const JobError& error,
+                                                                  int64_t now_us, int32_t limit) {
+  Lock lock(jobs_.mutex_);
+  std::vector<JobRecord> ended;
+  for (auto& [number, entry] : jobs_.entries_) {
+    if (std::ssize(ended) == limit) break;
+    JobRecord job = entry.job;
+    if (!ApplyOverdue(job, error, now_us)) continue;
+    WriteStep(entry, std::move(job), now_us);
+    ended.push_back(entry.job);
+  }
+  return ended;
 }
 
 absl::Status MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {

@@ -58,6 +58,8 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
                                                  const std::set<std::string>& busy = {}) override;
+  absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
+                                                    int32_t limit) override;
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
   absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
                                              int64_t until_us) override;

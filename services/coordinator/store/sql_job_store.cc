@@ -183,6 +183,36 @@ absl::Status DeleteIn(SqlConnection& db, const std::string& id) {
   return absl::OkStatus();
 }
 
+/// Ids of jobs that wait and whose deadline has passed. Cost: reads the index of open jobs.
+absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int64_t now_us,
+                                                     int32_t limit) {
+  const auto session = database.Read();
+  if (!session.ok()) return session.status();
+  SqlConnection& db = **session;
+  const std::string sql =
+      absl::StrCat("SELECT id FROM jobs", db.dialect().Through("jobs_open"),
+                   " WHERE " SLICEFARM_OPEN
+                   " AND deadline_us <= ? AND owner = ''"
+                   " AND state = 'QUEUED' AND cancel_requested = 0 ORDER BY number LIMIT ?");
+  SqlQuery query(db, sql);
+  query.Bind(now_us, limit);
+  std::vector<std::string> ids;
+  while (query.Next()) ids.push_back(query.Text(0));
+  if (!query.status().ok()) return query.status();
+  return ids;
+}
+
+/// None: it has been claimed, ended or deleted since it was listed.
+absl::StatusOr<std::optional<JobRecord>> EndOverdueIn(SqlConnection& db, const std::string& id,
+                                                      const JobError& error, int64_t now_us) {
+  auto job = LockJob(db, id);
+  if (DetailOf(job.status()).reason == Reason::kJobNotFound) return std::nullopt;
+  if (!job.ok()) return job.status();
+  if (!ApplyOverdue(*job, error, now_us)) return std::nullopt;
+  if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+  return *std::move(job);
+}
+
 }  // namespace
 
 absl::StatusOr<Created> SqlJobStore::Create(const NewJob& job, int64_t now_us) {
@@ -216,6 +246,20 @@ absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& o
   }
   return InTransaction<std::optional<JobRecord>>(
       *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
+}
+
+absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& error,
+                                                               int64_t now_us, int32_t limit) {
+  const auto overdue = ListOverdue(*database_, now_us, limit);
+  if (!overdue.ok()) return overdue.status();
+  std::vector<JobRecord> ended;
+  for (const std::string& id : *overdue) {
+    auto job = InTransaction<std::optional<JobRecord>>(
+        *database_, [&](SqlConnection& db) { return EndOverdueIn(db, id, error, now_us); });
+    if (!job.ok()) return job.status();
+    if (*job) ended.push_back(**std::move(job));
+  }
+  return ended;
 }
 
 absl::Status SqlJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {

@@ -163,6 +163,9 @@ CREATE INDEX jobs_by_trace ON jobs (trace_sha256) WHERE trace_sha256 <> '';
 ALTER TABLE results ADD COLUMN tenant TEXT NOT NULL DEFAULT '';     -- whose blobs they are
 ALTER TABLE jobs ADD COLUMN result_tenant TEXT NOT NULL DEFAULT '';  -- of result
 )",
+    R"(
+ALTER TABLE jobs ADD COLUMN lost_runs INTEGER NOT NULL DEFAULT 0;
+)",
 };
 
 absl::StatusOr<int64_t> Version(SqliteConnection& db) {

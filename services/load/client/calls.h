@@ -46,9 +46,13 @@ void StartUnary(const CallContext& context, const Request& request, const Start&
   call->context.set_deadline(context.deadline);
   call->request = request;
   start(&call->context, &call->request, &call->response,
-        [call, then = std::move(then)](const grpc::Status& status) {
-          if (status.ok()) return then(std::move(call->response));
-          then(rpc::FromGrpc(status));
+        [call, then = std::move(then)](const grpc::Status& status) mutable {
+          auto outcome = status.ok() ? absl::StatusOr<Response>(std::move(call->response))
+                                     : absl::StatusOr<Response>(rpc::FromGrpc(status));
+          // First, as it holds the channel: what comes next may end the others who do, and
+          // gRPC 1.51 aborts where the last one ends in one of its own threads.
+          call.reset();
+          then(std::move(outcome));
         });
 }
 
@@ -83,7 +87,7 @@ class StreamReader final : public grpc::ClientReadReactor<Response> {
   void OnDone(const grpc::Status& status) override {
     const Ended ended = std::move(handler_.ended);
     absl::Status outcome = rpc::FromGrpc(status);
-    delete this;  // first: what comes next may take the channel away
+    delete this;  // first, as in StartUnary
     ended(std::move(outcome));
   }
 

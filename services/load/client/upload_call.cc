@@ -37,7 +37,7 @@ class UploadCall final : public grpc::ClientWriteReactor<v1::UploadMeshRequest> 
                           "the server ended an upload before its end");
     }
     const Ended ended = std::move(ended_);
-    delete this;  // first: what comes next may take the channel away
+    delete this;  // first, as in StartUnary
     ended(std::move(outcome));
   }
 

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   CLI::App app("slicefarm-slicing: Meshes to outlines, as a gRPC service");
   slicefarm::rpc::ServeFlags flags;
   AddServeFlags(app, &flags);
+  AddConcurrencyFlag(app, &flags);
   int threads = 1;
   app.add_option("--threads", threads, "Threads that one call may use")
       ->check(CLI::Range(1, 1024))
