@@ -12,7 +12,7 @@ import tempfile
 import threading
 import time
 
-from local_farm import BIN, MODELS, Farm, Progress, percentile
+from local_farm import BIN, MODELS, Progress, percentile, running_farm
 
 MODEL = MODELS / "textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
@@ -116,18 +116,17 @@ def main():
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-faults-"))
     random.seed(options.seed)
-    farm = Farm(options.store, directory, workers=options.workers, split=options.split)
-    progress = Progress(farm.coordinators)
-    submitter = Submitter(farm, options.jobs)
-    try:
-        submitter.start()
-        killed, ranges = kill_at_random(farm, submitter, options)
-        submitter.join()
-        jobs = farm.await_end(PATIENCE_S)
-        ranges.look()
-    finally:
-        progress.stop()
-        farm.stop()
+    with running_farm(options.store, directory, workers=options.workers, split=options.split) as farm:
+        progress = Progress(farm.coordinators)
+        submitter = Submitter(farm, options.jobs)
+        try:
+            submitter.start()
+            killed, ranges = kill_at_random(farm, submitter, options)
+            submitter.join()
+            jobs = farm.await_end(PATIENCE_S)
+            ranges.look()
+        finally:
+            progress.stop()
     lost, duplicated, differing = judge(submitter.acknowledged, jobs, directory)
     recoveries = collections.defaultdict(list)
     for name, since in killed:

@@ -1,4 +1,5 @@
 """A farm of real processes on this machine, for the programs that put it under load or kill parts of it."""
+import contextlib
 import json
 import os
 import pathlib
@@ -6,6 +7,7 @@ import random
 import signal
 import socket
 import subprocess
+import tempfile
 import threading
 import time
 import urllib.request
@@ -174,6 +176,16 @@ class Farm:
             service.stop()
         if self.postgres:
             self.postgres.stop()
+
+
+@contextlib.contextmanager
+def running_farm(store="sqlite", directory=None, **options):
+    """A Farm, stopped in the end. Without `directory` it has one of its own, which goes with it."""
+    with contextlib.ExitStack() as ending:
+        directory = directory or ending.enter_context(tempfile.TemporaryDirectory(prefix="slicefarm-"))
+        farm = Farm(store, directory, **options)
+        ending.callback(farm.stop)
+        yield farm
 
 
 class Progress:

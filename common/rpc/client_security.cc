@@ -11,6 +11,7 @@
 #include "common/rpc/file_watch.h"
 #include "common/rpc/listen_address.h"
 #include "common/rpc/tls.h"
+#include "common/rpc/tls_options.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -46,16 +47,10 @@ absl::StatusOr<std::string> ReadToken(const ClientSecurity& security) {
 }  // namespace
 
 void AddTlsOptions(CLI::App& app, ClientSecurity* security) {
-  auto* ca = app.add_option("--tls-ca", security->tls.ca,
-                            "Speak TLS, with a server whose certificate one of these CAs signed")
-                 ->envname("SLICEFARM_TLS_CA")
-                 ->type_name("FILE");
-  auto* cert = app.add_option("--tls-cert", security->tls.cert, "This client's certificate")
-                   ->envname("SLICEFARM_TLS_CERT")
-                   ->type_name("FILE");
-  auto* key = app.add_option("--tls-key", security->tls.key, "Its key")
-                  ->envname("SLICEFARM_TLS_KEY")
-                  ->type_name("FILE");
+  auto* ca = AddTlsCa(app, &security->tls,
+                      "Speak TLS, with a server whose certificate one of these CAs signed");
+  auto* cert = AddTlsCert(app, &security->tls, "This client's certificate");
+  auto* key = AddTlsKey(app, &security->tls, "Its key");
   cert->needs(key)->needs(ca);
   key->needs(cert);
   app.add_option("--tls-server-name", security->server_name,

@@ -11,6 +11,7 @@
 #include "common/rpc/gate_metrics.h"
 #include "common/rpc/listen_address.h"
 #include "common/rpc/open_files.h"
+#include "common/rpc/tls_options.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -33,16 +34,10 @@ int Concurrency(const ServeFlags& flags) {
 }
 
 void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
-  auto* cert = app.add_option("--tls-cert", flags->tls.cert,
-                              "Serve with TLS: this server's certificate; also as a client's")
-                   ->envname("SLICEFARM_TLS_CERT")
-                   ->type_name("FILE");
-  auto* key = app.add_option("--tls-key", flags->tls.key, "Its key")
-                  ->envname("SLICEFARM_TLS_KEY")
-                  ->type_name("FILE");
-  auto* ca = app.add_option("--tls-ca", flags->tls.ca, "The CAs that sign its peers' certificates")
-                 ->envname("SLICEFARM_TLS_CA")
-                 ->type_name("FILE");
+  auto* cert =
+      AddTlsCert(app, &flags->tls, "Serve with TLS: this server's certificate; also as a client's");
+  auto* key = AddTlsKey(app, &flags->tls, "Its key");
+  auto* ca = AddTlsCa(app, &flags->tls, "The CAs that sign its peers' certificates");
   cert->needs(key)->needs(ca);
   key->needs(cert)->needs(ca);
   ca->needs(cert)->needs(key);

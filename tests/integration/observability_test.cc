@@ -1,7 +1,6 @@
 // What a farm shows of itself, with the programs as processes: names of metrics that dashboards and
 // alerts rely on, the page for people, traces through logs of other processes.
 #include <gmock/gmock.h>
-#include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -72,13 +71,8 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
     const auto job = Create(RequestFor(mesh), *ParseTraceparent(kTraceparent));
     ASSERT_TRUE(job.ok()) << job.status();
     id_ = job->id();
-    grpc::ClientContext context;
-    v1::WatchJobRequest request;
-    request.set_id(id_);
-    const auto stream = jobs_->WatchJob(&context, request);
-    v1::JobEvent event;
-    while (stream->Read(&event)) end_ = event.job();
-    ASSERT_EQ(end_.state(), v1::JOB_STATE_SUCCEEDED) << end_.error().message();
+    const v1::Job end = AwaitEnd(id_);
+    ASSERT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
   }
 
   /// Names of all metrics that are shown, those of histograms' series too.
@@ -106,7 +100,6 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
       {"--state-dir", state_.path(), "--slicing", slicing_.address(), "--motion", motion_.address(),
        "--workers", worker_.address(), "--name", "c1"}};
   std::string id_;
-  v1::Job end_;
 };
 
 /// Names of metrics that stand in a file.
@@ -161,16 +154,9 @@ TEST_F(ObservabilityTest, ATraceGoesThroughTheLogsOfAllProcesses) {
 }
 
 TEST_F(ObservabilityTest, TheTraceOfAJobNamesItsWorkersCalls) {
-  grpc::ClientContext context;
-  v1::DownloadRequest request;
-  request.set_id(id_);
-  request.set_artifact(v1::ARTIFACT_TRACE);
-  const auto stream = jobs_->Download(&context, request);
-  std::string text;
-  v1::DownloadResponse response;
-  while (stream->Read(&response)) text += response.data();
-  ASSERT_TRUE(stream->Finish().ok());
-  const nlohmann::json trace = nlohmann::json::parse(text);
+  const auto text = Download(id_, v1::ARTIFACT_TRACE);
+  ASSERT_TRUE(text.ok()) << text.status();
+  const nlohmann::json trace = nlohmann::json::parse(*text);
   std::set<std::string> span_ids;
   std::set<std::string> tracks;
   for (const nlohmann::json& event : trace["traceEvents"]) {

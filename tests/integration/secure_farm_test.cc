@@ -56,31 +56,8 @@ class Client : public coordinator::CoordinatorClient {
     Connect(address, options);
   }
 
-  /// The job as it ended.
-  v1::Job Await(const std::string& id) {
-    grpc::ClientContext context;
-    v1::WatchJobRequest request;
-    request.set_id(id);
-    const auto stream = jobs_->WatchJob(&context, request);
-    v1::JobEvent event;
-    while (stream->Read(&event)) {
-    }
-    EXPECT_TRUE(stream->Finish().ok());
-    return event.job();
-  }
-
   absl::StatusOr<std::string> Gcode(const std::string& id) {
-    grpc::ClientContext context;
-    v1::DownloadRequest request;
-    request.set_id(id);
-    request.set_artifact(v1::ARTIFACT_GCODE);
-    const auto stream = jobs_->Download(&context, request);
-    std::string bytes;
-    v1::DownloadResponse response;
-    while (stream->Read(&response)) bytes += response.data();
-    const absl::Status status = rpc::FromGrpc(stream->Finish());
-    if (!status.ok()) return status;
-    return bytes;
+    return Download(id, v1::ARTIFACT_GCODE);
   }
 };
 
@@ -148,10 +125,7 @@ class SecureFarmTest : public testing::Test {
 
   /// Submits the mesh, awaits the job and gives its G-code's digest.
   static std::string Print(Client& client, const std::string& mesh) {
-    EXPECT_TRUE(client.Upload(mesh).ok());
-    const auto job = client.Create(Client::RequestFor(mesh));
-    if (!job.ok()) return job.status().ToString();
-    const v1::Job end = client.Await(job->id());
+    const v1::Job end = client.AwaitEnd(client.Submit(mesh));
     EXPECT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
     return end.result().gcode_sha256();
   }
@@ -294,7 +268,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
   ASSERT_TRUE(b.Upload(mesh_).ok());
   const auto of_b = b.Create(Client::RequestFor(mesh_));
   ASSERT_TRUE(of_b.ok()) << of_b.status();
-  EXPECT_EQ(b.Await(of_b->id()).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(b.AwaitEnd(of_b->id()).state(), v1::JOB_STATE_SUCCEEDED);
   // What a is told names the id that he asked for, and else is the same.
   const auto told = [&](const std::string& id) {
     grpc::ClientContext context;
@@ -312,7 +286,7 @@ TEST_F(SecureFarmTest, TenantsKnowNothingOfEachOther) {
   EXPECT_EQ(DetailOf(a.Create(Client::RequestFor(mesh_)).status()).reason, Reason::kBlobNotFound);
   ASSERT_TRUE(a.Upload(mesh_).ok());
   const auto of_a = a.Create(Client::RequestFor(mesh_));
-  EXPECT_FALSE(a.Await(of_a->id()).result().cached());
+  EXPECT_FALSE(a.AwaitEnd(of_a->id()).result().cached());
   EXPECT_EQ(*a.Gcode(of_a->id()), *b.Gcode(of_b->id()));
 }
 
@@ -342,7 +316,7 @@ TEST_F(SecureFarmTest, CertificatesAreRenewedWhileItRuns) {
   request.mutable_spec()->mutable_objects(0)->set_name("another part.stl");
   const auto job = old.Create(request);  // over the connection from before
   ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_EQ(old.Await(job->id()).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(old.AwaitEnd(job->id()).state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_EQ(Print(old, mesh_), quiet);
 }
 
@@ -358,7 +332,7 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     (*request.mutable_labels())[name] = name;
     const auto job = client.Create(request);
     EXPECT_TRUE(job.ok()) << job.status();
-    client.Await(job->id());
+    client.AwaitEnd(job->id());
     EXPECT_EQ(client.Get(job->id())->labels().at(name), name);
     return client.Gcode(job->id()).value_or("");
   };

@@ -10,11 +10,10 @@ import argparse
 import pathlib
 import random
 import sys
-import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import MODELS, Farm, percentile  # noqa: E402
+from local_farm import MODELS, percentile, running_farm  # noqa: E402
 
 EVERY_S = 0.02
 LOOK_S = 2.0
@@ -52,13 +51,9 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     rng = random.Random(options.seed)
-    with tempfile.TemporaryDirectory(prefix="slicefarm-cancel-") as directory:
-        farm = Farm("sqlite", directory)
-        try:
-            took = [cancel_one(farm, number, rng) for number in range(options.jobs)]
-            cancelled = sum(job["state"] == "JOB_STATE_CANCELLED" for job in farm.await_end())
-        finally:
-            farm.stop()
+    with running_farm() as farm:
+        took = [cancel_one(farm, number, rng) for number in range(options.jobs)]
+        cancelled = sum(job["state"] == "JOB_STATE_CANCELLED" for job in farm.await_end())
     took = [seconds for seconds in took if seconds is not None]
     print("cancelled", cancelled)
     print("cancel_p50_s", f"{percentile(took, 0.5):.2f}")

@@ -20,7 +20,7 @@ import threading
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, Farm  # noqa: E402
+from local_farm import BIN, running_farm  # noqa: E402
 
 OPEN_JOBS = 200  # of a tenant; more are refused
 CALM_RATE = 2
@@ -116,12 +116,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="slicefarm-overload-") as directory:
         tenants = pathlib.Path(directory) / "tenants.json"
         tokens = make_tenants(tenants)
-        farm = Farm("sqlite", directory, extra=["--tenants", str(tenants)])
-        try:
+        with running_farm(directory=directory, extra=["--tenants", str(tenants)]) as farm:
             for key, value in measure(farm, tokens, options):
                 print(key, value, flush=True)
-        finally:
-            farm.stop()
 
 
 if __name__ == "__main__":

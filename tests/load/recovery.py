@@ -15,12 +15,11 @@ import pathlib
 import random
 import resource
 import sys
-import tempfile
 import threading
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import MODELS, Farm, Progress, percentile  # noqa: E402
+from local_farm import MODELS, Progress, percentile, running_farm  # noqa: E402
 
 MODEL = MODELS / "benchy.stl"
 PATIENCE_S = 60
@@ -53,16 +52,11 @@ class Backlog(threading.Thread):
         self.join()
 
 
-def farm_of(store, directory, **options):
-    return Farm(store, pathlib.Path(directory), **options)
-
-
 def seconds_to_next_range(store, victim, options, **farm_options):
     """Of each kill."""
     took = []
     rng = random.Random(options.seed)
-    with tempfile.TemporaryDirectory(prefix="slicefarm-recovery-") as directory:
-        farm = farm_of(store, directory, **farm_options)
+    with running_farm(store, **farm_options) as farm:
         backlog, progress = Backlog(farm), Progress(farm.coordinators)
         backlog.start()
         try:
@@ -80,7 +74,6 @@ def seconds_to_next_range(store, victim, options, **farm_options):
         finally:
             backlog.stop()
             progress.stop()
-            farm.stop()
     return took
 
 
@@ -107,14 +100,8 @@ def ranges_of(coordinator):
 
 
 def takeover(options):
-    took = []
-    with tempfile.TemporaryDirectory(prefix="slicefarm-recovery-") as directory:
-        farm = farm_of("postgres", directory, workers=1)
-        try:
-            for number in range(options.kills):
-                took.append(one_takeover(farm, number))
-        finally:
-            farm.stop()
+    with running_farm("postgres", workers=1) as farm:
+        took = [one_takeover(farm, number) for number in range(options.kills)]
     return rows("takeover", took)
 
 
@@ -137,8 +124,7 @@ def one_takeover(farm, number):
 
 def calls(options):
     rng = random.Random(options.seed)
-    with tempfile.TemporaryDirectory(prefix="slicefarm-recovery-") as directory:
-        farm = farm_of("sqlite", directory)
+    with running_farm() as farm:
         ended = threading.Event()
 
         def kill_workers():
@@ -154,7 +140,6 @@ def calls(options):
         finally:
             ended.set()
             killer.join()
-            farm.stop()
     yield "calls", sum(step["count"] for step in report["steps"].values())
     yield "calls_errors", sum(report["errorDistribution"].values())
 
@@ -164,8 +149,7 @@ def cpu_of_jobs(options, kills):
     rng = random.Random(options.seed)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done, ended = 0, threading.Event()
-    with tempfile.TemporaryDirectory(prefix="slicefarm-recovery-") as directory:
-        farm = farm_of("sqlite", directory)
+    with running_farm() as farm:
 
         def kill_one():
             nonlocal done
@@ -184,7 +168,6 @@ def cpu_of_jobs(options, kills):
         finally:
             ended.set()
             killer.join()
-            farm.stop()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     assert all(job["state"] == "JOB_STATE_SUCCEEDED" for job in jobs)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done

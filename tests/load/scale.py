@@ -11,11 +11,10 @@ two       a job on two workers of one slot each against one of them
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, MODELS, Farm  # noqa: E402
+from local_farm import BIN, MODELS, running_farm  # noqa: E402
 
 VIRTUAL_WORKERS = 64
 LAYER_MS = 50
@@ -23,13 +22,9 @@ VIRTUAL_JOBS = 64
 REPEATS = 5
 
 
-def in_farm(measure, *arguments, **farm_options):
-    with tempfile.TemporaryDirectory(prefix="slicefarm-scale-") as directory:
-        farm = Farm("sqlite", directory, **farm_options)
-        try:
-            return measure(farm, *arguments)
-        finally:
-            farm.stop()
+def in_farm(measure, **farm_options):
+    with running_farm(**farm_options) as farm:
+        return measure(farm)
 
 
 def milliseconds(report, percentile):

@@ -18,7 +18,7 @@ import threading
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from local_farm import BIN, Farm, percentile  # noqa: E402
+from local_farm import BIN, percentile, running_farm  # noqa: E402
 
 EVERY_S = 15
 KEPT_JOBS_DAYS = 0.01  # a quarter of an hour
@@ -61,16 +61,16 @@ def main():
     options = parser.parse_args()
     directory = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-soak-"))
     report = directory / "load.json"
-    farm = Farm(options.store, directory, extra=["--keep-jobs", str(KEPT_JOBS_DAYS), "--keep-blobs", str(KEPT_BLOBS_H)])
-    watch = Watch(farm)
-    try:
-        watch.start()
-        load = [BIN / "slicefarm-load", "--server", farm.coordinators[0].address, "--rate", str(options.rate)]
-        load += ["--seconds", str(60 * options.minutes), "--mix", "mixed", "--seed", str(options.seed), "--json", report]
-        subprocess.run(load, check=True, stdout=subprocess.DEVNULL)
-    finally:
-        watch.stop()
-        farm.stop()
+    old = ["--keep-jobs", str(KEPT_JOBS_DAYS), "--keep-blobs", str(KEPT_BLOBS_H)]
+    with running_farm(options.store, directory, extra=old) as farm:
+        watch = Watch(farm)
+        try:
+            watch.start()
+            load = [BIN / "slicefarm-load", "--server", farm.coordinators[0].address, "--rate", str(options.rate)]
+            load += ["--seconds", str(60 * options.minutes), "--mix", "mixed", "--seed", str(options.seed), "--json", report]
+            subprocess.run(load, check=True, stdout=subprocess.DEVNULL)
+        finally:
+            watch.stop()
     if options.csv:
         options.csv.write_text("seconds,process,mib,descriptors\n" + "".join("%.0f,%s,%.1f,%d\n" % row for row in watch.rows))
     told = json.loads(report.read_text())

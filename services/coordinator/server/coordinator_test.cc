@@ -104,8 +104,8 @@ TEST_F(CoordinatorTest, ADownloadThatNobodyReadsIsCutOff) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1 << 14);
   arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
-  const auto jobs = v1::Jobs::NewStub(grpc::CreateCustomChannel(
-      absl::StrCat("127.0.0.1:", server_->port()), grpc::InsecureChannelCredentials(), arguments));
+  const auto jobs = v1::Jobs::NewStub(
+      grpc::CreateCustomChannel(address(), grpc::InsecureChannelCredentials(), arguments));
   const auto stream = jobs->Download(&context, request);
   while (Handled("Download") == before) std::this_thread::yield();
   v1::DownloadResponse response;

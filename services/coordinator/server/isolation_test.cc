@@ -11,13 +11,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
-#include "common/model/temp_directory_test.h"
-#include "common/rpc/server.h"
-#include "services/coordinator/algo/dispatcher.h"
-#include "services/coordinator/server/coordinator.h"
 #include "services/coordinator/server/coordinator_client_test.h"
-#include "services/coordinator/server/fake_stages_test.h"
-#include "slicefarm/v1/profiles.grpc.pb.h"
+#include "services/coordinator/server/served_coordinator_test.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -59,6 +54,22 @@ void PrintTo(const Seen& seen, std::ostream* out) {
        << testing::PrintToString(seen.metadata);
 }
 
+/// A request for something by its id.
+template <typename Request>
+Request ById(const std::string& id) {
+  Request request;
+  request.set_id(id);
+  return request;
+}
+
+/// A request for something by its name.
+template <typename Request>
+Request ByName(const std::string& name) {
+  Request request;
+  request.set_name(name);
+  return request;
+}
+
 /// What a tenant may try with a job that he knows the id of.
 class TenantClient : public CoordinatorClient {
  public:
@@ -66,101 +77,52 @@ class TenantClient : public CoordinatorClient {
     rpc::ChannelOptions options;
     options.token = token;
     Connect(address, options);
-    profiles_ = v1::Profiles::NewStub(rpc::MakeChannel(address, options));
   }
 
   Seen SeePutProfile(const std::string& name) {
-    v1::PutProfileRequest request;
-    request.set_name(name);
-    v1::Profile profile;
-    grpc::ClientContext context;
-    const grpc::Status status = profiles_->PutProfile(&context, request, &profile);
-    return {context, status};
+    return See(*profiles_, &v1::Profiles::Stub::PutProfile, ByName<v1::PutProfileRequest>(name));
   }
   Seen SeeProfile(const std::string& name) {
-    v1::GetProfileRequest request;
-    request.set_name(name);
-    v1::Profile profile;
-    grpc::ClientContext context;
-    const grpc::Status status = profiles_->GetProfile(&context, request, &profile);
-    return {context, status};
+    return See(*profiles_, &v1::Profiles::Stub::GetProfile, ByName<v1::GetProfileRequest>(name));
   }
   Seen SeeProfiles() {
-    v1::ListProfilesResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = profiles_->ListProfiles(&context, {}, &response);
-    return {context, status, response.SerializeAsString()};
+    return See(*profiles_, &v1::Profiles::Stub::ListProfiles, v1::ListProfilesRequest());
   }
   Seen SeeWebhook(const std::string& id) {
     v1::GetWebhookRequest request;
     request.set_job_id(id);
-    v1::Webhook webhook;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->GetWebhook(&context, request, &webhook);
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::GetWebhook, request);
   }
   Seen SeeBatch(const v1::CreateJobRequest& each) {
     v1::BatchCreateJobsRequest request;
     *request.add_requests() = each;
-    v1::BatchCreateJobsResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->BatchCreateJobs(&context, request, &response);
-    return {context, status, response.SerializeAsString()};
+    return See(*jobs_, &v1::Jobs::Stub::BatchCreateJobs, request);
   }
   Seen SeeGet(const std::string& id) {
-    v1::GetJobRequest request;
-    request.set_id(id);
-    v1::Job job;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->GetJob(&context, request, &job);
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::GetJob, ById<v1::GetJobRequest>(id));
   }
   Seen SeeCancel(const std::string& id) {
-    v1::CancelJobRequest request;
-    request.set_id(id);
-    v1::Job job;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->CancelJob(&context, request, &job);
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::CancelJob, ById<v1::CancelJobRequest>(id));
   }
   Seen SeeDelete(const std::string& id) {
-    v1::DeleteJobRequest request;
-    request.set_id(id);
-    google::protobuf::Empty empty;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->DeleteJob(&context, request, &empty);
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::DeleteJob, ById<v1::DeleteJobRequest>(id));
   }
   Seen SeeWatch(const std::string& id) {
-    v1::WatchJobRequest request;
-    request.set_id(id);
-    grpc::ClientContext context;
-    const auto stream = jobs_->WatchJob(&context, request);
-    v1::JobEvent event;
-    while (stream->Read(&event)) {
-    }
-    const grpc::Status status = stream->Finish();
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::WatchJob, ById<v1::WatchJobRequest>(id));
   }
   Seen SeeDownload(const std::string& id, v1::Artifact artifact = v1::ARTIFACT_GCODE) {
-    v1::DownloadRequest request;
-    request.set_id(id);
+    v1::DownloadRequest request = ById<v1::DownloadRequest>(id);
     request.set_artifact(artifact);
-    grpc::ClientContext context;
-    const auto stream = jobs_->Download(&context, request);
-    v1::DownloadResponse response;
-    while (stream->Read(&response)) {
-    }
-    const grpc::Status status = stream->Finish();
-    return {context, status};
+    return See(*jobs_, &v1::Jobs::Stub::Download, request);
   }
   Seen SeeUploadStatus(const std::string& digest) {
     v1::GetUploadRequest request;
     request.set_sha256(digest);
-    v1::Upload upload;
-    grpc::ClientContext context;
-    const grpc::Status status = meshes_->GetUpload(&context, request, &upload);
-    return {context, status, upload.SerializeAsString()};
+    return See(*meshes_, &v1::Meshes::Stub::GetUpload, request);
+  }
+  Seen SeeList() { return See(*jobs_, &v1::Jobs::Stub::ListJobs, v1::ListJobsRequest()); }
+  Seen SeeCreate(const v1::CreateJobRequest& request) {
+    return See(*jobs_, &v1::Jobs::Stub::CreateJob, request);
   }
   /// Sends the bytes of [from, to) of a mesh in one message.
   Seen SeeUpload(const std::string& bytes, int64_t from, int64_t to) {
@@ -177,18 +139,6 @@ class TenantClient : public CoordinatorClient {
     const grpc::Status status = stream->Finish();
     return {context, status, upload.SerializeAsString()};
   }
-  Seen SeeList() {
-    v1::ListJobsResponse response;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->ListJobs(&context, {}, &response);
-    return {context, status};
-  }
-  Seen SeeCreate(const v1::CreateJobRequest& request) {
-    v1::Job job;
-    grpc::ClientContext context;
-    const grpc::Status status = jobs_->CreateJob(&context, request, &job);
-    return {context, status};
-  }
 
   std::vector<Seen> SeeAllOf(const std::string& id) {
     return {SeeGet(id),
@@ -201,23 +151,36 @@ class TenantClient : public CoordinatorClient {
             SeeDelete(id)};
   }
 
-  std::vector<std::string> List() {
-    v1::ListJobsResponse response;
+ private:
+  template <typename Stub, typename Request, typename Response>
+  static Seen See(Stub& stub,
+                  grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                  const Request& request) {
     grpc::ClientContext context;
-    EXPECT_TRUE(jobs_->ListJobs(&context, {}, &response).ok());
-    std::vector<std::string> ids;
-    for (const v1::Job& job : response.jobs()) ids.push_back(job.id());
-    return ids;
+    Response response;
+    const grpc::Status status = (stub.*method)(&context, request, &response);
+    return {context, status, response.SerializeAsString()};
   }
 
- private:
-  std::unique_ptr<v1::Profiles::Stub> profiles_;
+  /// Of a stream only its end.
+  template <typename Stub, typename Request, typename Response>
+  static Seen See(Stub& stub,
+                  std::unique_ptr<grpc::ClientReader<Response>> (Stub::*method)(
+                      grpc::ClientContext*, const Request&),
+                  const Request& request) {
+    grpc::ClientContext context;
+    const auto stream = (stub.*method)(&context, request);
+    Response response;
+    while (stream->Read(&response)) {
+    }
+    const grpc::Status status = stream->Finish();
+    return {context, status};
+  }
 };
 
-class IsolationTest : public testing::Test {
+class IsolationTest : public ServedCoordinatorTest {
  protected:
   IsolationTest() {
-    dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2});
     for (const char* name : {"a", "b"}) {
       Tenant& tenant = tenants_[name];
       tenant.tokens = {TokenFor(absl::StrCat(name, "-1"), {Scope::kSubmit, Scope::kRead}),
@@ -229,48 +192,23 @@ class IsolationTest : public testing::Test {
     b_ = As("b-1");
   }
 
-  ~IsolationTest() override {
-    ranges_->LetGo();
-    Close();
-  }
-
   static Token TokenFor(const std::string& token, const Scopes& scopes) {
     return {Sha256Hex(token), scopes};
   }
 
   void Open(ResultSharing sharing = ResultSharing::kOff) {
-    CoordinatorOptions options;
+    CoordinatorOptions options = Options();
     options.sharing = sharing;
-    options.stores.state_dir = directory_.path();
-    options.build_id = "test-build";
-    options.runner.owner = "coordinator";
-    options.runner.jobs = 2;
-    options.runner.poll = std::chrono::milliseconds(20);
     options.tenants = [this] {
       const std::lock_guard lock(mutex_);
       return std::make_shared<const Tenants>(tenants_);
     };
-    auto coordinator =
-        Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
-    ASSERT_TRUE(coordinator.ok()) << coordinator.status();
-    coordinator_ = *std::move(coordinator);
-    auto server =
-        rpc::Server::Start({}, coordinator_->services(), metrics_, &coordinator_->queued_methods());
-    ASSERT_TRUE(server.ok()) << server.status();
-    server_ = *std::move(server);
-    ASSERT_TRUE(coordinator_->Start().ok());
-  }
-
-  void Close() {
-    coordinator_->Stop();
-    server_->Drain(std::chrono::seconds(10));
-    server_.reset();
-    coordinator_.reset();
+    Serve(options);
   }
 
   /// A client with this token; empty: without.
   std::unique_ptr<TenantClient> As(const std::string& token) {
-    return std::make_unique<TenantClient>(absl::StrCat("127.0.0.1:", server_->port()), token);
+    return std::make_unique<TenantClient>(address(), token);
   }
 
   void Change(const std::function<void(Tenants&)>& change) {
@@ -278,46 +216,25 @@ class IsolationTest : public testing::Test {
     change(tenants_);
   }
 
-  static std::string Submit(TenantClient& client, const std::string& mesh) {
-    EXPECT_TRUE(client.Upload(mesh).ok());
-    const auto job = client.Create(TenantClient::RequestFor(mesh));
-    EXPECT_TRUE(job.ok()) << job.status();
-    return job.ok() ? job->id() : "";
-  }
-
-  static v1::Job AwaitEnd(TenantClient& client, const std::string& id) {
-    EXPECT_TRUE(client.SeeWatch(id).status().ok());
-    return client.Get(id).value_or(v1::Job());
-  }
-
-  TempDirectory directory_;
-  FakeSlicing slicing_;
-  FakeMotion motion_;
-  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
-  Dispatcher dispatcher_;
-  prometheus::Registry registry_;
-  rpc::CallMetrics metrics_{registry_};
   std::mutex mutex_;
   Tenants tenants_;
-  std::unique_ptr<Coordinator> coordinator_;
-  std::unique_ptr<rpc::Server> server_;
   std::unique_ptr<TenantClient> a_;
   std::unique_ptr<TenantClient> b_;
 };
 
 TEST_F(IsolationTest, EachTenantHasItsJobsToItself) {
-  const std::string of_a = Submit(*a_, "xa");
-  const std::string of_b = Submit(*b_, "xb");
-  EXPECT_EQ(AwaitEnd(*a_, of_a).state(), v1::JOB_STATE_SUCCEEDED);
-  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  const std::string of_a = a_->Submit("xa");
+  const std::string of_b = b_->Submit("xb");
+  EXPECT_EQ(a_->AwaitEnd(of_a).state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(b_->AwaitEnd(of_b).state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_THAT(a_->List(), testing::ElementsAre(of_a));
   EXPECT_THAT(b_->List(), testing::ElementsAre(of_b));
   EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
 }
 
 TEST_F(IsolationTest, AnothersJobLooksLikeNoneAtAll) {
-  const std::string of_b = Submit(*b_, "xb");
-  AwaitEnd(*b_, of_b);
+  const std::string of_b = b_->Submit("xb");
+  b_->AwaitEnd(of_b);
   const std::vector<Seen> while_there = a_->SeeAllOf(of_b);
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
   EXPECT_EQ(while_there, a_->SeeAllOf(of_b));
@@ -326,11 +243,11 @@ TEST_F(IsolationTest, AnothersJobLooksLikeNoneAtAll) {
 
 TEST_F(IsolationTest, AnothersRunningJobLooksLikeNoneAtAll) {
   ranges_->Hold();
-  const std::string of_b = Submit(*b_, "xb");
+  const std::string of_b = b_->Submit("xb");
   const std::vector<Seen> while_there = a_->SeeAllOf(of_b);
   EXPECT_NE(b_->Get(of_b)->state(), v1::JOB_STATE_CANCELLED);
   ranges_->LetGo();
-  AwaitEnd(*b_, of_b);
+  b_->AwaitEnd(of_b);
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
   EXPECT_EQ(while_there, a_->SeeAllOf(of_b));
 }
@@ -348,7 +265,7 @@ TEST_F(IsolationTest, AnothersMeshLooksLikeNoneAtAll) {
   const std::vector<Seen> before = see();
   ASSERT_TRUE(b_->Upload(mesh, 0, 500).ok());
   EXPECT_EQ(before, see()) << "half of it is there";
-  AwaitEnd(*b_, Submit(*b_, mesh));
+  b_->AwaitEnd(b_->Submit(mesh));
   EXPECT_EQ(before, see());
   EXPECT_EQ(before[1].reason(), Reason::kBlobNotFound);
   EXPECT_EQ(before[3].reason(), Reason::kBlobNotFound);
@@ -381,28 +298,28 @@ TEST_F(IsolationTest, NobodySpoilsAnothersUpload) {
 }
 
 TEST_F(IsolationTest, AnothersResultIsNotTaken) {
-  const std::string of_b = Submit(*b_, "xx");
-  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
-  const v1::Job of_a = AwaitEnd(*a_, Submit(*a_, "xx"));
+  const std::string of_b = b_->Submit("xx");
+  EXPECT_EQ(b_->AwaitEnd(of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  const v1::Job of_a = a_->AwaitEnd(a_->Submit("xx"));
   EXPECT_EQ(of_a.state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_FALSE(of_a.result().cached());
   EXPECT_EQ(slicing_.runs(), 2);
-  EXPECT_TRUE(AwaitEnd(*a_, Submit(*a_, "xx")).result().cached());
+  EXPECT_TRUE(a_->AwaitEnd(a_->Submit("xx")).result().cached());
   EXPECT_EQ(slicing_.runs(), 2);
   // Nor does it come back after one's own is gone: the index knows whose it is.
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
-  EXPECT_FALSE(AwaitEnd(*b_, Submit(*b_, "xx")).result().cached());
+  EXPECT_FALSE(b_->AwaitEnd(b_->Submit("xx")).result().cached());
 }
 
 TEST_F(IsolationTest, AnothersRunningWorkIsNotWaitedFor) {
   ranges_->Hold();
-  const std::string of_b = Submit(*b_, "xx");
+  const std::string of_b = b_->Submit("xx");
   ranges_->AwaitCall();
-  const std::string of_a = Submit(*a_, "xx");
+  const std::string of_a = a_->Submit("xx");
   while (slicing_.runs() < 2) std::this_thread::yield();
   ranges_->LetGo();
-  EXPECT_FALSE(AwaitEnd(*a_, of_a).result().cached());
-  EXPECT_FALSE(AwaitEnd(*b_, of_b).result().cached());
+  EXPECT_FALSE(a_->AwaitEnd(of_a).result().cached());
+  EXPECT_FALSE(b_->AwaitEnd(of_b).result().cached());
 }
 
 TEST_F(IsolationTest, TenantsMayShareTheirResults) {
@@ -410,10 +327,10 @@ TEST_F(IsolationTest, TenantsMayShareTheirResults) {
   Open(ResultSharing::kOn);
   a_ = As("a-1");
   b_ = As("b-1");
-  const std::string of_b = Submit(*b_, "xx");
-  EXPECT_EQ(AwaitEnd(*b_, of_b).state(), v1::JOB_STATE_SUCCEEDED);
-  const std::string of_a = Submit(*a_, "xx");
-  EXPECT_TRUE(AwaitEnd(*a_, of_a).result().cached());
+  const std::string of_b = b_->Submit("xx");
+  EXPECT_EQ(b_->AwaitEnd(of_b).state(), v1::JOB_STATE_SUCCEEDED);
+  const std::string of_a = a_->Submit("xx");
+  EXPECT_TRUE(a_->AwaitEnd(of_a).result().cached());
   EXPECT_EQ(slicing_.runs(), 1);
   EXPECT_TRUE(b_->SeeDelete(of_b).status().ok());
   EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
@@ -424,7 +341,7 @@ TEST_F(IsolationTest, TenantsMayShareTheirResults) {
   Open(ResultSharing::kOff);
   a_ = As("a-1");
   EXPECT_TRUE(a_->SeeDownload(of_a).status().ok());
-  EXPECT_FALSE(AwaitEnd(*a_, Submit(*a_, "xx")).result().cached());
+  EXPECT_FALSE(a_->AwaitEnd(a_->Submit("xx")).result().cached());
 }
 
 TEST_F(IsolationTest, RequestIdsAreEachTenantsOwn) {
@@ -443,16 +360,16 @@ TEST_F(IsolationTest, RequestIdsAreEachTenantsOwn) {
 TEST_F(IsolationTest, OpenJobsAreCountedByTenant) {
   Change([](Tenants& tenants) { tenants["a"].max_open_jobs = 1; });
   ranges_->Hold();
-  Submit(*a_, "xa");
+  a_->Submit("xa");
   const Seen second = a_->SeeCreate(TenantClient::RequestFor("xa"));
   EXPECT_EQ(second.reason(), Reason::kQueueFull);
   EXPECT_EQ(DetailOf(second.status()).metadata.at("limit"), "1");
-  Submit(*b_, "xb");
-  Submit(*b_, "xbb");
+  b_->Submit("xb");
+  b_->Submit("xbb");
 }
 
 TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
-  const std::string of_a = Submit(*a_, "xa");
+  const std::string of_a = a_->Submit("xa");
   for (const char* token : {"", "a-3", "a-1 ", "A-1"}) {
     const auto nobody = As(token);
     std::vector<Seen> all = nobody->SeeAllOf(of_a);
@@ -473,8 +390,8 @@ TEST_F(IsolationTest, WhoHasNoTokenIsNobody) {
 }
 
 TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
-  const std::string of_a = Submit(*a_, "xa");
-  AwaitEnd(*a_, of_a);
+  const std::string of_a = a_->Submit("xa");
+  a_->AwaitEnd(of_a);
   const auto denied = [](const Seen& seen, const std::string& scope) {
     EXPECT_EQ(seen.code, grpc::StatusCode::PERMISSION_DENIED);
     EXPECT_EQ(seen.reason(), Reason::kPermissionDenied);
@@ -509,14 +426,14 @@ TEST_F(IsolationTest, ATokenMayDoWhatItsScopesSay) {
 TEST_F(IsolationTest, AdminsSeeAndCancelTheJobsOfAll) {
   const auto ops = As("ops-1");
   ranges_->Hold();
-  const std::string of_a = Submit(*a_, "xa");
-  const std::string of_b = Submit(*b_, "xb");
+  const std::string of_a = a_->Submit("xa");
+  const std::string of_b = b_->Submit("xb");
   EXPECT_THAT(ops->List(), testing::UnorderedElementsAre(of_a, of_b));
   EXPECT_EQ(ops->Get(of_a)->tenant(), "a");
   EXPECT_EQ(ops->Get(of_b)->tenant(), "b");
   EXPECT_TRUE(ops->SeeCancel(of_a).status().ok());
   ranges_->LetGo();
-  EXPECT_EQ(AwaitEnd(*a_, of_a).state(), v1::JOB_STATE_CANCELLED);
+  EXPECT_EQ(a_->AwaitEnd(of_a).state(), v1::JOB_STATE_CANCELLED);
   EXPECT_TRUE(ops->SeeWatch(of_b).status().ok());
   EXPECT_EQ(ops->SeeDownload(of_b).reason(), Reason::kPermissionDenied);
   EXPECT_EQ(ops->SeeDelete(of_b).reason(), Reason::kPermissionDenied);
@@ -528,7 +445,7 @@ TEST_F(IsolationTest, AdminsSeeAndCancelTheJobsOfAll) {
 }
 
 TEST_F(IsolationTest, TokensAreRotatedWhileCallsGoOn) {
-  const std::string of_a = Submit(*a_, "xa");
+  const std::string of_a = a_->Submit("xa");
   const auto next = As("a-3");
   EXPECT_EQ(next->SeeGet(of_a).reason(), Reason::kUnauthenticated);
   Change([](Tenants& tenants) {

@@ -37,23 +37,9 @@ class SubmissionTest : public CoordinatorTest {
     setting->set_from_profile(from_profile);
     grpc::ClientContext context;
     v1::Profile profile;
-    const absl::Status status = rpc::FromGrpc(Profiles()->PutProfile(&context, request, &profile));
+    const absl::Status status = rpc::FromGrpc(profiles_->PutProfile(&context, request, &profile));
     if (!status.ok()) return status;
     return profile;
-  }
-
-  std::unique_ptr<v1::Profiles::Stub> Profiles() {
-    return v1::Profiles::NewStub(grpc::CreateChannel(absl::StrCat("127.0.0.1:", server_->port()),
-                                                     grpc::InsecureChannelCredentials()));
-  }
-
-  std::vector<std::string> List(const v1::ListJobsRequest& request) {
-    grpc::ClientContext context;
-    v1::ListJobsResponse response;
-    EXPECT_TRUE(jobs_->ListJobs(&context, request, &response).ok());
-    std::vector<std::string> ids;
-    for (const v1::Job& job : response.jobs()) ids.push_back(job.id());
-    return ids;
   }
 
   v1::Job MakeAndEnd(const v1::CreateJobRequest& request) {
@@ -139,7 +125,7 @@ TEST_F(SubmissionTest, PriorityAndDeadlineAreKept) {
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->priority(), v1::JOB_PRIORITY_INTERACTIVE);
   EXPECT_EQ(job->deadline().seconds(), 4'000'000'000);
-  EXPECT_EQ(Get(job->id()).deadline().nanos(), 5'000);
+  EXPECT_EQ(Get(job->id())->deadline().nanos(), 5'000);
 }
 
 TEST_F(SubmissionTest, AJobThatMissesItsDeadlineFails) {
@@ -303,11 +289,11 @@ TEST_F(SubmissionTest, ProfilesAreCheckedAndFoundAgain) {
   get.set_revision(1);
   v1::Profile profile;
   grpc::ClientContext first;
-  ASSERT_TRUE(Profiles()->GetProfile(&first, get, &profile).ok());
+  ASSERT_TRUE(profiles_->GetProfile(&first, get, &profile).ok());
   EXPECT_EQ(profile.settings(0).key(), "no_such_setting");
   get.set_revision(3);
   grpc::ClientContext second;
-  EXPECT_EQ(ReasonOf(rpc::FromGrpc(Profiles()->GetProfile(&second, get, &profile))),
+  EXPECT_EQ(ReasonOf(rpc::FromGrpc(profiles_->GetProfile(&second, get, &profile))),
             Reason::kProfileNotFound);
 
   v1::CreateJobRequest request = RequestFor("xxx");
@@ -323,7 +309,7 @@ TEST_F(SubmissionTest, ProfilesAreCheckedAndFoundAgain) {
   do {
     v1::ListProfilesResponse page;
     grpc::ClientContext context;
-    ASSERT_TRUE(Profiles()->ListProfiles(&context, list, &page).ok());
+    ASSERT_TRUE(profiles_->ListProfiles(&context, list, &page).ok());
     for (const v1::Profile& each : page.profiles())
       names.push_back(absl::StrCat(each.name(), "@", each.revision()));
     list.set_page_token(page.next_page_token());
@@ -349,9 +335,9 @@ TEST_F(SubmissionTest, JobsAreFoundByWhatTheyAre) {
   by_priority.set_priority(v1::JOB_PRIORITY_BULK);
   EXPECT_THAT(List(by_priority), ElementsAre(ids[0]));
   v1::ListJobsRequest by_time;
-  *by_time.mutable_created_from() = Get(ids[1]).create_time();
+  *by_time.mutable_created_from() = Get(ids[1])->create_time();
   EXPECT_THAT(List(by_time), ElementsAre(ids[2], ids[1]));
-  *by_time.mutable_created_before() = Get(ids[2]).create_time();
+  *by_time.mutable_created_before() = Get(ids[2])->create_time();
   EXPECT_THAT(List(by_time), ElementsAre(ids[1]));
 }
 

@@ -3,7 +3,6 @@
 //   SLICEFARM_FAULT_ERRORS   how many errors are tried at each call site (40)
 //   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (4)
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -225,33 +224,17 @@ TrialOptions Options() {
 TEST(DirectoryBlobStoreFaults, ErrorsAreToldAndSeenTo) {
   TrialOptions options = Options();
   options.errors_a_site = FromEnvironment("SLICEFARM_FAULT_ERRORS", 40);
-  const TrialResults results = InjectErrors(options);
-  EXPECT_THAT(results.violations, testing::IsEmpty());
-  RecordTrials(results);
+  ExpectErrorsAreSeenTo(options);
 }
 
 TEST(DirectoryBlobStoreFaults, APowerCutLosesNothingThatWasPromised) {
-  TrialOptions options = Options();
-  const int64_t seeds = FromEnvironment("SLICEFARM_FAULT_SEEDS", 4);
-  for (int64_t seed = 1; seed <= seeds; ++seed) {
-    options.seed = seed;
-    const TrialResults results = CutPower(options);
-    EXPECT_THAT(results.violations, testing::IsEmpty()) << "seed " << seed;
-    RecordTrials(results);
-  }
+  ExpectPowerCutsAreSurvived(Options(), FromEnvironment("SLICEFARM_FAULT_SEEDS", 4));
 }
 
-// These tests find a store that does not sync: here, one whose fsyncs do nothing.
-TEST(DirectoryBlobStoreFaults, AnUnsyncedFileIsNoticed) {
-  TrialOptions options = Options();
-  options.lie = Lie::kFiles;
-  EXPECT_THAT(CutPower(options).violations, testing::Not(testing::IsEmpty()));
-}
+TEST(DirectoryBlobStoreFaults, AnUnsyncedFileIsNoticed) { ExpectNoticed(Lie::kFiles, Options()); }
 
 TEST(DirectoryBlobStoreFaults, AnUnsyncedDirectoryIsNoticed) {
-  TrialOptions options = Options();
-  options.lie = Lie::kDirectories;
-  EXPECT_THAT(CutPower(options).violations, testing::Not(testing::IsEmpty()));
+  ExpectNoticed(Lie::kDirectories, Options());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "services/coordinator/store/fault_trials_test.h"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <array>
@@ -7,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <set>
 
 #include "absl/strings/str_cat.h"
 #include "common/model/error.h"
@@ -18,6 +21,13 @@ namespace {
 constexpr int kTries = 3;
 /// Enough to see what is wrong.
 constexpr size_t kMaxViolations = 20;
+
+struct TrialResults {
+  int64_t calls = 0;              ///< of a life without faults
+  std::set<std::string> sites{};  ///< functions, and for which part of the directory
+  int64_t trials = 0;
+  std::vector<std::string> violations{};
+};
 
 struct ErrorPlan {
   int64_t call = 0;
@@ -166,13 +176,6 @@ std::map<std::string, std::vector<ErrorPlan>> PlansFor(const std::vector<DiskCal
   return by_site;
 }
 
-}  // namespace
-
-bool StoreLife::Tells(const absl::Status& status, Fault) const {
-  const Reason reason = DetailOf(status).reason;
-  return reason == Reason::kStoreFailed || reason == Reason::kDiskFull;
-}
-
 TrialResults InjectErrors(const TrialOptions& options) {
   TrialResults results;
   const Beginning beginning(options);
@@ -228,6 +231,32 @@ void RecordTrials(const TrialResults& results) {
   record("sites", results.sites.size());
   record("trials", results.trials);
   record("violations", results.violations.size());
+}
+
+}  // namespace
+
+bool StoreLife::Tells(const absl::Status& status, Fault) const {
+  const Reason reason = DetailOf(status).reason;
+  return reason == Reason::kStoreFailed || reason == Reason::kDiskFull;
+}
+
+void ExpectErrorsAreSeenTo(const TrialOptions& options) {
+  const TrialResults results = InjectErrors(options);
+  EXPECT_THAT(results.violations, testing::IsEmpty());
+  RecordTrials(results);
+}
+
+void ExpectPowerCutsAreSurvived(TrialOptions options, int64_t seeds) {
+  for (options.seed = 1; options.seed <= seeds; ++options.seed) {
+    const TrialResults results = CutPower(options);
+    EXPECT_THAT(results.violations, testing::IsEmpty()) << "seed " << options.seed;
+    RecordTrials(results);
+  }
+}
+
+void ExpectNoticed(Lie lie, TrialOptions options) {
+  options.lie = lie;
+  EXPECT_THAT(CutPower(options).violations, testing::Not(testing::IsEmpty()));
 }
 
 }  // namespace slicefarm::coordinator

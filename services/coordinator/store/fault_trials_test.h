@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -51,24 +50,20 @@ struct TrialOptions {
   Lie lie = Lie::kNone;
 };
 
-struct TrialResults {
-  int64_t calls = 0;              ///< of a life without faults
-  std::set<std::string> sites{};  ///< functions, and for which part of the directory
-  int64_t trials = 0;
-  std::vector<std::string> violations{};
-};
-
 /// Lets calls of a life fail, one a life: with each error that a call can end with, once or until a
-/// step failed; the life then goes on with the same store, or a new one opens the state. Violations
-/// are steps that do not succeed in the end, errors without a reason, and what Check finds in what
-/// is there at the end, and in what a power cut would leave of it.
-TrialResults InjectErrors(const TrialOptions& options);
+/// step failed; the life then goes on with the same store, or a new one opens the state. Expects
+/// that steps succeed in the end, that errors have a reason, and that Check finds nothing in what
+/// is there at the end, nor in what a power cut would leave of it. The figures are printed, and
+/// kept as properties of the test.
+void ExpectErrorsAreSeenTo(const TrialOptions& options);
 
-/// Cuts the power after each change of the disk in a life. Violations are what Check finds then,
-/// and also after a second cut while it looked.
-TrialResults CutPower(const TrialOptions& options);
+/// Cuts the power after each change of the disk in a life; all of it again for each of the seeds 1
+/// .. `seeds`. Expects that Check finds nothing then, nor after a second cut while it looked. The
+/// figures as above.
+void ExpectPowerCutsAreSurvived(TrialOptions options, int64_t seeds);
 
-/// Prints the figures, and keeps them as properties of the test.
-void RecordTrials(const TrialResults& results);
+/// Expects that power cuts on a disk that lies break a promise: that these trials find a store that
+/// does not sync, here one whose fsyncs do nothing.
+void ExpectNoticed(Lie lie, TrialOptions options);
 
 }  // namespace slicefarm::coordinator

@@ -5,7 +5,6 @@
 //   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (1)
 //   SLICEFARM_FAULT_EVERY    after one of so many changes the power is cut (5)
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -354,36 +353,25 @@ TrialOptions Options() {
 TEST(SqliteFaults, ErrorsAreToldAndSeenTo) {
   TrialOptions options = Options();
   options.errors_a_site = FromEnvironment("SLICEFARM_FAULT_ERRORS", 8);
-  const TrialResults results = InjectErrors(options);
-  EXPECT_THAT(results.violations, testing::IsEmpty());
-  RecordTrials(results);
+  ExpectErrorsAreSeenTo(options);
 }
 
 TEST(SqliteFaults, APowerCutLosesNothingThatWasPromised) {
   TrialOptions options = Options();
   options.cut_every = FromEnvironment("SLICEFARM_FAULT_EVERY", 5);
-  const int64_t seeds = FromEnvironment("SLICEFARM_FAULT_SEEDS", 1);
-  for (int64_t seed = 1; seed <= seeds; ++seed) {
-    options.seed = seed;
-    const TrialResults results = CutPower(options);
-    EXPECT_THAT(results.violations, testing::IsEmpty()) << "seed " << seed;
-    RecordTrials(results);
-  }
+  ExpectPowerCutsAreSurvived(options, FromEnvironment("SLICEFARM_FAULT_SEEDS", 1));
 }
 
-// These tests find a store that does not sync: here, one whose fsyncs do nothing.
 TEST(SqliteFaults, AnUnsyncedFileIsNoticed) {
   TrialOptions options = Options();
   options.cut_every = 5;
-  options.lie = Lie::kFiles;
-  EXPECT_THAT(CutPower(options).violations, testing::Not(testing::IsEmpty()));
+  ExpectNoticed(Lie::kFiles, options);
 }
 
 TEST(SqliteFaults, AnUnsyncedDirectoryIsNoticed) {
   TrialOptions options = Options();
   options.cut_every = 5;
-  options.lie = Lie::kDirectories;
-  EXPECT_THAT(CutPower(options).violations, testing::Not(testing::IsEmpty()));
+  ExpectNoticed(Lie::kDirectories, options);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 //   SLICEFARM_FAULT_SEEDS    how many random choices of what a power cut leaves (1)
 //   SLICEFARM_FAULT_EVERY    after one of so many changes the power is cut (3)
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -109,19 +108,12 @@ INSTANTIATE_TEST_SUITE_P(From, SqliteMigrationFaults, testing::Range<int64_t>(0,
 
 TEST_P(SqliteMigrationFaults, ErrorsAreToldAndSeenTo) {
   options_.errors_a_site = FromEnvironment("SLICEFARM_FAULT_ERRORS", 5);
-  const TrialResults results = InjectErrors(options_);
-  EXPECT_THAT(results.violations, testing::IsEmpty());
-  RecordTrials(results);
+  ExpectErrorsAreSeenTo(options_);
 }
 
 TEST_P(SqliteMigrationFaults, APowerCutLeavesAnOldOrANewSchema) {
   options_.cut_every = FromEnvironment("SLICEFARM_FAULT_EVERY", 3);
-  const int64_t seeds = FromEnvironment("SLICEFARM_FAULT_SEEDS", 1);
-  for (options_.seed = 1; options_.seed <= seeds; ++options_.seed) {
-    const TrialResults results = CutPower(options_);
-    EXPECT_THAT(results.violations, testing::IsEmpty()) << "seed " << options_.seed;
-    RecordTrials(results);
-  }
+  ExpectPowerCutsAreSurvived(options_, FromEnvironment("SLICEFARM_FAULT_SEEDS", 1));
 }
 
 }  // namespace
