@@ -18,10 +18,18 @@ MODELS = ROOT / "tests/corpus/models"
 OPEN = ("JOB_STATE_QUEUED", "JOB_STATE_RUNNING")
 
 
+PORTS = set()  # that were given out
+
+
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+    """Another one each time: who gets it may not listen on it yet."""
+    while True:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        if port not in PORTS:
+            PORTS.add(port)
+            return port
 
 
 class Service:
