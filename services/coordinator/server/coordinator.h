@@ -74,6 +74,7 @@ class Coordinator {
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;
+  FullQueues full_queues_;
   const Callers callers_;
   JobIntake intake_;
   JobRunner runner_;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
@@ -295,6 +296,20 @@ TEST_F(IsolationTest, NobodySpoilsAnothersUpload) {
   EXPECT_EQ(DetailOf(b_->Upload(std::string(1000, '!'), 0, -1, Sha256Hex(mesh)).status()).reason,
             Reason::kBlobDigestMismatch);
   EXPECT_TRUE(a_->Upload(mesh, 500)->complete());
+}
+
+TEST_F(IsolationTest, AFullQueueTakesNoMeshes) {
+  Change([](Tenants& tenants) { tenants["a"].max_open_jobs = 1; });
+  ranges_->Hold();
+  a_->Submit("xa");
+  std::optional<Seen> upload;
+  do {  // it does not hold for long
+    EXPECT_EQ(a_->SeeCreate(TenantClient::RequestFor("xa")).reason(), Reason::kQueueFull);
+    upload = a_->SeeUpload("xxa", 0, 3);
+  } while (upload->status().ok());
+  EXPECT_EQ(upload->reason(), Reason::kQueueFull);
+  EXPECT_TRUE(DetailOf(upload->status()).metadata.contains(rpc::kRetryAfterMs));
+  EXPECT_TRUE(b_->SeeUpload("xxa", 0, 3).status().ok());
 }
 
 TEST_F(IsolationTest, AnothersResultIsNotTaken) {

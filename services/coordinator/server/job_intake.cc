@@ -65,7 +65,9 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
     job.settings_digest = resolved->settings_digest;
     job.action_digest = resolved->action_digest;
   }
-  return jobs_.Create(job, now_us_());
+  auto created = jobs_.Create(job, now_us_());
+  full_queues_.Note(job.tenant, created.status(), job.max_open);
+  return created;
 }
 
 absl::Status JobIntake::CheckMeshes(const std::string& tenant, const JobRequest& request) {

@@ -7,6 +7,7 @@
 #include "common/model/limits.h"
 #include "common/model/trace_context.h"
 #include "services/coordinator/server/disk_guard.h"
+#include "services/coordinator/server/full_queues.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/server/job_results.h"
 #include "services/coordinator/store/blob_stores.h"
@@ -31,11 +32,12 @@ struct Submission {
 /// The edge where requests become jobs: what comes behind it has been checked.
 class JobIntake {
  public:
-  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, std::string build_id,
-            ResultSharing sharing, std::function<int64_t()> now_us)
+  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, FullQueues& full_queues,
+            std::string build_id, ResultSharing sharing, std::function<int64_t()> now_us)
       : jobs_(jobs),
         blobs_(blobs),
         disk_(disk),
+        full_queues_(full_queues),
         build_id_(std::move(build_id)),
         sharing_(sharing),
         now_us_(std::move(now_us)) {}
@@ -55,6 +57,7 @@ class JobIntake {
   JobStore& jobs_;
   BlobStores& blobs_;
   const DiskGuard& disk_;
+  FullQueues& full_queues_;
   const std::string build_id_;
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;

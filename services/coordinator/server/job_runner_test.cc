@@ -58,14 +58,14 @@ class JobRunnerTest : public testing::Test {
     v1::Object* object = spec.add_objects();
     object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
     object->set_name("part");
-    const auto created =
-        JobIntake(*jobs_, *blobs_, DiskGuard("", 0), build, ResultSharing::kOff, Clock())
-            .Create({.request_id = {},
-                     .spec_digest = Sha256Hex(SpecBytes(spec)),
-                     .spec = SpecBytes(spec),
-                     .request = *FromProto(spec),
-                     .labels = {},
-                     .deadline_us = deadline_us});
+    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), full_queues_, build,
+                                   ResultSharing::kOff, Clock())
+                             .Create({.request_id = {},
+                                      .spec_digest = Sha256Hex(SpecBytes(spec)),
+                                      .spec = SpecBytes(spec),
+                                      .request = *FromProto(spec),
+                                      .labels = {},
+                                      .deadline_us = deadline_us});
     EXPECT_TRUE(created.ok()) << created.status();
     return created->job.id;
   }
@@ -135,6 +135,7 @@ class JobRunnerTest : public testing::Test {
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
+  FullQueues full_queues_{Clock()};
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
 

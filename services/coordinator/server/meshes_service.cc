@@ -73,6 +73,7 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
                                        v1::Upload* response) {
   const auto caller = callers_.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (absl::Status room = full_queues_.Check(caller->tenant); !room.ok()) return rpc::ToGrpc(room);
   const auto blobs = blobs_.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto receive = [&](const Transfers::Moved& moved) -> absl::Status {

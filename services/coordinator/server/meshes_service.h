@@ -3,6 +3,7 @@
 #include "absl/status/statusor.h"
 #include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/disk_guard.h"
+#include "services/coordinator/server/full_queues.h"
 #include "services/coordinator/server/transfers.h"
 #include "services/coordinator/store/blob_stores.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
@@ -12,10 +13,14 @@ namespace slicefarm::coordinator {
 /// Translates slicefarm.v1.Meshes to the caller's BlobStore.
 class MeshesService final : public v1::Meshes::Service {
  public:
-  /// `callers`, `blobs` and `disk` must outlive it.
+  /// All but `options` must outlive it.
   MeshesService(const Callers& callers, BlobStores& blobs, const DiskGuard& disk,
-                const TransferOptions& options)
-      : callers_(callers), blobs_(blobs), disk_(disk), uploads_(options) {}
+                FullQueues& full_queues, const TransferOptions& options)
+      : callers_(callers),
+        blobs_(blobs),
+        disk_(disk),
+        full_queues_(full_queues),
+        uploads_(options) {}
 
   grpc::Status GetUpload(grpc::ServerContext* context, const v1::GetUploadRequest* request,
                          v1::Upload* response) override;
@@ -28,6 +33,7 @@ class MeshesService final : public v1::Meshes::Service {
   const Callers& callers_;
   BlobStores& blobs_;
   const DiskGuard& disk_;
+  FullQueues& full_queues_;
   Transfers uploads_;
 };
 

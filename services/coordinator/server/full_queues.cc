@@ -1,0 +1,32 @@
+#include "services/coordinator/server/full_queues.h"
+
+#include <algorithm>
+
+#include "common/model/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kMaxPauseUs = 1'000'000;
+/// A farm that ends more than 200 jobs of one tenant a second would run out of them meanwhile.
+constexpr int64_t kPauseAJobUs = 5'000;
+
+}  // namespace
+
+void FullQueues::Note(const std::string& tenant, const absl::Status& created, int64_t max_open) {
+  if (DetailOf(created).reason != Reason::kQueueFull) return;
+  const int64_t pause_us = std::min(max_open, kMaxPauseUs / kPauseAJobUs) * kPauseAJobUs;
+  const std::lock_guard lock(mutex_);
+  refusals_[tenant] = {created, now_us_() + pause_us};
+}
+
+absl::Status FullQueues::Check(const std::string& tenant) {
+  const std::lock_guard lock(mutex_);
+  const auto found = refusals_.find(tenant);
+  if (found == refusals_.end()) return absl::OkStatus();
+  if (now_us_() < found->second.until_us) return found->second.status;
+  refusals_.erase(found);
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::coordinator
