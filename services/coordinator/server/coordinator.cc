@@ -62,7 +62,7 @@ absl::Status Coordinator::Start() {
   changes_ = ListenForChanges(options_.stores,
                               [this](const std::optional<JobChange>& change) { Changed(change); });
   webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
-                          NowUs, log_);
+                          NowUs, log_, Registry());
   maintenance_.emplace(jobs_, blobs_, options_.maintenance, NowUs, log_);
   return absl::OkStatus();
 }

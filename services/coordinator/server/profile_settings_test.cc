@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/model/error.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -21,6 +22,30 @@ TEST(ParseProfileRef, RefusesTheRest) {
   }
   EXPECT_EQ(DetailOf(CheckProfileName(std::string(256, 'a'))).reason, Reason::kRequestTooLarge);
   EXPECT_TRUE(CheckProfileName(std::string(255, 'a')).ok());
+}
+
+/// Of which every name is there.
+class AnyProfile : public ProfileStore {
+ public:
+  absl::StatusOr<ProfileRecord> Put(const NewProfile&, int64_t) override {
+    return absl::UnimplementedError("");
+  }
+  absl::StatusOr<ProfileRecord> Get(const std::string&, const std::string& name, int64_t) override {
+    return ProfileRecord{.name = name, .revision = 7};
+  }
+  absl::StatusOr<std::vector<ProfileRecord>> List(const std::string&, const std::string&,
+                                                  int32_t) override {
+    return absl::UnimplementedError("");
+  }
+};
+
+TEST(WithProfiles, AJobHasAtMostSoMany) {
+  AnyProfile profiles;
+  v1::JobSpec spec;
+  for (int i = 0; i < limits::kMaxJobProfiles; ++i) spec.add_profiles("pla");
+  EXPECT_EQ(WithProfiles(spec, "", profiles)->profiles(15), "pla@7");
+  spec.add_profiles("pla");
+  EXPECT_EQ(DetailOf(WithProfiles(spec, "", profiles).status()).reason, Reason::kRequestTooLarge);
 }
 
 TEST(ReadProfile, DamageIsAnError) {

@@ -16,16 +16,28 @@ constexpr int kMaxDoublings = 16;
 
 int64_t Us(std::chrono::milliseconds time) { return time.count() * 1'000; }
 
+prometheus::Counter& Tries(prometheus::Registry& registry, const char* outcome) {
+  return prometheus::BuildCounter()
+      .Name("slicefarm_webhook_tries_total")
+      .Help("Tries to tell a receiver of a job's end; given_up: the last one of a webhook failed")
+      .Register(registry)
+      .Add({{"outcome", outcome}});
+}
+
 }  // namespace
 
 WebhookSender::WebhookSender(WebhookStore& webhooks, JobStore& jobs, const WebhookPolicy& policy,
-                             Options options, std::function<int64_t()> now_us, rpc::JsonLog log)
+                             Options options, std::function<int64_t()> now_us, rpc::JsonLog log,
+                             prometheus::Registry& registry)
     : webhooks_(webhooks),
       jobs_(jobs),
       policy_(policy),
       options_(options),
       now_us_(std::move(now_us)),
-      log_(std::move(log)) {
+      log_(std::move(log)),
+      delivered_(Tries(registry, "delivered")),
+      failed_(Tries(registry, "failed")),
+      given_up_(Tries(registry, "given_up")) {
   for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { Serve(); });
 }
 
@@ -123,6 +135,7 @@ void WebhookSender::Conclude(const DueWebhook& due, const WebhookAttempt& attemp
              {"attempt", int64_t{due.attempt}},
              {"http_status", int64_t{attempt.http_status}},
              {"error", attempt.error}});
+  (delivered ? delivered_ : given_up ? given_up_ : failed_).Increment();
   // Unwritten, the claim runs out and the receiver hears of it again.
   if (!written.ok()) log_.Warn("outbox not written", {{"error", std::string(written.message())}});
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <prometheus/counter.h>
+#include <prometheus/registry.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -32,7 +35,8 @@ class WebhookSender {
 
   /// Everything outlives it.
   WebhookSender(WebhookStore& webhooks, JobStore& jobs, const WebhookPolicy& policy,
-                Options options, std::function<int64_t()> now_us, rpc::JsonLog log);
+                Options options, std::function<int64_t()> now_us, rpc::JsonLog log,
+                prometheus::Registry& registry);
   /// Waits for the tries that are on their way.
   ~WebhookSender();
 
@@ -50,6 +54,9 @@ class WebhookSender {
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;
+  prometheus::Counter& delivered_;
+  prometheus::Counter& failed_;
+  prometheus::Counter& given_up_;
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopping_ = false;

@@ -61,6 +61,14 @@ class WebhookSenderTest : public CoordinatorTest {
     return webhook;
   }
 
+  double Tries(const std::string& outcome) {
+    return prometheus::BuildCounter()
+        .Name("slicefarm_webhook_tries_total")
+        .Register(registry_)
+        .Add({{"outcome", outcome}})
+        .Value();
+  }
+
   HttpReceiver receiver_;
 };
 
@@ -105,6 +113,10 @@ TEST_F(WebhookSenderTest, GivesUpInTheEnd) {
   const auto job = CreateWith(receiver_.Url("/farm"));
   EXPECT_EQ(AwaitState(job->id(), v1::Webhook::STATE_GIVEN_UP).attempts_size(), 3);
   EXPECT_THAT(receiver_.Await(3), SizeIs(3));
+  Close();  // the tries have been counted
+  EXPECT_EQ(Tries("failed"), 2);
+  EXPECT_EQ(Tries("given_up"), 1);
+  EXPECT_EQ(Tries("delivered"), 0);
 }
 
 TEST_F(WebhookSenderTest, FollowsNoRedirect) {
