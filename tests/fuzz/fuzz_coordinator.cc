@@ -87,9 +87,6 @@ class Farm {
   }
 
  private:
-  template <typename Stub, typename Request, typename Response>
-  using Unary = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Response*);
-
   /// What is refused says why: no call ends as UNKNOWN, or as an error of our own.
   static bool Ends(const grpc::Status& status, int line = __builtin_LINE()) {
     Expect(status.error_code() != grpc::StatusCode::UNKNOWN, line);
@@ -97,8 +94,25 @@ class Farm {
     return status.ok();
   }
 
+  /// Whether the call went well.
+  template <typename Stub, typename Request, typename Response>
+  static bool Make(Stub& stub,
+                   grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                   const Request& request, Response* response, int line = __builtin_LINE()) {
+    grpc::ClientContext context;
+    return Ends((stub.*method)(&context, request, response), line);
+  }
+  template <typename Stub, typename Request, typename Response>
+  static bool Make(Stub& stub,
+                   grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                   const Request& request, int line = __builtin_LINE()) {
+    Response response;
+    return Make(stub, method, request, &response, line);
+  }
+
   void Upload(const fuzz::Upload& upload);
   void Create(const v1::CreateJobRequest& request);
+  void BatchCreate(const v1::BatchCreateJobsRequest& request);
   void Watch(const v1::WatchJobRequest& request);
   void Download(const v1::DownloadRequest& request);
   void PutProfile(const v1::PutProfileRequest& request);
@@ -131,15 +145,13 @@ void Farm::Upload(const fuzz::Upload& upload) {
 
 /// What was accepted is kept as it was sent first.
 void Farm::Create(const v1::CreateJobRequest& request) {
-  grpc::ClientContext context;
   v1::Job job;
-  if (!Ends(jobs_->CreateJob(&context, request, &job)) || request.validate_only()) return;
+  if (!Make(*jobs_, &v1::Jobs::Stub::CreateJob, request, &job) || request.validate_only()) return;
   if (!created_.insert(job.id()).second) return;
   v1::GetJobRequest get;
   get.set_id(job.id());
   v1::Job kept;
-  grpc::ClientContext again;
-  Expect(Ends(jobs_->GetJob(&again, get, &kept)));
+  Expect(Make(*jobs_, &v1::Jobs::Stub::GetJob, get, &kept));
   Expect(kept.labels_size() == request.labels_size());
   for (const auto& [key, value] : request.labels()) {
     const auto found = kept.labels().find(key);
@@ -151,8 +163,7 @@ void Farm::Create(const v1::CreateJobRequest& request) {
   v1::ListJobsRequest list;
   list.mutable_labels()->insert(request.labels().begin(), request.labels().end());
   v1::ListJobsResponse listed;
-  grpc::ClientContext listing;
-  Expect(Ends(jobs_->ListJobs(&listing, list, &listed)) && listed.jobs_size() > 0);
+  Expect(Make(*jobs_, &v1::Jobs::Stub::ListJobs, list, &listed) && listed.jobs_size() > 0);
 }
 
 void Farm::Watch(const v1::WatchJobRequest& request) {
@@ -174,78 +185,55 @@ void Farm::Download(const v1::DownloadRequest& request) {
 }
 
 void Farm::PutProfile(const v1::PutProfileRequest& request) {
-  grpc::ClientContext context;
-  v1::Profile profile;
-  if (!Ends(profiles_->PutProfile(&context, request, &profile))) return;
+  if (!Make(*profiles_, &v1::Profiles::Stub::PutProfile, request)) return;
   v1::GetProfileRequest get;
   get.set_name(request.name());
   v1::Profile kept;
-  grpc::ClientContext again;
-  Expect(Ends(profiles_->GetProfile(&again, get, &kept)));
+  Expect(Make(*profiles_, &v1::Profiles::Stub::GetProfile, get, &kept));
   Expect(kept.settings_size() == request.settings_size());
   for (int i = 0; i < request.settings_size(); ++i)
     Expect(kept.settings(i).SerializeAsString() == request.settings(i).SerializeAsString());
 }
 
+void Farm::BatchCreate(const v1::BatchCreateJobsRequest& request) {
+  v1::BatchCreateJobsResponse response;
+  if (Make(*jobs_, &v1::Jobs::Stub::BatchCreateJobs, request, &response))
+    Expect(response.outcomes_size() == request.requests_size());
+}
+
 void Farm::Call(const CoordinatorCall& call) {
-  grpc::ClientContext context;
+  using Meshes = v1::Meshes::Stub;
+  using Jobs = v1::Jobs::Stub;
+  using Profiles = v1::Profiles::Stub;
   switch (call.call_case()) {
-    case CoordinatorCall::kGetUpload: {
-      v1::Upload response;
-      Ends(meshes_->GetUpload(&context, call.get_upload(), &response));
-      return;
-    }
+    case CoordinatorCall::kGetUpload:
+      return (void)Make(*meshes_, &Meshes::GetUpload, call.get_upload());
     case CoordinatorCall::kUpload:
       return Upload(call.upload());
     case CoordinatorCall::kCreateJob:
       return Create(call.create_job());
-    case CoordinatorCall::kBatchCreateJobs: {
-      v1::BatchCreateJobsResponse response;
-      if (Ends(jobs_->BatchCreateJobs(&context, call.batch_create_jobs(), &response)))
-        Expect(response.outcomes_size() == call.batch_create_jobs().requests_size());
-      return;
-    }
-    case CoordinatorCall::kGetJob: {
-      v1::Job response;
-      Ends(jobs_->GetJob(&context, call.get_job(), &response));
-      return;
-    }
-    case CoordinatorCall::kListJobs: {
-      v1::ListJobsResponse response;
-      Ends(jobs_->ListJobs(&context, call.list_jobs(), &response));
-      return;
-    }
+    case CoordinatorCall::kBatchCreateJobs:
+      return BatchCreate(call.batch_create_jobs());
+    case CoordinatorCall::kGetJob:
+      return (void)Make(*jobs_, &Jobs::GetJob, call.get_job());
+    case CoordinatorCall::kListJobs:
+      return (void)Make(*jobs_, &Jobs::ListJobs, call.list_jobs());
     case CoordinatorCall::kWatchJob:
       return Watch(call.watch_job());
-    case CoordinatorCall::kCancelJob: {
-      v1::Job response;
-      Ends(jobs_->CancelJob(&context, call.cancel_job(), &response));
-      return;
-    }
-    case CoordinatorCall::kDeleteJob: {
-      google::protobuf::Empty response;
-      Ends(jobs_->DeleteJob(&context, call.delete_job(), &response));
-      return;
-    }
-    case CoordinatorCall::kGetWebhook: {
-      v1::Webhook response;
-      Ends(jobs_->GetWebhook(&context, call.get_webhook(), &response));
-      return;
-    }
+    case CoordinatorCall::kCancelJob:
+      return (void)Make(*jobs_, &Jobs::CancelJob, call.cancel_job());
+    case CoordinatorCall::kDeleteJob:
+      return (void)Make(*jobs_, &Jobs::DeleteJob, call.delete_job());
+    case CoordinatorCall::kGetWebhook:
+      return (void)Make(*jobs_, &Jobs::GetWebhook, call.get_webhook());
     case CoordinatorCall::kDownload:
       return Download(call.download());
     case CoordinatorCall::kPutProfile:
       return PutProfile(call.put_profile());
-    case CoordinatorCall::kGetProfile: {
-      v1::Profile response;
-      Ends(profiles_->GetProfile(&context, call.get_profile(), &response));
-      return;
-    }
-    case CoordinatorCall::kListProfiles: {
-      v1::ListProfilesResponse response;
-      Ends(profiles_->ListProfiles(&context, call.list_profiles(), &response));
-      return;
-    }
+    case CoordinatorCall::kGetProfile:
+      return (void)Make(*profiles_, &Profiles::GetProfile, call.get_profile());
+    case CoordinatorCall::kListProfiles:
+      return (void)Make(*profiles_, &Profiles::ListProfiles, call.list_profiles());
     case CoordinatorCall::CALL_NOT_SET:
       return;
   }
