@@ -34,6 +34,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
       return absl::IsUnavailable(status) ? ExitCode::kServerUnavailable : ExitCode::kJobFailed;
     case Reason::kBlobDigestMismatch:  // also DATA_LOSS, but it is the server's
     case Reason::kRangePoisoned:
+    case Reason::kJobPoisoned:
     case Reason::kDiskFull:
       return ExitCode::kJobFailed;
     case Reason::kCancelled:

@@ -31,6 +31,7 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
       {Reason::kDeadlineExceeded, ExitCode::kServerUnavailable},
       {Reason::kBlobDigestMismatch, ExitCode::kJobFailed},
       {Reason::kRangePoisoned, ExitCode::kJobFailed},
+      {Reason::kJobPoisoned, ExitCode::kJobFailed},
       {Reason::kCancelled, ExitCode::kCancelled},
       {Reason::kJobNotFound, ExitCode::kNotFound},
   };

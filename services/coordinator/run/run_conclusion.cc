@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/model/error.h"
+#include "services/coordinator/run/run_steps.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -12,6 +13,8 @@ constexpr int64_t kFirstRetryUs = 500'000;
 constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
+constexpr int64_t kFirstRestUs = 1'000'000;
+constexpr int64_t kMaxRestUs = 600'000'000;
 
 /// True if the services that are needed are not there; for some time there may be others in their
 /// places that do not know this coordinator.
@@ -22,6 +25,19 @@ bool IsAway(const absl::Status& status) {
 
 int64_t PauseUs(int32_t times) {
   return std::min(kMaxRetryUs, kFirstRetryUs << std::min(times, 10));
+}
+
+/// True if no worker lived to tell what is wrong with a range.
+bool WorkersDied(const absl::Status& status) {
+  const ErrorDetail detail = DetailOf(status);
+  if (detail.reason != Reason::kRangePoisoned) return false;
+  const auto cause = detail.metadata.find("cause");
+  return cause != detail.metadata.end() && cause->second == ReasonName(Reason::kUnavailable);
+}
+
+/// Meanwhile the coordinators can do the work of others.
+int64_t RestUs(int32_t lost_runs) {
+  return std::min(kMaxRestUs, kFirstRestUs << std::min(lost_runs - kSuspectRuns, 20));
 }
 
 }  // namespace
@@ -48,7 +64,9 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.store_failed = true;
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
-  } else if (IsAway(error) && job.retries < kMaxRetries) {
+  } else if (DetailOf(error).reason == Reason::kJobPoisoned && job.lost_runs < kMaxLostRuns) {
+    update.claimable_from_us = now_us + RestUs(job.lost_runs);
+  } else if (job.retries < (WorkersDied(error) ? 1 : IsAway(error) ? kMaxRetries : 0)) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;
   } else {

@@ -9,6 +9,9 @@
 
 namespace slicefarm::coordinator {
 
+/// A job that lost so many runs has killed its coordinators, as far as can be told.
+inline constexpr int32_t kMaxLostRuns = 20;
+
 /// What a run that ended with `error` makes of its job, as it was claimed. Pure.
 ///
 ///   its client wants it to end                            CANCELLED
@@ -18,6 +21,11 @@ namespace slicefarm::coordinator {
 ///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
 ///   services are of another build                         QUEUED, in 5 s, however often
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
+///   a range killed its workers                            the same, but once: they may have died
+///   of
+///                                                         something else
+///   JOB_POISONED: coordinators may die of it              QUEUED, in 1 s, ever later, up to 10
+///                                                         minutes, until it has lost 20 runs
 ///   anything else                                         FAILED
 ///
 /// "Ever later": twice as long each time.

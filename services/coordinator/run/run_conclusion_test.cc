@@ -18,11 +18,18 @@ absl::Status StoreFailed() {
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, "disk I/O error");
 }
 
+absl::Status RangePoisoned(const std::string& cause) {
+  return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned, "", {{"cause", cause}});
+}
+absl::Status JobPoisoned() {
+  return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned, "");
+}
+
 struct Case {
   std::string name;
   absl::Status error;
   int retries;
-  int store_failures;
+  int store_failures;  // and lost runs
   JobState state;
   int64_t delay_us;
 };
@@ -33,7 +40,7 @@ TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
   const Case& c = GetParam();
   JobRecord job;
   job.retries = c.retries;
-  job.store_failures = c.store_failures;
+  job.store_failures = job.lost_runs = c.store_failures;
   const JobUpdate update = Conclusion(job, RunWishes(), c.error, {9, 4}, kNowUs);
   EXPECT_EQ(update.state, c.state);
   EXPECT_EQ(update.layers_total, 9);
@@ -59,6 +66,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"StoreFailsStill", StoreFailed(), 5, 1000, kQueued, 60'000'000},
         Case{"DiskFull", MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, ""), 5,
              9, kQueued, 10'000'000},
+        Case{"ARangeKillsItsWorkers", RangePoisoned("UNAVAILABLE"), 0, 0, kQueued, 500'000},
+        Case{"ARangeKillsThemAgain", RangePoisoned("UNAVAILABLE"), 1, 0, kFailed, 0},
+        Case{"ARangeFailsItsWorkers", RangePoisoned("INTERNAL"), 0, 0, kFailed, 0},
+        Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 3, kQueued, 1'000'000},
+        Case{"NinthCoordinatorDies", JobPoisoned(), 9, 9, kQueued, 64'000'000},
+        Case{"NineteenthCoordinatorDies", JobPoisoned(), 9, 19, kQueued, 600'000'000},
+        Case{"TwentiethCoordinatorDies", JobPoisoned(), 0, 20, kFailed, 0},
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 

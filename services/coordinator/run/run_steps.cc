@@ -37,7 +37,7 @@ Step RunSteps::Next(const RunWishes& wishes, int64_t now_us) {
   if (wishes.lost()) return Step::kOver;
   const bool begun = step_ != Step::kFindCached && step_ != Step::kBegin;
   if (!begun && wishes.GivenUp(now_us)) Took(absl::CancelledError("given up before it began"));
-  if (step_ == Step::kBegin && lost_runs_ >= kMaxLostRuns) Took(Poisoned(lost_runs_));
+  if (step_ == Step::kBegin && lost_runs_ >= kSuspectRuns) Took(Poisoned(lost_runs_));
   return step_;
 }
 

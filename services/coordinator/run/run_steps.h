@@ -7,10 +7,9 @@
 
 namespace slicefarm::coordinator {
 
-/// A job that lost so many runs is to run with no other beside it, so that none is blamed for what
-/// another one does.
+/// A job that lost so many runs may be what its coordinators die of. It is to run with no other
+/// beside it, so that none is blamed for what another one does.
 inline constexpr int32_t kSuspectRuns = 3;
-inline constexpr int32_t kMaxLostRuns = 10;
 
 /// The way of one claimed job, as a pure state machine: it says what is to be done next, and is
 /// told what came of it.
@@ -19,8 +18,9 @@ inline constexpr int32_t kMaxLostRuns = 10;
 ///        each of them, when it fails -> kConclude -> kOver
 ///
 /// Whoever lost the job takes no further step: all but kCompute write. Who is to give it up does
-/// not begin with it: a job whose end was requested does not end with an earlier result. A job that
-/// lost kMaxLostRuns runs fails as JOB_POISONED: it may be what its coordinators die of.
+/// not begin with it: a job whose end was requested does not end with an earlier result. A suspect
+/// whose last run was lost does not begin either: as JOB_POISONED, it is for Conclusion to say when
+/// it runs again, if it does.
 class RunSteps {
  public:
   enum class Step {
@@ -32,8 +32,10 @@ class RunSteps {
     kOver,
   };
 
-  /// `lost_runs`: of the job, up to now.
-  explicit RunSteps(int32_t lost_runs = 0) : lost_runs_(lost_runs) {}
+  RunSteps() = default;
+  /// Of a job as it was claimed.
+  explicit RunSteps(const JobRecord& job)
+      : lost_runs_(job.state == JobState::kRunning ? job.lost_runs : 0) {}
 
   /// The step to take now.
   Step Next(const RunWishes& wishes, int64_t now_us);
@@ -45,7 +47,7 @@ class RunSteps {
   const absl::Status& status() const { return status_; }
 
  private:
-  const int32_t lost_runs_;
+  int32_t lost_runs_ = 0;  ///< 0: the last one was not lost
   Step step_ = Step::kFindCached;
   absl::Status status_;
 };

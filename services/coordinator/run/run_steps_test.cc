@@ -70,16 +70,25 @@ TEST_F(RunStepsTest, WhatIsOverdueDoesNotBegin) {
   EXPECT_EQ(Next(), Step::kOver);
 }
 
-TEST_F(RunStepsTest, AJobThatLostManyRunsDoesNotBegin) {
-  RunSteps last_try(kMaxLostRuns - 1);
-  last_try.Took(false);
-  EXPECT_EQ(last_try.Next(wishes_, 0), Step::kBegin);
+TEST_F(RunStepsTest, AJobThatLostManyRunsRestsBeforeTheNext) {
+  JobRecord job;
+  job.state = JobState::kRunning;
+  job.lost_runs = kSuspectRuns - 1;
+  RunSteps unlucky(job);
+  unlucky.Took(false);
+  EXPECT_EQ(unlucky.Next(wishes_, 0), Step::kBegin);
 
-  RunSteps poisoned(kMaxLostRuns);
-  EXPECT_EQ(poisoned.Next(wishes_, 0), Step::kFindCached) << "the same work may have been done";
-  poisoned.Took(false);
-  EXPECT_EQ(poisoned.Next(wishes_, 0), Step::kConclude);
-  EXPECT_EQ(DetailOf(poisoned.status()).reason, Reason::kJobPoisoned);
+  job.lost_runs = kSuspectRuns;
+  RunSteps suspect(job);
+  EXPECT_EQ(suspect.Next(wishes_, 0), Step::kFindCached) << "the same work may have been done";
+  suspect.Took(false);
+  EXPECT_EQ(suspect.Next(wishes_, 0), Step::kConclude);
+  EXPECT_EQ(DetailOf(suspect.status()).reason, Reason::kJobPoisoned);
+
+  job.state = JobState::kQueued;
+  RunSteps rested(job);
+  rested.Took(false);
+  EXPECT_EQ(rested.Next(wishes_, 0), Step::kBegin);
 }
 
 TEST_F(RunStepsTest, WhatIsMadeIsKeptEvenIfLate) {

@@ -43,7 +43,7 @@ JobRun::JobRun(RunEnvironment& environment, JobRecord job)
 }
 
 void JobRun::Run() {
-  RunSteps steps(job_.lost_runs);
+  RunSteps steps(job_);
   const auto next = [&] { return steps.Next(*wishes_, environment_.now_us()); };
   for (auto step = next(); step != RunSteps::Step::kOver; step = next()) {
     steps.Took(Take(step, steps.status()));

@@ -13,6 +13,7 @@
 #include "common/model/sha256.h"
 #include "common/model/temp_directory_test.h"
 #include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/run/run_conclusion.h"
 #include "services/coordinator/server/failing_job_store_test.h"
 #include "services/coordinator/server/fake_stages_test.h"
 #include "services/coordinator/server/job_intake.h"
@@ -101,21 +102,30 @@ class JobRunnerTest : public testing::Test {
   }
 
   /// A job that coordinators died of so often, in the middle of its runs. REQUIRES: no runner;
-  /// `before` is the only other job, or empty.
-  std::string SubmitSuspect(const std::string& mesh, int runs, const std::string& before = "") {
+  /// all other jobs do this work.
+  std::string SubmitSuspect(const std::string& mesh, int runs,
+                            const std::set<std::string>& others = {}) {
     std::string id = Submit(mesh);
-    LoseRuns(runs, before.empty() ? std::set<std::string>()
-                                  : std::set{jobs_->Get(before)->action_digest});
+    LoseRuns(runs, others);
     return id;
+  }
+  /// One that has rested, behind another one.
+  std::string SubmitSuspectBehind(const std::string& id) {
+    const std::set others = {jobs_->Get(id)->action_digest};
+    std::string suspect = SubmitSuspect("xxx", kSuspectRuns, others);
+    ClaimAndWrite(JobState::kQueued, others);
+    return suspect;
   }
   void LoseRuns(int times, const std::set<std::string>& others) {
     for (int i = 0; i < times; ++i) {
-      const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs, others);
-      ASSERT_NE(job, std::nullopt);
-      const Lease lease{job->id, job->owner_epoch};
-      ASSERT_TRUE(jobs_->Update(lease, {.state = JobState::kRunning}, NowUs()).ok());
+      ClaimAndWrite(JobState::kRunning, others);
       ASSERT_TRUE(jobs_->Release("dead").ok());
     }
+  }
+  void ClaimAndWrite(JobState state, const std::set<std::string>& others) {
+    const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs, others);
+    ASSERT_NE(job, std::nullopt);
+    ASSERT_TRUE(jobs_->Update({job->id, job->owner_epoch}, {.state = state}, NowUs()).ok());
   }
 
   /// Waits for so many further calls.
@@ -201,7 +211,7 @@ TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
 TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRunsAlone) {
   ranges_->Hold();
   const std::string before = Submit("xx");
-  const std::string suspect = SubmitSuspect("xxx", kSuspectRuns, before);
+  const std::string suspect = SubmitSuspectBehind(before);
   const std::string after = Submit("xxxx");
   const auto runner = Runner();
   ranges_->AwaitCall();
@@ -216,12 +226,23 @@ TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRunsAlone) {
 
 TEST_F(JobRunnerTest, ASuspectThatIsCancelledWaitsForNobody) {
   ranges_->Hold();
-  const std::string suspect = SubmitSuspect("xxx", kSuspectRuns, Submit("xx"));
+  const std::string suspect = SubmitSuspectBehind(Submit("xx"));
   const auto runner = Runner();
   ranges_->AwaitCall();
   while (jobs_->Get(suspect)->owner != "me") std::this_thread::yield();
   ASSERT_TRUE(jobs_->RequestCancel(suspect, NowUs()).ok());
   EXPECT_EQ(AwaitEnd(suspect).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRestsBeforeItRunsAgain) {
+  const std::string suspect = SubmitSuspect("xx", kSuspectRuns);
+  const std::string other = Submit("xxx");
+  const auto runner = Runner();
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  while (jobs_->Get(suspect)->state != JobState::kQueued) std::this_thread::yield();
+  EXPECT_EQ(slicing_.runs(), 1);
+  Pass(kSecondUs);
+  EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
 }
 
 TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/model/error.h"
-#include "services/coordinator/run/run_steps.h"
+#include "services/coordinator/run/run_conclusion.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

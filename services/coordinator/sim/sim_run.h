@@ -61,7 +61,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   const Lease lease_;
   const std::shared_ptr<RunWishes> wishes_;
   std::function<void()> over_;
-  RunSteps steps_{job_.lost_runs};
+  RunSteps steps_{job_};
   ProgressGate gate_;
   const double begun_s_;
   bool computing_ = false;
