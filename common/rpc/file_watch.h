@@ -22,6 +22,8 @@ class FileWatch {
   FileWatch(std::string path, std::string text,
             std::function<void(const absl::StatusOr<std::string>&)> changed,
             std::chrono::milliseconds every = std::chrono::seconds(1));
+  FileWatch(const FileWatch&) = delete;
+  FileWatch& operator=(const FileWatch&) = delete;
 
  private:
   void Loop(const std::stop_token& stop);

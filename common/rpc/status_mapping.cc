@@ -17,9 +17,9 @@
 namespace slicefarm::rpc {
 namespace {
 
-constexpr size_t kMaxMessageBytes = 2048;
+constexpr size_t kMaxMessageBytes = 1024;
 constexpr int64_t kMaxRetryAfterS = 24 * 3600;
-constexpr size_t kMaxValueBytes = 512;
+constexpr size_t kMaxValueBytes = 256;
 constexpr size_t kMaxValues = 8;
 
 std::string MessageOf(const absl::Status& status) {

@@ -1,3 +1,3 @@
--- How often a job's owner ended, or was fenced, in the middle of a run.
+-- Runs of a job that began and came to no end: its coordinators may die of it.
 
 ALTER TABLE jobs ADD COLUMN lost_runs BIGINT NOT NULL DEFAULT 0;

@@ -29,9 +29,6 @@ class LeaseBook {
   /// The run has ended.
   void Remove(const Lease& lease) { held_.erase(lease); }
 
-  /// How many go on.
-  size_t size() const { return held_.size(); }
-
   /// The work that is being done.
   std::set<std::string> Busy() const;
 

@@ -35,9 +35,11 @@ bool WorkersDied(const absl::Status& status) {
   return cause != detail.metadata.end() && cause->second == ReasonName(Reason::kUnavailable);
 }
 
-/// Meanwhile the coordinators can do the work of others.
-int64_t RestUs(int32_t lost_runs) {
-  return std::min(kMaxRestUs, kFirstRestUs << std::min(lost_runs - kSuspectRuns, 20));
+/// Meanwhile the coordinators can do the work of others. Jobs that ran beside each other rest for
+/// different times, so that the one they died of is alone some day.
+int64_t RestUs(const JobRecord& job) {
+  const int doublings = std::clamp(job.lost_runs - kSuspectRuns, 0, 20);
+  return std::min(kMaxRestUs, kFirstRestUs << doublings) * (8 + job.number % 8) / 8;
 }
 
 }  // namespace
@@ -65,7 +67,7 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
   } else if (DetailOf(error).reason == Reason::kBuildMismatch) {
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && job.lost_runs < kMaxLostRuns) {
-    update.claimable_from_us = now_us + RestUs(job.lost_runs);
+    update.claimable_from_us = now_us + RestUs(job);
   } else if (job.retries < (WorkersDied(error) ? 1 : IsAway(error) ? kMaxRetries : 0)) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;

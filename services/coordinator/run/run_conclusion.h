@@ -21,11 +21,10 @@ inline constexpr int32_t kMaxLostRuns = 20;
 ///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
 ///   services are of another build                         QUEUED, in 5 s, however often
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
-///   a range killed its workers                            the same, but once: they may have died
-///   of
-///                                                         something else
+///   the workers of a range died, each time                the same, but once: it may have been
+///                                                         something else that they died of
 ///   JOB_POISONED: coordinators may die of it              QUEUED, in 1 s, ever later, up to 10
-///                                                         minutes, until it has lost 20 runs
+///                                                         minutes, until 20 runs are lost
 ///   anything else                                         FAILED
 ///
 /// "Ever later": twice as long each time.

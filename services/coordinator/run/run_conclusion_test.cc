@@ -76,6 +76,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 
+TEST(Conclusion, JobsThatRanBesideEachOtherRestForDifferentTimes) {
+  JobRecord job;
+  job.lost_runs = 4;
+  job.number = 7;
+  EXPECT_EQ(Conclusion(job, RunWishes(), JobPoisoned(), {}, kNowUs).claimable_from_us,
+            kNowUs + 2'000'000 * 15 / 8);
+}
+
 TEST(Conclusion, WhatAFailureCountsAs) {
   const JobUpdate away = Conclusion({}, RunWishes(), Away(), {}, kNowUs);
   EXPECT_TRUE(away.retry);

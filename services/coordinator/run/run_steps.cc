@@ -27,7 +27,7 @@ Step After(Step step) {
 
 absl::Status Poisoned(int32_t lost_runs) {
   return MakeError(absl::StatusCode::kInternal, Reason::kJobPoisoned,
-                   fmt::format("{} runs of this job ended with the coordinator", lost_runs),
+                   fmt::format("{} runs of this job began and came to no end", lost_runs),
                    {{"lost_runs", fmt::format("{}", lost_runs)}});
 }
 

@@ -7,9 +7,14 @@
 
 namespace slicefarm::coordinator {
 
-/// A job that lost so many runs may be what its coordinators die of. It is to run with no other
-/// beside it, so that none is blamed for what another one does.
+/// A job that lost so many runs may be what its coordinators die of.
 inline constexpr int32_t kSuspectRuns = 3;
+
+/// What a run of `job`, as it was claimed, is to write of lost runs: if it is RUNNING, this one may
+/// be lost.
+inline int32_t LostRunsAfter(const JobRecord& job, JobState state) {
+  return job.lost_runs + (state == JobState::kRunning ? 1 : 0);
+}
 
 /// The way of one claimed job, as a pure state machine: it says what is to be done next, and is
 /// told what came of it.

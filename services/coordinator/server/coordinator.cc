@@ -12,6 +12,12 @@ int64_t NowUs() {
       .count();
 }
 
+int64_t SteadyUs() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOptions options,
@@ -37,7 +43,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       pipeline_(slicing, motion, executor),
       results_(jobs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
-      full_queues_(NowUs),
+      full_queues_(SteadyUs),
       callers_(options_.tenants, NowUs),
       intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs),
       runner_(RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id,

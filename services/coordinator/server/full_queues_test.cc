@@ -26,10 +26,18 @@ TEST_F(FullQueuesTest, ARefusalHoldsForASecond) {
 }
 
 TEST_F(FullQueuesTest, OfAShortQueueForLess) {
-  queues_.Note("a", QueueFull(4), 4);
-  now_us_ += 19'999;
+  queues_.Note("a", QueueFull(20), 20);
+  now_us_ += 99'999;
   EXPECT_FALSE(queues_.Check("a").ok());
   now_us_ += 1;
+  EXPECT_TRUE(queues_.Check("a").ok());
+}
+
+TEST_F(FullQueuesTest, UntilAJobIsTakenAgain) {
+  queues_.Note("a", QueueFull(1'000), 1'000);
+  queues_.Note("b", absl::OkStatus(), 1'000);
+  EXPECT_FALSE(queues_.Check("a").ok());
+  queues_.Note("a", absl::OkStatus(), 1'000);
   EXPECT_TRUE(queues_.Check("a").ok());
 }
 

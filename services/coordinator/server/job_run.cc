@@ -172,8 +172,9 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
   return true;
 }
 
-absl::Status JobRun::Write(const JobUpdate& update) {
+absl::Status JobRun::Write(JobUpdate update) {
   if (wishes_->lost()) return absl::AbortedError("fenced");
+  update.lost_runs = LostRunsAfter(job_, update.state);
   return Written(environment_.jobs.Update(lease_, update, environment_.now_us()).status());
 }
 

@@ -45,8 +45,6 @@ class JobRun {
   void Run();
 
   const Lease& lease() const { return lease_; }
-  /// It may be what coordinators die of.
-  bool suspect() const { return job_.lost_runs >= kSuspectRuns; }
   const std::string& action_digest() const { return job_.action_digest; }
   /// Shared with those who give the run up.
   const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
@@ -59,7 +57,7 @@ class JobRun {
   absl::StatusOr<bool> Keep();
   absl::StatusOr<bool> Conclude(const absl::Status& error);
   void Progress(PipelineProgress progress);
-  absl::Status Write(const JobUpdate& update);
+  absl::Status Write(JobUpdate update);
   absl::Status Written(const absl::Status& status);
   std::string KeepTrace(std::string_view outcome);
   rpc::LogFields Fields(const rpc::LogFields& more) const;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kRequestIdSweepS = 3600;
 constexpr int kJudgementsALease = 20;
-/// Leases are renewed between these.
 constexpr int32_t kMaxOverdueAtOnce = 100;
 
 absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
@@ -39,6 +38,7 @@ absl::Status JobRunner::Start() {
   for (int i = 0; i < options_.jobs; ++i) threads_.emplace_back([this] { Serve(); });
   threads_.emplace_back([this] { Keep(); });
   threads_.emplace_back([this] { Judge(); });
+  threads_.emplace_back([this] { EndWhatIsOverdue(); });
   return absl::OkStatus();
 }
 
@@ -73,26 +73,15 @@ void JobRunner::Serve() {
       if (stopping_) return;
       seen = wakes_;
     }
-    std::unique_lock claiming(claim_mutex_);
     if (const auto run = Claim()) {
-      // Nothing else is claimed while a suspect runs.
-      run->suspect() ? AwaitOthers(*run) : claiming.unlock();
       run->Run();
       std::lock_guard lock(mutex_);
       leases_.Remove(run->lease());
-      wake_.notify_all();
       continue;
     }
-    claiming.unlock();
     std::unique_lock lock(mutex_);
     wake_.wait_for(lock, options_.poll, [&] { return stopping_ || wakes_ != seen; });
   }
-}
-
-/// Until `run` is the only one, or is given up.
-void JobRunner::AwaitOthers(const JobRun& run) {
-  std::unique_lock lock(mutex_);
-  while (leases_.size() > 1 && !run.wishes()->GivenUp(NowUs())) wake_.wait_for(lock, options_.poll);
 }
 
 /// The work that is being done.
@@ -118,11 +107,12 @@ bool JobRunner::Adopt(JobRecord& job) {
   job.settings_digest = identity->settings_digest;
   job.action_digest = identity->action_digest;
   job.build_id = identity->build_id;
+  job.lost_runs = 0;  // as the store has it
   return true;
 }
 
-/// REQUIRES: claim_mutex_ is held.
 std::unique_ptr<JobRun> JobRunner::Claim() {
+  std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
   auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy());
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
@@ -135,14 +125,13 @@ std::unique_ptr<JobRun> JobRunner::Claim() {
   return run;
 }
 
-/// Holds the leases, ends what waited too long, and forgets old request ids.
+/// Holds the leases, and forgets old request ids.
 void JobRunner::Keep() {
   Stopwatch since_sweep;
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     lock.unlock();
     RenewLeases();
-    EndOverdue();
     if (since_sweep.Seconds() > kRequestIdSweepS) {
       environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
       since_sweep = Stopwatch();
@@ -166,14 +155,30 @@ void JobRunner::RenewLeases() {
   leases_.Renewed(leases, *held, until_us);
 }
 
-/// At the end of a long queue a job would hear of its deadline long after it.
-void JobRunner::EndOverdue() {
+/// At the end of a long queue a job would hear of its deadline long after it. On a thread that
+/// holds no lease up.
+void JobRunner::EndWhatIsOverdue() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    const bool more = EndOverdue() == kMaxOverdueAtOnce;
+    lock.lock();
+    if (!more) wake_.wait_for(lock, options_.renew, [this] { return stopping_; });
+  }
+}
+
+/// How many.
+int32_t JobRunner::EndOverdue() {
   const auto ended = environment_.jobs.EndOverdue(DeadlinePassed(), NowUs(), kMaxOverdueAtOnce);
-  if (!ended.ok()) return Warn("overdue jobs not ended", ended.status());
+  if (!ended.ok()) {
+    Warn("overdue jobs not ended", ended.status());
+    return 0;
+  }
   for (const JobRecord& job : *ended) {
-    environment_.log.Warn("job not begun before its deadline", FieldsOf(job));
+    environment_.log.Warn("waiting job ended at its deadline", FieldsOf(job));
     environment_.feed.Changed(job.id);
   }
+  return static_cast<int32_t>(ended->size());
 }
 
 void JobRunner::Warn(const std::string& what, const absl::Status& why) const {

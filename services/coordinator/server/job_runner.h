@@ -50,8 +50,8 @@ class JobRunner {
   void Judge();
   void Warn(const std::string& what, const absl::Status& why) const;
   void RenewLeases();
-  void EndOverdue();
-  void AwaitOthers(const JobRun& run);
+  void EndWhatIsOverdue();
+  int32_t EndOverdue();
   std::set<std::string> Busy();
   std::unique_ptr<JobRun> Claim();
   bool Adopt(JobRecord& job);

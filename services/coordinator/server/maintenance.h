@@ -19,6 +19,8 @@ class Maintenance {
 
   Maintenance(JobStore& jobs, BlobStores& blobs, Options options, std::function<int64_t()> now_us,
               rpc::JsonLog log);
+  Maintenance(const Maintenance&) = delete;
+  Maintenance& operator=(const Maintenance&) = delete;
 
  private:
   void Run(const std::stop_token& stop);

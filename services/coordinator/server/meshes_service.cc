@@ -35,10 +35,9 @@ absl::Status CheckChunk(const std::string& data, int64_t offset, int64_t size) {
 
 using Reader = grpc::ServerReader<v1::UploadMeshRequest>;
 
-/// Keeps chunk after chunk; a call that breaks leaves what it brought.
+/// Keeps chunk after chunk; a call that breaks leaves what it brought. REQUIRES: CheckFirst.
 absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Reader& stream,
                                    const Transfers::Moved& moved, v1::UploadMeshRequest& first) {
-  if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
   const std::string digest = first.sha256();
   const int64_t size = first.size();
   int64_t offset = first.write_offset();
@@ -73,12 +72,16 @@ grpc::Status MeshesService::UploadMesh(grpc::ServerContext* context, Reader* str
                                        v1::Upload* response) {
   const auto caller = callers_.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
-  if (absl::Status room = full_queues_.Check(caller->tenant); !room.ok()) return rpc::ToGrpc(room);
   const auto blobs = blobs_.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
   const auto receive = [&](const Transfers::Moved& moved) -> absl::Status {
     v1::UploadMeshRequest first;
     if (!stream->Read(&first)) return Malformed("sha256", "is missing");
+    if (absl::Status ok = CheckFirst(first); !ok.ok()) return ok;
+    const auto there = (*blobs)->Status(first.sha256());
+    if (there.ok() && !there->complete) {
+      if (absl::Status room = full_queues_.Check(caller->tenant); !room.ok()) return room;
+    }
     const auto status = Receive(**blobs, disk_, *stream, moved, first);
     if (status.ok()) *response = ToProto(first.sha256(), *status);
     return status.status();

@@ -102,8 +102,10 @@ absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::strin
 
 absl::StatusOr<std::vector<JobRecord>> MeteredJobStore::EndOverdue(const JobError& error,
                                                                    int64_t now_us, int32_t limit) {
+  const Stopwatch watch;
   auto ended = store().EndOverdue(error, now_us, limit);
-  if (!ended.ok()) return ended;
+  if (!ended.ok() || ended->empty()) return ended;  // nothing was written
+  commit_seconds_.Add({{"operation", "end_overdue"}}, kCommitSeconds).Observe(watch.Seconds());
   for (const JobRecord& job : *ended) Ended(job);
   return ended;
 }

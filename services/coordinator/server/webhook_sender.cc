@@ -135,8 +135,8 @@ void WebhookSender::Conclude(const DueWebhook& due, const WebhookAttempt& attemp
              {"attempt", int64_t{due.attempt}},
              {"http_status", int64_t{attempt.http_status}},
              {"error", attempt.error}});
-  (delivered ? delivered_ : given_up ? given_up_ : failed_).Increment();
   // Unwritten, the claim runs out and the receiver hears of it again.
+  if (written.ok()) (delivered ? delivered_ : given_up ? given_up_ : failed_).Increment();
   if (!written.ok()) log_.Warn("outbox not written", {{"error", std::string(written.message())}});
 }
 

@@ -125,10 +125,6 @@ void CheckedStore::CheckClaim(const JobRecord& job, const std::string& owner, in
     world_.Violated("{} was claimed in epoch {} after {}", job.id, job.owner_epoch,
                     before.owner_epoch);
   }
-  const bool lost = before.state == JobState::kRunning;
-  if (job.lost_runs != before.lost_runs + lost) {
-    world_.Violated("{} is said to have lost {} runs", job.id, job.lost_runs);
-  }
   seen.claimed_us = now_us;
 }
 
@@ -144,7 +140,8 @@ absl::StatusOr<std::vector<JobRecord>> CheckedStore::EndOverdue(const JobError& 
     for (const JobRecord& job : *ended) {
       const JobRecord& before = seen_[job.id].job;
       world_.Tell("{} is overdue", job.id);
-      if (before.state != JobState::kQueued || !before.owner.empty() || job.deadline_us > now_us) {
+      const bool held = !before.owner.empty() && before.owner_until_us > now_us;
+      if (before.state != JobState::kQueued || held || job.deadline_us > now_us) {
         world_.Violated("{} was ended as overdue, and was not", job.id);
       }
       Wrote(job);

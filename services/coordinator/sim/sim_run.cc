@@ -191,8 +191,9 @@ void SimRun::Conclude() {
   Write(update, [this](const absl::Status&) { Took(true); });
 }
 
-void SimRun::Write(const JobUpdate& update, Then then) {
+void SimRun::Write(JobUpdate update, Then then) {
   if (wishes_->lost()) return then(absl::AbortedError("fenced"));
+  update.lost_runs = LostRunsAfter(job_, update.state);
   if (fenced_) desk_.world.Violated("{} is written to by who knows that it is fenced", job_.id);
   desk_.link.Do([lease = lease_, update, now_us = desk_.now_us()](
                     JobStore& store) { return store.Update(lease, update, now_us).status(); },

@@ -53,7 +53,7 @@ class SimRun : public std::enable_shared_from_this<SimRun> {
   void Keep();
   void PutBlobs();
   void Conclude();
-  void Write(const JobUpdate& update, Then then);
+  void Write(JobUpdate update, Then then);
 
   RunDesk& desk_;
   const Work work_;

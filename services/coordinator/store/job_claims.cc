@@ -27,8 +27,7 @@ void BindClaimable(SqlQuery& query, const std::string& tenant, const ClaimReques
 absl::StatusOr<std::optional<JobRecord>> ClaimOf(SqlConnection& db, const std::string& tenant,
                                                  const ClaimRequest& request) {
   const std::string sql = absl::StrCat(
-      "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?,"
-      " lost_runs = lost_runs + CASE WHEN state = 'RUNNING' THEN 1 ELSE 0 END"
+      "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
       ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked),
       ") RETURNING " SLICEFARM_JOB_COLUMNS);

@@ -106,21 +106,29 @@ absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id) {
                    id);
 }
 
+absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id) {
+  return SelectJob(db,
+                   absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
+                                std::string(db.dialect().skip_locked)),
+                   id);
+}
+
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {
   ++job.last_sequence;
-  SqlQuery update(
-      db,
-      "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
-      " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
-      " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?,"
-      " store_failures = ?, last_sequence = ?, trace_sha256 = ?, owner = ?, owner_epoch = ?,"
-      " owner_until_us = ? WHERE number = ?");
+  SqlQuery update(db,
+                  "UPDATE jobs SET state = ?, start_us = ?, end_us = ?, layers_total = ?,"
+                  " layers_done = ?, error = ?, result = ?, gcode_sha256 = ?,"
+                  " report_sha256 = ?, result_tenant = ?, cancel_requested = ?, retries = ?,"
+                  " store_failures = ?, lost_runs = ?, last_sequence = ?, trace_sha256 = ?, owner "
+                  "= ?, owner_epoch = ?,"
+                  " owner_until_us = ? WHERE number = ?");
   update.Bind(JobStateName(job.state), job.start_us, job.end_us, job.layers_total, job.layers_done,
               job.error ? ToJson(*job.error) : "", job.result ? ToJson(*job.result) : "",
               job.result ? job.result->gcode_sha256 : "",
               job.result ? job.result->report_sha256 : "", job.result ? job.result->tenant : "",
-              job.cancel_requested, job.retries, job.store_failures, job.last_sequence,
-              job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us, job.number);
+              job.cancel_requested, job.retries, job.store_failures, job.lost_runs,
+              job.last_sequence, job.trace_sha256, job.owner, job.owner_epoch, job.owner_until_us,
+              job.number);
   if (absl::Status done = update.Run(); !done.ok()) return done;
 
   if (IsTerminal(job.state)) {

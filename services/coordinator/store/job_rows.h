@@ -31,6 +31,9 @@ absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id);
 /// The same in a transaction that will write to it: nobody else does before its end.
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id);
 
+/// The same, if nobody else is writing to it.
+absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id);
+
 /// Writes all columns of `job` that change in its life, with an event of its present state. In a
 /// transaction.
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us);

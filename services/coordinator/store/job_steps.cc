@@ -38,6 +38,7 @@ absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& up
   if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
   if (update.retry) ++job.retries;
   if (update.store_failed) ++job.store_failures;
+  job.lost_runs = update.lost_runs;
   if (begins && job.start_us == 0) job.start_us = now_us;
   if (IsTerminal(job.state)) job.end_us = now_us;
   if (IsTerminal(job.state)) LetGo(job, 0);
@@ -60,7 +61,8 @@ bool ApplyCancel(JobRecord& job, int64_t now_us) {
 }
 
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
-  const bool waits = job.state == JobState::kQueued && job.owner.empty() && !job.cancel_requested;
+  const bool held = !job.owner.empty() && job.owner_until_us > now_us;
+  const bool waits = job.state == JobState::kQueued && !held && !job.cancel_requested;
   if (!waits || job.deadline_us > now_us) return false;
   job.state = JobState::kFailed;
   job.error = error;
@@ -68,13 +70,6 @@ bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
   ++job.owner_epoch;
   LetGo(job, 0);
   return true;
-}
-
-void ApplyClaim(JobRecord& job, const std::string& owner, int64_t until_us) {
-  job.owner = owner;
-  ++job.owner_epoch;
-  job.owner_until_us = until_us;
-  if (job.state == JobState::kRunning) ++job.lost_runs;
 }
 
 absl::Status NotHeld(const Lease& lease) {

@@ -21,9 +21,6 @@ bool ApplyCancel(JobRecord& job, int64_t now_us);
 /// False: it is not one that JobStore::EndOverdue ends.
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us);
 
-/// What a claim writes.
-void ApplyClaim(JobRecord& job, const std::string& owner, int64_t until_us);
-
 absl::Status NotHeld(const Lease& lease);
 absl::Status JobNotFound(const std::string& id);
 absl::Status JobNotFinished(const std::string& id);

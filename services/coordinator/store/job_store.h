@@ -65,6 +65,7 @@ struct JobUpdate {
   int64_t claimable_from_us = 0;
   bool retry = false;             ///< with QUEUED: because a run failed
   bool store_failed = false;      ///< with QUEUED: because a store failed
+  int32_t lost_runs = 0;          ///< of the record, if this is the last that is heard of the run
   std::string trace_sha256 = {};  ///< empty: what was there stays
 };
 
@@ -120,19 +121,19 @@ class JobStore {
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is one of `busy`. Tenants take turns,
   /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
-  /// those with the earlier deadline, then the older ones. A claim of a RUNNING job counts a lost
-  /// run.
+  /// those with the earlier deadline, then the older ones.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(
       const std::string& owner, int64_t now_us, int64_t until_us,
       const std::set<std::string>& busy = {}) = 0;
 
   /// Ends jobs that are QUEUED, that nobody holds or wants to be cancelled, and whose deadline has
-  /// passed, as FAILED with `error`; at most `limit`. Returns them.
+  /// passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
+  /// those that it ended, also if it could not go on; an error says that it ended none.
   virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                             int32_t limit) = 0;
 
   /// Writes what a held job is to the build that works on it, which may be another one than made
-  /// it.
+  /// it, and has lost no run of it.
   virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
 
   /// Holds these claims at least until `until_us`, and tells which of them were still held. By

@@ -409,18 +409,16 @@ TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
   EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
 }
 
-TEST_P(JobStoreTest, ClaimsOfRunningJobsCountLostRuns) {
+TEST_P(JobStoreTest, LostRunsAreKeptUntilAnotherBuildAdopts) {
   Make("a");
-  const auto claim = [this](int64_t now_us) { return **store_->Claim("me", now_us, now_us + 10); };
-  EXPECT_EQ(claim(10).lost_runs, 0);
-  const JobRecord not_begun = claim(20);
-  EXPECT_EQ(not_begun.lost_runs, 0) << "a run that did not begin";
-  ASSERT_TRUE(Update({"a", not_begun.owner_epoch}, kRunning).ok());
-  const JobRecord again = claim(30);
-  EXPECT_EQ(again.lost_runs, 1);
-  ASSERT_TRUE(Update({"a", again.owner_epoch}, JobState::kQueued).ok());
-  EXPECT_EQ(claim(40).lost_runs, 1) << "one that was handed back";
-  EXPECT_EQ(store_->Get("a")->lost_runs, 1);
+  const Lease lease = Claim();
+  const JobUpdate begins = {.state = kRunning, .lost_runs = 4};
+  ASSERT_TRUE(store_->Update(lease, begins, ++now_).ok());
+  ASSERT_TRUE(store_->Release("me").ok());
+  const Lease again = Claim();
+  EXPECT_EQ(store_->Get("a")->lost_runs, 4);
+  ASSERT_TRUE(store_->Adopt(again, {"settings", "action", "build 2"}).ok());
+  EXPECT_EQ(store_->Get("a")->lost_runs, 0);
 }
 
 TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
@@ -431,13 +429,15 @@ TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
   };
   make("held", 50);
   ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "held");
+  make("died", 50);  // its owner did, before it began
+  ASSERT_EQ((*store_->Claim("gone", 10, 50))->id, "died");
   make("cancelled", 50);
   ASSERT_EQ((*store_->Claim("you", 10, 100))->id, "cancelled");
   ASSERT_TRUE(store_->RequestCancel("cancelled", 11).ok());
   ASSERT_TRUE(store_->Release("you").ok());
   make("later", 51);
-  make("first", 49);
   make("second", 50);
+  make("first", 49);
   make("without", kNoDeadlineUs);
 
   const JobError error{absl::StatusCode::kDeadlineExceeded, "DEADLINE_EXCEEDED", "late", {}};
@@ -448,7 +448,7 @@ TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
     return ids;
   };
   EXPECT_THAT(ended(1), ElementsAre("first"));
-  EXPECT_THAT(ended(10), ElementsAre("second"));
+  EXPECT_THAT(ended(10), ElementsAre("died", "second"));
   EXPECT_THAT(ended(10), IsEmpty());
   const JobRecord job = *store_->Get("second");
   EXPECT_EQ(job.state, JobState::kFailed);

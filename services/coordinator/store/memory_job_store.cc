@@ -169,7 +169,9 @@ absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string
   for (const std::string& tenant : Tenants(now_us)) {
     JobRecord* job = Claimable(tenant, now_us, busy);
     if (!job) continue;
-    ApplyClaim(*job, owner, until_us);
+    job->owner = owner;
+    ++job->owner_epoch;
+    job->owner_until_us = until_us;
     jobs_.turns_[tenant] = now_us;
     return *job;
   }
@@ -179,15 +181,20 @@ absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string
 absl::StatusOr<std::vector<JobRecord>> MemoryJobStore::EndOverdue(const JobError& error,
                                                                   int64_t now_us, int32_t limit) {
   Lock lock(jobs_.mutex_);
-  std::vector<JobRecord> ended;
-  for (auto& [number, entry] : jobs_.entries_) {
-    if (std::ssize(ended) == limit) break;
+  std::vector<JobRecord> overdue;
+  for (const auto& [number, entry] : jobs_.entries_) {
     JobRecord job = entry.job;
-    if (!ApplyOverdue(job, error, now_us)) continue;
-    WriteStep(entry, std::move(job), now_us);
-    ended.push_back(entry.job);
+    if (ApplyOverdue(job, error, now_us)) overdue.push_back(std::move(job));
   }
-  return ended;
+  std::ranges::sort(overdue, {},
+                    [](const JobRecord& job) { return std::pair(job.deadline_us, job.number); });
+  overdue.resize(std::min(overdue.size(), static_cast<size_t>(limit)));
+  for (JobRecord& job : overdue) {
+    Entry& entry = *Find(job.id);
+    WriteStep(entry, job, now_us);
+    job = entry.job;
+  }
+  return overdue;
 }
 
 absl::Status MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
@@ -197,6 +204,7 @@ absl::Status MemoryJobStore::Adopt(const Lease& lease, const JobIdentity& identi
   entry->job.settings_digest = identity.settings_digest;
   entry->job.action_digest = identity.action_digest;
   entry->job.build_id = identity.build_id;
+  entry->job.lost_runs = 0;
   return absl::OkStatus();
 }
 

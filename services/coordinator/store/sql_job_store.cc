@@ -192,20 +192,22 @@ absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int6
   const std::string sql =
       absl::StrCat("SELECT id FROM jobs", db.dialect().Through("jobs_open"),
                    " WHERE " SLICEFARM_OPEN
-                   " AND deadline_us <= ? AND owner = ''"
-                   " AND state = 'QUEUED' AND cancel_requested = 0 ORDER BY number LIMIT ?");
+                   " AND deadline_us <= ? AND (owner = '' OR owner_until_us <= ?)"
+                   " AND state = 'QUEUED' AND cancel_requested = 0"
+                   " ORDER BY deadline_us, number LIMIT ?");
   SqlQuery query(db, sql);
-  query.Bind(now_us, limit);
+  query.Bind(now_us, now_us, limit);
   std::vector<std::string> ids;
   while (query.Next()) ids.push_back(query.Text(0));
   if (!query.status().ok()) return query.status();
   return ids;
 }
 
-/// None: it has been claimed, ended or deleted since it was listed.
+/// None: another one is about to write to it, or has claimed, ended or deleted it since it was
+/// listed.
 absl::StatusOr<std::optional<JobRecord>> EndOverdueIn(SqlConnection& db, const std::string& id,
                                                       const JobError& error, int64_t now_us) {
-  auto job = LockJob(db, id);
+  auto job = LockFreeJob(db, id);
   if (DetailOf(job.status()).reason == Reason::kJobNotFound) return std::nullopt;
   if (!job.ok()) return job.status();
   if (!ApplyOverdue(*job, error, now_us)) return std::nullopt;
@@ -256,7 +258,8 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& e
   for (const std::string& id : *overdue) {
     auto job = InTransaction<std::optional<JobRecord>>(
         *database_, [&](SqlConnection& db) { return EndOverdueIn(db, id, error, now_us); });
-    if (!job.ok()) return job.status();
+    if (!job.ok() && ended.empty()) return job.status();
+    if (!job.ok()) break;
     if (*job) ended.push_back(**std::move(job));
   }
   return ended;
@@ -265,9 +268,10 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& e
 absl::Status SqlJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
-  SqlQuery adopt(**session,
-                 "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?"
-                 " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
+  SqlQuery adopt(
+      **session,
+      "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0"
+      " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
   adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
              lease.epoch);
   bool held = false;

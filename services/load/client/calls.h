@@ -45,8 +45,9 @@ void StartUnary(const CallContext& context, const Request& request, const Start&
   auto call = std::make_shared<Call>();
   call->context.set_deadline(context.deadline);
   call->request = request;
-  start(&call->context, &call->request, &call->response,
-        [call, then = std::move(then)](const grpc::Status& status) mutable {
+  Call& made = *call;
+  start(&made.context, &made.request, &made.response,
+        [call = std::move(call), then = std::move(then)](const grpc::Status& status) mutable {
           auto outcome = status.ok() ? absl::StatusOr<Response>(std::move(call->response))
                                      : absl::StatusOr<Response>(rpc::FromGrpc(status));
           // First, as it holds the channel: what comes next may end the others who do, and
