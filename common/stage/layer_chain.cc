@@ -1,7 +1,10 @@
 #include "common/stage/layer_chain.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "common/model/error.h"
 #include "common/stage/stopwatch.h"
 
 namespace slicefarm {
@@ -16,8 +19,21 @@ void StageTimes::Add(const StageTimes& other) {
 
 namespace {
 
+/// With fewer layers around the range than the stages look at, the bytes would be others.
+absl::Status CheckHalo(const Neighbourhood& all, int32_t halo) {
+  const LayerRange wanted = all.range.Grown(halo, all.layer_count);
+  const int32_t first = all.layers.empty() ? 0 : all.layers.front().frame.index;
+  const int32_t last = first + static_cast<int32_t>(all.layers.size());
+  if (first <= wanted.first && last >= wanted.last) return absl::OkStatus();
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+      fmt::format("layers [{}, {}) came, and the settings want those of [{}, {}) for the range",
+                  first, last, wanted.first, wanted.last),
+      {{"field", "layer"}});
+}
+
 /// `all` with a halo of at most `halo` layers: a stage elsewhere is sent no outlines that it does
-/// not look at.
+/// not look at. REQUIRES: CheckHalo.
 Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
   const LayerRange kept = all.range.Grown(halo, all.layer_count);
   const int32_t sent_from = all.layers.front().frame.index;
@@ -30,6 +46,7 @@ absl::StatusOr<RangeResult> LayerChain::Run(const StageCall& call, const RangeTa
   RangeResult result;
   const Neighbourhood neighbourhood{task.range, task.layer_count, task.layers};
   const JobSettings& settings = *task.settings;
+  if (absl::Status ok = CheckHalo(neighbourhood, HaloLayers(settings)); !ok.ok()) return ok;
 
   auto walled = Timed(result.times.beading_s, [&] {
     return beading_.Bead(call, Trimmed(neighbourhood, BeadingHaloLayers(settings)),

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/model/error.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/coordinator/algo/layer_plan.h"
@@ -84,6 +85,16 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, local->programs);
   EXPECT_GT(remote->times.beading_s, 0);
+}
+
+TEST_F(LocalAndRemote, ARangeWithoutAllTheLayersAroundItIsRefused) {
+  RangeTask task = TaskOf({10, 12});
+  const std::span<const SlicedLayer> all = task.layers;
+  for (const auto& some : {all.subspan(1), all.first(all.size() - 1), all.subspan(all.size())}) {
+    task.layers = some;
+    EXPECT_EQ(DetailOf(chain_.Run(call_, task).status()).reason, Reason::kRequestMalformed);
+    EXPECT_EQ(DetailOf(remote_.worker.Run(call_, task).status()).reason, Reason::kRequestMalformed);
+  }
 }
 
 TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
