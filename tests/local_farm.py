@@ -177,7 +177,7 @@ class Farm:
         if listed.returncode != 0:
             return None
         jobs = json.loads(listed.stdout)
-        return jobs["jobs"] if isinstance(jobs, dict) else jobs
+        return jobs.get("jobs", []) if isinstance(jobs, dict) else jobs
 
     def stop(self):
         for service in reversed(self.services):
