@@ -63,31 +63,48 @@ std::string Named(const std::map<std::string, std::string>& metadata,
   return "";
 }
 
+google::rpc::BadRequest BadRequestOf(const std::string& field, const std::string& description) {
+  google::rpc::BadRequest bad;
+  google::rpc::BadRequest::FieldViolation& violation = *bad.add_field_violations();
+  violation.set_field(field);
+  violation.set_description(description);
+  return bad;
+}
+
+/// A QuotaFailure or a PreconditionFailure of one violation, for its caller to complete.
+template <typename Failure>
+Failure FailureOf(const std::string& subject, const std::string& description) {
+  Failure failure;
+  failure.add_violations()->set_subject(subject);
+  failure.mutable_violations(0)->set_description(description);
+  return failure;
+}
+
 /// The detail that clients' libraries know for errors of this code (AIP-193), made of what
 /// ErrorInfo says.
 void AddDetailOfCode(const ErrorDetail& detail, google::rpc::Status* proto) {
-  if (proto->code() == static_cast<int>(absl::StatusCode::kInvalidArgument)) {
-    const std::string field = Named(detail.metadata, {{"field", ""}, {"setting", "settings."}});
-    if (field.empty()) return;
-    google::rpc::BadRequest bad;
-    google::rpc::BadRequest::FieldViolation& violation = *bad.add_field_violations();
-    violation.set_field(field);
-    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
-    Pack(bad, proto->add_details());
-  } else if (proto->code() == static_cast<int>(absl::StatusCode::kResourceExhausted)) {
-    google::rpc::QuotaFailure quota;
-    google::rpc::QuotaFailure::Violation& violation = *quota.add_violations();
-    violation.set_subject(std::string(ReasonName(detail.reason)));
-    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
-    Pack(quota, proto->add_details());
-  } else if (proto->code() == static_cast<int>(absl::StatusCode::kFailedPrecondition)) {
-    google::rpc::PreconditionFailure failure;
-    google::rpc::PreconditionFailure::Violation& violation = *failure.add_violations();
-    violation.set_type(std::string(ReasonName(detail.reason)));
-    violation.set_subject(
-        Named(detail.metadata, {{"sha256", "blobs/"}, {"job", "jobs/"}, {"profile", "profiles/"}}));
-    violation.set_description(ToUtf8(proto->message(), kMaxValueBytes));
-    Pack(failure, proto->add_details());
+  const std::string description = ToUtf8(proto->message(), kMaxValueBytes);
+  const std::string reason(ReasonName(detail.reason));
+  switch (static_cast<absl::StatusCode>(proto->code())) {
+    case absl::StatusCode::kInvalidArgument: {
+      const std::string field = Named(detail.metadata, {{"field", ""}, {"setting", "settings."}});
+      if (!field.empty()) Pack(BadRequestOf(field, description), proto->add_details());
+      return;
+    }
+    case absl::StatusCode::kResourceExhausted:
+      Pack(FailureOf<google::rpc::QuotaFailure>(reason, description), proto->add_details());
+      return;
+    case absl::StatusCode::kFailedPrecondition: {
+      auto failure = FailureOf<google::rpc::PreconditionFailure>(
+          Named(detail.metadata,
+                {{"sha256", "blobs/"}, {"job", "jobs/"}, {"profile", "profiles/"}}),
+          description);
+      failure.mutable_violations(0)->set_type(reason);
+      Pack(failure, proto->add_details());
+      return;
+    }
+    default:
+      return;
   }
 }
 

@@ -3,9 +3,10 @@
 
   tests/load/soak.py [--minutes 120] [--rate 4] [--store sqlite|postgres] [--seed S] [--csv FILE]
 
-`key value` rows: requests, errors, and for each process the megabytes at the end and their slope, in percent an hour, over
-all but the first quarter (caches fill in it), and descriptors at a quarter and at the end, when nothing is under way. Old
-jobs are removed while it runs (--keep-jobs), as on a farm that goes on for years.
+`key value` rows: requests, errors, and for each process the megabytes at the end, their slopes and descriptors. Both slopes
+are in percent an hour, over the time from which old blobs go as fast as new ones come: of all samples, which huge parts
+scatter, and of the least of every five minutes, which is what stays when little is under way. Descriptors are the medians of
+that time's two halves. Old jobs and blobs are removed while it runs, as on a farm that goes on for years.
 """
 import argparse
 import json
@@ -21,6 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from local_farm import BIN, percentile, running_farm  # noqa: E402
 
 EVERY_S = 15
+WINDOW_S = 300
 KEPT_JOBS_DAYS = 0.01  # a quarter of an hour
 KEPT_BLOBS_H = 1  # the least
 
@@ -49,6 +51,14 @@ def slope_percent_an_hour(points):
     variance = sum((t - mean_t) ** 2 for t, _ in points)
     slope = sum((t - mean_t) * (v - mean_v) for t, v in points) / variance if variance else 0.0
     return 100 * slope * 3600 / mean_v
+
+
+def least_of_windows(points):
+    least = {}
+    for t, value in points:
+        window = t // WINDOW_S
+        least[window] = min(least.get(window, value), value)
+    return [(window * WINDOW_S, value) for window, value in least.items()]
 
 
 def main():
@@ -80,11 +90,13 @@ def main():
     for error, count in told["errorDistribution"].items():
         print(count, "x", error, file=sys.stderr)
     print("skipped", told["skipped"])
-    quarter = 60 * options.minutes / 4
+    settled = min(3600 * KEPT_BLOBS_H, 60 * options.minutes / 2)
     for name in dict.fromkeys(row[1] for row in watch.rows):
-        late = [(t, mib, files) for t, process, mib, files in watch.rows if process == name and t > quarter]
+        late = [(t, mib, files) for t, process, mib, files in watch.rows if process == name and t > settled]
+        memory = [(t, mib) for t, mib, _ in late]
         print(f"{name}_mib {late[-1][1]:.1f}")
-        print(f"{name}_slope_percent_h {slope_percent_an_hour([(t, mib) for t, mib, _ in late]):.2f}")
+        print(f"{name}_slope_percent_h {slope_percent_an_hour(memory):.2f}")
+        print(f"{name}_least_slope_percent_h {slope_percent_an_hour(least_of_windows(memory)):.2f}")
         half = len(late) // 2
         print(f"{name}_descriptors {percentile([f for *_, f in late[:half]], 0.5)} {percentile([f for *_, f in late[half:]], 0.5)}")
     shutil.rmtree(directory)

@@ -29,9 +29,10 @@ struct Case {
   std::string name;
   absl::Status error;
   int retries;
-  int store_failures;  // and lost runs
+  int store_failures;
   JobState state;
   int64_t delay_us;
+  int lost_runs = 0;
 };
 
 class ConclusionTest : public testing::TestWithParam<Case> {};
@@ -40,7 +41,8 @@ TEST_P(ConclusionTest, OfAnErrorAfterEarlierOnes) {
   const Case& c = GetParam();
   JobRecord job;
   job.retries = c.retries;
-  job.store_failures = job.lost_runs = c.store_failures;
+  job.store_failures = c.store_failures;
+  job.lost_runs = c.lost_runs;
   const JobUpdate update = Conclusion(job, RunWishes(), c.error, {9, 4}, kNowUs);
   EXPECT_EQ(update.state, c.state);
   EXPECT_EQ(update.layers_total, 9);
@@ -69,10 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ARangeKillsItsWorkers", RangePoisoned("UNAVAILABLE"), 0, 0, kQueued, 500'000},
         Case{"ARangeKillsThemAgain", RangePoisoned("UNAVAILABLE"), 1, 0, kFailed, 0},
         Case{"ARangeFailsItsWorkers", RangePoisoned("INTERNAL"), 0, 0, kFailed, 0},
-        Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 3, kQueued, 1'000'000},
-        Case{"NinthCoordinatorDies", JobPoisoned(), 9, 9, kQueued, 64'000'000},
-        Case{"NineteenthCoordinatorDies", JobPoisoned(), 9, 19, kQueued, 600'000'000},
-        Case{"TwentiethCoordinatorDies", JobPoisoned(), 0, 20, kFailed, 0},
+        Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 1'000'000, 3},
+        Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 64'000'000, 9},
+        Case{"NineteenthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 600'000'000, 19},
+        Case{"TwentiethCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 20},
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 

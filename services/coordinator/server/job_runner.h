@@ -24,9 +24,9 @@ struct JobRunnerOptions {
       1'000};  ///< how often to look for jobs that other coordinators left
 };
 
-/// Claims jobs and runs them, a bounded number at a time, and holds their leases. A job that does
-/// the work of a running one stays QUEUED until that has ended, so that it keeps no thread from
-/// others.
+/// Claims jobs and runs them, a bounded number at a time, and holds their leases; ends those that
+/// wait beyond their deadlines. A job that does the work of a running one stays QUEUED until that
+/// has ended, so that it keeps no thread from others.
 class JobRunner {
  public:
   JobRunner(RunEnvironment environment, JobRunnerOptions options);

@@ -24,20 +24,19 @@ void BindClaimable(SqlQuery& query, const std::string& tenant, const ClaimReques
   for (const std::string& digest : request.busy) query.Bind(digest);
 }
 
-absl::StatusOr<std::optional<JobRecord>> ClaimOf(SqlConnection& db, const std::string& tenant,
-                                                 const ClaimRequest& request) {
+absl::StatusOr<std::optional<std::string>> ClaimOf(SqlConnection& db, const std::string& tenant,
+                                                   const ClaimRequest& request) {
   const std::string sql = absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
-      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked),
-      ") RETURNING " SLICEFARM_JOB_COLUMNS);
+      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked), ") RETURNING id");
   SqlQuery claim(db, sql);
   claim.Bind(request.owner, request.until_us);
   BindClaimable(claim, tenant, request);
-  auto jobs = ReadJobs(claim);
-  if (!jobs.ok()) return jobs.status();
-  if (jobs->empty()) return std::nullopt;
-  return std::move(jobs->front());
+  std::optional<std::string> id;
+  while (claim.Next()) id = claim.Text(0);
+  if (!claim.status().ok()) return claim.status();
+  return id;
 }
 
 absl::Status NoteTurn(SqlConnection& db, const std::string& tenant, int64_t now_us) {
@@ -97,15 +96,16 @@ absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request
   return false;
 }
 
-absl::StatusOr<std::optional<JobRecord>> ClaimJob(SqlConnection& db, const ClaimRequest& request) {
+absl::StatusOr<std::optional<std::string>> ClaimJob(SqlConnection& db,
+                                                    const ClaimRequest& request) {
   const auto tenants = Tenants(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
   for (const std::string& tenant : *tenants) {
-    auto job = ClaimOf(db, tenant, request);
-    if (!job.ok()) return job.status();
-    if (!*job) continue;
+    auto id = ClaimOf(db, tenant, request);
+    if (!id.ok()) return id.status();
+    if (!*id) continue;
     if (absl::Status noted = NoteTurn(db, tenant, request.now_us); !noted.ok()) return noted;
-    return job;
+    return id;
   }
   return std::nullopt;
 }

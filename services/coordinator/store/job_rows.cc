@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -61,9 +62,10 @@ class Columns {
   absl::Status status_;
 };
 
-absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& sql,
-                                    const std::string& id) {
-  SqlQuery query(db, sql);
+absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& id,
+                                    std::string_view locking) {
+  SqlQuery query(db, absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
+                                  std::string(locking)));
   query.Bind(id);
   if (query.Next()) return ReadJob(query);
   return query.status().ok() ? JobNotFound(id) : query.status();
@@ -96,21 +98,15 @@ absl::StatusOr<std::vector<JobRecord>> ReadJobs(SqlQuery& query) {
 }
 
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db, "SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?", id);
+  return SelectJob(db, id, "");
 }
 
 absl::StatusOr<JobRecord> LockJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db,
-                   absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
-                                std::string(db.dialect().for_update)),
-                   id);
+  return SelectJob(db, id, db.dialect().for_update);
 }
 
 absl::StatusOr<JobRecord> LockFreeJob(SqlConnection& db, const std::string& id) {
-  return SelectJob(db,
-                   absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
-                                std::string(db.dialect().skip_locked)),
-                   id);
+  return SelectJob(db, id, db.dialect().skip_locked);
 }
 
 absl::Status WriteStep(SqlConnection& db, JobRecord& job, int64_t now_us) {

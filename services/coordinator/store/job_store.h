@@ -121,7 +121,8 @@ class JobStore {
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
   /// if there is none. Passes over jobs whose action_digest is one of `busy`. Tenants take turns,
   /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
-  /// those with the earlier deadline, then the older ones.
+  /// those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is kept of the
+  /// job cannot be read; it is passed over until `until_us`.
   virtual absl::StatusOr<std::optional<JobRecord>> Claim(
       const std::string& owner, int64_t now_us, int64_t until_us,
       const std::set<std::string>& busy = {}) = 0;

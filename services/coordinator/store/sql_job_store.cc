@@ -246,8 +246,14 @@ absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& o
     if (!any.ok()) return any.status();
     if (!*any) return std::nullopt;
   }
-  return InTransaction<std::optional<JobRecord>>(
+  const auto claimed = InTransaction<std::optional<std::string>>(
       *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
+  if (!claimed.ok()) return claimed.status();
+  if (!*claimed) return std::nullopt;
+  // Read when it is held already, so that a row which cannot be read does not keep others waiting.
+  auto job = Get(**claimed);
+  if (!job.ok()) return job.status();
+  return *std::move(job);
 }
 
 absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& error,
@@ -258,6 +264,7 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& e
   for (const std::string& id : *overdue) {
     auto job = InTransaction<std::optional<JobRecord>>(
         *database_, [&](SqlConnection& db) { return EndOverdueIn(db, id, error, now_us); });
+    if (absl::IsDataLoss(job.status())) continue;  // whoever claims it tells of it
     if (!job.ok() && ended.empty()) return job.status();
     if (!job.ok()) break;
     if (*job) ended.push_back(**std::move(job));

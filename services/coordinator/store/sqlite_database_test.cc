@@ -81,5 +81,30 @@ TEST(SqliteSchema, KeepsWhatOldDatabasesHold) {
   EXPECT_EQ(store->Create(again, 30)->job.id, "a");
 }
 
+TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  const auto store = *OpenSqliteJobStore(path);
+  for (const std::string id : {"damaged", "whole"}) {
+    NewJob job;
+    job.id = job.action_digest = id;
+    job.deadline_us = 50;
+    ASSERT_TRUE(store->Create(job, 5).ok());
+  }
+  const auto db = *SqliteConnection::Open(path);
+  ASSERT_TRUE(db->Execute("UPDATE jobs SET labels = '{\"a' WHERE id = 'damaged'").ok());
+
+  EXPECT_TRUE(absl::IsDataLoss(store->Claim("me", 10, 20).status()));
+  EXPECT_EQ((*store->Claim("me", 10, 20))->id, "whole");
+  EXPECT_EQ(*store->Claim("me", 10, 20), std::nullopt);
+
+  const auto overdue = store->EndOverdue({}, 60, 9);
+  ASSERT_TRUE(overdue.ok()) << overdue.status();
+  ASSERT_EQ(overdue->size(), 1u);
+  EXPECT_EQ(overdue->front().id, "whole");
+
+  EXPECT_TRUE(absl::IsDataLoss(store->Claim("me", 60, 70).status()));
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator
