@@ -90,7 +90,14 @@ class Ranges:
             self.last[coordinator.name] = now
 
 
-def judge(acknowledged, jobs, directory):
+def fetched_digest(farm, job_id, directory):
+    """Of the G-code as a client gets it; None if it gets none."""
+    path = directory / "fetched.gcode"
+    done = farm.client("get", job_id, "-o", path)
+    return hashlib.sha256(path.read_bytes()).hexdigest() if done.returncode == 0 else None
+
+
+def judge(farm, acknowledged, jobs, directory):
     by_id = {job["id"]: job for job in jobs}
     numbers = collections.Counter(job["labels"]["number"] for job in jobs)
     lost, differing = [], []
@@ -98,7 +105,11 @@ def judge(acknowledged, jobs, directory):
         job = by_id.get(job_id)
         if job is None or job["state"] != "JOB_STATE_SUCCEEDED":
             lost.append((number, job_id, job and job.get("error", job["state"])))
-        elif job["result"]["gcode_sha256"] != expected_digest(number, directory):
+            continue
+        digest = fetched_digest(farm, job_id, directory)
+        if digest is None:
+            lost.append((number, job_id, "its G-code"))
+        elif digest != expected_digest(number, directory):
             differing.append((number, job_id))
     duplicated = sum(count - 1 for count in numbers.values())
     return lost, duplicated, differing
@@ -127,7 +138,7 @@ def main():
             ranges.look()
         finally:
             progress.stop()
-    lost, duplicated, differing = judge(submitter.acknowledged, jobs, directory)
+        lost, duplicated, differing = judge(farm, submitter.acknowledged, jobs, directory)
     recoveries = collections.defaultdict(list)
     for name, since in killed:
         recovery = progress.recovery_s(since)

@@ -148,8 +148,12 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
 
   const int signal = signal_.Wait();
   log_.Info("draining", {{"signal", int64_t{signal}}});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(flags.drain_s);
+  (*server)->TurnAway();
   if (on_signal) on_signal();
-  (*server)->Drain(std::chrono::seconds(flags.drain_s));
+  (*server)->Drain(
+      std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
+                                                 end - std::chrono::steady_clock::now())));
   metrics_.Stop();  // what it shows may be the caller's, and end with his scope
   log_.Info("stopped");
   return 0;

@@ -71,8 +71,12 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
 
 Server::~Server() { Drain(std::chrono::milliseconds(0)); }
 
-void Server::Drain(std::chrono::milliseconds patience) {
+void Server::TurnAway() {
   if (auto* health = server_->GetHealthCheckService()) health->Shutdown();
+}
+
+void Server::Drain(std::chrono::milliseconds patience) {
+  TurnAway();
   server_->Shutdown(std::chrono::system_clock::now() + patience);
   server_->Wait();
   queue_.reset();

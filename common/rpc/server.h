@@ -42,7 +42,11 @@ class Server {
 
   int port() const { return port_; }
 
-  /// Health turns to NOT_SERVING, no new call is taken; waits until those in flight are done, and
+  /// Health turns to NOT_SERVING, so that balancers send new calls elsewhere; those that come are
+  /// still taken.
+  void TurnAway();
+
+  /// TurnAway, and no new call is taken; waits until those in flight are done, and
   /// cancels what is left after `patience`.
   void Drain(std::chrono::milliseconds patience);
 

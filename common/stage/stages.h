@@ -24,8 +24,15 @@ class SpanLog;
 /// All stages are pure: same input, same output; safe to call from many threads; safe to call
 /// again. Errors: what Reason lists; Cancelled as soon as `call.cancel` asks for it.
 
+/// Who is to be served where jobs share what there is.
+struct Claimant {
+  std::string tenant;
+  int priority = 0;  ///< greater ones first, among the tenant's own
+};
+
 struct StageCall {
   std::string job_id;  ///< for logs
+  Claimant claimant = {};
   CancelToken cancel;
   int threads = 1;           ///< how many a stage may use; never changes the result
   TraceContext trace = {};   ///< travels on with each call; empty: none

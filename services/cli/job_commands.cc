@@ -82,14 +82,16 @@ ExitCode Get(const GetOptions& options, Interrupt& interrupt) {
     return ExitCode::kOk;
   }
   if (!OutcomeOf(*job).ok()) return FailJob(*job);
-  const absl::Status fetched = FetchResults(client, job->id(), options.files);
+  const absl::Status fetched = FetchResults(client, *job, options.files);
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 
 /// Of any job that ended, however it ended.
 ExitCode Trace(const GetOptions& options, Interrupt& interrupt) {
   JobsClient client(ClientOptions(options.server, &interrupt));
-  const absl::Status fetched = FetchResults(client, options.id, options.files);
+  v1::Job job;
+  job.set_id(options.id);
+  const absl::Status fetched = FetchResults(client, job, options.files);
   return fetched.ok() ? ExitCode::kOk : Fail(fetched);
 }
 

@@ -78,6 +78,19 @@ absl::Status ReadStream(const rpc::ClientCallOptions& options, const Start& star
   return taken.ok() ? call.Outcome(status) : taken;
 }
 
+/// Empty: the result says nothing of it.
+std::string DigestOf(const v1::JobResult& result, v1::Artifact artifact) {
+  if (artifact == v1::ARTIFACT_GCODE) return result.gcode_sha256();
+  return artifact == v1::ARTIFACT_REPORT ? result.report_sha256() : "";
+}
+
+absl::Status CheckDigest(const std::string& wanted, const std::string& got) {
+  if (wanted.empty() || wanted == got) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kDataLoss, Reason::kBlobDigestMismatch,
+                   "what came is not what the job's result says; fetch it again",
+                   {{"sha256", wanted}, {"got", got}});
+}
+
 }  // namespace
 
 JobsClient::JobsClient(JobsClientOptions options)
@@ -285,11 +298,12 @@ absl::StatusOr<v1::Job> JobsClient::WatchJob(const std::string& id,
   return last;
 }
 
-absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, OutputFile& file) {
+absl::Status JobsClient::Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file) {
   v1::DownloadRequest request;
-  request.set_id(id);
+  request.set_id(job.id());
   request.set_artifact(artifact);
-  return Persist([&] {
+  Sha256 sha;
+  const absl::Status status = Persist([&] {
     return ReadStream<v1::DownloadResponse>(
         {kTransferDeadline, options_.cancel, options_.trace},
         [&](grpc::ClientContext* context, grpc::CompletionQueue* queue) {
@@ -299,9 +313,11 @@ absl::Status JobsClient::Download(const std::string& id, v1::Artifact artifact, 
         [&](const v1::DownloadResponse& response) {
           answered_ = true;
           request.set_offset(request.offset() + static_cast<int64_t>(response.data().size()));
+          sha.Add(response.data());
           return file.Write(response.data());
         });
   });
+  return status.ok() ? CheckDigest(DigestOf(job.result(), artifact), sha.Hex()) : status;
 }
 
 bool HasEnded(const v1::Job& job) {

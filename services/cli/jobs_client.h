@@ -56,8 +56,9 @@ class JobsClient {
   absl::StatusOr<v1::Job> WatchJob(const std::string& id,
                                    const std::function<void(const v1::Job&)>& changed);
 
-  /// Writes a result to `file`, as a whole or with an error.
-  absl::Status Download(const std::string& id, v1::Artifact artifact, OutputFile& file);
+  /// Writes a result to `file`, as a whole or with an error. Errors: also BLOB_DIGEST_MISMATCH if
+  /// it is not what `job.result()` says; a trace, of which that says nothing, is taken as it comes.
+  absl::Status Download(const v1::Job& job, v1::Artifact artifact, OutputFile& file);
 
  private:
   using Attempt = std::function<absl::Status()>;

@@ -146,10 +146,26 @@ TEST_F(JobsClientTest, GoesOnWhereADownloadBrokeOff) {
   const std::string path = testing::TempDir() + "/jobs_client_download";
   auto file = OutputFile::Create(path);
   ASSERT_TRUE(file.ok());
-  ASSERT_TRUE(client_.Download("job-1", v1::ARTIFACT_GCODE, *file).ok());
+  v1::Job job;
+  job.set_id("job-1");
+  job.mutable_result()->set_gcode_sha256(Sha256Hex(server_.result));
+  const absl::Status downloaded = client_.Download(job, v1::ARTIFACT_GCODE, *file);
+  ASSERT_TRUE(downloaded.ok()) << downloaded;
   ASSERT_TRUE(file->Commit().ok());
   EXPECT_EQ(*ReadFile(path, 1 << 20), server_.result);
   EXPECT_THAT(server_.download_offsets, ElementsAre(0, 3 * (64 << 10)));
+}
+
+TEST_F(JobsClientTest, ADownloadThatIsNotWhatTheResultSaysIsAnError) {
+  v1::Job job;
+  job.set_id("job-1");
+  job.mutable_result()->set_report_sha256(Sha256Hex(server_.result));
+  server_.result.pop_back();
+  const std::string path = testing::TempDir() + "/jobs_client_cut_download";
+  auto file = OutputFile::Create(path);
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(DetailOf(client_.Download(job, v1::ARTIFACT_REPORT, *file)).reason,
+            Reason::kBlobDigestMismatch);
 }
 
 TEST_F(JobsClientTest, EndsWhenNobodyWantsTheAnswerAnyMore) {

@@ -29,7 +29,7 @@ JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* i
           .cancel = interrupt == nullptr ? CancelToken() : interrupt->Token()};
 }
 
-absl::Status FetchResults(JobsClient& client, const std::string& id, const ResultFiles& files) {
+absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files) {
   std::vector<OutputFile> complete;
   for (const auto& [path, artifact] :
        {std::pair{files.gcode, v1::ARTIFACT_GCODE}, std::pair{files.report, v1::ARTIFACT_REPORT},
@@ -37,7 +37,7 @@ absl::Status FetchResults(JobsClient& client, const std::string& id, const Resul
     if (path.empty()) continue;
     auto file = OutputFile::Create(path);
     if (!file.ok()) return file.status();
-    if (absl::Status status = client.Download(id, artifact, *file); !status.ok()) return status;
+    if (absl::Status status = client.Download(job, artifact, *file); !status.ok()) return status;
     complete.push_back(*std::move(file));
   }
   for (OutputFile& file : complete) {

@@ -29,8 +29,9 @@ struct ResultFiles {
   std::string trace = {};
 };
 
-/// Fetches what is wanted of a job that succeeded. Both files appear when both are complete.
-absl::Status FetchResults(JobsClient& client, const std::string& id, const ResultFiles& files);
+/// Fetches what is wanted of a job. Files appear when all are complete, and what the job's result
+/// says they are.
+absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files);
 
 /// Shows how far a job is.
 void ShowProgress(ProgressBar& bar, const v1::Job& job);

@@ -216,7 +216,7 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   }
   if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.model);
   const absl::Status fetched =
-      FetchResults(client, job->id(), {.gcode = options.output, .report = options.job.report});
+      FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
   if (!fetched.ok()) return Fail(fetched);
   PrintSummary(options, *job);
   return ExitCode::kOk;

@@ -92,6 +92,7 @@ TEST_F(CoordinatorProcessesTest, AStoppedWorkerHoldsNothingUp) {
   AwaitBusySlots(2);
   second_.process.Signal(SIGCONT);
   ExpectTheSame(client_->Watch(id, 0));
+  ExpectDoubled();
 }
 
 TEST_F(CoordinatorProcessesTest, AnUploadGoesOnAfterAKill) {

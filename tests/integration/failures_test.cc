@@ -63,6 +63,7 @@ TEST_F(FailuresTest, AWorkerThatNobodyHearsOfAnyMoreHoldsNothingUp) {
   proxy.Hold();
   ContinueWorkers();
   ExpectTheSame(client_->Watch(id, 0));
+  ExpectDoubled();
 }
 
 TEST_F(FailuresTest, AClientWhoseConnectionIsCutAgainAndAgainGetsItsGcode) {

@@ -70,6 +70,11 @@ class FarmProcessesTest : public testing::Test {
     server_->AwaitMetric("slicefarm_worker_slots{state=\"busy\"} " + std::to_string(count));
   }
 
+  /// What nobody answered was made elsewhere, long before its connection was given up.
+  void ExpectDoubled() const {
+    EXPECT_NE(server_->Metric("slicefarm_ranges_total{outcome=\"hedged\"}"), "0");
+  }
+
   /// A job before the one that matters, so that all services have been reached.
   void WarmUp() {
     EXPECT_TRUE(client_->Upload(mesh_).ok());

@@ -240,7 +240,7 @@ TEST_P(EveryRemoteCall, CancellationReachesTheAlgorithm) {
   stopped.Await();
 }
 
-TEST_P(EveryRemoteCall, EndsAtItsDeadline) {
+TEST_P(EveryRemoteCall, AServerThatDoesNotAnswerInTimeIsAway) {
   Farm farm({4, 0}, {}, milliseconds(100));
   // The deadline may pass before the call gets here; the farm's end waits for it if it does.
   farm.fakes.before = [](const StageCall& call) {
@@ -248,8 +248,8 @@ TEST_P(EveryRemoteCall, EndsAtItsDeadline) {
     return call.cancel.Check();
   };
   const absl::Status status = Make(farm);
-  EXPECT_TRUE(absl::IsDeadlineExceeded(status)) << status;
-  EXPECT_EQ(DetailOf(status).reason, Reason::kDeadlineExceeded);
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("did not answer within"));
 }
 
 TEST_P(EveryRemoteCall, AServerThatGoesAwayIsUnavailable) {

@@ -129,7 +129,7 @@ absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
     const StageCall& call, std::span<const RangeTask> tasks,
     const std::function<void(int32_t)>& layers_done) {
   Lock lock(mutex_);
-  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size())), call, tasks};
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant), call, tasks};
   jobs_[job.id] = &job;
   work_.notify_all();
   int32_t told = 0;

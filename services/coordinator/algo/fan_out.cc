@@ -1,8 +1,9 @@
 #include "services/coordinator/algo/fan_out.h"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
-#include <vector>
+#include <utility>
 
 #include "common/model/error.h"
 
@@ -16,9 +17,9 @@ bool IsFinal(const absl::Status& status) {
 
 }  // namespace
 
-FanOut::JobId FanOut::Add(int32_t ranges) {
+FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant) {
   const JobId id = next_job_++;
-  jobs_.emplace(id, Job{RangeScheduler(ranges, options_)});
+  jobs_.emplace(id, Job{RangeScheduler(ranges, options_), std::move(claimant)});
   return id;
 }
 
@@ -30,18 +31,34 @@ void FanOut::Remove(JobId job) {
   jobs_.erase(found);
 }
 
-std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
-  std::vector<std::tuple<int32_t, int64_t, JobId>> order;
+/// The jobs, those first whose turn it is. Cost: n log n.
+std::vector<FanOut::JobId> FanOut::Order() const {
+  using Turn = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
+  std::map<std::string, Turn> tenants;
   for (const auto& [id, job] : jobs_) {
-    order.emplace_back(job.scheduler.Running(), job.last_turn, id);
+    auto& [running, last_turn] = tenants[job.claimant.tenant];
+    running += job.scheduler.Running();
+    last_turn = std::max(last_turn, job.last_turn);
   }
-  std::sort(order.begin(), order.end());
-  for (const auto& [running, turn, id] : order) {
+  std::vector<std::tuple<Turn, int, Turn, JobId>> keys;
+  for (const auto& [id, job] : jobs_) {
+    keys.emplace_back(tenants.at(job.claimant.tenant), -job.claimant.priority,
+                      Turn(job.scheduler.Running(), job.last_turn), id);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<JobId> order;
+  for (const auto& key : keys) order.push_back(std::get<JobId>(key));
+  return order;
+}
+
+std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
+  const std::vector<JobId> order = Order();
+  for (const JobId id : order) {
     Job& job = jobs_.at(id);
     if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
   }
   if (hedges_left_ < 1) return std::nullopt;
-  for (const auto& [running, turn, id] : order) {
+  for (const JobId id : order) {
     Job& job = jobs_.at(id);
     const auto grant = job.scheduler.Hedge(runner, now_s);
     if (!grant) continue;

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "absl/status/status.h"
+#include "common/stage/stages.h"
 #include "services/coordinator/algo/range_scheduler.h"
 #include "services/coordinator/algo/runner_set.h"
 
@@ -23,10 +25,12 @@ struct DispatchCounts {
 /// slot takes, and what its answer means for the job. A pure state machine, as RangeScheduler is,
 /// of which it has one for each job.
 ///
-/// Jobs share the runners evenly: a free slot takes from the job with the fewest ranges in flight,
-/// of these from the one that has waited longest. A slow range is doubled only when nothing is
-/// queued, and not more than `hedge_share` of all: when everything is slow, second copies would
-/// make it slower. Not thread-safe.
+/// Tenants share the runners evenly: a free slot goes to the tenant with the fewest ranges in
+/// flight, of these to the one that has waited longest. Of a tenant's jobs those of the highest
+/// priority come first; among equals the one with the fewest ranges in flight, then the one that
+/// has waited longest. A slow range is doubled only when nothing is queued, and not more than
+/// `hedge_share` of all: when everything is slow, second copies would make it slower. Not
+/// thread-safe.
 class FanOut {
  public:
   using JobId = int64_t;
@@ -49,7 +53,7 @@ class FanOut {
       : options_(options), hedges_left_(options.hedge_burst) {}
 
   /// A job with so many ranges to run.
-  JobId Add(int32_t ranges);
+  JobId Add(int32_t ranges, Claimant claimant = {});
 
   /// Nothing of the job is wanted any more.
   void Remove(JobId job);
@@ -70,8 +74,11 @@ class FanOut {
  private:
   struct Job {
     RangeScheduler scheduler;
+    Claimant claimant;
     int64_t last_turn = 0;
   };
+
+  std::vector<JobId> Order() const;
 
   Grant Granted(JobId id, Job& job, const RangeScheduler::Grant& grant);
   RangeScheduler* Find(JobId job);

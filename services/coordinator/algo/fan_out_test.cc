@@ -30,6 +30,28 @@ TEST(FanOut, TheJobWithTheFewestRangesInFlightComesFirst) {
   EXPECT_EQ(fan_out.Take(1, 0)->job, first);
 }
 
+TEST(FanOut, TenantsShareEvenlyHoweverManyJobsTheyHave) {
+  FanOut fan_out;
+  for (int i = 0; i < 7; ++i) fan_out.Add(9, {"many"});
+  for (int i = 0; i < 4; ++i) fan_out.Take(1, 0);
+  const auto one = fan_out.Add(9, {"one"});
+  int of_one = 0;
+  for (int i = 0; i < 12; ++i) of_one += fan_out.Take(1, 0)->job == one;
+  EXPECT_EQ(of_one, 8) << "as many as the other tenant then has";
+}
+
+TEST(FanOut, ATenantsUrgentJobComesBeforeItsOthers) {
+  FanOut fan_out;
+  const auto bulk = fan_out.Add(9, {"a", 0});
+  fan_out.Take(1, 0);
+  const auto urgent = fan_out.Add(3, {"a", 2});
+  const auto others = fan_out.Add(9, {"b", 0});
+  std::vector<FanOut::JobId> order;
+  for (int i = 0; i < 8; ++i) order.push_back(fan_out.Take(1, 0)->job);
+  EXPECT_EQ(order, (std::vector<FanOut::JobId>{others, urgent, others, urgent, others, urgent,
+                                               others, bulk}));
+}
+
 TEST(FanOut, NothingIsDoubledWhileAnythingIsQueued) {
   FanOut fan_out;
   const auto slow = fan_out.Add(1);

@@ -15,4 +15,12 @@ absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
       {{"stage", std::string(stage)}});
 }
 
+absl::Status OutcomeOf(std::string_view stage, const RemoteOptions& options, absl::Status status) {
+  if (!absl::IsDeadlineExceeded(status)) return status;
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                   fmt::format("{} did not answer within {:.0f} s", stage,
+                               std::chrono::duration<double>(options.deadline).count()),
+                   {{"stage", std::string(stage)}});
+}
+
 }  // namespace slicefarm::coordinator

@@ -13,12 +13,16 @@ namespace slicefarm::coordinator {
 
 /// Bounds of a remote stage's calls.
 struct RemoteOptions {
-  std::chrono::milliseconds deadline{300'000};  ///< of one try
+  /// Of one try. A replica that has not answered by then counts as away.
+  std::chrono::milliseconds deadline{300'000};
 };
 
 /// A server that answers what cannot be read or does not fit: Internal, because the input is not at
 /// fault.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
+
+/// `status` of a call; Unavailable if it ended at our deadline, which says nothing of the input.
+absl::Status OutcomeOf(std::string_view stage, const RemoteOptions& options, absl::Status status);
 
 template <typename Stub, typename Request, typename Response>
 using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>> (Stub::*)(
@@ -37,11 +41,12 @@ absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
         {options.deadline, call.cancel, ChildSpan(call.trace, stage)},
         [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); });
     const absl::Status written = write(stream);
-    if (!stream.alive()) return stream.Finish();
+    if (!stream.alive()) return OutcomeOf(stage, options, stream.Finish());
     if (!written.ok()) return stream.Abandon(written);
     stream.WritesDone();
     const absl::Status answer = read(stream);
-    return answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer));
+    return OutcomeOf(stage, options,
+                     answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer)));
   });
 }
 

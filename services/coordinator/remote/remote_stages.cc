@@ -185,9 +185,11 @@ absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
   v1::ProgramFrame response;
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
     const auto stub = v1::Motion::NewStub(channel);
-    return rpc::UnaryCall(
-        {options_.deadline, call.cancel, ChildSpan(call.trace, kMotion)}, request, &response,
-        [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); });
+    return OutcomeOf(
+        kMotion, options_,
+        rpc::UnaryCall({options_.deadline, call.cancel, ChildSpan(call.trace, kMotion)}, request,
+                       &response,
+                       [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); }));
   });
   if (!status.ok()) return status;
   absl::StatusOr<ProgramFrame> frame = FromProto(std::move(response));

@@ -11,18 +11,26 @@ namespace {
 constexpr int32_t kJobsAtOnce = 100;
 constexpr size_t kBlobsAtOnce = 100;
 
+/// The first error is returned when all went that can go.
 absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToken& cancel,
                        Swept& swept) {
-  while (true) {
+  absl::Status first_error;
+  for (bool more = true; more;) {
     const auto ended = jobs.EndedBefore(ended_before_us, kJobsAtOnce);
-    if (!ended.ok() || ended->empty()) return ended.status();
+    if (!ended.ok()) return ended.status();
+    more = false;  // unless some go: those that cannot come again and again
     for (const std::string& id : *ended) {
       if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
       const absl::Status deleted = jobs.Delete(id);
-      if (!deleted.ok() && !absl::IsNotFound(deleted)) return deleted;
+      if (absl::IsNotFound(deleted)) continue;
+      if (absl::IsUnavailable(deleted)) return deleted;
+      first_error.Update(deleted);
+      if (!deleted.ok()) continue;
+      more = true;
       ++swept.jobs;
     }
   }
+  return first_error;
 }
 
 /// Those of `idle` that no job of the tenant refers to.
@@ -65,14 +73,13 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us, const CancelToken& cancel) {
   Swept swept;
+  absl::Status first_error;  // of a job or a tenant, which keeps nothing of the others
   if (options.keep_jobs_s > 0) {
     const auto kept_us = static_cast<int64_t>(options.keep_jobs_s * 1e6);
-    if (absl::Status done = SweepJobs(jobs, now_us - kept_us, cancel, swept); !done.ok())
-      return done;
+    first_error.Update(SweepJobs(jobs, now_us - kept_us, cancel, swept));
   }
   const auto tenants = blobs.Tenants();
   if (!tenants.ok()) return tenants.status();
-  absl::Status first_error;  // of a tenant, which keeps nobody from the others
   for (const std::string& tenant : *tenants) {
     const auto store = blobs.Of(tenant);
     first_error.Update(store.status());

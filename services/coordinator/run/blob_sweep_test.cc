@@ -7,6 +7,7 @@
 
 #include "common/model/temp_directory_test.h"
 #include "services/coordinator/store/sql_job_store.h"
+#include "services/coordinator/store/sqlite_connection.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -78,6 +79,22 @@ TEST_F(BlobSweepTest, ADeletedJobsBlobsGo) {
   Succeed(gcode, "");
   ASSERT_TRUE(jobs_->Delete(id).ok());
   EXPECT_EQ(Sweep({.keep_jobs_s = 0, .keep_blobs_s = 0}).blobs, 2);
+}
+
+TEST_F(BlobSweepTest, AJobThatCannotBeReadKeepsNoOtherNorAnyBlob) {
+  const std::string nobodys = *blobs_->Put("nobody's");
+  for (const char* id : {"damaged", "whole"}) {
+    MakeJob(id, *blobs_->Put("mesh"));
+    Succeed("", "");
+  }
+  const auto db = *SqliteConnection::Open(directory_.path() + "/jobs.db");
+  ASSERT_TRUE(db->Execute("UPDATE jobs SET labels = '{' WHERE id = 'damaged'").ok());
+  now_us_ += 10'000'000;
+  const auto swept =
+      coordinator::Sweep(*jobs_, *stores_, {.keep_jobs_s = 9, .keep_blobs_s = 0}, now_us_);
+  EXPECT_TRUE(absl::IsDataLoss(swept.status())) << swept.status();
+  EXPECT_TRUE(absl::IsNotFound(jobs_->Get("whole").status()));
+  EXPECT_FALSE(Has(nobodys));
 }
 
 TEST_F(BlobSweepTest, JobsGoAfterTheirTime) {

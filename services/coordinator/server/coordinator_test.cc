@@ -6,6 +6,7 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <thread>
@@ -16,6 +17,7 @@
 #include "common/rpc/client_call.h"
 #include "nlohmann/json.hpp"
 #include "services/coordinator/server/coordinator_fixture_test.h"
+#include "services/coordinator/store/sqlite_connection.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -60,6 +62,21 @@ TEST_F(CoordinatorTest, UploadsAreChecked) {
             Reason::kBlobDigestMismatch);
   EXPECT_EQ(DetailOf(Upload("xxx", 0, -1, "../../passwd").status()).reason,
             Reason::kRequestMalformed);
+}
+
+// Who is told that a mesh is there makes a job of it, and until then no sweep may take it.
+TEST_F(CoordinatorTest, AMeshThatIsAskedForOrSentAgainCountsAsUsed) {
+  namespace fs = std::filesystem;
+  ASSERT_TRUE(Upload("mesh").ok());
+  const std::string path = BlobPath(Sha256Hex("mesh"));
+  const auto now = fs::last_write_time(path);
+  const auto old = now - std::chrono::hours(30);
+  fs::last_write_time(path, old);
+  EXPECT_TRUE(GetUpload(Sha256Hex("mesh")).complete());
+  EXPECT_GE(fs::last_write_time(path), now);
+  fs::last_write_time(path, old);
+  ASSERT_TRUE(Upload("mesh").ok());
+  EXPECT_GE(fs::last_write_time(path), now);
 }
 
 TEST_F(CoordinatorTest, AnUploadOnWhichNothingMovesIsCutOff) {
@@ -263,12 +280,21 @@ TEST_F(CoordinatorTest, DeletedResultsAreComputedAgain) {
 TEST_F(CoordinatorTest, ADamagedResultIsComputedAgain) {
   const v1::Job first = AwaitEnd(Submit("xx"));
   const std::string digest = first.result().gcode_sha256();
-  std::filesystem::resize_file(directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest,
-                               3);
+  std::filesystem::resize_file(BlobPath(digest), 3);
   EXPECT_TRUE(absl::IsDataLoss(Download(first.id(), v1::ARTIFACT_GCODE).status()));
   const v1::Job second = AwaitEnd(Submit("xx"));
   EXPECT_FALSE(second.result().cached());
   EXPECT_TRUE(Download(first.id(), v1::ARTIFACT_GCODE).ok()) << "which mends the first one's too";
+}
+
+TEST_F(CoordinatorTest, ADamagedRecordOfAResultIsMadeAnew) {
+  AwaitEnd(Submit("xx"));
+  const auto db = *SqliteConnection::Open(directory_.path() + "/jobs.db");
+  ASSERT_TRUE(db->Execute("UPDATE results SET result = '{'").ok());
+  const v1::Job second = AwaitEnd(Submit("xx"));
+  EXPECT_EQ(second.state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_FALSE(second.result().cached());
+  EXPECT_TRUE(AwaitEnd(Submit("xx")).result().cached());
 }
 
 TEST_F(CoordinatorTest, ADamagedMeshFailsTheJob) {
@@ -276,8 +302,7 @@ TEST_F(CoordinatorTest, ADamagedMeshFailsTheJob) {
   const std::string holds = Submit("x"), holds_too = Submit("xx");  // both threads are busy
   const std::string id = Submit("xxx");
   const std::string digest = Sha256Hex("xxx");
-  std::filesystem::resize_file(directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest,
-                               1);
+  std::filesystem::resize_file(BlobPath(digest), 1);
   ranges_->LetGo();
   const v1::Job job = AwaitEnd(id);
   EXPECT_EQ(job.state(), v1::JOB_STATE_FAILED);

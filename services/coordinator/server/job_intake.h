@@ -50,6 +50,9 @@ class JobIntake {
   /// All of that but the keeping: the job that would be made, without an id.
   absl::StatusOr<ResolvedJob> Check(const Submission& submission);
 
+  /// The build that would make it.
+  const std::string& build_id() const { return build_id_; }
+
  private:
   absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
   absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);

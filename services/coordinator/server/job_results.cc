@@ -57,17 +57,20 @@ absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Leas
 absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job) {
   for (const std::string& action : job.serving_actions) {
     auto found = jobs_.FindResult(action);
-    if (!found.ok()) return found.status();
-    if (!*found) continue;
-    const auto complete = Complete(**found);
-    if (!complete.ok()) return complete.status();
-    if (*complete) return found;
+    if (!found.ok() && !absl::IsDataLoss(found.status())) return found.status();
+    if (found.ok()) {
+      if (!*found) continue;
+      const auto complete = Complete(**found);
+      if (!complete.ok()) return complete.status();
+      if (*complete) return found;
+    }
     if (absl::Status done = jobs_.ForgetResult(action); !done.ok()) return done;
   }
   return std::nullopt;
 }
 
-/// True if all artifacts are there, unchanged.
+/// True if all artifacts are there, unchanged. An unreadable one is to be made anew; only where the
+/// store is away there is nothing to be said.
 absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
   const auto blobs = blobs_.Of(result.tenant);
   if (!blobs.ok()) return blobs.status();
@@ -75,8 +78,8 @@ absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
     if (digest.empty()) continue;
     absl::Status opened = (*blobs)->Keep(digest).status();
     if (opened.ok()) opened = (*blobs)->Open(digest).status();
-    if (absl::IsNotFound(opened) || absl::IsDataLoss(opened)) return false;
-    if (!opened.ok()) return opened;
+    if (absl::IsUnavailable(opened)) return opened;
+    if (!opened.ok()) return false;
   }
   return true;
 }

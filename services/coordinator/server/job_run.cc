@@ -102,6 +102,7 @@ absl::StatusOr<bool> JobRun::Compute() {
   loading.reset();
   StageCall call;
   call.job_id = job_.id;
+  call.claimant = {job_.tenant, static_cast<int>(job_.priority)};
   call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
   call.spans = &spans_;
   call.cancel = CancelToken([this] { return wishes_->GivenUp(environment_.now_us()); });

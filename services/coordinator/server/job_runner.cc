@@ -35,10 +35,14 @@ absl::Status JobRunner::Start() {
   if (absl::Status released = environment_.jobs.Release(options_.owner); !released.ok()) {
     return released;
   }
-  for (int i = 0; i < options_.jobs; ++i) threads_.emplace_back([this] { Serve(); });
+  for (int i = 0; i < options_.jobs; ++i) {
+    threads_.emplace_back([this] { Serve(Priority::kBulk); });
+  }
+  // So that somebody who waits for an answer does not wait for long jobs to end.
+  threads_.emplace_back([this] { Serve(Priority::kInteractive); });
   threads_.emplace_back([this] { Keep(); });
   threads_.emplace_back([this] { Judge(); });
-  threads_.emplace_back([this] { EndWhatIsOverdue(); });
+  threads_.emplace_back([this] { Tidy(); });
   return absl::OkStatus();
 }
 
@@ -64,8 +68,8 @@ void JobRunner::Stop() {
   threads_.clear();
 }
 
-/// The life of one of the threads that run jobs.
-void JobRunner::Serve() {
+/// The life of one of the threads that run jobs: those of this priority and higher.
+void JobRunner::Serve(Priority at_least) {
   while (true) {
     int64_t seen = 0;
     {
@@ -73,7 +77,7 @@ void JobRunner::Serve() {
       if (stopping_) return;
       seen = wakes_;
     }
-    if (const auto run = Claim()) {
+    if (const auto run = Claim(at_least)) {
       run->Run();
       std::lock_guard lock(mutex_);
       leases_.Remove(run->lease());
@@ -111,10 +115,11 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
-std::unique_ptr<JobRun> JobRunner::Claim() {
+std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
   std::lock_guard claiming(claim_mutex_);
   const int64_t now_us = NowUs();
-  auto job = environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy());
+  auto job =
+      environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy(), at_least);
   if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
   if (!job.ok() || !*job) return nullptr;
   if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
@@ -125,17 +130,12 @@ std::unique_ptr<JobRun> JobRunner::Claim() {
   return run;
 }
 
-/// Holds the leases, and forgets old request ids.
+/// Holds the leases, and does nothing else.
 void JobRunner::Keep() {
-  Stopwatch since_sweep;
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     lock.unlock();
     RenewLeases();
-    if (since_sweep.Seconds() > kRequestIdSweepS) {
-      environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
-      since_sweep = Stopwatch();
-    }
     lock.lock();
     wake_.wait_for(lock, options_.renew, [this] { return stopping_; });
   }
@@ -155,13 +155,18 @@ void JobRunner::RenewLeases() {
   leases_.Renewed(leases, *held, until_us);
 }
 
-/// At the end of a long queue a job would hear of its deadline long after it. On a thread that
-/// holds no lease up.
-void JobRunner::EndWhatIsOverdue() {
+/// What takes its time, on a thread that holds no lease up: ends overdue jobs, which at the end of
+/// a long queue would hear of their deadlines long after them, and forgets old request ids.
+void JobRunner::Tidy() {
+  Stopwatch since_sweep;
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     lock.unlock();
     const bool more = EndOverdue() == kMaxOverdueAtOnce;
+    if (since_sweep.Seconds() > kRequestIdSweepS) {
+      environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
+      since_sweep = Stopwatch();
+    }
     lock.lock();
     if (!more) wake_.wait_for(lock, options_.renew, [this] { return stopping_; });
   }

@@ -45,15 +45,15 @@ class JobRunner {
   void Stop();
 
  private:
-  void Serve();
+  void Serve(Priority at_least);
   void Keep();
   void Judge();
   void Warn(const std::string& what, const absl::Status& why) const;
   void RenewLeases();
-  void EndWhatIsOverdue();
+  void Tidy();
   int32_t EndOverdue();
   std::set<std::string> Busy();
-  std::unique_ptr<JobRun> Claim();
+  std::unique_ptr<JobRun> Claim(Priority at_least);
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
 

@@ -52,11 +52,12 @@ class TextReader : public BlobReader {
  public:
   explicit TextReader(std::string text) : text_(std::move(text)) {}
   int64_t size() const override { return std::ssize(text_); }
-  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) override {
-    return text_.substr(offset, limit);
-  }
 
  private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    return text_.substr(offset, count);
+  }
+
   const std::string text_;
 };
 
@@ -82,6 +83,8 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
   const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   if (request->validate_only()) {
+    const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
+    if (!place.ok()) return rpc::ToGrpc(place.status());
     return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
       auto job = Validate(*caller, *request, call);
       if (job.ok()) *response = *std::move(job);
@@ -191,6 +194,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission->priority) + 1));
   if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
   job.set_settings_digest(resolved->settings_digest);
+  job.set_build_id(backend_.intake.build_id());
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
       *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
@@ -263,6 +267,8 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRec
   if (!digest.ok()) return digest.status();
   const auto blobs = backend_.blobs.Of(job.result->tenant);
   if (!blobs.ok()) return blobs.status();
+  // Also if its job is deleted meanwhile, what is read stays for as long as that takes.
+  if (const auto kept = (*blobs)->Keep(*digest); !kept.ok()) return kept.status();
   return (*blobs)->Open(*digest);
 }
 

@@ -44,7 +44,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   JobsService(JobsBackend backend, const TransferOptions& options)
       : backend_(std::move(backend)),
         downloads_(options),
-        preflights_({.slots = 2, .queue = 16}, backend_.log) {}
+        preflights_({.slots = 2, .queue = 16}, backend_.log),
+        preflights_of_tenants_(/*all=*/18, /*of_each=*/6) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
@@ -87,6 +88,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   JobsBackend backend_;
   Transfers downloads_;
   rpc::CallGate preflights_;  ///< which take as long as slicing does
+  TenantPlaces preflights_of_tenants_;
   std::optional<JobWatches> watches_;
 };
 

@@ -57,7 +57,9 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     workers.emplace(fleet, SplitAddresses(flags.workers), program.log(),
                     WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
   }
-  if (split) fleet.Join(split->AsRunner(flags.split_slots));
+  if (split) {
+    for (Runner& runner : split->AsRunners(flags.split_slots)) fleet.Join(std::move(runner));
+  }
 
   const auto rates =
       flags.rates_file.empty() ? absl::StatusOr<Rates>(Rates()) : ReadRates(flags.rates_file);

@@ -48,7 +48,8 @@ absl::StatusOr<BlobStatus> Receive(BlobStore& blobs, const DiskGuard& disk, Read
     // Each time, as others write as well.
     if (absl::Status room = disk.CheckRoom(size - offset); !room.ok()) return room;
     const auto status = blobs.Append(digest, offset, chunk.data());
-    if (!status.ok() || status->complete) return status;
+    if (!status.ok()) return status;
+    if (status->complete) return blobs.Keep(digest);  // until its job is made
     offset += static_cast<int64_t>(chunk.data().size());
   } while (stream.Read(&chunk));
   if (offset < size) return blobs.Status(digest);
@@ -63,7 +64,7 @@ grpc::Status MeshesService::GetUpload(grpc::ServerContext* context,
   if (!caller.ok()) return rpc::ToGrpc(caller.status());
   const auto blobs = blobs_.Of(caller->tenant);
   if (!blobs.ok()) return rpc::ToGrpc(blobs.status());
-  const auto status = (*blobs)->Status(request->sha256());
+  const auto status = (*blobs)->Keep(request->sha256());  // who asks, may make a job of it next
   if (status.ok()) *response = ToProto(request->sha256(), *status);
   return rpc::ToGrpc(status.status());
 }

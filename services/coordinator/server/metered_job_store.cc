@@ -91,9 +91,10 @@ absl::StatusOr<Created> MeteredJobStore::Create(const NewJob& job, int64_t now_u
 
 absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::string& owner,
                                                                 int64_t now_us, int64_t until_us,
-                                                                const std::set<std::string>& busy) {
+                                                                const std::set<std::string>& busy,
+                                                                Priority at_least) {
   const Stopwatch watch;
-  auto job = store().Claim(owner, now_us, until_us, busy);
+  auto job = store().Claim(owner, now_us, until_us, busy, at_least);
   if (!job.ok() || !*job) return job;  // nothing was written
   commit_seconds_.Add({{"operation", "claim"}}, kCommitSeconds).Observe(watch.Seconds());
   if ((*job)->state == JobState::kRunning) expired_.Increment();

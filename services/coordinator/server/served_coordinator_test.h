@@ -62,6 +62,11 @@ class ServedCoordinatorTest : public testing::Test {
     coordinator_.reset();
   }
 
+  /// Where a blob of the tenant "" lies.
+  std::string BlobPath(const std::string& digest) const {
+    return directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest;
+  }
+
   std::string address() const { return absl::StrCat("127.0.0.1:", server_->port()); }
 
   TempDirectory directory_;

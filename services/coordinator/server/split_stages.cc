@@ -13,13 +13,15 @@ SplitStages::SplitStages(const Names& names,
       ordering_pool_("ordering", names.ordering, log, options("ordering")),
       motion_pool_(motion) {}
 
-Runner SplitStages::AsRunner(int slots) {
+std::array<Runner, 2> SplitStages::AsRunners(int slots) {
   Runner runner;
   runner.name = "split stages";
   runner.ranges = std::make_shared<LayerChain>(beading_, infill_, ordering_, motion_);
-  runner.slots = slots;
   runner.await_ready = [this](std::chrono::milliseconds patience) { return AwaitReady(patience); };
-  return runner;
+  std::array<Runner, 2> runners = {runner, runner};
+  runners[0].slots = (slots + 1) / 2;
+  runners[1].slots = std::max(slots / 2, 1);
+  return runners;
 }
 
 std::map<std::string, const StagePool*> SplitStages::Pools() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,7 +15,8 @@
 namespace slicefarm::coordinator {
 
 /// The layer stages as services of their own: a chain whose calls go to whichever replicas there
-/// are. All ranges in flight share it, as one runner.
+/// are. All ranges in flight share it, as two runners: a range is doubled and given up by the rules
+/// of FanOut, which speak of more than one.
 class SplitStages {
  public:
   struct Names {
@@ -28,9 +30,9 @@ class SplitStages {
               const std::function<StagePoolOptions(const std::string& stage)>& options,
               StagePool& motion, const rpc::JsonLog& log);
 
-  /// The chain as a runner of `slots` ranges at a time; it can be reached when all its stages can.
-  /// The object must outlive the runner's calls.
-  Runner AsRunner(int slots);
+  /// The chain as runners of `slots` ranges at a time together, at least one each; they can be
+  /// reached when all stages can. The object must outlive the runners' calls.
+  std::array<Runner, 2> AsRunners(int slots);
 
   /// The stages besides motion, by name.
   std::map<std::string, const StagePool*> Pools() const;

@@ -113,6 +113,19 @@ TEST_F(SubmissionTest, ACachedResultCostsWhatIsChargedToday) {
   EXPECT_EQ(again.result().cost().setup(), 7);
 }
 
+TEST_F(SubmissionTest, AnInteractiveJobNeedNotWaitForLongOnes) {
+  ranges_->Hold();
+  const std::string a = Submit("x"), b = Submit("xx");  // all places are taken
+  ASSERT_TRUE(Upload("x!").ok());
+  v1::CreateJobRequest request = RequestFor("x!");
+  request.set_priority(v1::JOB_PRIORITY_INTERACTIVE);
+  EXPECT_EQ(MakeAndEnd(request).state(), v1::JOB_STATE_FAILED) << "which it can only if it runs";
+  EXPECT_EQ(Get(a)->has_end_time(), false);
+  ranges_->LetGo();
+  AwaitEnd(a);
+  AwaitEnd(b);
+}
+
 TEST_F(SubmissionTest, PriorityAndDeadlineAreKept) {
   ASSERT_TRUE(Upload("xxx").ok());
   v1::CreateJobRequest request = RequestFor("xxx");
@@ -196,6 +209,7 @@ TEST_F(SubmissionTest, APreflightKeepsNothing) {
   EXPECT_GT(job->preflight().filament_g(), 0);
   EXPECT_GT(job->preflight().cost().total(), 5);
   EXPECT_NE(job->settings_digest(), "");
+  EXPECT_NE(job->build_id(), "");
   EXPECT_THAT(List({}), ElementsAre());
   request.set_validate_only(false);
   EXPECT_NE(Create(request)->id(), "") << "its request_id is not taken";

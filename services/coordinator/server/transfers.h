@@ -3,13 +3,12 @@
 #include <grpcpp/server_context.h>
 
 #include <functional>
-#include <map>
-#include <mutex>
 #include <string>
 
 #include "absl/status/status.h"
 #include "common/rpc/admission.h"
 #include "common/rpc/stream_watch.h"
+#include "services/coordinator/server/tenant_places.h"
 
 namespace slicefarm::coordinator {
 
@@ -18,7 +17,7 @@ namespace slicefarm::coordinator {
 struct TransferOptions {
   int slots = 64;
   int queue = 16;
-  int slots_a_tenant = 48;  ///< so that there are some for the others; none of its waits
+  int slots_a_tenant = 48;
   rpc::StreamTimes times = {};
 };
 
@@ -30,20 +29,20 @@ class Transfers {
   using Moved = std::function<void()>;
 
   explicit Transfers(const TransferOptions& options)
-      : options_(options), admission_(options.slots, options.queue), watch_(options.times) {}
+      : options_(options),
+        of_tenants_(options.slots + options.queue, options.slots_a_tenant),
+        admission_(options.slots, options.queue),
+        watch_(options.times) {}
 
   /// Does `work` when its turn has come. `tenant`: empty where there is only one. Errors:
-  /// OVERLOADED; DEADLINE_EXCEEDED where the call was cut off; those of `work`.
+  /// OVERLOADED; CANCELLED where the call was cut off; those of `work`.
   absl::Status Run(grpc::ServerContext& context, const std::string& tenant,
                    const std::function<absl::Status(const Moved&)>& work);
 
  private:
-  rpc::Admission& PlacesOf(const std::string& tenant);
-
   const TransferOptions options_;
+  TenantPlaces of_tenants_;
   rpc::Admission admission_;
-  std::mutex mutex_;
-  std::map<std::string, rpc::Admission> by_tenant_;
   rpc::StreamWatch watch_;
 };
 

@@ -99,10 +99,11 @@ bool CheckedStore::IsFull(const NewJob& job) const {
 
 absl::StatusOr<std::optional<JobRecord>> CheckedStore::Claim(const std::string& owner,
                                                              int64_t now_us, int64_t until_us,
-                                                             const std::set<std::string>& busy) {
-  const ClaimOrder::Call call = {now_us, busy};
+                                                             const std::set<std::string>& busy,
+                                                             Priority at_least) {
+  const ClaimOrder::Call call = {now_us, busy, at_least};
   claim_order_.Before(jobs_.entries(), call);
-  auto claimed = store().Claim(owner, now_us, until_us, busy);
+  auto claimed = store().Claim(owner, now_us, until_us, busy, at_least);
   if (claimed.ok()) {
     if (*claimed) CheckClaim(**claimed, owner, now_us);
     const auto wrong = claim_order_.After(call, *claimed ? &**claimed : nullptr);
@@ -141,7 +142,7 @@ absl::StatusOr<std::vector<JobRecord>> CheckedStore::EndOverdue(const JobError& 
       const JobRecord& before = seen_[job.id].job;
       world_.Tell("{} is overdue", job.id);
       const bool held = !before.owner.empty() && before.owner_until_us > now_us;
-      if (before.state != JobState::kQueued || held || job.deadline_us > now_us) {
+      if (IsTerminal(before.state) || held || job.deadline_us > now_us) {
         world_.Violated("{} was ended as overdue, and was not", job.id);
       }
       Wrote(job);

@@ -33,7 +33,8 @@ class CheckedStore : public ForwardingJobStore {
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy) override;
+                                                 const std::set<std::string>& busy,
+                                                 Priority at_least) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;

@@ -26,7 +26,7 @@ void ClaimOrder::Before(const std::map<int64_t, MemoryJobs::Entry>& jobs, const 
       if (!job.owner.empty()) ++tenant.held;
       continue;
     }
-    if (call.busy.contains(job.action_digest)) continue;
+    if (call.busy.contains(job.action_digest) || job.priority < call.at_least) continue;
     if (!tenant.next || ComesBefore(job, *tenant.next)) tenant.next = job;
   }
 }

@@ -17,6 +17,7 @@ class ClaimOrder {
   struct Call {
     int64_t now_us = 0;
     const std::set<std::string>& busy;
+    Priority at_least = Priority::kBulk;
   };
 
   /// Before the claim is made.

@@ -51,12 +51,13 @@ class FlawedStore : public ForwardingJobStore {
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy) override {
+                                                 const std::set<std::string>& busy,
+                                                 Priority at_least) override {
     const int64_t ahead_us = flaw_ == Flaw::kHeldJobsClaimed ? 10'000'000 : 0;
     std::set<std::string> passed_over = busy;
     if (flaw_ == Flaw::kSomeNeverClaimed) passed_over.insert("a0-b1");
     if (flaw_ == Flaw::kTenantsIgnored) PassOverOthers(passed_over);
-    return store().Claim(owner, now_us + ahead_us, until_us, passed_over);
+    return store().Claim(owner, now_us + ahead_us, until_us, passed_over, at_least);
   }
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override {
     if (flaw_ == Flaw::kAdoptionNotWritten) return absl::OkStatus();

@@ -11,7 +11,8 @@ namespace slicefarm::coordinator::sim {
 namespace {
 
 // As JobRunnerOptions has them.
-constexpr int kPlaces = 2;
+constexpr int kPlaces = 3;
+constexpr int kInteractivePlace = 2;
 constexpr int64_t kLeaseUs = 10 * kSecondUs;
 constexpr int64_t kRenewUs = 3 * kSecondUs;
 constexpr int64_t kPollUs = kSecondUs;
@@ -114,8 +115,9 @@ void SimCoordinator::Claim(int place) {
   const int64_t now_us = NowUs();
   const std::set<std::string> none;
   const auto busy = world_.variant.busy_untold ? none : leases_->Busy();
-  link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us),
-            busy](JobStore& store) { return store.Claim(owner, now_us, until_us, busy); },
+  const auto at_least = place == kInteractivePlace ? Priority::kInteractive : Priority::kBulk;
+  link_.Do([owner = Owner(), now_us, until_us = leases_->UntilUs(now_us), busy, at_least](
+               JobStore& store) { return store.Claim(owner, now_us, until_us, busy, at_least); },
            [this, place, now_us, seen = wakes_](const Claimed& claimed) {
              Take(place, now_us, seen, claimed);
            });

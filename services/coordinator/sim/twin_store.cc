@@ -48,8 +48,11 @@ absl::StatusOr<std::vector<JobRecord>> TwinStore::List(const ListQuery& query) {
 
 absl::StatusOr<std::optional<JobRecord>> TwinStore::Claim(const std::string& owner, int64_t now_us,
                                                           int64_t until_us,
-                                                          const std::set<std::string>& busy) {
-  return Both("Claim", [&](JobStore& store) { return store.Claim(owner, now_us, until_us, busy); });
+                                                          const std::set<std::string>& busy,
+                                                          Priority at_least) {
+  return Both("Claim", [&](JobStore& store) {
+    return store.Claim(owner, now_us, until_us, busy, at_least);
+  });
 }
 
 absl::StatusOr<std::vector<JobRecord>> TwinStore::EndOverdue(const JobError& error, int64_t now_us,

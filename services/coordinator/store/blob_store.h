@@ -29,8 +29,13 @@ class BlobReader {
  public:
   virtual ~BlobReader() = default;
   virtual int64_t size() const = 0;
-  /// Up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED.
-  virtual absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) = 0;
+  /// Up to `limit` bytes from `offset` on; fewer only at the end. Errors: STORE_FAILED; the same as
+  /// DATA_LOSS if bytes are gone that were there when it was opened.
+  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit);
+
+ private:
+  /// `count` bytes from `offset` on, which lie within size(); fewer if the others are gone.
+  virtual absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) = 0;
 };
 
 /// Bytes by their SHA-256 (64 lower-case hex digits). A blob that is complete is on disk and never

@@ -92,6 +92,29 @@ TEST_P(BlobStoreTest, ReadsParts) {
   EXPECT_EQ(*(*reader)->Read((*reader)->size() + 7, 100), "");
 }
 
+TEST_P(BlobStoreTest, ABlobOfManyPiecesIsReadAsOne) {
+  std::string bytes;
+  for (int i = 0; bytes.size() < 2'500'000; ++i) bytes += std::to_string(i);
+  const auto digest = store_->Put(bytes);
+  ASSERT_TRUE(digest.ok()) << digest.status();
+  EXPECT_EQ(*store_->Get(*digest), bytes);
+  const auto reader = store_->Open(*digest);
+  EXPECT_EQ(*(*reader)->Read(1'000'000, 1'400'000), bytes.substr(1'000'000, 1'400'000));
+}
+
+// A client that got fewer bytes would take them for all.
+TEST_P(BlobStoreTest, WhatGoesWhileItIsReadIsAnErrorOrStillThere) {
+  ASSERT_TRUE(store_->Put(bytes_).ok());
+  const auto reader = store_->Open(digest_);
+  ASSERT_TRUE(*store_->Delete(digest_, 0));
+  const auto read = (*reader)->Read(100, 1000);
+  if (read.ok()) {
+    EXPECT_EQ(*read, bytes_.substr(100, 1000));
+  } else {
+    EXPECT_TRUE(absl::IsDataLoss(read.status())) << read.status();
+  }
+}
+
 TEST_P(BlobStoreTest, EmptyBlobsAreBlobs) {
   EXPECT_EQ(*store_->Put(""), Sha256Hex(""));
   EXPECT_EQ(*store_->Get(Sha256Hex("")), "");

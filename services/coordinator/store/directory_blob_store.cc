@@ -50,11 +50,12 @@ class FileReader : public BlobReader {
  public:
   FileReader(PosixFile file, int64_t size) : file_(std::move(file)), size_(size) {}
   int64_t size() const override { return size_; }
-  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) override {
-    return file_.ReadAt(offset, std::clamp<int64_t>(size_ - offset, 0, limit));
-  }
 
  private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    return file_.ReadAt(offset, count);
+  }
+
   PosixFile file_;
   int64_t size_;
 };

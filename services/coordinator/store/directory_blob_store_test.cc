@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "common/model/error.h"
@@ -34,6 +35,14 @@ TEST_F(DirectoryBlobStoreTest, ChangedBytesAreNoticed) {
   const absl::Status status = store_->Get(digest).status();
   EXPECT_TRUE(absl::IsDataLoss(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kBlobDigestMismatch);
+}
+
+TEST_F(DirectoryBlobStoreTest, ABlobThatIsCutOffWhileItIsReadIsAnError) {
+  const std::string digest = *store_->Put("bytes");
+  const auto reader = store_->Open(digest);
+  std::filesystem::resize_file(PathOf(digest), 3);
+  EXPECT_EQ(*(*reader)->Read(0, 3), "byt");
+  EXPECT_TRUE(absl::IsDataLoss((*reader)->Read(0, 5).status()));
 }
 
 TEST_F(DirectoryBlobStoreTest, ADamagedBlobMakesRoomForAnUpload) {

@@ -25,8 +25,9 @@ class ForwardingJobStore : public JobStore {
   }
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy = {}) override {
-    return store_.Claim(owner, now_us, until_us, busy);
+                                                 const std::set<std::string>& busy = {},
+                                                 Priority at_least = Priority::kBulk) override {
+    return store_.Claim(owner, now_us, until_us, busy, at_least);
   }
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override {

@@ -20,7 +20,7 @@ absl::StatusOr<std::vector<std::string>> Tenants(SqlConnection& db, int64_t now_
 }
 
 void BindClaimable(SqlQuery& query, const std::string& tenant, const ClaimRequest& request) {
-  query.Bind(tenant, request.now_us);
+  query.Bind(tenant, static_cast<int64_t>(request.at_least), request.now_us);
   for (const std::string& digest : request.busy) query.Bind(digest);
 }
 
@@ -71,9 +71,9 @@ std::string TenantsSql(const SqlDialect& dialect) {
 }
 
 std::string ClaimableSql(const SqlDialect& dialect, const ClaimRequest& request) {
-  std::string sql =
-      absl::StrCat("SELECT number FROM jobs", dialect.Through("jobs_open"),
-                   " WHERE tenant = ? AND " SLICEFARM_OPEN " AND owner_until_us <= ?");
+  std::string sql = absl::StrCat("SELECT number FROM jobs", dialect.Through("jobs_open"),
+                                 " WHERE tenant = ? AND " SLICEFARM_OPEN
+                                 " AND priority >= ? AND owner_until_us <= ?");
   const char* next = " AND action_digest NOT IN (?";
   for (size_t i = 0; i < request.busy.size(); ++i) {
     sql += next;

@@ -17,6 +17,7 @@ struct ClaimRequest {
   int64_t now_us = 0;
   int64_t until_us = 0;
   std::set<std::string> busy;
+  Priority at_least = Priority::kBulk;
 };
 
 /// Whether there may be something to claim. Cost: one look into an index a tenant.

@@ -38,10 +38,10 @@ absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQue
   query.Bind(list.limit);
   std::vector<JobRecord> jobs;
   for (int64_t bytes = 0; bytes < kListedSpecBytes && query.Next();) {
-    auto job = ReadJob(query);
-    if (!job.ok()) return job.status();
-    bytes += std::ssize(job->spec);
-    jobs.push_back(*std::move(job));
+    JobRecord& job = jobs.emplace_back();
+    // A damaged one is told of where it stands, and keeps nobody from listing the others.
+    if (absl::Status read = ReadJob(query, job); !read.ok()) job.error = JobErrorOf(read);
+    bytes += std::ssize(job.spec);
   }
   if (!query.status().ok()) return query.status();
   return jobs;

@@ -67,14 +67,15 @@ absl::StatusOr<JobRecord> SelectJob(SqlConnection& db, const std::string& id,
   SqlQuery query(db, absl::StrCat("SELECT " SLICEFARM_JOB_COLUMNS " FROM jobs WHERE id = ?",
                                   std::string(locking)));
   query.Bind(id);
-  if (query.Next()) return ReadJob(query);
-  return query.status().ok() ? JobNotFound(id) : query.status();
+  if (!query.Next()) return query.status().ok() ? JobNotFound(id) : query.status();
+  JobRecord job;
+  if (absl::Status read = ReadJob(query, job); !read.ok()) return read;
+  return job;
 }
 
 }  // namespace
 
-absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
-  JobRecord job;
+absl::Status ReadJob(const SqlQuery& query, JobRecord& job) {
   Columns columns(query);
   columns.ReadAll(job.number, job.id, job.tenant, job.state, job.priority, job.deadline_us,
                   job.spec, job.labels, job.settings_digest, job.action_digest, job.build_id,
@@ -82,19 +83,7 @@ absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query) {
                   job.layers_done, job.error, job.result, job.cancel_requested, job.retries,
                   job.store_failures, job.lost_runs, job.last_sequence, job.trace_sha256, job.owner,
                   job.owner_epoch, job.owner_until_us);
-  if (absl::Status read = columns.status(job.id); !read.ok()) return read;
-  return job;
-}
-
-absl::StatusOr<std::vector<JobRecord>> ReadJobs(SqlQuery& query) {
-  std::vector<JobRecord> jobs;
-  while (query.Next()) {
-    auto job = ReadJob(query);
-    if (!job.ok()) return job.status();
-    jobs.push_back(*std::move(job));
-  }
-  if (!query.status().ok()) return query.status();
-  return jobs;
+  return columns.status(job.id);
 }
 
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id) {

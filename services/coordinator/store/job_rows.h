@@ -19,11 +19,9 @@ namespace slicefarm::coordinator {
 /// States in which a job has not ended.
 #define SLICEFARM_OPEN "state IN ('QUEUED', 'RUNNING')"
 
-/// The job of the row that `query` stands on. Errors: STORE_FAILED if it is damaged.
-absl::StatusOr<JobRecord> ReadJob(const SqlQuery& query);
-
-/// All rows. Errors: those of the query and of ReadJob.
-absl::StatusOr<std::vector<JobRecord>> ReadJobs(SqlQuery& query);
+/// The job of the row that `query` stands on. Errors: DATA_LOSS if it is damaged; `job` has what
+/// could be read.
+absl::Status ReadJob(const SqlQuery& query, JobRecord& job);
 
 /// The job, or JOB_NOT_FOUND.
 absl::StatusOr<JobRecord> FindJob(SqlConnection& db, const std::string& id);

@@ -62,7 +62,7 @@ bool ApplyCancel(JobRecord& job, int64_t now_us) {
 
 bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
   const bool held = !job.owner.empty() && job.owner_until_us > now_us;
-  const bool waits = job.state == JobState::kQueued && !held && !job.cancel_requested;
+  const bool waits = !IsTerminal(job.state) && !held && !job.cancel_requested;
   if (!waits || job.deadline_us > now_us) return false;
   job.state = JobState::kFailed;
   job.error = error;

@@ -119,16 +119,18 @@ class JobStore {
   virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
 
   /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
-  /// if there is none. Passes over jobs whose action_digest is one of `busy`. Tenants take turns,
+  /// if there is none. Passes over jobs whose action_digest is one of `busy`, and those of lower
+  /// priority than `at_least`. Tenants take turns,
   /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
   /// those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is kept of the
   /// job cannot be read; it is passed over until `until_us`.
-  virtual absl::StatusOr<std::optional<JobRecord>> Claim(
-      const std::string& owner, int64_t now_us, int64_t until_us,
-      const std::set<std::string>& busy = {}) = 0;
+  virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                         int64_t until_us,
+                                                         const std::set<std::string>& busy = {},
+                                                         Priority at_least = Priority::kBulk) = 0;
 
-  /// Ends jobs that are QUEUED, that nobody holds or wants to be cancelled, and whose deadline has
-  /// passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
+  /// Ends jobs that have not ended, that nobody holds or wants to be cancelled, and whose deadline
+  /// has passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
   /// those that it ended, also if it could not go on; an error says that it ended none.
   virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                             int32_t limit) = 0;

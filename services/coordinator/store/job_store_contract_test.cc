@@ -303,6 +303,19 @@ TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
   EXPECT_EQ(*store_->Claim("you", 10, 100), std::nullopt);
 }
 
+TEST_P(JobStoreTest, ClaimsPassOverLowerPriorities) {
+  for (const auto& [id, priority] :
+       {std::pair{"bulk", Priority::kBulk}, {"normal", Priority::kNormal}}) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  }
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {}, Priority::kInteractive), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100, {}, Priority::kNormal))->id, "normal");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {}, Priority::kNormal), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "bulk");
+}
+
 TEST_P(JobStoreTest, ClaimsPassOverBusyWork) {
   for (const char* id : {"a", "b", "c"}) Make(id);
   EXPECT_EQ((*store_->Claim("me", 10, 100, {"action-a", "action-c"}))->id, "b");
@@ -431,6 +444,10 @@ TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
   ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "held");
   make("died", 50);  // its owner did, before it began
   ASSERT_EQ((*store_->Claim("gone", 10, 50))->id, "died");
+  make("died running", 50);
+  const auto ran = *store_->Claim("gone", 10, 40);
+  ASSERT_EQ(ran->id, "died running");
+  ASSERT_TRUE(store_->Update({ran->id, ran->owner_epoch}, {.state = kRunning}, 13).ok());
   make("cancelled", 50);
   ASSERT_EQ((*store_->Claim("you", 10, 100))->id, "cancelled");
   ASSERT_TRUE(store_->RequestCancel("cancelled", 11).ok());
@@ -448,7 +465,7 @@ TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
     return ids;
   };
   EXPECT_THAT(ended(1), ElementsAre("first"));
-  EXPECT_THAT(ended(10), ElementsAre("died", "second"));
+  EXPECT_THAT(ended(10), ElementsAre("died", "died running", "second"));
   EXPECT_THAT(ended(10), IsEmpty());
   const JobRecord job = *store_->Get("second");
   EXPECT_EQ(job.state, JobState::kFailed);

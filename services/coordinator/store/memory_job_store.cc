@@ -151,12 +151,13 @@ std::vector<std::string> MemoryJobStore::Tenants(int64_t now_us) const {
 
 /// The tenant's job whose turn it is; nullptr: none may be claimed.
 JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
-                                     const std::set<std::string>& busy) {
+                                     const std::set<std::string>& busy, Priority at_least) {
   JobRecord* first = nullptr;
   for (auto& [number, entry] : jobs_.entries_) {
     JobRecord& job = entry.job;
     const bool claimable = job.tenant == tenant && !IsTerminal(job.state) &&
-                           job.owner_until_us <= now_us && !busy.contains(job.action_digest);
+                           job.priority >= at_least && job.owner_until_us <= now_us &&
+                           !busy.contains(job.action_digest);
     if (claimable && (!first || Urgency(job) < Urgency(*first))) first = &job;
   }
   return first;
@@ -164,10 +165,11 @@ JobRecord* MemoryJobStore::Claimable(const std::string& tenant, int64_t now_us,
 
 absl::StatusOr<std::optional<JobRecord>> MemoryJobStore::Claim(const std::string& owner,
                                                                int64_t now_us, int64_t until_us,
-                                                               const std::set<std::string>& busy) {
+                                                               const std::set<std::string>& busy,
+                                                               Priority at_least) {
   Lock lock(jobs_.mutex_);
   for (const std::string& tenant : Tenants(now_us)) {
-    JobRecord* job = Claimable(tenant, now_us, busy);
+    JobRecord* job = Claimable(tenant, now_us, busy, at_least);
     if (!job) continue;
     job->owner = owner;
     ++job->owner_epoch;

@@ -57,7 +57,8 @@ class MemoryJobStore : public JobStore {
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy = {}) override;
+                                                 const std::set<std::string>& busy = {},
+                                                 Priority at_least = Priority::kBulk) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
@@ -86,8 +87,8 @@ class MemoryJobStore : public JobStore {
   Entry* FindHeld(const Lease& lease);
   absl::Status CheckQueue(const NewJob& job) const;
   std::vector<std::string> Tenants(int64_t now_us) const;
-  JobRecord* Claimable(const std::string& tenant, int64_t now_us,
-                       const std::set<std::string>& busy);
+  JobRecord* Claimable(const std::string& tenant, int64_t now_us, const std::set<std::string>& busy,
+                       Priority at_least);
   absl::Status IndexResult(const JobRecord& job);
   bool IsArtifact(const std::string& tenant, const std::string& digest) const;
   bool IsInput(const std::string& tenant, const std::string& digest) const;

@@ -1,6 +1,7 @@
 #include "services/coordinator/store/postgres_blob_store.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -75,15 +76,31 @@ absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t
   return bytes;
 }
 
-absl::StatusOr<std::string> DigestOf(SqlConnection& db, const Key& key) {
+/// All bytes that are there, piece by piece: a mesh of 2 GB in one answer would need as much memory
+/// again, and more time than a statement has. Returns their digest.
+absl::StatusOr<std::string> ReadPieces(SqlConnection& db, const Key& key,
+                                       const std::function<void(const std::string&)>& visit) {
   Sha256 sha;
   for (int64_t offset = 0;;) {
     const auto bytes = ReadBytes(db, key, offset, kPieceBytes);
     if (!bytes.ok()) return bytes.status();
     if (bytes->empty()) return sha.Hex();
     sha.Add(*bytes);
+    visit(*bytes);
     offset += static_cast<int64_t>(bytes->size());
   }
+}
+
+absl::StatusOr<std::string> DigestOf(SqlConnection& db, const Key& key) {
+  return ReadPieces(db, key, [](const std::string&) {});
+}
+
+/// Of a blob that is complete. Errors: BLOB_NOT_FOUND.
+absl::StatusOr<int64_t> SizeOf(SqlConnection& db, const Key& key) {
+  const auto status = SelectStatus(db, key, /*lock=*/false);
+  if (!status.ok()) return status.status();
+  if (!status->complete) return BlobNotFound(key.digest);
+  return status->committed_size;
 }
 
 class PostgresReader : public BlobReader {
@@ -92,13 +109,14 @@ class PostgresReader : public BlobReader {
       : database_(std::move(database)), key_(std::move(key)), size_(size) {}
 
   int64_t size() const override { return size_; }
-  absl::StatusOr<std::string> Read(int64_t offset, int64_t limit) override {
-    const auto session = database_->Read();
-    if (!session.ok()) return session.status();
-    return ReadBytes(**session, key_, offset, std::clamp<int64_t>(size_ - offset, 0, limit));
-  }
 
  private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    const auto session = database_->Read();
+    if (!session.ok()) return session.status();
+    return ReadBytes(**session, key_, offset, count);
+  }
+
   const std::shared_ptr<SqlDatabase> database_;
   const Key key_;
   const int64_t size_;
@@ -211,26 +229,32 @@ absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::st
 
 absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::Open(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  absl::StatusOr<std::string> got;
-  int64_t size = 0;
-  {
-    const auto session = database_->Read();
-    if (!session.ok()) return session.status();
-    const auto status = SelectStatus(**session, {tenant_, digest}, /*lock=*/false);
-    if (!status.ok()) return status.status();
-    if (!status->complete) return BlobNotFound(digest);
-    size = status->committed_size;
-    got = DigestOf(**session, {tenant_, digest});
-  }
+  const Key key = {tenant_, digest};
+  auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const auto size = SizeOf(**session, key);
+  if (!size.ok()) return size.status();
+  const auto got = DigestOf(**session, key);
+  session->reset();
   if (!got.ok()) return got.status();
   if (*got != digest) return Corrupt(digest, *got);
-  return std::make_unique<PostgresReader>(database_, Key{tenant_, digest}, size);
+  return std::make_unique<PostgresReader>(database_, key, *size);
 }
 
 absl::StatusOr<std::string> PostgresBlobStore::Get(const std::string& digest) {
-  const auto reader = Open(digest);
-  if (!reader.ok()) return reader.status();
-  return (*reader)->Read(0, (*reader)->size());
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const Key key = {tenant_, digest};
+  auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const auto size = SizeOf(**session, key);
+  if (!size.ok()) return size.status();
+  std::string bytes;
+  bytes.reserve(*size);
+  const auto got = ReadPieces(**session, key, [&](const std::string& piece) { bytes += piece; });
+  session->reset();
+  if (!got.ok()) return got.status();
+  if (*got != digest) return Corrupt(digest, *got);
+  return bytes;
 }
 
 absl::StatusOr<BlobStatus> PostgresBlobStore::Keep(const std::string& digest) {

@@ -41,10 +41,7 @@ std::string Message(const std::string& text) {
   return absl::StrCat("PostgreSQL: ", absl::StripTrailingAsciiWhitespace(text));
 }
 
-absl::Status Away(const std::string& text) {
-  return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, Message(text),
-                   {{std::string(rpc::kRetryAfterMs), "1000"}});
-}
+absl::Status Away(const std::string& text) { return StoreAway(Message(text)); }
 
 /// SQLSTATE classes: https://www.postgresql.org/docs/15/errcodes-appendix.html
 absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {

@@ -28,8 +28,7 @@ absl::StatusOr<SqlSession> PostgresDatabase::Take() {
   {
     std::unique_lock lock(mutex_);
     if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
-      return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed,
-                       "PostgreSQL: all connections are busy");
+      return StoreAway("PostgreSQL: all connections are busy");
     }
     --free_;
     if (!idle_.empty()) {

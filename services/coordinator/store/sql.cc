@@ -1,6 +1,16 @@
 #include "services/coordinator/store/sql.h"
 
+#include <string>
+
+#include "common/model/error.h"
+#include "common/rpc/status_mapping.h"
+
 namespace slicefarm::coordinator {
+
+absl::Status StoreAway(std::string_view why) {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, std::string(why),
+                   {{rpc::kRetryAfterMs, "1000"}});
+}
 
 absl::Status SqlQuery::Run() {
   while (Next()) {

@@ -27,6 +27,9 @@ struct SqlDialect {
   }
 };
 
+/// STORE_FAILED as Unavailable: it may go better a second later, and says so.
+absl::Status StoreAway(std::string_view why);
+
 /// Bytes that are no text.
 struct Blob {
   std::string_view bytes;

@@ -153,7 +153,7 @@ absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t n
     auto earlier = FindRequested(db, job);
     if (!earlier.ok()) return earlier.status();
     if (*earlier) return Created{**std::move(earlier), /*fresh=*/false};
-    return absl::UnavailableError("a job with the same request_id is being removed");
+    return StoreAway("a job with the same request_id is being removed");
   }
   if (!job.refusal.ok()) return job.refusal;
   if (absl::Status ok = CheckQueue(db, job); !ok.ok()) return ok;
@@ -193,7 +193,7 @@ absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int6
       absl::StrCat("SELECT id FROM jobs", db.dialect().Through("jobs_open"),
                    " WHERE " SLICEFARM_OPEN
                    " AND deadline_us <= ? AND (owner = '' OR owner_until_us <= ?)"
-                   " AND state = 'QUEUED' AND cancel_requested = 0"
+                   " AND cancel_requested = 0"
                    " ORDER BY deadline_us, number LIMIT ?");
   SqlQuery query(db, sql);
   query.Bind(now_us, now_us, limit);
@@ -236,8 +236,9 @@ absl::StatusOr<std::vector<JobRecord>> SqlJobStore::List(const ListQuery& query)
 
 absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& owner,
                                                             int64_t now_us, int64_t until_us,
-                                                            const std::set<std::string>& busy) {
-  const ClaimRequest request = {owner, now_us, until_us, busy};
+                                                            const std::set<std::string>& busy,
+                                                            Priority at_least) {
+  const ClaimRequest request = {owner, now_us, until_us, busy, at_least};
   // Most calls find nothing, and need no write.
   {
     const auto session = database_->Read();

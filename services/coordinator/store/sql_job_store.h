@@ -18,7 +18,8 @@ class SqlJobStore : public JobStore {
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
-                                                 const std::set<std::string>& busy) override;
+                                                 const std::set<std::string>& busy,
+                                                 Priority at_least) override;
   absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
                                                     int32_t limit) override;
   absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;

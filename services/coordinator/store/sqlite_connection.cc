@@ -38,7 +38,7 @@ absl::Status ErrorOf(sqlite3* db, int code) {
   switch (code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return MakeError(absl::StatusCode::kUnavailable, Reason::kStoreFailed, message);
+      return StoreAway(message);
     default:
       return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, message);
   }

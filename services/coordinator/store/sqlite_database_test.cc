@@ -98,6 +98,13 @@ TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
   EXPECT_EQ((*store->Claim("me", 10, 20))->id, "whole");
   EXPECT_EQ(*store->Claim("me", 10, 20), std::nullopt);
 
+  const auto listed = store->List({});
+  ASSERT_TRUE(listed.ok()) << listed.status();
+  ASSERT_EQ(listed->size(), 2u);
+  EXPECT_FALSE(listed->front().error);
+  EXPECT_EQ(listed->back().id, "damaged");
+  EXPECT_EQ(listed->back().error->code, absl::StatusCode::kDataLoss);
+
   const auto overdue = store->EndOverdue({}, 60, 9);
   ASSERT_TRUE(overdue.ok()) << overdue.status();
   ASSERT_EQ(overdue->size(), 1u);
