@@ -6,8 +6,8 @@
 # --workers: so many (2), with --split so many replicas of each layer stage. --slow: the part of the kills before which a
 # worker is stopped for up to 2 s (0), so that its ranges are given to others as well.
 #
-# `key value` rows: kills, jobs, lost (acknowledged, and not there or not SUCCEEDED), duplicated (there more than once),
-# differing (G-code unlike that of `slicefarm slice`), ranges (finished, and so compared), recover_p99_s (from a kill to the
+# `key value` rows: kills, jobs, lost (acknowledged, and not there, not SUCCEEDED or without G-code), duplicated (there more than once),
+# differing (G-code, as a client gets it, unlike that of `slicefarm slice`), ranges (finished, and so compared), recover_p99_s (from a kill to the
 # next finished range). Exit code 1 if there is anything lost, duplicated or differing. SLICEFARM_BIN: where the programs are (default build/bin).
 set -euo pipefail
 exec python3 "$(dirname "$0")/faults.py" "$@"
