@@ -247,7 +247,10 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
 
 void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult result) {
   const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
-  if (!accepted.first) return;
+  if (!accepted.first) {
+    if (job.results[assignment.grant.range].programs != result.programs) fan_out_.Differed();
+    return;
+  }
   for (const FanOut::Ticket ticket : accepted.superfluous) {
     if (const auto call = job.calls.find(ticket); call != job.calls.end())
       call->second->store(true);

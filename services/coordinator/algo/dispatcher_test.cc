@@ -21,7 +21,7 @@ using testing::HasSubstr;
 class FakeRunner : public RangeRunner {
  public:
   using Body = std::function<absl::Status(const StageCall&, const RangeTask&)>;
-  explicit FakeRunner(Body body) : body_(std::move(body)) {}
+  FakeRunner(Body body, std::string gcode) : body_(std::move(body)), gcode_(std::move(gcode)) {}
 
   absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
     if (absl::Status status = body_(call, task); !status.ok()) return status;
@@ -29,6 +29,7 @@ class FakeRunner : public RangeRunner {
     for (int i = task.range.first; i < task.range.last; ++i) {
       LayerProgram program;
       program.frame.index = i;
+      program.gcode = gcode_;
       result.programs.push_back(program);
     }
     return result;
@@ -36,11 +37,12 @@ class FakeRunner : public RangeRunner {
 
  private:
   Body body_;
+  std::string gcode_;
 };
 
-Runner RunnerOf(std::string name, FakeRunner::Body body, int slots = 1) {
+Runner RunnerOf(std::string name, FakeRunner::Body body, int slots = 1, std::string gcode = "") {
   return {.name = std::move(name),
-          .ranges = std::make_shared<FakeRunner>(std::move(body)),
+          .ranges = std::make_shared<FakeRunner>(std::move(body), std::move(gcode)),
           .slots = slots,
           .await_ready = {}};
 }
@@ -168,6 +170,28 @@ TEST(Dispatcher, AnUnreachableRunnerGetsNothing) {
   const auto tasks = Tasks(30);
   EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
   EXPECT_EQ(calls, 0);
+}
+
+TEST(Dispatcher, SecondAnswersThatDifferAreCounted) {
+  for (const std::string second : {"same", "other"}) {
+    Dispatcher dispatcher(Quick());
+    std::atomic<bool> begun = false;
+    // Is superseded, and answers all the same.
+    const auto slow = [&](const StageCall& call, const RangeTask&) {
+      begun = true;
+      while (!call.cancel.Cancelled()) std::this_thread::yield();
+      return absl::OkStatus();
+    };
+    dispatcher.Join(RunnerOf("slow", slow, 1, "same"));
+    std::thread later([&] {
+      while (!begun) std::this_thread::yield();
+      dispatcher.Join(RunnerOf("later", Good, 1, second));
+    });
+    const auto tasks = Tasks(1);
+    EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+    later.join();
+    EXPECT_EQ(dispatcher.Counts().differing, second == "same" ? 0 : 1);
+  }
 }
 
 TEST(Dispatcher, AStuckRunnerIsHedged) {

@@ -19,6 +19,8 @@ struct DispatchCounts {
   int64_t requeued = 0;
   int64_t hedged = 0;
   int64_t poisoned = 0;
+  int64_t differing =
+      0;  ///< second answers that are unlike the first: a worker that makes mistakes
 };
 
 /// The ranges of any number of jobs over the runners there are: which range of which job a free
@@ -64,6 +66,8 @@ class FanOut {
   Verdict Failed(const Grant& grant, const absl::Status& error);
   /// The call was cancelled, as another copy of the range has made it.
   void Superseded(const Grant& grant);
+  /// Two copies of a range came out differently.
+  void Differed() { ++counts_.differing; }
   void RunnerGone(RunnerId runner);
 
   bool AnyQueued() const;

@@ -74,7 +74,8 @@ MetricFamily Ranges(const DispatchCounts& counts) {
   for (const auto& [outcome, count] : {std::pair{"ok", counts.done},
                                        {"requeued", counts.requeued},
                                        {"hedged", counts.hedged},
-                                       {"poisoned", counts.poisoned}}) {
+                                       {"poisoned", counts.poisoned},
+                                       {"differing", counts.differing}}) {
     family.metric.push_back(
         Value(MetricType::Counter, static_cast<double>(count), "outcome", outcome));
   }
