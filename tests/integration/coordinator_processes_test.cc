@@ -73,6 +73,18 @@ TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
   ExpectTheSame(client_->Watch(id, last.sequence()));
 }
 
+TEST_F(CoordinatorProcessesTest, AWorkerThatDrainsLosesNothing) {
+  StartCoordinator(state_);
+  AwaitWorkers(2);
+  StopWorkers();
+  const std::string id = Submit();
+  AwaitBusySlots(2);
+  first_.process.Signal(SIGTERM);
+  ContinueWorkers();
+  ExpectTheSame(client_->Watch(id, 0));
+  EXPECT_EQ(first_.process.Wait(), 0);
+}
+
 TEST_F(CoordinatorProcessesTest, AKilledWorkerLosesNothing) {
   StartCoordinator(state_);
   AwaitWorkers(2);
