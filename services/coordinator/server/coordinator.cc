@@ -46,15 +46,15 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       full_queues_(SteadyUs),
       callers_(options_.tenants, NowUs),
       intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs),
-      runner_(RunEnvironment{jobs_, blobs_, results_, pipeline_, feed_, NowUs, options_.build_id,
-                             options_.sharing, log,
+      runner_(RunEnvironment{jobs_, blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
+                             options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
-      jobs_service_(
-          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                      *stores_.webhooks, options_.webhooks, slicing, options_.rates, NowUs, log},
-          options_.transfers),
+      jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                                *stores_.webhooks, options_.webhooks, slicing, mesh_memory_,
+                                options_.rates, NowUs, log},
+                    options_.transfers),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 
 prometheus::Registry& Coordinator::Registry() {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/model/limits.h"
+#include "services/coordinator/server/byte_budget.h"
 #include "services/coordinator/server/jobs_service.h"
 #include "services/coordinator/server/maintenance.h"
 #include "services/coordinator/server/meshes_service.h"
@@ -71,6 +73,7 @@ class Coordinator {
   MeteredBlobStores blobs_;
   StageSeconds stage_seconds_;
   JobPipeline pipeline_;
+  ByteBudget mesh_memory_{limits::kMaxMeshBytes};
   JobResults results_;
   JobFeed feed_;
   const DiskGuard disk_;

@@ -125,7 +125,8 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->check(CLI::Range(1, 1024))
       ->needs(beading)
       ->capture_default_str();
-  app.add_option("--jobs", flags->runner.jobs, "Jobs that run at the same time; one more if it is INTERACTIVE")
+  app.add_option("--jobs", flags->runner.jobs,
+                 "Jobs that run at the same time; one more if it is INTERACTIVE")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--tenants", flags->tenants_file,

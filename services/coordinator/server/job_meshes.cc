@@ -4,6 +4,17 @@
 
 namespace slicefarm::coordinator {
 
+absl::StatusOr<ByteBudget::Share> RoomForMeshes(const JobRequest& request, BlobStore& blobs,
+                                                ByteBudget& memory, const CancelToken& cancel) {
+  int64_t bytes = 0;
+  for (const ObjectRequest& object : request.objects) {
+    const auto mesh = blobs.Status(object.mesh_sha256);
+    if (!mesh.ok()) return mesh.status();
+    bytes += mesh->committed_size;
+  }
+  return memory.Take(bytes, cancel);
+}
+
 absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request, BlobStore& blobs) {
   SliceInput input;
   for (const ObjectRequest& object : request.objects) {

@@ -97,6 +97,9 @@ absl::StatusOr<bool> JobRun::Compute() {
   std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
   const auto blobs = environment_.blobs.Of(job_.tenant);
   if (!blobs.ok()) return blobs.status();
+  const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
+  const auto room = RoomForMeshes(resolved_->request, **blobs, environment_.mesh_memory, given_up);
+  if (!room.ok()) return room.status();
   auto meshes = LoadMeshes(resolved_->request, **blobs);
   if (!meshes.ok()) return meshes.status();
   loading.reset();
@@ -105,7 +108,7 @@ absl::StatusOr<bool> JobRun::Compute() {
   call.claimant = {job_.tenant, static_cast<int>(job_.priority)};
   call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
   call.spans = &spans_;
-  call.cancel = CancelToken([this] { return wishes_->GivenUp(environment_.now_us()); });
+  call.cancel = given_up;
   const config::ResolvedSettings& settings = resolved_->settings;
   JobInput input{*std::move(meshes), settings.settings, settings.effective_text, settings.warnings};
   auto output = environment_.pipeline.Run(call, std::move(input),

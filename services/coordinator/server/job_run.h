@@ -13,6 +13,7 @@
 #include "services/coordinator/run/progress_gate.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/server/byte_budget.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_request.h"
 #include "services/coordinator/server/job_results.h"
@@ -25,6 +26,7 @@ struct RunEnvironment {
   BlobStores& blobs;
   JobResults& results;
   const JobPipeline& pipeline;
+  ByteBudget& mesh_memory;
   JobFeed& feed;
   std::function<int64_t()> now_us;
   std::string build_id;

@@ -46,8 +46,8 @@ class JobRunnerTest : public testing::Test {
     options.owner = owner;
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner = std::make_unique<JobRunner>(
-        RunEnvironment{failing_, *blobs_, results_, pipeline_, feed_, Clock(), "build",
-                       ResultSharing::kOff, rpc::JsonLog("test")},
+        RunEnvironment{failing_, *blobs_, results_, pipeline_, mesh_memory_, feed_, Clock(),
+                       "build", ResultSharing::kOff, rpc::JsonLog("test")},
         options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
@@ -127,6 +127,7 @@ class JobRunnerTest : public testing::Test {
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
+  ByteBudget mesh_memory_{1 << 20};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   FullQueues full_queues_{Clock()};

@@ -178,6 +178,8 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   if (!resolved.ok()) return resolved.status();
   const auto blobs = backend_.blobs.Of(caller.tenant);
   if (!blobs.ok()) return blobs.status();
+  const auto room = RoomForMeshes(resolved->request, **blobs, backend_.mesh_memory, call.cancel);
+  if (!room.ok()) return room.status();
   auto meshes = LoadMeshes(resolved->request, **blobs);
   if (!meshes.ok()) return meshes.status();
   StageCall stage_call;

@@ -7,6 +7,7 @@
 #include "common/rpc/call_queue.h"
 #include "common/rpc/json_log.h"
 #include "services/coordinator/algo/cost.h"
+#include "services/coordinator/server/byte_budget.h"
 #include "services/coordinator/server/callers.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/server/job_intake.h"
@@ -32,6 +33,7 @@ struct JobsBackend {
   WebhookStore& webhooks;
   const WebhookPolicy& webhook_policy;
   const SlicingStage& slicing;  ///< for preflights
+  ByteBudget& mesh_memory;
   Rates rates;
   std::function<int64_t()> now_us;
   rpc::JsonLog log;
