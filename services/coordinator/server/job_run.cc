@@ -98,7 +98,7 @@ absl::StatusOr<bool> JobRun::Compute() {
   const auto blobs = environment_.blobs.Of(job_.tenant);
   if (!blobs.ok()) return blobs.status();
   const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
-  const auto room = RoomForMeshes(resolved_->request, **blobs, environment_.mesh_memory, given_up);
+  auto room = RoomForMeshes(resolved_->request, **blobs, environment_.mesh_memory, given_up);
   if (!room.ok()) return room.status();
   auto meshes = LoadMeshes(resolved_->request, **blobs);
   if (!meshes.ok()) return meshes.status();
@@ -111,8 +111,11 @@ absl::StatusOr<bool> JobRun::Compute() {
   call.cancel = given_up;
   const config::ResolvedSettings& settings = resolved_->settings;
   JobInput input{*std::move(meshes), settings.settings, settings.effective_text, settings.warnings};
-  auto output = environment_.pipeline.Run(call, std::move(input),
-                                          [this](PipelineProgress p) { Progress(p); });
+  std::optional<ByteBudget::Share> room_until_sliced(*std::move(room));
+  auto output = environment_.pipeline.Run(call, std::move(input), [&](PipelineProgress progress) {
+    room_until_sliced.reset();  // progress comes when the meshes have gone
+    Progress(progress);
+  });
   if (!output.ok()) return output.status();
   environment_.computed(output->report.stage_times);
   output_ = OutputOf(*std::move(output), *resolved_, environment_.build_id);

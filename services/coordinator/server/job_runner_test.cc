@@ -127,7 +127,7 @@ class JobRunnerTest : public testing::Test {
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
   JobPipeline pipeline_{slicing_, motion_, dispatcher_};
-  ByteBudget mesh_memory_{1 << 20};
+  ByteBudget mesh_memory_{3};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   FullQueues full_queues_{Clock()};
@@ -223,6 +223,16 @@ TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
   EXPECT_EQ(job.state, JobState::kFailed);
   EXPECT_EQ(job.error->reason, "JOB_POISONED");
   EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
+  const auto runner = Runner();
+  const std::string held = SubmitHeld(*runner, "xx");
+  const std::string other = Submit("x!");  // which does not fit beside that, and cannot be sliced
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kFailed);
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(held).state, JobState::kSucceeded);
 }
 
 TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
