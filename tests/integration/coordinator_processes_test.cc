@@ -75,10 +75,7 @@ TEST_F(CoordinatorProcessesTest, SigtermHandsTheJobOverToTheNextLife) {
 
 TEST_F(CoordinatorProcessesTest, AWorkerThatDrainsLosesNothing) {
   StartCoordinator(state_);
-  AwaitWorkers(2);
-  StopWorkers();
-  const std::string id = Submit();
-  AwaitBusySlots(2);
+  const std::string id = SubmitToStoppedWorkers();
   first_.process.Signal(SIGTERM);
   ContinueWorkers();
   ExpectTheSame(client_->Watch(id, 0));
@@ -87,10 +84,7 @@ TEST_F(CoordinatorProcessesTest, AWorkerThatDrainsLosesNothing) {
 
 TEST_F(CoordinatorProcessesTest, AKilledWorkerLosesNothing) {
   StartCoordinator(state_);
-  AwaitWorkers(2);
-  StopWorkers();
-  const std::string id = Submit();
-  AwaitBusySlots(2);
+  const std::string id = SubmitToStoppedWorkers();
   first_.process.Signal(SIGKILL);
   second_.process.Signal(SIGCONT);
   ExpectTheSame(client_->Watch(id, 0));
@@ -98,10 +92,7 @@ TEST_F(CoordinatorProcessesTest, AKilledWorkerLosesNothing) {
 
 TEST_F(CoordinatorProcessesTest, AStoppedWorkerHoldsNothingUp) {
   StartCoordinator(state_);
-  AwaitWorkers(2);
-  StopWorkers();
-  const std::string id = Submit();
-  AwaitBusySlots(2);
+  const std::string id = SubmitToStoppedWorkers();
   second_.process.Signal(SIGCONT);
   ExpectTheSame(client_->Watch(id, 0));
   ExpectDoubled();

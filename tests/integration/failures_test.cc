@@ -56,10 +56,7 @@ TEST_F(FailuresTest, AWorkerThatNobodyHearsOfAnyMoreHoldsNothingUp) {
                                "--motion", motion_.address, "--workers",
                                proxy.address() + "," + second_.address, "--metrics-port", "0"});
   client_.emplace(server_->address);
-  AwaitWorkers(2);
-  StopWorkers();
-  const std::string id = Submit();
-  AwaitBusySlots(2);
+  const std::string id = SubmitToStoppedWorkers();
   proxy.Hold();
   ContinueWorkers();
   ExpectTheSame(client_->Watch(id, 0));

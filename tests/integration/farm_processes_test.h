@@ -104,6 +104,15 @@ class FarmProcessesTest : public testing::Test {
     return Create(request_id).id();
   }
 
+  /// A job of which each of the two workers has a range, and stands still.
+  std::string SubmitToStoppedWorkers() {
+    AwaitWorkers(2);
+    StopWorkers();
+    std::string id = Submit();
+    AwaitBusySlots(2);
+    return id;
+  }
+
   v1::Job Create(const std::string& request_id = "") {
     v1::CreateJobRequest request = FarmClient::RequestFor(mesh_);
     request.set_request_id(request_id);

@@ -227,33 +227,34 @@ absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::st
   return damaged;
 }
 
-absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::Open(const std::string& digest) {
+/// Reads a blob and checks it against its name; its bytes go to `bytes`, if that is not null.
+/// Returns its size.
+absl::StatusOr<int64_t> PostgresBlobStore::Check(const std::string& digest, std::string* bytes) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   const Key key = {tenant_, digest};
   auto session = database_->Read();
   if (!session.ok()) return session.status();
   const auto size = SizeOf(**session, key);
-  if (!size.ok()) return size.status();
-  const auto got = DigestOf(**session, key);
+  if (!size.ok()) return size;
+  if (bytes != nullptr) bytes->reserve(*size);
+  const auto got = ReadPieces(**session, key, [&](const std::string& piece) {
+    if (bytes != nullptr) *bytes += piece;
+  });
   session->reset();
   if (!got.ok()) return got.status();
   if (*got != digest) return Corrupt(digest, *got);
-  return std::make_unique<PostgresReader>(database_, key, *size);
+  return size;
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::Open(const std::string& digest) {
+  const auto size = Check(digest, /*bytes=*/nullptr);
+  if (!size.ok()) return size.status();
+  return std::make_unique<PostgresReader>(database_, Key{tenant_, digest}, *size);
 }
 
 absl::StatusOr<std::string> PostgresBlobStore::Get(const std::string& digest) {
-  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
-  const Key key = {tenant_, digest};
-  auto session = database_->Read();
-  if (!session.ok()) return session.status();
-  const auto size = SizeOf(**session, key);
-  if (!size.ok()) return size.status();
   std::string bytes;
-  bytes.reserve(*size);
-  const auto got = ReadPieces(**session, key, [&](const std::string& piece) { bytes += piece; });
-  session->reset();
-  if (!got.ok()) return got.status();
-  if (*got != digest) return Corrupt(digest, *got);
+  if (const auto size = Check(digest, &bytes); !size.ok()) return size.status();
   return bytes;
 }
 

@@ -29,6 +29,7 @@ class PostgresBlobStore : public BlobStore {
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
 
  private:
+  absl::StatusOr<int64_t> Check(const std::string& digest, std::string* bytes);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
 
   const std::shared_ptr<SqlDatabase> database_;  // shared with the readers that it gave
