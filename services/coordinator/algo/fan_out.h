@@ -19,8 +19,7 @@ struct DispatchCounts {
   int64_t requeued = 0;
   int64_t hedged = 0;
   int64_t poisoned = 0;
-  int64_t differing =
-      0;  ///< second answers that are unlike the first: a worker that makes mistakes
+  int64_t differing = 0;  ///< second answers that are unlike the first
 };
 
 /// The ranges of any number of jobs over the runners there are: which range of which job a free
@@ -83,7 +82,6 @@ class FanOut {
   };
 
   std::vector<JobId> Order() const;
-
   Grant Granted(JobId id, Job& job, const RangeScheduler::Grant& grant);
   RangeScheduler* Find(JobId job);
 

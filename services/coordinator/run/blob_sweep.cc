@@ -18,16 +18,15 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToke
   for (bool more = true; more;) {
     const auto ended = jobs.EndedBefore(ended_before_us, kJobsAtOnce);
     if (!ended.ok()) return ended.status();
-    more = false;  // unless some go: those that cannot come again and again
+    more = false;  // unless some go: those that cannot would come again and again
     for (const std::string& id : *ended) {
       if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
       const absl::Status deleted = jobs.Delete(id);
-      if (absl::IsNotFound(deleted)) continue;
       if (absl::IsUnavailable(deleted)) return deleted;
-      first_error.Update(deleted);
-      if (!deleted.ok()) continue;
-      more = true;
-      ++swept.jobs;
+      const bool gone = deleted.ok() || absl::IsNotFound(deleted);  // by another coordinator
+      if (!gone) first_error.Update(deleted);
+      more = more || gone;
+      swept.jobs += deleted.ok();
     }
   }
   return first_error;
