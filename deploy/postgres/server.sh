@@ -5,9 +5,10 @@
 #   deploy/postgres/server.sh start DIR [SETTING=VALUE...]    starts it, makes it first if need be; prints a connection string
 #   deploy/postgres/server.sh stop DIR                        stops it, if it runs; what was committed stays
 #   deploy/postgres/server.sh kill DIR                        the same with SIGKILL to all of its processes
+#   deploy/postgres/server.sh pause DIR, resume DIR           all of its processes stand still, and go on
 set -euo pipefail
 
-usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 2; }
 [[ $# -ge 2 ]] || usage
 command=$1
 mkdir -p "$2"
@@ -45,9 +46,19 @@ processes() {
   echo "$leader $(pgrep -P "$leader" | tr '\n' ' ')"
 }
 
+signal() {
+  local all
+  read -ra all < <(processes) && kill -"$1" "${all[@]}"
+}
+
 case $command in
   start) start "$@" ;;
-  stop) "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop >/dev/null 2>&1 || true ;;
-  kill) read -ra all < <(processes) && kill -9 "${all[@]}" ;;
+  stop)
+    signal CONT || true
+    "${as[@]}" "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop >/dev/null 2>&1 || true
+    ;;
+  kill) signal KILL ;;
+  pause) signal STOP && signal STOP ;; # the second time for those that came meanwhile
+  resume) signal CONT ;;
   *) usage ;;
 esac

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -122,6 +123,20 @@ TEST_F(ClusterTest, AJobOutlivesTheDatabase) {
   EXPECT_TRUE(DetailOf(refused).metadata.contains(rpc::kRetryAfterMs));
   ContinueWorkers();
   postgres_.Start();
+  ExpectTheSame(AwaitEnd(*a_, id));
+}
+
+TEST_F(ClusterTest, AJobOutlivesADatabaseThatStandsStill) {
+  const std::string id = Running(*b_);
+  postgres_.Pause();
+  ContinueWorkers();
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(3));
+  v1::Job unused;
+  const grpc::Status waited =
+      a_->client.jobs_->CreateJob(&context, FarmClient::RequestFor(mesh_), &unused);
+  EXPECT_FALSE(waited.ok()) << "longer than the lease, and nothing is there to keep a job";
+  postgres_.Resume();
   ExpectTheSame(AwaitEnd(*a_, id));
 }
 

@@ -36,6 +36,10 @@ void PostgresServer::Start() {
   if (Run("start", settings_).empty()) std::abort();
 }
 
+void PostgresServer::Pause() { Run("pause"); }
+
+void PostgresServer::Resume() { Run("resume"); }
+
 std::string PostgresServer::Run(const std::string& command, const std::string& settings) {
   const std::string line = std::string(SLICEFARM_SOURCE) + "/deploy/postgres/server.sh " + command +
                            " '" + directory_ + "' " + settings;

@@ -24,6 +24,11 @@ class PostgresServer {
   /// After Kill.
   void Start();
 
+  /// All of its processes stand still: nobody answers, and no connection ends.
+  void Pause();
+  /// After Pause.
+  void Resume();
+
  private:
   std::string Run(const std::string& command, const std::string& settings = "");
 

@@ -1,8 +1,12 @@
 #include "services/coordinator/store/postgres_connection.h"
 
 #include <libpq-fe.h>
+#include <poll.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -33,8 +37,11 @@ constexpr std::array<const char*, 8> kKeywords = {
     nullptr,
 };
 
-using Result = std::unique_ptr<pg_result, void (*)(pg_result*)>;
-Result Own(pg_result* result) { return {result, PQclear}; }
+using Clock = std::chrono::steady_clock;
+
+std::unique_ptr<pg_result, void (*)(pg_result*)> Own(pg_result* result) {
+  return {result, PQclear};
+}
 
 /// libpq ends what it says with a line end.
 std::string Message(const std::string& text) {
@@ -58,8 +65,35 @@ absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
   const bool away = PQstatus(connection) != CONNECTION_OK || state.starts_with("08") ||
                     state.starts_with("40") || state.starts_with("53") || state.starts_with("57");
   const char* text = PQresultErrorMessage(result);
-  if (away) return Away(*text == '\0' ? PQerrorMessage(connection) : text);
+  if (*text == '\0') text = PQerrorMessage(connection);
+  if (away) return Away(text);
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, Message(text));
+}
+
+/// Whether the socket can be read, or written if it `writes`, before `until`.
+bool IsReady(int socket, bool writes, Clock::time_point until) {
+  pollfd ready = {socket, static_cast<int16_t>(writes ? POLLIN | POLLOUT : POLLIN), 0};
+  while (true) {
+    int left_ms = -1;
+    if (until != Clock::time_point::max()) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+      left_ms = static_cast<int>(std::max<int64_t>(0, left.count()));
+    }
+    const int count = poll(&ready, 1, left_ms);
+    if (count >= 0 || errno != EINTR) return count != 0;
+  }
+}
+
+/// Sends what is to be sent and reads until there is a result, or the end of results, or the
+/// connection breaks. False: it took too long.
+bool Exchange(pg_conn* connection, Clock::time_point until) {
+  int unsent = PQflush(connection);
+  while (unsent > 0 || PQisBusy(connection) == 1) {
+    if (!IsReady(PQsocket(connection), unsent > 0, until)) return false;
+    if (PQconsumeInput(connection) == 0) return true;
+    if (unsent > 0) unsent = PQflush(connection);
+  }
+  return true;
 }
 
 /// `?` to `$1`, `$2`, ... No text in our statements has a question mark.
@@ -132,10 +166,11 @@ class PostgresStatement : public SqlStatement {
       values.push_back(value.c_str());
       lengths.push_back(static_cast<int>(value.size()));
     }
-    result_ =
-        Own(PQexecPrepared(connection_.raw(), name_.c_str(), static_cast<int>(values.size()),
-                           values.data(), lengths.data(), formats_.data(), /*resultFormat=*/1));
-    status_ = ErrorOf(connection_.raw(), result_.get());
+    auto answer = connection_.Answer(
+        PQsendQueryPrepared(connection_.raw(), name_.c_str(), static_cast<int>(values.size()),
+                            values.data(), lengths.data(), formats_.data(), /*resultFormat=*/1));
+    status_ = answer.status();
+    if (answer.ok()) result_ = *std::move(answer);
   }
 
   PostgresConnection& connection_;
@@ -143,22 +178,23 @@ class PostgresStatement : public SqlStatement {
   absl::Status status_;
   std::vector<std::string> values_;
   std::vector<int> formats_;
-  Result result_;
+  PostgresConnection::Result result_;
   int row_ = -1;
 };
 
 absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
-    const std::string& conninfo) {
+    const std::string& conninfo, Limit limit) {
   constexpr std::array<const char*, kKeywords.size()> kValues = {
       "5", "5", "2", "3", "10000", "slicefarm", nullptr, nullptr};
   std::array<const char*, kKeywords.size()> values = kValues;
   values[kKeywords.size() - 2] = conninfo.c_str();
   std::unique_ptr<PostgresConnection> connection(new PostgresConnection(
-      PQconnectdbParams(kKeywords.data(), values.data(), /*expand_dbname=*/1)));
+      PQconnectdbParams(kKeywords.data(), values.data(), /*expand_dbname=*/1), limit));
   if (!connection->alive()) return Away(PQerrorMessage(connection->connection_));
   PQsetNoticeProcessor(
       connection->connection_, [](void*, const char*) {}, nullptr);
-  absl::Status ready = connection->Execute("SET statement_timeout = '30s'");
+  PQsetnonblocking(connection->connection_, 1);
+  absl::Status ready = connection->Execute(absl::StrCat("SET statement_timeout = ", limit.count()));
   if (!ready.ok()) return ready;
   return connection;
 }
@@ -170,7 +206,7 @@ const SqlDialect& PostgresConnection::dialect() const { return kDialect; }
 bool PostgresConnection::alive() const { return PQstatus(connection_) == CONNECTION_OK; }
 
 absl::Status PostgresConnection::Execute(const std::string& sql) {
-  return ErrorOf(connection_, Own(PQexec(connection_, sql.c_str())).get());
+  return Answer(PQsendQuery(connection_, sql.c_str())).status();
 }
 
 std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) {
@@ -180,11 +216,30 @@ std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) 
 absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
   if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
   const std::string name = absl::StrCat("s", prepared_.size());
-  const Result result =
-      Own(PQprepare(connection_, name.c_str(), Numbered(sql).c_str(), 0, nullptr));
-  if (absl::Status prepared = ErrorOf(connection_, result.get()); !prepared.ok()) return prepared;
+  const auto answer =
+      Answer(PQsendPrepare(connection_, name.c_str(), Numbered(sql).c_str(), 0, nullptr));
+  if (!answer.ok()) return answer.status();
   prepared_.emplace(sql, name);
   return name;
+}
+
+/// The last result of what was `sent`, as libpq's functions that wait forever give it.
+absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) {
+  const auto until =
+      limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 6;
+  Result last = Own(nullptr);
+  while (sent == 1) {
+    if (!Exchange(connection_, until)) {
+      shutdown(PQsocket(connection_), SHUT_RDWR);
+      PQconsumeInput(connection_);  // which finds that out
+      return Away(absl::StrCat("no answer within ", limit_.count(), " ms"));
+    }
+    Result next = Own(PQgetResult(connection_));
+    if (!next) break;
+    last = std::move(next);
+  }
+  if (absl::Status error = ErrorOf(connection_, last.get()); !error.ok()) return error;
+  return last;
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,9 +19,16 @@ namespace slicefarm::coordinator {
 /// Unavailable with a time to try again if the server is not there or gave up on the transaction.
 class PostgresConnection : public SqlConnection {
  public:
+  /// Of one statement.
+  using Limit = std::chrono::milliseconds;
+  static constexpr Limit kLimit = std::chrono::seconds(30);
+  static constexpr Limit kNoLimit = Limit::zero();
+
   /// `conninfo` as libpq takes it: a URI, or keywords and values. Notices a server that has gone
-  /// within 10 s, and lets no statement take longer than 30 s.
-  static absl::StatusOr<std::unique_ptr<PostgresConnection>> Open(const std::string& conninfo);
+  /// within 10 s. Statements that take longer than `limit` end; so does the connection if the
+  /// server does not say so itself, a sixth of that later, because it stands still.
+  static absl::StatusOr<std::unique_ptr<PostgresConnection>> Open(const std::string& conninfo,
+                                                                  Limit limit = kLimit);
   ~PostgresConnection() override;
   PostgresConnection(const PostgresConnection&) = delete;
   PostgresConnection& operator=(const PostgresConnection&) = delete;
@@ -35,11 +43,15 @@ class PostgresConnection : public SqlConnection {
   pg_conn* raw() { return connection_; }
 
  private:
+  using Result = std::unique_ptr<pg_result, void (*)(pg_result*)>;
+
   friend class PostgresStatement;
-  explicit PostgresConnection(pg_conn* connection) : connection_(connection) {}
+  PostgresConnection(pg_conn* connection, Limit limit) : connection_(connection), limit_(limit) {}
   absl::StatusOr<std::string> Find(std::string_view sql);
+  absl::StatusOr<Result> Answer(int sent);
 
   pg_conn* connection_;
+  const Limit limit_;
   std::map<std::string, std::string, std::less<>> prepared_;  ///< names by SQL
 };
 

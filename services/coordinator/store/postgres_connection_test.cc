@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "common/model/error.h"
 #include "common/rpc/status_mapping.h"
@@ -12,6 +14,12 @@
 
 namespace slicefarm::coordinator {
 namespace {
+
+void ExpectAway(const absl::Status& status) {
+  EXPECT_TRUE(absl::IsUnavailable(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kStoreFailed);
+  EXPECT_TRUE(DetailOf(status).metadata.contains(rpc::kRetryAfterMs));
+}
 
 class PostgresConnectionTest : public testing::Test {
  protected:
@@ -64,10 +72,7 @@ TEST_F(PostgresConnectionTest, TransactionsRollBack) {
 }
 
 TEST(PostgresConnection, APlaceThatCannotBeSaysWhenToTryAgain) {
-  const absl::Status status = PostgresConnection::Open("host=/nowhere dbname=x").status();
-  EXPECT_TRUE(absl::IsUnavailable(status));
-  EXPECT_EQ(DetailOf(status).reason, Reason::kStoreFailed);
-  EXPECT_TRUE(DetailOf(status).metadata.contains(rpc::kRetryAfterMs));
+  ExpectAway(PostgresConnection::Open("host=/nowhere dbname=x").status());
 }
 
 TEST_F(PostgresConnectionTest, RefusesANewerSchema) {
@@ -76,14 +81,44 @@ TEST_F(PostgresConnectionTest, RefusesANewerSchema) {
   EXPECT_TRUE(absl::IsFailedPrecondition(PostgresDatabase::Open(database_).status()));
 }
 
+constexpr PostgresConnection::Limit kShort = std::chrono::seconds(1);
+
+TEST_F(PostgresConnectionTest, AStatementThatTakesTooLongEnds) {
+  const auto db = *PostgresConnection::Open(database_, kShort);
+  ExpectAway(SqlQuery(*db, "SELECT pg_sleep(600)").Run());
+  EXPECT_TRUE(db->alive()) << "the server said so itself";
+  EXPECT_TRUE(SqlQuery(*db, "SELECT 1").Run().ok());
+}
+
+/// The server accepts what its sockets hold, and says nothing.
+TEST_F(PostgresConnectionTest, AServerThatStandsStillIsAway) {
+  PostgresServer server;
+  const std::string database = server.NewDatabase();
+  constexpr const char* kLength = "SELECT length(?::BYTEA)";
+  const std::vector<std::string> sent = {"little", std::string(8 << 20, 'x')};
+  std::vector<std::unique_ptr<PostgresConnection>> connections;
+  for (size_t i = 0; i < sent.size(); ++i) {
+    connections.push_back(*PostgresConnection::Open(database, kShort));
+    ASSERT_TRUE(SqlQuery(*connections[i], kLength).Bind(Blob{"a"}).Run().ok());
+  }
+  server.Pause();
+  for (size_t i = 0; i < sent.size(); ++i) {
+    SCOPED_TRACE(sent[i].size());
+    ExpectAway(SqlQuery(*connections[i], kLength).Bind(Blob{sent[i]}).Run());
+    EXPECT_FALSE(connections[i]->alive()) << "an answer that comes late is to no question";
+    ExpectAway(connections[i]->Execute("SELECT 1"));
+  }
+  server.Resume();
+  EXPECT_TRUE(SqlQuery(**PostgresConnection::Open(database), "SELECT 1").Run().ok());
+}
+
 TEST_F(PostgresConnectionTest, ServesAgainAfterTheServerWasKilled) {
   PostgresServer server;
   const auto database = *PostgresDatabase::Open(server.NewDatabase());
+  EXPECT_TRUE(SqlQuery(**database->Read(), "SELECT 1").Run().ok());
   server.Kill();
-  {
-    const auto session = *database->Read();
-    EXPECT_TRUE(absl::IsUnavailable(SqlQuery(*session, "SELECT 1").Run()));
-  }
+  ExpectAway(SqlQuery(**database->Read(), "SELECT 1").Run());
+  ExpectAway(database->Read().status());
   server.Start();
   const auto session = *database->Read();
   EXPECT_TRUE(SqlQuery(*session, "SELECT 1").Run().ok());

@@ -16,11 +16,11 @@ constexpr std::chrono::seconds kPatience{5};
 
 absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
     const std::string& conninfo, int max_connections) {
-  std::unique_ptr<PostgresDatabase> database(new PostgresDatabase(conninfo, max_connections));
-  const auto session = database->Take();
-  if (!session.ok()) return session.status();
-  if (absl::Status ready = MigratePostgres(**session); !ready.ok()) return ready;
-  return database;
+  // A new index of a farm's tables has no need to end in time.
+  const auto patient = PostgresConnection::Open(conninfo, PostgresConnection::kNoLimit);
+  if (!patient.ok()) return patient.status();
+  if (absl::Status ready = MigratePostgres(**patient); !ready.ok()) return ready;
+  return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo, max_connections));
 }
 
 absl::StatusOr<SqlSession> PostgresDatabase::Take() {

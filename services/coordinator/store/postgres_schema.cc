@@ -35,9 +35,7 @@ absl::Status MigratePostgres(SqlConnection& db) {
   SqlTransaction transaction(db);
   if (!transaction.status().ok()) return transaction.status();
   // One coordinator at a time; the number is the name of this lock, until the transaction ends.
-  // And for as long as it takes: a new index of a farm's tables has no need to end in time.
   absl::Status ready = db.Execute(
-      "SET LOCAL statement_timeout = 0;"
       "SELECT pg_advisory_xact_lock(5117317);"
       "CREATE TABLE IF NOT EXISTS slicefarm_schema (version BIGINT NOT NULL);"
       "INSERT INTO slicefarm_schema SELECT 0 WHERE NOT EXISTS (SELECT 1 FROM slicefarm_schema);");
