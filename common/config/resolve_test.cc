@@ -347,6 +347,8 @@ TEST(Resolve, ReadsItsOwnEffectiveText) {
        {"thumbnails", ""},
        {"infill_acceleration", "500"},
        {"default_acceleration", "900"}},
+      {{"start_gcode", "\\ \\\tG28\\n G1 \\ "}, {"filament_settings_id", "\" blanks \""}},
+      {{"end_filament_gcode", "\" M900 \""}},
       {{"filament_retract_length", "0.3"}, {"max_volumetric_speed", "7.5"}, {"infill_speed", "0"}},
   };
   for (const Pairs& given : kCases) {
