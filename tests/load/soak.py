@@ -3,15 +3,17 @@
 
   tests/load/soak.py [--minutes 120] [--rate 4] [--store sqlite|postgres] [--seed S] [--csv FILE]
 
-`key value` rows: requests, errors, and for each process the megabytes at the end, their slopes and descriptors. Both slopes
-are in percent an hour, over the time from which old blobs go as fast as new ones come: of all samples, which huge parts
-scatter, and of the least of every five minutes, which is what stays when little is under way. Descriptors are the medians of
-that time's two halves. Old jobs and blobs are removed while it runs, as on a farm that goes on for years.
+`key value` rows: requests, errors, and for each process the megabytes at the end, their slopes and descriptors. Slopes are in
+percent an hour with their standard errors, over the time from which old blobs go as fast as new ones come: of the means of
+every five minutes, which huge parts scatter, and of their least, which is what stays when little is under way. Descriptors
+are the medians of that time's two halves. Old jobs and blobs are removed while it runs, as on a farm that goes on for years.
 """
 import argparse
 import json
+import math
 import pathlib
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -45,20 +47,23 @@ class Watch(threading.Thread):
 
 
 def slope_percent_an_hour(points):
-    """Least squares; of the mean."""
+    """Least squares, of the mean; and its standard error."""
     n = len(points)
     mean_t, mean_v = sum(t for t, _ in points) / n, sum(v for _, v in points) / n
     variance = sum((t - mean_t) ** 2 for t, _ in points)
-    slope = sum((t - mean_t) * (v - mean_v) for t, v in points) / variance if variance else 0.0
-    return 100 * slope * 3600 / mean_v
+    if n < 3 or variance == 0:
+        return 0.0, float("inf")
+    slope = sum((t - mean_t) * (v - mean_v) for t, v in points) / variance
+    residuals = sum((v - mean_v - slope * (t - mean_t)) ** 2 for t, v in points)
+    error = math.sqrt(residuals / (n - 2) / variance)
+    return 100 * slope * 3600 / mean_v, 100 * error * 3600 / mean_v
 
 
-def least_of_windows(points):
-    least = {}
+def by_windows(points, summary):
+    windows = {}
     for t, value in points:
-        window = t // WINDOW_S
-        least[window] = min(least.get(window, value), value)
-    return [(window * WINDOW_S, value) for window, value in least.items()]
+        windows.setdefault(t // WINDOW_S, []).append(value)
+    return [(window * WINDOW_S, summary(values)) for window, values in windows.items()]
 
 
 def main():
@@ -95,8 +100,10 @@ def main():
         late = [(t, mib, files) for t, process, mib, files in watch.rows if process == name and t > settled]
         memory = [(t, mib) for t, mib, _ in late]
         print(f"{name}_mib {late[-1][1]:.1f}")
-        print(f"{name}_slope_percent_h {slope_percent_an_hour(memory):.2f}")
-        print(f"{name}_least_slope_percent_h {slope_percent_an_hour(least_of_windows(memory)):.2f}")
+        for key, summary in {"slope": statistics.mean, "least_slope": min}.items():
+            slope, error = slope_percent_an_hour(by_windows(memory, summary))
+            print(f"{name}_{key}_percent_h {slope:.2f}")
+            print(f"{name}_{key}_error_percent_h {error:.2f}")
         half = len(late) // 2
         print(f"{name}_descriptors {percentile([f for *_, f in late[:half]], 0.5)} {percentile([f for *_, f in late[half:]], 0.5)}")
     shutil.rmtree(directory)
