@@ -23,8 +23,6 @@ using std::chrono::system_clock;
 /// How long a worker that cannot be reached is waited for before it is asked anew.
 constexpr milliseconds kGreetingPatience{10'000};
 constexpr milliseconds kRetryDelay{100};
-/// After an answer that is no use: a worker of another build, or no worker at all.
-constexpr milliseconds kRegreetDelay{2'000};
 
 absl::Status CheckInfo(const v1::WorkerInfo& info) {
   if (info.build_id() != BuildId()) {
@@ -65,6 +63,7 @@ struct WorkerPool::Member {
   std::weak_ptr<Greeting> greeting;
   int greetings = 0;    ///< that have not ended
   RunnerId runner = 0;  ///< 0: has not joined
+  int slots = 0;        ///< of that runner
   bool dismissed = false;
 };
 
@@ -87,7 +86,7 @@ class WorkerPool::Ranges : public RangeRunner {
       return result;
     }
     const std::lock_guard lock(member_->pool_mutex);
-    if (member_->pool != nullptr) member_->pool->Misfit(member_);
+    if (member_->pool != nullptr) member_->pool->Leave(member_, "it is of another build");
     return result;
   }
 
@@ -139,37 +138,27 @@ void WorkerPool::Dismiss(const MemberPtr& member) {
     const std::lock_guard lock(member->pool_mutex);
     member->pool = nullptr;
   }
-  std::shared_ptr<Greeting> greeting;
-  RunnerId runner = 0;
   {
     const std::lock_guard lock(mutex_);
     member->dismissed = true;
-    greeting = member->greeting.lock();
-    runner = member->runner;
+    if (const auto greeting = member->greeting.lock()) {
+      greeting->delay.Cancel();
+      greeting->context.TryCancel();
+    }
   }
-  if (runner != 0) {
-    runners_.Leave(runner);
-    log_.Info("worker left", {{"address", member->address}});
-  }
-  if (greeting != nullptr) {
-    greeting->delay.Cancel();
-    greeting->context.TryCancel();
-    greeting.reset();
-  }
+  Leave(member, "its address is gone");
   std::unique_lock lock(mutex_);
   greeted_.wait(lock, [&] { return member->greetings == 0; });
 }
 
 void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
+  const std::lock_guard lock(mutex_);
+  if (member->dismissed) return;
   const auto greeting = std::make_shared<Greeting>();
-  {
-    const std::lock_guard lock(mutex_);
-    if (member->dismissed) return;
-    member->greeting = greeting;
-    ++member->greetings;
-  }
   greeting->member = member;
   greeting->self = greeting;
+  member->greeting = greeting;
+  ++member->greetings;
   greeting->delay.Set(system_clock::now() + delay, [this, &greeting = *greeting](bool in_time) {
     in_time ? Ask(greeting) : End(greeting);
   });
@@ -189,16 +178,23 @@ void WorkerPool::Ask(Greeting& greeting) {
 void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
                       const v1::WorkerInfo& info) {
   const absl::Status fit = status.ok() ? CheckInfo(info) : status;
-  if (fit.ok()) return Join(member, info.slots());
   const bool absent = absl::IsDeadlineExceeded(status) || absl::IsUnavailable(status);
-  if (!absent && !absl::IsCancelled(status)) {
+  if (!fit.ok() && !absent && !absl::IsCancelled(status)) {
     log_.Warn("worker refused",
               {{"address", member->address}, {"error", std::string(fit.message())}});
   }
-  Greet(member, absent ? kRetryDelay : kRegreetDelay);
+  if (status.ok()) Seat(member, fit.ok() ? info.slots() : 0);
+  Greet(member, absent ? kRetryDelay : options_.greet_every);
 }
 
-void WorkerPool::Join(const MemberPtr& member, int slots) {
+/// Has the member among the runners with so many slots; 0: not at all.
+void WorkerPool::Seat(const MemberPtr& member, int slots) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (member->runner != 0 && member->slots == slots) return;
+  }
+  Leave(member, "another one was started in its place");
+  if (slots == 0) return;
   Runner runner;
   runner.name = member->address;
   runner.ranges = std::make_shared<Ranges>(member, log_);
@@ -209,11 +205,12 @@ void WorkerPool::Join(const MemberPtr& member, int slots) {
   const std::lock_guard lock(mutex_);
   if (member->dismissed) return;
   member->runner = runners_.Join(std::move(runner));
+  member->slots = slots;
   log_.Info("worker joined", {{"address", member->address}, {"slots", int64_t{slots}}});
 }
 
-/// The worker behind the address is another one than was greeted.
-void WorkerPool::Misfit(const MemberPtr& member) {
+/// If it has joined.
+void WorkerPool::Leave(const MemberPtr& member, std::string_view why) {
   RunnerId runner = 0;
   {
     const std::lock_guard lock(mutex_);
@@ -221,8 +218,7 @@ void WorkerPool::Misfit(const MemberPtr& member) {
   }
   if (runner == 0) return;
   runners_.Leave(runner);
-  log_.Warn("worker left: it is of another build", {{"address", member->address}});
-  Greet(member, kRegreetDelay);
+  log_.Info("worker left", {{"address", member->address}, {"why", std::string(why)}});
 }
 
 void WorkerPool::End(Greeting& greeting) {

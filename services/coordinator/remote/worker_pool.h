@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/rpc/json_log.h"
@@ -21,13 +22,15 @@ namespace slicefarm::coordinator {
 struct WorkerPoolOptions {
   RemoteOptions remote = {};
   AddressWatchOptions watch = {};
+  std::chrono::milliseconds greet_every{5'000};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
 /// The workers behind some names. Each joins the runners once it has told its build and its slots,
 /// and leaves them when its address goes; in between, it may be down for a while
-/// (Runner::await_ready). Workers of another build do not join; one that was started anew with
-/// another build leaves when it refuses its first range, and is asked again who it is.
+/// (Runner::await_ready). Workers of another build do not join. All are asked again and again who
+/// they are: one that was started anew may have other slots, or another build, of which a range
+/// that it refuses tells as well.
 class WorkerPool {
  public:
   /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.
@@ -52,9 +55,9 @@ class WorkerPool {
   void Greet(const MemberPtr& member, std::chrono::milliseconds delay);
   void Ask(Greeting& greeting);
   void Hear(const MemberPtr& member, const absl::Status& status, const v1::WorkerInfo& info);
-  void Join(const MemberPtr& member, int slots);
+  void Seat(const MemberPtr& member, int slots);
+  void Leave(const MemberPtr& member, std::string_view why);
   void Dismiss(const MemberPtr& member);
-  void Misfit(const MemberPtr& member);
   void End(Greeting& greeting);
 
   RunnerSet& runners_;

@@ -58,10 +58,12 @@ class WorkerPoolTest : public testing::Test {
  protected:
   void Start(std::vector<std::string> addresses) {
     name_.Set(std::move(addresses));
-    pool_ = std::make_unique<WorkerPool>(runners_, std::vector<std::string>{"name:1"}, NoLog(),
-                                         WorkerPoolOptions{.watch = name_.Options()});
+    pool_ = std::make_unique<WorkerPool>(
+        runners_, std::vector<std::string>{"name:1"}, NoLog(),
+        WorkerPoolOptions{.watch = name_.Options(), .greet_every = greet_every_});
   }
 
+  milliseconds greet_every_{20};
   FakeName name_;
   FakeRunnerSet runners_;
   std::unique_ptr<WorkerPool> pool_;
@@ -128,8 +130,33 @@ TEST_F(WorkerPoolTest, AWorkerOfAnotherBuildDoesNotJoin) {
   EXPECT_THAT(runners_.Current(), IsEmpty());
 }
 
-TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesAndIsGreetedAnew) {
+TEST_F(WorkerPoolTest, AWorkerStartedAnewHasTheSlotsItTellsThen) {
   FakeReplica a;
+  a.SetInfo(std::string(BuildId()), 3);
+  Start({a.address()});
+  EXPECT_EQ(runners_.Await(1)[0].slots, 3);
+  a.Kill();
+  EXPECT_EQ(runners_.Current().size(), 1) << "it is only down";
+  a.SetInfo(std::string(BuildId()), 5);
+  a.Restart();
+  while (runners_.Await(1)[0].slots != 5) std::this_thread::yield();
+  a.Kill();
+  a.SetInfo("0123456789abcdef", 5);
+  a.Restart();
+  runners_.Await(0);
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatIsGreetedAgainStaysTheSameRunner) {
+  FakeReplica a;
+  Start({a.address()});
+  const auto ranges = runners_.Await(1)[0].ranges;
+  while (a.calls() < 5) std::this_thread::yield();
+  EXPECT_EQ(runners_.Await(1)[0].ranges, ranges);
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARange) {
+  FakeReplica a;
+  greet_every_ = seconds(600);
   Start({a.address()});
   const Runner runner = runners_.Await(1)[0];
   a.Kill();
@@ -143,11 +170,22 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesAndIsGreetedAnew)
   const JobSettings settings;
   const RangeTask task{{0, 1}, 1, {}, {}, &settings};
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(DetailOf(runner.ranges->Run({}, task).status()).reason, Reason::kBuildMismatch);
+    absl::Status refused;
+    do {
+      refused = runner.ranges->Run({}, task).status();
+    } while (absl::IsUnavailable(refused));  // the channel may not have noticed the kill yet
+    EXPECT_EQ(DetailOf(refused).reason, Reason::kBuildMismatch);
     EXPECT_THAT(runners_.Current(), IsEmpty());
   }
-  while (a.calls() < 2) std::this_thread::yield();  // and that greeting says why it does not fit
+}
+
+TEST_F(WorkerPoolTest, AWorkerThatFitsAgainJoinsAgain) {
+  FakeReplica a;
+  a.SetInfo("0123456789abcdef", 2);
+  Start({a.address()});
+  while (a.calls() < 2) std::this_thread::yield();
   a.Kill();
+  EXPECT_THAT(runners_.Current(), IsEmpty());
   a.SetInfo(std::string(BuildId()), 4);
   a.Restart();
   EXPECT_EQ(runners_.Await(1)[0].slots, 4);
