@@ -54,7 +54,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
                                 *stores_.webhooks, options_.webhooks, slicing, mesh_memory_,
                                 options_.rates, NowUs, log},
-                    options_.transfers),
+                    options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 
 prometheus::Registry& Coordinator::Registry() {

@@ -28,6 +28,7 @@ struct CoordinatorOptions {
   int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;
   TransferOptions transfers = {};
+  WatchOptions watches = {};
   Maintenance::Options maintenance = {};
   TenantsNow tenants = {};  ///< none: one tenant without a name
   ResultSharing sharing = ResultSharing::kOff;

@@ -141,6 +141,25 @@ class TenantClient : public CoordinatorClient {
     return {context, status, upload.SerializeAsString()};
   }
 
+  /// A watch until it is dropped; `open`: it was let in.
+  struct OpenWatch {
+    grpc::ClientContext context;
+    std::unique_ptr<grpc::ClientReader<v1::JobEvent>> stream;
+    bool open = false;
+
+    ~OpenWatch() {
+      context.TryCancel();
+      stream->Finish();
+    }
+  };
+  std::unique_ptr<OpenWatch> Watch(const std::string& id) {
+    auto watch = std::make_unique<OpenWatch>();
+    watch->stream = jobs_->WatchJob(&watch->context, ById<v1::WatchJobRequest>(id));
+    watch->stream->WaitForInitialMetadata();
+    watch->open = watch->context.GetServerInitialMetadata().contains("slicefarm-watch");
+    return watch;
+  }
+
   std::vector<Seen> SeeAllOf(const std::string& id) {
     return {SeeGet(id),
             SeeWatch(id),
@@ -181,6 +200,8 @@ class TenantClient : public CoordinatorClient {
 
 class IsolationTest : public ServedCoordinatorTest {
  protected:
+  static constexpr int kWatchesATenant = 3;
+
   IsolationTest() {
     for (const char* name : {"a", "b"}) {
       Tenant& tenant = tenants_[name];
@@ -200,6 +221,7 @@ class IsolationTest : public ServedCoordinatorTest {
   void Open(ResultSharing sharing = ResultSharing::kOff) {
     CoordinatorOptions options = Options();
     options.sharing = sharing;
+    options.watches.calls_a_tenant = kWatchesATenant;
     options.tenants = [this] {
       const std::lock_guard lock(mutex_);
       return std::make_shared<const Tenants>(tenants_);
@@ -310,6 +332,20 @@ TEST_F(IsolationTest, AFullQueueTakesNoMeshes) {
   EXPECT_EQ(upload->reason(), Reason::kQueueFull);
   EXPECT_TRUE(DetailOf(upload->status()).metadata.contains(rpc::kRetryAfterMs));
   EXPECT_TRUE(b_->SeeUpload("xxa", 0, 3).status().ok());
+}
+
+TEST_F(IsolationTest, ATenantsWatchesLeaveRoomForOthers) {
+  ranges_->Hold();
+  const std::string of_a = a_->Submit("xa");
+  const std::string of_b = b_->Submit("xb");
+  std::vector<std::unique_ptr<TenantClient::OpenWatch>> open;
+  for (int i = 0; i < kWatchesATenant; ++i) open.push_back(a_->Watch(of_a));
+  const Seen refused = a_->SeeWatch(of_a);
+  EXPECT_EQ(refused.reason(), Reason::kOverloaded);
+  EXPECT_TRUE(DetailOf(refused.status()).metadata.contains(rpc::kRetryAfterMs));
+  EXPECT_TRUE(b_->Watch(of_b)->open);
+  open.erase(open.begin());
+  while (!a_->Watch(of_a)->open) std::this_thread::yield();
 }
 
 TEST_F(IsolationTest, AnothersResultIsNotTaken) {

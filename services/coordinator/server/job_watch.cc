@@ -31,8 +31,8 @@ void JobWatch::Begin(bool ok) {
   if (!ok) return Release();
   Await(watches_);
   ++tags_;  // left_tag_, which gRPC calls only of calls that began
-  if (const absl::Status allowed = Check(); !allowed.ok()) {
-    End(allowed);
+  if (const absl::Status entered = Enter(); !entered.ok()) {
+    End(entered);
     return Release();
   }
   read_to_ = request_.after_sequence();
@@ -45,12 +45,14 @@ void JobWatch::Begin(bool ok) {
   Release();
 }
 
-absl::Status JobWatch::Check() {
+absl::Status JobWatch::Enter() {
   if (watches_.feed.closed()) return Stopping();
   const auto read =
       grpc::SerializationTraits<v1::WatchJobRequest>::Deserialize(&request_bytes_, &request_);
   if (!read.ok()) return Malformed("request", "cannot be read");
-  return watches_.check(context_, request_);
+  auto place = watches_.admit(context_, request_);
+  if (place.ok()) place_.emplace(*std::move(place));
+  return place.status();
 }
 
 /// The feed has something new. On any thread.
@@ -75,6 +77,7 @@ void JobWatch::Sent(bool ok) {
 /// The client has all it is to get, or wants no more.
 void JobWatch::Left() {
   left_ = true;
+  place_.reset();
   watches_.feed.Forget(ticket_);
   Release();
 }
@@ -122,6 +125,7 @@ void JobWatch::Send() {
 
 void JobWatch::End(const absl::Status& status) {
   busy_ = true;  // for good
+  place_.reset();
   ++tags_;
   writer_.Finish(rpc::ToGrpc(status), &ended_tag_);
 }

@@ -7,14 +7,23 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 
-#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/rpc/admission.h"
 #include "common/rpc/call_queue.h"
 #include "services/coordinator/server/job_feed.h"
 #include "services/coordinator/store/job_store.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::coordinator {
+
+/// How many watches there may be at once: each takes some memory, and threads only when something
+/// happens.
+struct WatchOptions {
+  int calls = 10'000;  ///< where there is one tenant only
+  int calls_a_tenant = 5'000;
+};
 
 /// What watches need; everything outlives them.
 struct JobWatches {
@@ -25,10 +34,10 @@ struct JobWatches {
   grpc::ServerCompletionQueue& queue;
   JobStore& jobs;
   JobFeed& feed;
-  /// Whether the caller may know of the job.
-  std::function<absl::Status(const grpc::ServerContext& context,
-                             const v1::WatchJobRequest& request)>
-      check;
+  /// A place, if the caller may know of the job.
+  std::function<absl::StatusOr<rpc::Admission::Ticket>(const grpc::ServerContext& context,
+                                                       const v1::WatchJobRequest& request)>
+      admit;
 };
 
 /// One WatchJob call: sends the job's events from the store, then those that the feed announces,
@@ -43,7 +52,7 @@ class JobWatch {
   explicit JobWatch(const JobWatches& watches);
 
   void Begin(bool ok);
-  absl::Status Check();
+  absl::Status Enter();
   void Sent(bool ok);
   void Woken();
   void Left();
@@ -60,6 +69,7 @@ class JobWatch {
   grpc::ByteBuffer request_bytes_;
   v1::WatchJobRequest request_;
   grpc::ServerAsyncWriter<grpc::ByteBuffer> writer_{&context_};
+  std::optional<rpc::Admission::Ticket> place_;
 
   rpc::QueueTag begun_tag_ = [this](bool ok) { Begin(ok); };
   rpc::QueueTag sent_tag_ = [this](bool ok) { Sent(ok); };

@@ -225,12 +225,20 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
 }
 
 void JobsService::ServeFrom(grpc::ServerCompletionQueue& queue) {
-  const auto check = [this](const grpc::ServerContext& context,
-                            const v1::WatchJobRequest& request) {
-    return Find(context, {Scope::kRead, Scope::kAdmin}, request.id(), Of::kAllForAdmins).status();
+  const auto admit = [this](const auto& context, const auto& request) {
+    return AdmitWatch(context, request);
   };
-  watches_.emplace(JobWatches{*this, queue, backend_.jobs, backend_.feed, check});
+  watches_.emplace(JobWatches{*this, queue, backend_.jobs, backend_.feed, admit});
   JobWatch::Await(*watches_);
+}
+
+absl::StatusOr<rpc::Admission::Ticket> JobsService::AdmitWatch(const grpc::ServerContext& context,
+                                                               const v1::WatchJobRequest& request) {
+  const auto caller = backend_.callers.Find(context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return caller.status();
+  const auto job = Find(*caller, request.id(), Of::kAllForAdmins);
+  if (!job.ok()) return job.status();
+  return watches_of_tenants_.Enter(caller->tenant, {});
 }
 
 grpc::Status JobsService::CancelJob(grpc::ServerContext* context,

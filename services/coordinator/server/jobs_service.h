@@ -43,11 +43,12 @@ struct JobsBackend {
 /// exist.
 class JobsService final : public JobWatches::Service, public rpc::QueuedMethods {
  public:
-  JobsService(JobsBackend backend, const TransferOptions& options)
+  JobsService(JobsBackend backend, const TransferOptions& transfers, const WatchOptions& watches)
       : backend_(std::move(backend)),
-        downloads_(options),
+        downloads_(transfers),
         preflights_({.slots = 2, .queue = 16}, backend_.log),
-        preflights_of_tenants_(/*all=*/18, /*of_each=*/6) {}
+        preflights_of_tenants_(/*all=*/18, /*of_each=*/6),
+        watches_of_tenants_(watches.calls, watches.calls_a_tenant) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
                          v1::Job* response) override;
@@ -76,6 +77,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   absl::StatusOr<Submission> Read(const Caller& caller, const v1::CreateJobRequest& request);
   absl::StatusOr<JobRecord> Create(const Caller& caller, const v1::CreateJobRequest& request,
                                    const TraceContext& trace);
+  absl::StatusOr<rpc::Admission::Ticket> AdmitWatch(const grpc::ServerContext& context,
+                                                    const v1::WatchJobRequest& request);
   absl::StatusOr<v1::Job> Validate(const Caller& caller, const v1::CreateJobRequest& request,
                                    const rpc::Call& call);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
@@ -91,6 +94,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   Transfers downloads_;
   rpc::CallGate preflights_;  ///< which take as long as slicing does
   TenantPlaces preflights_of_tenants_;
+  TenantPlaces watches_of_tenants_;
   std::optional<JobWatches> watches_;
 };
 
