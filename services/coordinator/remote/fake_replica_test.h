@@ -57,7 +57,12 @@ class FakeReplica final : public v1::Worker::Service {
   void Start(const std::string& listen) {
     rpc::ServerOptions options;
     options.listen = listen;
-    server_ = *rpc::Server::Start(options, {this}, call_metrics_);
+    // While it was down, a connection of somebody else may have come by its port, for a moment.
+    absl::StatusOr<std::unique_ptr<rpc::Server>> server;
+    do {
+      server = rpc::Server::Start(options, {this}, call_metrics_);
+    } while (!server.ok());
+    server_ = *std::move(server);
     address_ = "127.0.0.1:" + std::to_string(server_->port());
   }
 
