@@ -11,6 +11,7 @@
 namespace slicefarm::cli {
 
 std::string Advice(const absl::Status& status) {
+  if (absl::IsUnimplemented(status)) return "is a coordinator of this version at that address?";
   switch (DetailOf(status).reason) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMalformed:

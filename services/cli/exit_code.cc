@@ -6,6 +6,7 @@ namespace slicefarm::cli {
 
 ExitCode ExitCodeOf(const absl::Status& status) {
   if (status.ok()) return ExitCode::kOk;
+  if (absl::IsUnimplemented(status)) return ExitCode::kServerUnavailable;  // it is another service
   switch (DetailOf(status).reason) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMalformed:

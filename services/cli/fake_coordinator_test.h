@@ -96,6 +96,7 @@ class FakeCoordinator : public v1::Meshes::Service,
   v1::CreateJobRequest created;
   TraceContext trace;  ///< that CreateJob came with
   std::string cancelled;
+  v1::JobState state_after_cancel = v1::JOB_STATE_CANCELLED;
   std::atomic<int> watches = 0;
   int listed_jobs = 0;
 
@@ -154,7 +155,7 @@ class FakeCoordinator : public v1::Meshes::Service,
                          v1::Job* response) override {
     cancelled = request->id();
     response->set_id("job-1");
-    response->set_state(v1::JOB_STATE_CANCELLED);
+    response->set_state(state_after_cancel);
     return Find(request->id());
   }
 

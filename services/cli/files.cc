@@ -103,6 +103,11 @@ absl::StatusOr<OutputFile> OutputFile::Create(const std::string& path) {
   return OutputFile(target, temporary, descriptor);
 }
 
+absl::Status CheckWritable(const std::string& path) {
+  if (path.empty() || path == "-" || !Replaceable(Target(path))) return absl::OkStatus();
+  return OutputFile::Create(path).status();
+}
+
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::exchange(other.temporary_, "")),

@@ -42,6 +42,10 @@ class OutputFile {
   int descriptor_;
 };
 
+/// Whether an OutputFile could be made there; leaves nothing behind. True of what is no regular
+/// file. Empty: there is none to be made.
+absl::Status CheckWritable(const std::string& path);
+
 /// Create, Write, Commit.
 absl::Status WriteFile(const std::string& path, std::string_view bytes);
 

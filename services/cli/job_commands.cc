@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/model/error.h"
 #include "services/cli/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/jobs_client.h"
@@ -131,9 +132,12 @@ absl::StatusOr<v1::ListJobsResponse> ListAll(JobsClient& client, const ListOptio
   v1::ListJobsRequest request;
   for (const std::string& state : options.states) request.add_states(StateOf(state));
   for (const std::string& label : options.labels) {
-    const size_t equals = std::min(label.find('='), label.size());
-    (*request.mutable_labels())[label.substr(0, equals)] =
-        label.substr(std::min(equals + 1, label.size()));
+    const size_t equals = label.find('=');
+    if (equals == std::string::npos) {
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                       fmt::format("--label {}: key=value is needed", label));
+    }
+    (*request.mutable_labels())[label.substr(0, equals)] = label.substr(equals + 1);
   }
   request.set_oldest_first(options.oldest_first);
   v1::ListJobsResponse all;

@@ -488,15 +488,43 @@ TEST_F(Program, LeavesNoFileWhenTheJobFails) {
 }
 
 TEST_F(Program, CancelsTheJobItWaitsForAtCtrlC) {
+  for (const auto& [state, said] :
+       {std::pair{v1::JOB_STATE_CANCELLED, "job job-1 was cancelled"},
+        std::pair{v1::JOB_STATE_RUNNING, "job job-1 is being cancelled"},
+        std::pair{v1::JOB_STATE_SUCCEEDED, "`slicefarm get job-1 -o OUT.gcode` fetches it"}}) {
+    FakeCoordinator server;
+    server.hold_watches = true;
+    server.state_after_cancel = state;
+    const pid_t pid =
+        Start({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--server", server.address()});
+    while (server.watches == 0) std::this_thread::yield();
+    ASSERT_EQ(kill(pid, SIGINT), 0);
+    const Outcome outcome = Await(pid);
+    EXPECT_EQ(outcome.code, ExitCode::kCancelled) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(said));
+    EXPECT_EQ(server.cancelled, "job-1");
+    EXPECT_FALSE(Exists("out.gcode"));
+  }
+}
+
+TEST_F(Program, SubmitsNothingWhoseResultHasNoPlaceToGo) {
   FakeCoordinator server;
-  server.hold_watches = true;
-  const pid_t pid =
-      Start({"submit", Path("cube.obj"), "-o", Path("out.gcode"), "--server", server.address()});
-  while (server.watches == 0) std::this_thread::yield();
-  ASSERT_EQ(kill(pid, SIGINT), 0);
-  const Outcome outcome = Await(pid);
-  EXPECT_EQ(outcome.code, ExitCode::kCancelled) << outcome.err;
-  EXPECT_EQ(server.cancelled, "job-1");
+  const Outcome outcome = Run(
+      {"submit", Path("cube.obj"), "-o", Path("nowhere/out.gcode"), "--server", server.address()});
+  EXPECT_NE(outcome.code, ExitCode::kOk);
+  EXPECT_THAT(outcome.err, HasSubstr("nowhere/out.gcode"));
+  EXPECT_EQ(server.created.spec().objects_size(), 0);
+}
+
+TEST_F(Program, SaysThatAServerIsNoCoordinator) {
+  grpc::ServerBuilder builder;
+  int port = 0;
+  builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
+  const auto server = builder.BuildAndStart();
+  const Outcome outcome = Run({"list", "--server", "127.0.0.1:" + std::to_string(port)});
+  EXPECT_EQ(outcome.code, ExitCode::kServerUnavailable);
+  EXPECT_THAT(outcome.err, HasSubstr("the server has no such method"));
+  EXPECT_THAT(outcome.err, HasSubstr("is a coordinator of this version at that address?"));
 }
 
 TEST_F(Program, SaysThatAJobIsNotThere) {

@@ -134,7 +134,14 @@ ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& i
     Fail(job.status());
     return ExitCode::kCancelled;
   }
-  return FailJob(*job);
+  if (job->state() == v1::JOB_STATE_FAILED) return FailJob(*job);
+  if (job->state() == v1::JOB_STATE_SUCCEEDED) {
+    fmt::print(stderr,
+               "job {0} had succeeded before; `slicefarm get {0} -o OUT.gcode` fetches it\n", id);
+  } else {
+    fmt::print(stderr, "job {} {}\n", id, HasEnded(*job) ? "was cancelled" : "is being cancelled");
+  }
+  return ExitCode::kCancelled;
 }
 
 void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
@@ -156,6 +163,9 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   const bool gcode = !options.output.empty();
   if (options.check && (gcode || !options.job.report.empty())) {
     return Malformed("--check makes nothing: there is no G-code and no report");
+  }
+  if (options.check && (options.detach || options.quote)) {
+    return Malformed("--check makes no job: leave --detach and --quote out");
   }
   if (options.quote && gcode) return Malformed("--quote makes no G-code: leave -o out");
   if (options.detach && (gcode || !options.job.report.empty())) {
@@ -186,6 +196,9 @@ void PrintPreflight(const v1::Job& job) {
 
 ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
+  for (const std::string& path : {options.output, options.job.report}) {
+    if (absl::Status may = CheckWritable(path); !may.ok()) return Fail(may);
+  }
   JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
   client_options.trace = TraceOf(options);
   JobsClient client(std::move(client_options));
@@ -217,7 +230,10 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.model);
   const absl::Status fetched =
       FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
-  if (!fetched.ok()) return Fail(fetched);
+  if (!fetched.ok()) {
+    fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
+    return Fail(fetched);
+  }
   PrintSummary(options, *job);
   return ExitCode::kOk;
 }

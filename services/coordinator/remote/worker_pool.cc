@@ -20,8 +20,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::system_clock;
 
-/// How long a worker that cannot be reached is waited for before it is asked anew.
-constexpr milliseconds kGreetingPatience{10'000};
 constexpr milliseconds kRetryDelay{100};
 
 absl::Status CheckInfo(const v1::WorkerInfo& info) {
@@ -166,7 +164,7 @@ void WorkerPool::Greet(const MemberPtr& member, milliseconds delay) {
 
 void WorkerPool::Ask(Greeting& greeting) {
   greeting.context.set_wait_for_ready(true);
-  greeting.context.set_deadline(system_clock::now() + kGreetingPatience);
+  greeting.context.set_deadline(system_clock::now() + options_.greeting_patience);
   const auto stub = v1::Worker::NewStub(greeting.member->replica.channel());
   stub->async()->GetWorkerInfo(&greeting.context, &greeting.request, &greeting.info,
                                [this, &greeting](const grpc::Status& status) {
@@ -184,6 +182,7 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
               {{"address", member->address}, {"error", std::string(fit.message())}});
   }
   if (status.ok()) Seat(member, fit.ok() ? info.slots() : 0);
+  if (absl::IsDeadlineExceeded(status)) Leave(member, "it does not answer");
   Greet(member, absent ? kRetryDelay : options_.greet_every);
 }
 

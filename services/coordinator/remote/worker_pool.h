@@ -23,14 +23,16 @@ struct WorkerPoolOptions {
   RemoteOptions remote = {};
   AddressWatchOptions watch = {};
   std::chrono::milliseconds greet_every{5'000};
+  /// How long one that does not answer is waited for.
+  std::chrono::milliseconds greeting_patience{10'000};
   std::shared_ptr<grpc::ChannelCredentials> credentials = nullptr;  ///< null: no TLS
 };
 
 /// The workers behind some names. Each joins the runners once it has told its build and its slots,
-/// and leaves them when its address goes; in between, it may be down for a while
-/// (Runner::await_ready). Workers of another build do not join. All are asked again and again who
-/// they are: one that was started anew may have other slots, or another build, of which a range
-/// that it refuses tells as well.
+/// and leaves them when its address goes or nobody has answered there for a while; before that, it
+/// may be down for some seconds (Runner::await_ready). Workers of another build do not join. All
+/// are asked again and again who they are: one that was started anew may have other slots, or
+/// another build, of which a range that it refuses tells as well.
 class WorkerPool {
  public:
   /// `runners` must outlive the pool. `names`: host:port, each with any number of addresses.

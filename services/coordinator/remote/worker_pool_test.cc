@@ -60,10 +60,12 @@ class WorkerPoolTest : public testing::Test {
     name_.Set(std::move(addresses));
     pool_ = std::make_unique<WorkerPool>(
         runners_, std::vector<std::string>{"name:1"}, NoLog(),
-        WorkerPoolOptions{.watch = name_.Options(), .greet_every = greet_every_});
+        WorkerPoolOptions{
+            .watch = name_.Options(), .greet_every = greet_every_, .greeting_patience = patience_});
   }
 
   milliseconds greet_every_{20};
+  milliseconds patience_ = seconds(600);
   FakeName name_;
   FakeRunnerSet runners_;
   std::unique_ptr<WorkerPool> pool_;
@@ -144,6 +146,18 @@ TEST_F(WorkerPoolTest, AWorkerStartedAnewHasTheSlotsItTellsThen) {
   a.SetInfo("0123456789abcdef", 5);
   a.Restart();
   runners_.Await(0);
+}
+
+// Or nobody would hear that all workers are gone.
+TEST_F(WorkerPoolTest, AWorkerThatDoesNotAnswerLeavesUntilItDoes) {
+  patience_ = milliseconds(50);
+  FakeReplica a;
+  Start({a.address()});
+  runners_.Await(1);
+  a.Kill();
+  runners_.Await(0);
+  a.Restart();
+  runners_.Await(1);
 }
 
 TEST_F(WorkerPoolTest, AWorkerThatIsGreetedAgainStaysTheSameRunner) {

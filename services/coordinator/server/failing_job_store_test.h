@@ -33,6 +33,11 @@ class FailingJobStore : public ForwardingJobStore {
     blocked_.clear();
     recovered_.notify_all();
   }
+  void Unblock(Call call) {
+    const std::lock_guard lock(mutex_);
+    blocked_.erase(call);
+    recovered_.notify_all();
+  }
   /// Calls so far, failed or not.
   int Calls(Call call) {
     const std::lock_guard lock(mutex_);

@@ -182,7 +182,10 @@ absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
 absl::Status JobRun::Write(JobUpdate update) {
   if (wishes_->lost()) return absl::AbortedError("fenced");
   update.lost_runs = LostRunsAfter(job_, update.state);
-  return Written(environment_.jobs.Update(lease_, update, environment_.now_us()).status());
+  const auto job = environment_.jobs.Update(lease_, update, environment_.now_us());
+  // A cancel that came after the claim, and before this run could be told of it.
+  if (update.state == JobState::kRunning && job.ok() && job->cancel_requested) wishes_->Cancel();
+  return Written(job.status());
 }
 
 /// What follows a write to the record.

@@ -181,6 +181,20 @@ TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
   EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
 }
 
+// Nobody could have told the run of it.
+TEST_F(JobRunnerTest, ACancelBetweenTheClaimAndTheRunIsHeeded) {
+  const auto runner = Runner();
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  failing_.Block(Call::kUpdate);
+  ranges_->Hold();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  AwaitCalls(Call::kUpdate, 1);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
+  failing_.Unblock(Call::kUpdate);
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
 TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
   const std::string id = Submit("xx");
   ASSERT_NE(*jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs), std::nullopt);

@@ -100,24 +100,24 @@ absl::Status JobWatch::Read() {
   if (!events.ok()) return events.status();
   auto job = watches_.jobs.Get(request_.id());
   if (!job.ok()) return job.status();
-  job->spec.clear();  // events do without, and there may be many
-  for (const JobEventRecord& event : *events) {
-    events_.push_back(ToProto(event, *job));
-    read_to_ = event.sequence;
-  }
+  events_.assign(events->begin(), events->end());
+  if (!events_.empty()) read_to_ = events_.back().sequence;
   // The job may have gone on between the two reads: its end is reached with its last event. A
   // watcher that starts after that has nothing to wait for.
   terminal_ = IsTerminal(job->state) && read_to_ >= job->last_sequence;
+  job->spec.clear();  // events do without
+  if (!events_.empty()) job_ = *std::move(job);
   return absl::OkStatus();
 }
 
 void JobWatch::Send() {
   grpc::ByteBuffer bytes;
   bool own = false;
-  const grpc::Status written =
-      grpc::SerializationTraits<v1::JobEvent>::Serialize(events_.front(), &bytes, &own);
+  const grpc::Status written = grpc::SerializationTraits<v1::JobEvent>::Serialize(
+      ToProto(events_.front(), *job_), &bytes, &own);
   if (!written.ok()) return End(absl::InternalError(written.error_message()));
   events_.pop_front();
+  if (events_.empty()) job_.reset();
   busy_ = true;
   ++tags_;
   writer_.Write(bytes, &sent_tag_);

@@ -80,12 +80,13 @@ class JobWatch {
   std::atomic<bool> waking_ = false;  ///< woken_tag_ is one of them
   grpc::Alarm alarm_;                 ///< by which the feed gets onto the queue's thread
 
-  int64_t ticket_ = 0;               ///< of the feed
-  int64_t read_to_ = 0;              ///< sequence of the last event that was read
-  bool terminal_ = false;            ///< that event was the job's last
-  bool busy_ = false;                ///< something is being sent
-  bool left_ = false;                ///< the call is over
-  std::deque<v1::JobEvent> events_;  ///< to be sent
+  int64_t ticket_ = 0;                 ///< of the feed
+  int64_t read_to_ = 0;                ///< sequence of the last event that was read
+  bool terminal_ = false;              ///< that event was the job's last
+  bool busy_ = false;                  ///< something is being sent
+  bool left_ = false;                  ///< the call is over
+  std::optional<JobRecord> job_;       ///< of which the events are
+  std::deque<JobEventRecord> events_;  ///< to be sent; as messages they would be larger by far
 };
 
 }  // namespace slicefarm::coordinator

@@ -24,6 +24,19 @@ namespace {
 
 constexpr int64_t kDownloadChunkBytes = 64 << 10;
 
+/// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
+constexpr int64_t kMaxEchoedBytes = 2 << 20;
+
+int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
+  auto bytes = static_cast<int64_t>(batch.ByteSizeLong());
+  for (const v1::CreateJobRequest& each : batch.requests()) {
+    for (const v1::Setting& setting : each.spec().settings()) {
+      bytes -= static_cast<int64_t>(setting.ByteSizeLong());
+    }
+  }
+  return bytes;
+}
+
 absl::Status IsAQuote(const std::string& id) {
   return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
                    fmt::format("job {} is a quote: it has a report, and no G-code", id),
@@ -105,6 +118,10 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
                                   limits::kMaxBatchJobs, request->requests_size()));
   }
+  if (const int64_t bytes = EchoedBytes(*request); bytes > kMaxEchoedBytes) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "bytes of a batch without its settings",
+                                  kMaxEchoedBytes, bytes));
+  }
   for (const v1::CreateJobRequest& each : request->requests()) {
     const auto created =
         each.validate_only()
@@ -115,7 +132,9 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
       *outcome.mutable_job() = ToProto(*created);
       outcome.mutable_job()->mutable_spec()->clear_settings();
     } else {
-      *outcome.mutable_error() = ToProto(JobErrorOf(created.status()));
+      // As short as errors of calls are: there may be many in this answer.
+      const absl::Status cut = rpc::FromGrpc(rpc::ToGrpc(created.status()));
+      *outcome.mutable_error() = ToProto(JobErrorOf(cut));
     }
   }
   return grpc::Status::OK;
@@ -219,6 +238,9 @@ grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJ
   if (!query.ok()) return rpc::ToGrpc(query.status());
   query->tenant = caller->tenant;
   query->all_tenants = caller->may(Scope::kAdmin);
+  // The store's connections are for all, and a list may hold one for long.
+  const auto place = lists_of_tenants_.Enter(caller->tenant, {});
+  if (!place.ok()) return rpc::ToGrpc(place.status());
   const auto jobs = backend_.jobs.List(*query);
   if (jobs.ok()) *response = ToProto(*jobs, *query);
   return rpc::ToGrpc(jobs.status());

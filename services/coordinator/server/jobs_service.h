@@ -48,6 +48,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
         downloads_(transfers),
         preflights_({.slots = 2, .queue = 16}, backend_.log),
         preflights_of_tenants_(/*all=*/18, /*of_each=*/6),
+        lists_of_tenants_(/*all=*/32, /*of_each=*/4),
         watches_of_tenants_(watches.calls, watches.calls_a_tenant) {}
 
   grpc::Status CreateJob(grpc::ServerContext* context, const v1::CreateJobRequest* request,
@@ -94,6 +95,7 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   Transfers downloads_;
   rpc::CallGate preflights_;  ///< which take as long as slicing does
   TenantPlaces preflights_of_tenants_;
+  TenantPlaces lists_of_tenants_;
   TenantPlaces watches_of_tenants_;
   std::optional<JobWatches> watches_;
 };

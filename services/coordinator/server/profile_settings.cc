@@ -57,11 +57,17 @@ absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& te
                       spec.profiles_size());
   }
   google::protobuf::RepeatedPtrField<v1::Setting> settings;
+  int64_t bytes = 0;
   for (int i = 0; i < spec.profiles_size(); ++i) {
     const auto ref = ParseProfileRef(spec.profiles(i));
     if (!ref.ok()) return Within("spec.profiles", i, ref.status());
     const auto record = profiles.Get(tenant, ref->name, ref->revision);
     if (!record.ok()) return AsPrecondition(record.status());
+    bytes += std::ssize(record->settings);
+    if (bytes > limits::kMaxSpecBytes) {
+      return LimitError(Reason::kRequestTooLarge, "bytes of a job's profiles",
+                        limits::kMaxSpecBytes, bytes);
+    }
     auto profile = ReadProfile(*record);
     if (!profile.ok()) return profile.status();
     settings.MergeFrom(profile->settings());

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <limits>
 
+#include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/model/limits.h"
 #include "nlohmann/json.hpp"
@@ -250,6 +251,66 @@ TEST_F(SubmissionTest, ABatchOfTooManyIsRefusedAsAWhole) {
   v1::BatchCreateJobsResponse response;
   EXPECT_EQ(ReasonOf(rpc::FromGrpc(jobs_->BatchCreateJobs(&context, batch, &response))),
             Reason::kRequestTooLarge);
+}
+
+// All of what is made is told of in one message.
+TEST_F(SubmissionTest, ABatchTellsOfLongErrorsInShort) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::BatchCreateJobsRequest batch;
+  *batch.add_requests() = RequestFor("xxx");
+  for (int i = 0; i < 60; ++i) {
+    v1::CreateJobRequest& wrong = *batch.add_requests();
+    wrong = RequestFor("xxx");
+    v1::Setting* setting = wrong.mutable_spec()->add_settings();
+    setting->set_key(std::string(60'000, 'k'));
+    setting->set_value("1");
+  }
+  grpc::ClientContext context;
+  v1::BatchCreateJobsResponse response;
+  const grpc::Status status = jobs_->BatchCreateJobs(&context, batch, &response);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_FALSE(response.outcomes(0).job().id().empty());
+  EXPECT_EQ(response.outcomes(60).error().reason(), "SETTING_UNKNOWN");
+}
+
+TEST_F(SubmissionTest, ABatchWhoseAnswerWouldBeTooLongIsRefusedBeforeItIsMade) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::BatchCreateJobsRequest batch;
+  for (int i = 0; i < 40; ++i) {
+    v1::CreateJobRequest& each = *batch.add_requests();
+    each = RequestFor("xxx");
+    for (int label = 0; label < 60; ++label)
+      (*each.mutable_labels())[absl::StrCat(label)] = std::string(1000, 'x');
+  }
+  grpc::ClientContext context;
+  v1::BatchCreateJobsResponse response;
+  EXPECT_EQ(ReasonOf(rpc::FromGrpc(jobs_->BatchCreateJobs(&context, batch, &response))),
+            Reason::kRequestTooLarge);
+  grpc::ClientContext listing;
+  v1::ListJobsResponse jobs;
+  ASSERT_TRUE(jobs_->ListJobs(&listing, {}, &jobs).ok());
+  EXPECT_EQ(jobs.jobs_size(), 0);
+}
+
+TEST_F(SubmissionTest, ProfilesThatAreTooMuchTogetherAreRefused) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  ASSERT_TRUE(Put("long", "start_gcode", std::string(60'000, 'G')).ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  for (int i = 0; i < limits::kMaxJobProfiles; ++i) request.mutable_spec()->add_profiles("long");
+  const auto fits = Create(request);
+  EXPECT_TRUE(fits.ok()) << fits.status();
+  v1::PutProfileRequest longer;
+  longer.set_name("longer");
+  for (int i = 0; i < 5; ++i) {
+    v1::Setting* setting = longer.add_settings();
+    setting->set_key("start_gcode");
+    setting->set_value(std::string(60'000, 'G'));
+  }
+  grpc::ClientContext context;
+  v1::Profile profile;
+  ASSERT_TRUE(profiles_->PutProfile(&context, longer, &profile).ok());
+  for (std::string& name : *request.mutable_spec()->mutable_profiles()) name = "longer";
+  EXPECT_EQ(ReasonOf(Create(request).status()), Reason::kRequestTooLarge);
 }
 
 TEST_F(SubmissionTest, SettingsOfProfilesComeBeforeThoseOfTheJob) {

@@ -42,8 +42,9 @@ std::optional<Url> ParseUrl(const std::string& text) {
   const std::string scheme = Part(url.get(), CURLUPART_SCHEME);
   if (scheme != "http" && scheme != "https") return std::nullopt;
   // A receiver may decode it before it resolves it.
-  const std::string decoded = Part(url.get(), CURLUPART_PATH, CURLU_URLDECODE) + "/";
-  if (decoded.find("/../") != std::string::npos) return std::nullopt;
+  const std::string decoded = Part(url.get(), CURLUPART_PATH, CURLU_URLDECODE);
+  if (decoded.empty()) return std::nullopt;  // control characters
+  if ((decoded + "/").find("/../") != std::string::npos) return std::nullopt;
   std::string host = Part(url.get(), CURLUPART_HOST);
   std::ranges::transform(host, host.begin(), [](unsigned char c) { return std::tolower(c); });
   return Url{fmt::format("{}://{}:{}", scheme, host, Part(url.get(), CURLUPART_PORT)),

@@ -33,7 +33,8 @@ TEST(WebhookPolicy, RefusesTheRest) {
   for (const char* url :
        {"", "hooks.example", "http://hooks.example/farm", "https://hooks.example/",
         "https://hooks.example/farmer", "https://hooks.example/farm/../secret",
-        "https://hooks.example/farm/%2e%2e/secret", "https://hooks.example:8443/farm",
+        "https://hooks.example/farm/%2e%2e/secret",
+        "https://hooks.example/farm/%01/%2e%2e/%2e%2e/x", "https://hooks.example:8443/farm",
         "https://hooks.example.evil/farm", "https://hooks.example@evil/farm",
         "https://user:password@hooks.example/farm", "ftp://hooks.example/farm",
         "file:///etc/passwd", "https://hooks.example/fa rm", "https://hooks.example/farm\r\nX: y",

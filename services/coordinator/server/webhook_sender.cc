@@ -62,15 +62,21 @@ void WebhookSender::Serve() {
 
 /// False: nothing is due, or the store does not tell.
 bool WebhookSender::SendOne() {
-  const int64_t now_us = now_us_();
-  // Nobody else tries it while we may still do.
-  const auto due = webhooks_.Claim(now_us, now_us + 2 * Us(options_.timeout), Busy());
+  const auto due = Claim();
   if (!due.ok()) log_.Warn("outbox not read", {{"error", std::string(due.status().message())}});
   if (!due.ok() || !*due) return false;
-  Count((*due)->tenant, 1);
   Conclude(**due, Try(**due));
   Count((*due)->tenant, -1);
   return true;
+}
+
+absl::StatusOr<std::optional<DueWebhook>> WebhookSender::Claim() {
+  const std::lock_guard lock(claim_mutex_);  // or several would claim of one tenant at a time
+  const int64_t now_us = now_us_();
+  // Nobody else tries it while we may still do.
+  auto due = webhooks_.Claim(now_us, now_us + 2 * Us(options_.timeout), Busy());
+  if (due.ok() && *due) Count((*due)->tenant, 1);
+  return due;
 }
 
 /// Tenants that have their share of the threads. With but one thread there is nothing to share.

@@ -43,6 +43,7 @@ class WebhookSender {
  private:
   void Serve();
   bool SendOne();
+  absl::StatusOr<std::optional<DueWebhook>> Claim();
   std::set<std::string> Busy();
   void Count(const std::string& tenant, int change);
   WebhookAttempt Try(const DueWebhook& due);
@@ -57,6 +58,7 @@ class WebhookSender {
   prometheus::Counter& delivered_;
   prometheus::Counter& failed_;
   prometheus::Counter& given_up_;
+  std::mutex claim_mutex_;
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopping_ = false;

@@ -1,5 +1,7 @@
 #include "services/coordinator/store/job_listing.h"
 
+#include <algorithm>
+
 #include "absl/strings/str_cat.h"
 #include "services/coordinator/store/job_rows.h"
 
@@ -23,9 +25,12 @@ std::string ListSql(const ListQuery& list) {
   return sql;
 }
 
-}  // namespace
+/// Rows that are asked for at once: PostgreSQL sends all of them, and each has its spec.
+constexpr int32_t kRowsAtOnce = 16;
 
-absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list) {
+/// One statement's part of a list, at the end of `jobs`; how many.
+absl::StatusOr<int64_t> AppendJobs(SqlConnection& db, const ListQuery& list,
+                                   std::vector<JobRecord>& jobs) {
   const std::string sql = ListSql(list);
   SqlQuery query(db, sql);
   if (!list.all_tenants) query.Bind(list.tenant);
@@ -36,14 +41,41 @@ absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQue
   for (const JobState state : list.states) query.Bind(JobStateName(state));
   for (const auto& [key, value] : list.labels) query.Bind(key, value);
   query.Bind(list.limit);
-  std::vector<JobRecord> jobs;
-  for (int64_t bytes = 0; bytes < kListedSpecBytes && query.Next();) {
+  int64_t count = 0;
+  for (; query.Next(); ++count) {
     JobRecord& job = jobs.emplace_back();
     // A damaged one is told of where it stands, and keeps nobody from listing the others.
     if (absl::Status read = ReadJob(query, job); !read.ok()) job.error = JobErrorOf(read);
-    bytes += std::ssize(job.spec);
   }
   if (!query.status().ok()) return query.status();
+  return count;
+}
+
+/// Takes off the jobs after the one with whose spec they come to kListedSpecBytes; false: none
+/// does.
+bool CutToBytes(std::vector<JobRecord>& jobs) {
+  int64_t bytes = 0;
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    bytes += std::ssize(jobs[i].spec);
+    if (bytes < kListedSpecBytes) continue;
+    jobs.resize(i + 1);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list) {
+  std::vector<JobRecord> jobs;
+  ListQuery part = list;
+  while (std::ssize(jobs) < list.limit) {
+    part.limit = std::min(kRowsAtOnce, list.limit - static_cast<int32_t>(std::ssize(jobs)));
+    const auto count = AppendJobs(db, part, jobs);
+    if (!count.ok()) return count.status();
+    if (CutToBytes(jobs) || *count < part.limit) break;
+    part.after_number = jobs.back().number;
+  }
   return jobs;
 }
 

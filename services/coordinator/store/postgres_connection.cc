@@ -37,6 +37,14 @@ constexpr std::array<const char*, 8> kKeywords = {
     nullptr,
 };
 
+/// How long a transaction may stand still between two statements: a coordinator that is stopped, or
+/// whose machine is gone, would keep its locks, and the others from claiming jobs.
+constexpr std::chrono::milliseconds kIdleLimit = std::chrono::seconds(5);
+constexpr std::string_view kIdleInTransaction = "25P03";
+
+/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
+constexpr size_t kMostPrepared = 128;
+
 using Clock = std::chrono::steady_clock;
 
 std::unique_ptr<pg_result, void (*)(pg_result*)> Own(pg_result* result) {
@@ -62,8 +70,9 @@ absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
   }
   // Lost connections; transactions that the server gave up on (deadlock); no more connections; the
   // server is being stopped or just starts.
-  const bool away = PQstatus(connection) != CONNECTION_OK || state.starts_with("08") ||
-                    state.starts_with("40") || state.starts_with("53") || state.starts_with("57");
+  const bool away = PQstatus(connection) != CONNECTION_OK || state == kIdleInTransaction ||
+                    state.starts_with("08") || state.starts_with("40") || state.starts_with("53") ||
+                    state.starts_with("57");
   const char* text = PQresultErrorMessage(result);
   if (*text == '\0') text = PQerrorMessage(connection);
   if (away) return Away(text);
@@ -121,9 +130,12 @@ int64_t FromNetwork(const char* bytes, int length) {
 
 class PostgresStatement : public SqlStatement {
  public:
-  PostgresStatement(PostgresConnection& connection, absl::StatusOr<std::string> name)
+  /// `name`: of the prepared statement; empty: `sql` is not kept.
+  PostgresStatement(PostgresConnection& connection, std::string_view sql,
+                    absl::StatusOr<std::string> name)
       : connection_(connection), status_(name.status()), result_(Own(nullptr)) {
     if (name.ok()) name_ = *std::move(name);
+    if (name_.empty()) sql_ = Numbered(sql);
   }
 
   void Bind(int64_t value) override { Add(absl::StrCat(value), /*binary=*/false); }
@@ -166,15 +178,20 @@ class PostgresStatement : public SqlStatement {
       values.push_back(value.c_str());
       lengths.push_back(static_cast<int>(value.size()));
     }
+    const int count = static_cast<int>(values.size());
     auto answer = connection_.Answer(
-        PQsendQueryPrepared(connection_.raw(), name_.c_str(), static_cast<int>(values.size()),
-                            values.data(), lengths.data(), formats_.data(), /*resultFormat=*/1));
+        name_.empty()
+            ? PQsendQueryParams(connection_.raw(), sql_.c_str(), count, nullptr, values.data(),
+                                lengths.data(), formats_.data(), /*resultFormat=*/1)
+            : PQsendQueryPrepared(connection_.raw(), name_.c_str(), count, values.data(),
+                                  lengths.data(), formats_.data(), /*resultFormat=*/1));
     status_ = answer.status();
     if (answer.ok()) result_ = *std::move(answer);
   }
 
   PostgresConnection& connection_;
   std::string name_;
+  std::string sql_;
   absl::Status status_;
   std::vector<std::string> values_;
   std::vector<int> formats_;
@@ -194,7 +211,9 @@ absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
   PQsetNoticeProcessor(
       connection->connection_, [](void*, const char*) {}, nullptr);
   PQsetnonblocking(connection->connection_, 1);
-  absl::Status ready = connection->Execute(absl::StrCat("SET statement_timeout = ", limit.count()));
+  absl::Status ready = connection->Execute(
+      absl::StrCat("SET statement_timeout = ", limit.count(),
+                   "; SET idle_in_transaction_session_timeout = ", kIdleLimit.count()));
   if (!ready.ok()) return ready;
   return connection;
 }
@@ -203,18 +222,22 @@ PostgresConnection::~PostgresConnection() { PQfinish(connection_); }
 
 const SqlDialect& PostgresConnection::dialect() const { return kDialect; }
 
-bool PostgresConnection::alive() const { return PQstatus(connection_) == CONNECTION_OK; }
+bool PostgresConnection::alive() const {
+  return !given_up_ && PQstatus(connection_) == CONNECTION_OK;
+}
 
 absl::Status PostgresConnection::Execute(const std::string& sql) {
   return Answer(PQsendQuery(connection_, sql.c_str())).status();
 }
 
 std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) {
-  return std::make_unique<PostgresStatement>(*this, Find(sql));
+  return std::make_unique<PostgresStatement>(*this, sql, Find(sql));
 }
 
+/// Empty: enough of them are kept.
 absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
   if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
+  if (prepared_.size() >= kMostPrepared) return std::string();
   const std::string name = absl::StrCat("s", prepared_.size());
   const auto answer =
       Answer(PQsendPrepare(connection_, name.c_str(), Numbered(sql).c_str(), 0, nullptr));
@@ -227,11 +250,12 @@ absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
 absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) {
   const auto until =
       limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 6;
+  if (given_up_) return Away("the connection was given up");
   Result last = Own(nullptr);
   while (sent == 1) {
     if (!Exchange(connection_, until)) {
+      given_up_ = true;  // an answer that comes now would be taken for the next one's
       shutdown(PQsocket(connection_), SHUT_RDWR);
-      PQconsumeInput(connection_);  // which finds that out
       return Away(absl::StrCat("no answer within ", limit_.count(), " ms"));
     }
     Result next = Own(PQgetResult(connection_));

@@ -52,6 +52,7 @@ class PostgresConnection : public SqlConnection {
 
   pg_conn* connection_;
   const Limit limit_;
+  bool given_up_ = false;                                     ///< it did not answer in time
   std::map<std::string, std::string, std::less<>> prepared_;  ///< names by SQL
 };
 

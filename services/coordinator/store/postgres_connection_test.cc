@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "common/model/error.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/store/postgres_database.h"
@@ -88,6 +89,30 @@ TEST_F(PostgresConnectionTest, AStatementThatTakesTooLongEnds) {
   ExpectAway(SqlQuery(*db, "SELECT pg_sleep(600)").Run());
   EXPECT_TRUE(db->alive()) << "the server said so itself";
   EXPECT_TRUE(SqlQuery(*db, "SELECT 1").Run().ok());
+}
+
+// Or a coordinator that is stopped in the middle of a claim would stop those of all others.
+TEST_F(PostgresConnectionTest, ATransactionThatStandsStillGivesUpItsLocks) {
+  ASSERT_TRUE(db_->Execute("CREATE TABLE t (a BIGINT); INSERT INTO t VALUES (1)").ok());
+  const auto stopped = *PostgresConnection::Open(database_);
+  SqlTransaction transaction(*stopped);
+  ASSERT_TRUE(SqlQuery(*stopped, "UPDATE t SET a = 2").Run().ok());
+  EXPECT_TRUE(SqlQuery(*db_, "UPDATE t SET a = 3").Run().ok());
+  ExpectAway(SqlQuery(*stopped, "UPDATE t SET a = 4").Run());
+  EXPECT_FALSE(stopped->alive());
+}
+
+TEST_F(PostgresConnectionTest, KeepsSoManyStatementsAndNoMore) {
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 300; ++i) {
+      SqlQuery query(*db_, absl::StrCat("SELECT ?::BIGINT + ", i));
+      ASSERT_TRUE(query.Bind(1000).Next()) << query.status();
+      EXPECT_EQ(query.Int(0), 1000 + i);
+    }
+  }
+  SqlQuery kept(*db_, "SELECT count(*) FROM pg_prepared_statements");
+  ASSERT_TRUE(kept.Next());
+  EXPECT_EQ(kept.Int(0), 128);
 }
 
 /// The server accepts what its sockets hold, and says nothing.

@@ -44,12 +44,24 @@ absl::Status ErrorOf(sqlite3* db, int code) {
   }
 }
 
+/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
+constexpr size_t kMostPrepared = 128;
+
 class SqliteStatement : public SqlStatement {
  public:
-  SqliteStatement(sqlite3* db, absl::StatusOr<sqlite3_stmt*> statement)
-      : db_(db), statement_(statement.ok() ? *statement : nullptr), status_(statement.status()) {}
+  enum class Of { kConnection, kItself };
+
+  SqliteStatement(sqlite3* db, absl::StatusOr<sqlite3_stmt*> statement, Of owner)
+      : db_(db),
+        statement_(statement.ok() ? *statement : nullptr),
+        owner_(owner),
+        status_(statement.status()) {}
   ~SqliteStatement() override {
     if (statement_ == nullptr) return;
+    if (owner_ == Of::kItself) {
+      sqlite3_finalize(statement_);
+      return;
+    }
     sqlite3_reset(statement_);
     sqlite3_clear_bindings(statement_);
   }
@@ -92,6 +104,7 @@ class SqliteStatement : public SqlStatement {
 
   sqlite3* db_;
   sqlite3_stmt* statement_;
+  const Of owner_;
   int bound_ = 0;
   absl::Status status_;
 };
@@ -129,16 +142,21 @@ absl::Status SqliteConnection::Execute(const std::string& sql) {
 }
 
 std::unique_ptr<SqlStatement> SqliteConnection::Prepare(std::string_view sql) {
-  return std::make_unique<SqliteStatement>(db_, Find(sql));
+  if (const auto found = prepared_.find(sql); found != prepared_.end()) {
+    return std::make_unique<SqliteStatement>(db_, found->second, SqliteStatement::Of::kConnection);
+  }
+  const auto statement = Compile(sql);
+  const bool kept = statement.ok() && prepared_.size() < kMostPrepared;
+  if (kept) prepared_.emplace(sql, *statement);
+  return std::make_unique<SqliteStatement>(
+      db_, statement, kept ? SqliteStatement::Of::kConnection : SqliteStatement::Of::kItself);
 }
 
-absl::StatusOr<sqlite3_stmt*> SqliteConnection::Find(std::string_view sql) {
-  if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
+absl::StatusOr<sqlite3_stmt*> SqliteConnection::Compile(std::string_view sql) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v3(db_, sql.data(), static_cast<int>(sql.size()),
                                       SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
   if (code != SQLITE_OK) return ErrorOf(db_, code);
-  prepared_.emplace(sql, statement);
   return statement;
 }
 

@@ -29,7 +29,7 @@ class SqliteConnection : public SqlConnection {
 
  private:
   explicit SqliteConnection(sqlite3* db) : db_(db) {}
-  absl::StatusOr<sqlite3_stmt*> Find(std::string_view sql);
+  absl::StatusOr<sqlite3_stmt*> Compile(std::string_view sql);
 
   sqlite3* db_;
   std::map<std::string, sqlite3_stmt*, std::less<>> prepared_;
