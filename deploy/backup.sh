@@ -58,6 +58,7 @@ backup_sqlite() {
   copy_all "$state" "$dest"
   sqlite3 -cmd '.timeout 60000' "$state/jobs.db" "VACUUM INTO '${dest//\'/\'\'}/jobs.db.new'"
   copy_all "$state" "$dest"
+  [[ $(sqlite3 "$dest/jobs.db.new" 'PRAGMA integrity_check') == ok ]] || die "the copy of jobs.db is damaged"
   check_blobs "$dest/jobs.db.new" "$dest" "$state"
   sync --file-system "$dest"
   mv "$dest/jobs.db.new" "$dest/jobs.db"
@@ -69,7 +70,7 @@ referenced() {
     UNION SELECT tenant, trace_sha256 FROM jobs UNION SELECT tenant, gcode_sha256 FROM results
     UNION SELECT tenant, report_sha256 FROM results
     UNION SELECT jobs.tenant, digest FROM inputs JOIN jobs ON jobs.number = inputs.job" |
-    grep -E '\|[0-9a-f]{64}$' || true
+    { grep -E '\|[0-9a-f]{64}$' || [[ $? -eq 1 ]]; } # 1: there are none
 }
 
 # Every blob that the copied database refers to is there, unless the farm itself has lost it.

@@ -152,8 +152,8 @@ class Manifests:
         ports = {port["name"]: port["containerPort"] for port in container["ports"]}
         expect(ports == {"grpc": PORT, "metrics": METRICS_PORT}, f"{where}: ports {ports}")
         for probe in ("readinessProbe", "livenessProbe"):
-            command = container[probe]["exec"]["command"]
-            expect(command[:3] == ["slicefarm", "health", f"127.0.0.1:{PORT}"], f"{where}: {probe}")
+            command = " ".join(container[probe]["exec"]["command"]).removeprefix("sh -c ")
+            expect(command.startswith(f"slicefarm health 127.0.0.1:{PORT} "), f"{where}: {probe}")
         variables = {variable["name"] for variable in container.get("env", [])}
         for used in re.findall(r"\$\((\w+)\)", " ".join(container["args"])):
             expect(used in variables, f"{where}: $({used}) is not set")
@@ -255,6 +255,10 @@ def check_monitoring():
     scraped = prometheus["scrape_configs"][0]["dns_sd_configs"][0]
     expect(set(scraped["names"]) == services, f"prometheus.yml: looks for {scraped['names']}")
     expect(scraped["port"] == METRICS_PORT, "prometheus.yml: port")
+    in_kubernetes, = yaml.safe_load((monitoring / "prometheus.kubernetes.yml").read_text())["scrape_configs"]
+    expect(in_kubernetes["job_name"] == prometheus["scrape_configs"][0]["job_name"], "prometheus.kubernetes.yml: job")
+    made = {rule["target_label"] for rule in in_kubernetes["relabel_configs"] if "target_label" in rule}
+    expect(made >= {"service", "namespace"}, f"prometheus.kubernetes.yml: makes only {made}")
     dashboard = json.loads((monitoring / "grafana.json").read_text())
     queries = [target["expr"] for panel in dashboard["panels"] for target in panel.get("targets", [])]
     promtool = shutil.which("promtool")

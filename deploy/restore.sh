@@ -40,7 +40,9 @@ restore_sqlite() {
 
 restore_postgres() {
   local backup=$1 tables bad
+  [[ -x $backup ]] || die "$backup is no folder that $(id -un) may look into"
   [[ -f $backup/slicefarm.dump ]] || die "$backup is no backup: it has no slicefarm.dump"
+  [[ -r $backup/slicefarm.dump ]] || die "$(id -un) may not read $backup/slicefarm.dump"
   [[ -n ${SLICEFARM_POSTGRES:-} ]] || die "SLICEFARM_POSTGRES is to say which database"
   tables=$(sql "SELECT count(*) FROM pg_tables WHERE schemaname NOT IN ('pg_catalog', 'information_schema')")
   [[ $tables == 0 ]] || die "the database is not empty"

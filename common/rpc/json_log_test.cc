@@ -1,6 +1,7 @@
 #include "common/rpc/json_log.h"
 
 #include <gmock/gmock.h>
+#include <grpc/support/log.h>
 #include <gtest/gtest.h>
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
@@ -10,6 +11,7 @@
 #include <sstream>
 
 #include "common/model/build_info.h"
+#include "common/rpc/grpc_log.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -37,6 +39,15 @@ TEST_F(JsonLogTest, WritesOneObjectALine) {
   EXPECT_EQ(line["seconds"], 0.25);
   EXPECT_THAT(line["ts"].get<std::string>(),
               testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}\\.[0-9]{3}Z"));
+}
+
+TEST_F(JsonLogTest, HasWhatGrpcSays) {
+  LogGrpcTo(log_);
+  gpr_log("core/lib/ssl.cc", 7, GPR_LOG_SEVERITY_ERROR, "Invalid %s key.", "private");
+  gpr_set_log_function(nullptr);
+  EXPECT_EQ(Line()["level"], "warning");
+  EXPECT_EQ(Line()["msg"], "grpc ssl.cc");
+  EXPECT_EQ(Line()["error"], "Invalid private key.");
 }
 
 TEST_F(JsonLogTest, NamesTheLevel) {

@@ -10,6 +10,7 @@
 #include "common/rpc/authorizer.h"
 #include "common/rpc/call_gate.h"
 #include "common/rpc/call_metrics.h"
+#include "common/rpc/grpc_log.h"
 #include "common/rpc/json_log.h"
 #include "common/rpc/metrics.h"
 #include "common/rpc/server.h"
@@ -46,7 +47,9 @@ void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags);
 class ServerProgram {
  public:
   /// `name`: `beading` of slicefarm-beading.
-  explicit ServerProgram(std::string name) : log_(name), call_metrics_(metrics_.registry()) {}
+  explicit ServerProgram(std::string name) : log_(name), call_metrics_(metrics_.registry()) {
+    LogGrpcTo(log_);
+  }
 
   const JsonLog& log() const { return log_; }
   Metrics& metrics() { return metrics_; }

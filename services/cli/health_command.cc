@@ -79,7 +79,9 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       ->capture_default_str()
       ->type_name("S");
   rpc::AddTlsOptions(*command, &options->security);
-  command->footer("Exit code 0: serving; 5: not, or nobody answers. For container health checks.");
+  command->footer(
+      "Exit code 0: serving; 5: not, or nobody answers; 2: its own certificate cannot be used. For "
+      "container health checks.");
   command->callback([options, &context] {
     context.run = [options, &context] { return Check(*options, *context.interrupt); };
   });

@@ -24,6 +24,7 @@
 #include "services/cli/gcode_layer.h"
 #include "services/cli/layer_drawing.h"
 #include "services/cli/picture_test.h"
+#include "slicefarm/v1/profiles.grpc.pb.h"
 
 extern char** environ;
 
@@ -517,7 +518,9 @@ TEST_F(Program, SubmitsNothingWhoseResultHasNoPlaceToGo) {
 }
 
 TEST_F(Program, SaysThatAServerIsNoCoordinator) {
+  v1::Profiles::Service other;
   grpc::ServerBuilder builder;
+  builder.RegisterService(&other);
   int port = 0;
   builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
   const auto server = builder.BuildAndStart();
