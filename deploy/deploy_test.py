@@ -153,7 +153,7 @@ class Manifests:
         expect(ports == {"grpc": PORT, "metrics": METRICS_PORT}, f"{where}: ports {ports}")
         for probe in ("readinessProbe", "livenessProbe"):
             command = " ".join(container[probe]["exec"]["command"]).removeprefix("sh -c ")
-            expect(command.startswith(f"slicefarm health 127.0.0.1:{PORT} "), f"{where}: {probe}")
+            expect(command.startswith(f"slicefarm health 127.0.0.1:{PORT}"), f"{where}: {probe}")
         variables = {variable["name"] for variable in container.get("env", [])}
         for used in re.findall(r"\$\((\w+)\)", " ".join(container["args"])):
             expect(used in variables, f"{where}: $({used}) is not set")
