@@ -44,8 +44,9 @@ class FakeRunnerSet : public RunnerSet {
     return current;
   }
   std::vector<Runner> Await(size_t count) const {
-    while (Current().size() != count) std::this_thread::yield();
-    return Current();
+    std::vector<Runner> current = Current();
+    for (; current.size() != count; current = Current()) std::this_thread::yield();
+    return current;
   }
 
  private:
