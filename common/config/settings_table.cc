@@ -73,14 +73,6 @@ absl::StatusOr<Value> ParseQuantity(const SettingSpec& spec, std::string_view te
   return value;
 }
 
-/// A line of the effective text cannot keep the blanks at its value's ends.
-std::string WithoutOuterBlanks(std::string_view text) {
-  constexpr std::string_view kBlank = " \t";
-  const size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(kBlank) - first + 1));
-}
-
 /// Control characters would break the line or the G-code that quotes the text.
 absl::StatusOr<Value> ParseText(const SettingSpec& spec, std::string text) {
   const bool lines = spec.kind == Kind::kGcode;
@@ -88,7 +80,8 @@ absl::StatusOr<Value> ParseText(const SettingSpec& spec, std::string text) {
     return IsControl(c) && !(lines && (c == '\n' || c == '\r' || c == '\t'));
   });
   if (!clean) return MalformedError(spec, text, "must not contain control characters");
-  return Value{.text = WithoutOuterBlanks(text)};
+  // A line of the effective text cannot keep the blanks at its value's ends.
+  return Value{.text = std::string(Trim(text, " \t"))};
 }
 
 template <class T>

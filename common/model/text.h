@@ -15,8 +15,8 @@ constexpr bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 |
 /// Unicode's line ends (U+2028, U+2029).
 std::string ReplaceControls(std::string_view text, char with);
 
-/// Without blanks, tabs and line ends at both sides.
-std::string_view Trim(std::string_view text);
+/// Without any of `blanks` at both sides.
+std::string_view Trim(std::string_view text, std::string_view blanks = " \t\r\n\v\f");
 
 /// The parts between any of `separators`: always one more than there are separators.
 std::vector<std::string_view> Split(std::string_view text, std::string_view separators);

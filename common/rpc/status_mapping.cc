@@ -156,10 +156,9 @@ absl::Status FromLibrary(const grpc::Status& status) {
   if (IsBrokenConnection(status)) {
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, message);
   }
-  if (code == absl::StatusCode::kUnimplemented && message.empty()) {
-    return MakeError(code, Reason::kInternal, "the server has no such method");
-  }
-  return MakeError(code, DetailOf(absl::Status(code, message)).reason, message);
+  const bool unknown = code == absl::StatusCode::kUnimplemented && message.empty();
+  return MakeError(code, DetailOf(absl::Status(code, message)).reason,
+                   unknown ? "the server has no such method" : message);
 }
 
 }  // namespace

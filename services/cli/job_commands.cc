@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/model/error.h"
 #include "services/cli/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/jobs_client.h"
@@ -131,14 +130,9 @@ v1::JobState StateOf(const std::string& name) {
 absl::StatusOr<v1::ListJobsResponse> ListAll(JobsClient& client, const ListOptions& options) {
   v1::ListJobsRequest request;
   for (const std::string& state : options.states) request.add_states(StateOf(state));
-  for (const std::string& label : options.labels) {
-    const size_t equals = label.find('=');
-    if (equals == std::string::npos) {
-      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                       fmt::format("--label {}: key=value is needed", label));
-    }
-    (*request.mutable_labels())[label.substr(0, equals)] = label.substr(equals + 1);
-  }
+  const auto labels = ReadLabels(options.labels);
+  if (!labels.ok()) return labels.status();
+  request.mutable_labels()->insert(labels->begin(), labels->end());
   request.set_oldest_first(options.oldest_first);
   v1::ListJobsResponse all;
   do {

@@ -1,9 +1,13 @@
 #include "services/cli/server_options.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <optional>
 #include <utility>
 
+#include "common/model/error.h"
+#include "common/rpc/utf8.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {
@@ -27,6 +31,22 @@ JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* i
           .security = options.security,
           .patience = std::chrono::milliseconds(static_cast<int64_t>(options.patience_s * 1000)),
           .cancel = interrupt == nullptr ? CancelToken() : interrupt->Token()};
+}
+
+absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
+    const std::vector<std::string>& texts) {
+  const auto malformed = [](const std::string& text, const char* why) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("--label {}: {}", text, why));
+  };
+  std::map<std::string, std::string> labels;
+  for (const std::string& text : texts) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return malformed(text, "key=value is needed");
+    if (!rpc::IsUtf8(text)) return malformed(text, "is not UTF-8 text");
+    labels[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return labels;
 }
 
 absl::Status FetchResults(JobsClient& client, const v1::Job& job, const ResultFiles& files) {

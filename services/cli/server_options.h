@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "common/rpc/client_security.h"
 #include "services/cli/console.h"
@@ -21,6 +23,10 @@ void AddServerOptions(CLI::App& app, ServerOptions& options);
 
 /// `interrupt` null: the calls are not ended by Ctrl-C.
 JobsClientOptions ClientOptions(const ServerOptions& options, const Interrupt* interrupt);
+
+/// Of `--label key=value`, which may be repeated. Errors: REQUEST_MALFORMED.
+absl::StatusOr<std::map<std::string, std::string>> ReadLabels(
+    const std::vector<std::string>& texts);
 
 /// Where the results of a job go; empty: not wanted.
 struct ResultFiles {

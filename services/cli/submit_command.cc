@@ -1,14 +1,12 @@
 #include <fmt/core.h>
 #include <google/protobuf/util/time_util.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/model/error.h"
-#include "common/rpc/utf8.h"
 #include "common/wire/mesh_wire.h"
 #include "services/cli/commands.h"
 #include "services/cli/console.h"
@@ -38,19 +36,6 @@ struct SubmitOptions {
 
 absl::Status Malformed(const std::string& message) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
-
-absl::StatusOr<std::map<std::string, std::string>> LabelsOf(const SubmitOptions& options) {
-  std::map<std::string, std::string> labels;
-  for (const std::string& text : options.labels) {
-    const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      return Malformed(fmt::format("--label {}: key=value is needed", text));
-    }
-    if (!rpc::IsUtf8(text)) return Malformed(fmt::format("--label {}: is not UTF-8 text", text));
-    labels[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return labels;
 }
 
 /// As the standard wants it, what is no trace context is ignored.
@@ -90,7 +75,7 @@ v1::JobPriority PriorityOf(const std::string& name) {
 /// All of the request but the mesh's digest.
 absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
                                                const MeshFile& model) {
-  const auto labels = LabelsOf(options);
+  const auto labels = ReadLabels(options.labels);
   if (!labels.ok()) return labels.status();
   auto spec = SpecOf(options, model);
   if (!spec.ok()) return spec.status();

@@ -49,6 +49,14 @@ class SubmissionTest : public CoordinatorTest {
     return job.ok() ? AwaitEnd(job->id()) : v1::Job();
   }
 
+  absl::StatusOr<v1::BatchCreateJobsResponse> CreateBatch(const v1::BatchCreateJobsRequest& batch) {
+    grpc::ClientContext context;
+    v1::BatchCreateJobsResponse response;
+    const absl::Status status = rpc::FromGrpc(jobs_->BatchCreateJobs(&context, batch, &response));
+    if (!status.ok()) return status;
+    return response;
+  }
+
   v1::CreateJobRequest QuoteFor(const std::string& mesh) {
     v1::CreateJobRequest request = RequestFor(mesh);
     request.mutable_spec()->set_mode(v1::JOB_MODE_QUOTE);
@@ -234,9 +242,9 @@ TEST_F(SubmissionTest, ABatchTellsOfEachJob) {
   *batch.add_requests() = QuoteFor("xxx");
   *batch.add_requests() = RequestFor("xxx");
   batch.mutable_requests(3)->set_validate_only(true);
-  grpc::ClientContext context;
-  v1::BatchCreateJobsResponse response;
-  ASSERT_TRUE(jobs_->BatchCreateJobs(&context, batch, &response).ok());
+  const auto created = CreateBatch(batch);
+  ASSERT_TRUE(created.ok()) << created.status();
+  const v1::BatchCreateJobsResponse& response = *created;
   ASSERT_EQ(response.outcomes_size(), 4);
   EXPECT_EQ(AwaitEnd(response.outcomes(0).job().id()).state(), v1::JOB_STATE_SUCCEEDED);
   EXPECT_EQ(response.outcomes(1).error().reason(), "BLOB_NOT_FOUND");
@@ -247,10 +255,7 @@ TEST_F(SubmissionTest, ABatchTellsOfEachJob) {
 TEST_F(SubmissionTest, ABatchOfTooManyIsRefusedAsAWhole) {
   v1::BatchCreateJobsRequest batch;
   for (int i = 0; i <= limits::kMaxBatchJobs; ++i) *batch.add_requests() = RequestFor("xxx");
-  grpc::ClientContext context;
-  v1::BatchCreateJobsResponse response;
-  EXPECT_EQ(ReasonOf(rpc::FromGrpc(jobs_->BatchCreateJobs(&context, batch, &response))),
-            Reason::kRequestTooLarge);
+  EXPECT_EQ(ReasonOf(CreateBatch(batch).status()), Reason::kRequestTooLarge);
 }
 
 // All of what is made is told of in one message.
@@ -265,12 +270,10 @@ TEST_F(SubmissionTest, ABatchTellsOfLongErrorsInShort) {
     setting->set_key(std::string(60'000, 'k'));
     setting->set_value("1");
   }
-  grpc::ClientContext context;
-  v1::BatchCreateJobsResponse response;
-  const grpc::Status status = jobs_->BatchCreateJobs(&context, batch, &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
-  EXPECT_FALSE(response.outcomes(0).job().id().empty());
-  EXPECT_EQ(response.outcomes(60).error().reason(), "SETTING_UNKNOWN");
+  const auto response = CreateBatch(batch);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_FALSE(response->outcomes(0).job().id().empty());
+  EXPECT_EQ(response->outcomes(60).error().reason(), "SETTING_UNKNOWN");
 }
 
 TEST_F(SubmissionTest, ABatchWhoseAnswerWouldBeTooLongIsRefusedBeforeItIsMade) {
@@ -282,14 +285,8 @@ TEST_F(SubmissionTest, ABatchWhoseAnswerWouldBeTooLongIsRefusedBeforeItIsMade) {
     for (int label = 0; label < 60; ++label)
       (*each.mutable_labels())[absl::StrCat(label)] = std::string(1000, 'x');
   }
-  grpc::ClientContext context;
-  v1::BatchCreateJobsResponse response;
-  EXPECT_EQ(ReasonOf(rpc::FromGrpc(jobs_->BatchCreateJobs(&context, batch, &response))),
-            Reason::kRequestTooLarge);
-  grpc::ClientContext listing;
-  v1::ListJobsResponse jobs;
-  ASSERT_TRUE(jobs_->ListJobs(&listing, {}, &jobs).ok());
-  EXPECT_EQ(jobs.jobs_size(), 0);
+  EXPECT_EQ(ReasonOf(CreateBatch(batch).status()), Reason::kRequestTooLarge);
+  EXPECT_EQ(List().size(), 0);
 }
 
 TEST_F(SubmissionTest, ProfilesThatAreTooMuchTogetherAreRefused) {

@@ -28,9 +28,10 @@ std::string ListSql(const ListQuery& list) {
 /// Rows that are asked for at once: PostgreSQL sends all of them, and each has its spec.
 constexpr int32_t kRowsAtOnce = 16;
 
-/// One statement's part of a list, at the end of `jobs`; how many.
-absl::StatusOr<int64_t> AppendJobs(SqlConnection& db, const ListQuery& list,
-                                   std::vector<JobRecord>& jobs) {
+/// One statement's part of a list, at the end of `jobs`, whose specs have so many `bytes`; false:
+/// it is the last.
+absl::StatusOr<bool> AppendJobs(SqlConnection& db, const ListQuery& list,
+                                std::vector<JobRecord>& jobs, int64_t& bytes) {
   const std::string sql = ListSql(list);
   SqlQuery query(db, sql);
   if (!list.all_tenants) query.Bind(list.tenant);
@@ -41,40 +42,28 @@ absl::StatusOr<int64_t> AppendJobs(SqlConnection& db, const ListQuery& list,
   for (const JobState state : list.states) query.Bind(JobStateName(state));
   for (const auto& [key, value] : list.labels) query.Bind(key, value);
   query.Bind(list.limit);
-  int64_t count = 0;
-  for (; query.Next(); ++count) {
+  int32_t count = 0;
+  for (; bytes < kListedSpecBytes && query.Next(); ++count) {
     JobRecord& job = jobs.emplace_back();
     // A damaged one is told of where it stands, and keeps nobody from listing the others.
     if (absl::Status read = ReadJob(query, job); !read.ok()) job.error = JobErrorOf(read);
+    bytes += std::ssize(job.spec);
   }
   if (!query.status().ok()) return query.status();
-  return count;
-}
-
-/// Takes off the jobs after the one with whose spec they come to kListedSpecBytes; false: none
-/// does.
-bool CutToBytes(std::vector<JobRecord>& jobs) {
-  int64_t bytes = 0;
-  for (size_t i = 0; i < jobs.size(); ++i) {
-    bytes += std::ssize(jobs[i].spec);
-    if (bytes < kListedSpecBytes) continue;
-    jobs.resize(i + 1);
-    return true;
-  }
-  return false;
+  return bytes < kListedSpecBytes && count == list.limit;
 }
 
 }  // namespace
 
 absl::StatusOr<std::vector<JobRecord>> ListJobs(SqlConnection& db, const ListQuery& list) {
   std::vector<JobRecord> jobs;
+  int64_t bytes = 0;
   ListQuery part = list;
-  while (std::ssize(jobs) < list.limit) {
+  for (absl::StatusOr<bool> more = true; *more && std::ssize(jobs) < list.limit;) {
     part.limit = std::min(kRowsAtOnce, list.limit - static_cast<int32_t>(std::ssize(jobs)));
-    const auto count = AppendJobs(db, part, jobs);
-    if (!count.ok()) return count.status();
-    if (CutToBytes(jobs) || *count < part.limit) break;
-    part.after_number = jobs.back().number;
+    if (!jobs.empty()) part.after_number = jobs.back().number;
+    more = AppendJobs(db, part, jobs, bytes);
+    if (!more.ok()) return more.status();
   }
   return jobs;
 }

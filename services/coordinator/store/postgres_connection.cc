@@ -42,9 +42,6 @@ constexpr std::array<const char*, 8> kKeywords = {
 constexpr std::chrono::milliseconds kIdleLimit = std::chrono::seconds(5);
 constexpr std::string_view kIdleInTransaction = "25P03";
 
-/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
-constexpr size_t kMostPrepared = 128;
-
 using Clock = std::chrono::steady_clock;
 
 std::unique_ptr<pg_result, void (*)(pg_result*)> Own(pg_result* result) {

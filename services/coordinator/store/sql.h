@@ -49,6 +49,9 @@ class SqlStatement {
   virtual std::string Text(int column) const = 0;  ///< of a blob: its bytes
 };
 
+/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
+inline constexpr size_t kMostPrepared = 128;
+
 /// One connection. Not thread-safe: a user at a time.
 class SqlConnection {
  public:
@@ -56,7 +59,8 @@ class SqlConnection {
   virtual const SqlDialect& dialect() const = 0;
   /// Runs statements without parameters or results.
   virtual absl::Status Execute(const std::string& sql) = 0;
-  /// `sql` is prepared once a connection; no two runs of the same text at a time.
+  /// `sql` is prepared once a connection, the first kMostPrepared are; no two runs of the same text
+  /// at a time.
   virtual std::unique_ptr<SqlStatement> Prepare(std::string_view sql) = 0;
 };
 

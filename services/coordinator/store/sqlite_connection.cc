@@ -44,9 +44,6 @@ absl::Status ErrorOf(sqlite3* db, int code) {
   }
 }
 
-/// Statements that a connection keeps. Those of lists have their filters' shapes, which are many.
-constexpr size_t kMostPrepared = 128;
-
 class SqliteStatement : public SqlStatement {
  public:
   enum class Of { kConnection, kItself };
