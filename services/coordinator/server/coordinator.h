@@ -71,6 +71,7 @@ class Coordinator {
   const rpc::JsonLog log_;
   prometheus::Registry unseen_metrics_;
   MeteredJobStore jobs_;
+  MeteredJobStore runs_;
   MeteredBlobStores blobs_;
   StageSeconds stage_seconds_;
   JobPipeline pipeline_;

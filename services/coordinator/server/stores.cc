@@ -24,20 +24,25 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
   if (!blobs.ok()) return blobs.status();
   return Stores{.lock = *std::move(lock),
                 .jobs = std::make_unique<SqlJobStore>(database),
+                .runs = std::make_unique<SqlJobStore>(database),
                 .blobs = *std::move(blobs),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }
 
-/// Blobs have connections of their own, so that no transfer keeps jobs waiting.
+/// Runs and blobs have connections of their own, so that neither callers nor transfers keep jobs
+/// waiting.
 absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
   auto opened = PostgresDatabase::Open(conninfo);
   if (!opened.ok()) return opened.status();
   const std::shared_ptr<SqlDatabase> database = *std::move(opened);
+  auto runs = PostgresDatabase::Open(conninfo);
+  if (!runs.ok()) return runs.status();
   auto blobs = PostgresDatabase::Open(conninfo);
   if (!blobs.ok()) return blobs.status();
   return Stores{.lock = nullptr,
                 .jobs = std::make_unique<SqlJobStore>(database),
+                .runs = std::make_unique<SqlJobStore>(*std::move(runs)),
                 .blobs = MakePostgresBlobs(*std::move(blobs)),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database)};

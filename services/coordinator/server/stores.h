@@ -22,7 +22,9 @@ struct StoreOptions {
 /// What a coordinator keeps its state in.
 struct Stores {
   std::unique_ptr<StateLock> lock;  ///< of a directory
-  std::unique_ptr<JobStore> jobs;
+  std::unique_ptr<JobStore> jobs;   ///< as callers see them
+  /// The same ones, as those who run them see them: whatever callers ask for, leases are renewed.
+  std::unique_ptr<JobStore> runs;
   std::unique_ptr<BlobStores> blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;

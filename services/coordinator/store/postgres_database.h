@@ -14,10 +14,12 @@ namespace slicefarm::coordinator {
 /// and anew after the server was away.
 class PostgresDatabase : public SqlDatabase {
  public:
+  static constexpr int kConnections = 8;
+
   /// Brings the database to the present schema; several may do so at a time. Errors: STORE_FAILED
   /// (FailedPrecondition if its schema is newer than this build).
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
-                                                                int max_connections = 8);
+                                                                int max_connections = kConnections);
 
   absl::StatusOr<SqlSession> Read() override { return Take(); }
   absl::StatusOr<SqlSession> Write() override { return Take(); }
