@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/model/build_info.h"
+#include "common/rpc/certificate_metrics.h"
 #include "common/rpc/gate_metrics.h"
 #include "common/rpc/listen_address.h"
 #include "common/rpc/open_files.h"
@@ -127,6 +128,7 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
     return 1;
   }
   options.credentials = *std::move(credentials);
+  if (flags.tls.has_certificate()) metrics_.Show(std::make_shared<CertificateMetrics>(flags.tls));
   absl::StatusOr<std::unique_ptr<Server>> server =
       Server::Start(options, services, call_metrics_, queued);
   if (!server.ok()) {

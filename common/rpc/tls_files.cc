@@ -72,19 +72,36 @@ absl::Status CheckTimes(const std::string& path, X509* certificate) {
   return absl::OkStatus();
 }
 
-}  // namespace
-
-absl::Status CheckTlsFiles(const TlsFiles& files) {
-  if (const auto ca = ReadCertificate(files.ca); !ca.ok()) return ca.status();
-  if (!files.has_certificate()) return absl::OkStatus();
-  const auto certificate = ReadCertificate(files.cert);
-  if (!certificate.ok()) return certificate.status();
+/// The certificate, if it and its key are there and belong together.
+absl::StatusOr<Certificate> ReadPair(const TlsFiles& files) {
+  auto certificate = ReadCertificate(files.cert);
+  if (!certificate.ok()) return certificate;
   const auto key = ReadKey(files.key);
   if (!key.ok()) return key.status();
   if (X509_check_private_key(certificate->get(), key->get()) != 1) {
     return BadFile(files.key, "is not the key of " + files.cert);
   }
+  return certificate;
+}
+
+}  // namespace
+
+absl::Status CheckTlsFiles(const TlsFiles& files) {
+  if (const auto ca = ReadCertificate(files.ca); !ca.ok()) return ca.status();
+  if (!files.has_certificate()) return absl::OkStatus();
+  const auto certificate = ReadPair(files);
+  if (!certificate.ok()) return certificate.status();
   return CheckTimes(files.cert, certificate->get());
+}
+
+absl::StatusOr<std::time_t> CertificateExpiry(const TlsFiles& files) {
+  const auto certificate = ReadPair(files);
+  if (!certificate.ok()) return certificate.status();
+  std::tm until = {};
+  if (ASN1_TIME_to_tm(X509_get0_notAfter(certificate->get()), &until) != 1) {
+    return BadFile(files.cert, "has no time of its end");
+  }
+  return timegm(&until);
 }
 
 }  // namespace slicefarm::rpc

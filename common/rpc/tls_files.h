@@ -1,8 +1,10 @@
 #pragma once
 
+#include <ctime>
 #include <string>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 
 namespace slicefarm::rpc {
 
@@ -20,5 +22,9 @@ struct TlsFiles {
 /// connect. Errors, naming the file: REQUEST_MALFORMED if one cannot be read or the key is not the
 /// certificate's; UNAUTHENTICATED if the certificate is not valid yet, or not any more.
 absl::Status CheckTlsFiles(const TlsFiles& files);
+
+/// When the certificate expires. Errors: REQUEST_MALFORMED as above.
+/// REQUIRES: files.has_certificate().
+absl::StatusOr<std::time_t> CertificateExpiry(const TlsFiles& files);
 
 }  // namespace slicefarm::rpc

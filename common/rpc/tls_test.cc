@@ -6,6 +6,7 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "common/model/error.h"
 #include "common/rpc/authorizer.h"
 #include "common/rpc/bearer_token.h"
+#include "common/rpc/certificate_metrics.h"
 #include "common/rpc/channel.h"
 #include "common/rpc/client_call.h"
 #include "common/rpc/dev_certs_test.h"
@@ -290,6 +292,24 @@ TEST(TlsFiles, AreLookedAtBeforeTheyAreUsed) {
   fails(files, Reason::kRequestMalformed, files.ca);
   files = certs.Make("tenant/a", 0);
   fails(files, Reason::kUnauthenticated, files.cert);
+}
+
+TEST(CertificateMetrics, SayWhenTheFilesOfNowExpire) {
+  DevCerts certs;
+  const TlsFiles files = certs.Make("worker", 10);
+  const CertificateMetrics metrics(files);
+  const auto days_left = [&] {
+    const double expiry = metrics.Collect().at(0).metric.at(0).gauge.value;
+    return (expiry - static_cast<double>(std::time(nullptr))) / 86'400;
+  };
+  EXPECT_NEAR(days_left(), 10, 0.1);
+  certs.Make("worker", 20);
+  EXPECT_NEAR(days_left(), 20, 0.1);
+  certs.Make("worker", 0);
+  EXPECT_NEAR(days_left(), 0, 0.1);
+  std::filesystem::copy(certs.Make("coordinator").key, files.key,
+                        std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(metrics.Collect().at(0).metric.at(0).gauge.value, 0);
 }
 
 TEST(Identity, NamesATenantOrNot) {

@@ -26,6 +26,7 @@ absl::StatusOr<std::optional<JobRecord>> FindRequested(SqlConnection& db, const 
   }
   if (query.Text(1) != job.spec_digest) return RequestIdReused(job.request_id);
   auto found = FindJob(db, query.Text(0));
+  if (absl::IsNotFound(found.status())) return std::nullopt;  // deleted since
   if (!found.ok()) return found.status();
   return *std::move(found);
 }
