@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Every service as a process of its own on this machine, without containers.
 #
-#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N] [--tls]
+#   deploy/local.sh up [--workers N] [--mode fused|split] [--port P] [--store sqlite|postgres] [--coordinators N]
+#                      [--metrics-port M] [--tls]
 #   deploy/local.sh status
 #   deploy/local.sh down
 #
@@ -9,6 +10,7 @@
 #          ports above it). fused: N workers with the four layer stages in each. split: N replicas of each layer stage.
 #          sqlite: jobs and blobs in a directory. postgres: in a database, which N coordinators share, all of them active;
 #          it is SLICEFARM_POSTGRES (a connection string), or one of a server that is started here.
+#          --metrics-port: coordinators serve /metrics and /statusz on 127.0.0.1:M and the ports above it.
 #          --tls: with certificates of deploy/dev-certs.sh, in $SLICEFARM_STATE/certs; it says what clients need.
 # down     asks all to finish (SIGTERM) and waits for them. Jobs that are not done go on at the next `up`.
 #
@@ -20,7 +22,7 @@ cd "$(dirname "$0")/.."
 bin=${SLICEFARM_BIN:-build/bin}
 state=${SLICEFARM_STATE:-build/local}
 
-usage() { sed -n '2,17s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { sed -n '2,19s/^# \{0,1\}//p' "$0"; exit 2; }
 die() { echo "local.sh: $*" >&2; exit 1; }
 
 # Whether the process of a pid file is the program that was started under its name: after a reboot, or when the numbers
@@ -52,7 +54,7 @@ await() {
 }
 
 up() {
-  local workers=2 mode=fused port=50050 store=sqlite coordinators=1 tls=0
+  local workers=2 mode=fused port=50050 store=sqlite coordinators=1 metrics_port='' tls=0
   while [[ $# -gt 0 ]]; do
     case "$1" in
       --workers) workers=${2:?}; shift 2 ;;
@@ -60,6 +62,7 @@ up() {
       --port) port=${2:?}; shift 2 ;;
       --store) store=${2:?}; shift 2 ;;
       --coordinators) coordinators=${2:?}; shift 2 ;;
+      --metrics-port) metrics_port=${2:?}; shift 2 ;;
       --tls) tls=1; shift ;;
       *) usage ;;
     esac
@@ -68,6 +71,7 @@ up() {
   [[ "$mode" == fused || "$mode" == split ]] || die "--mode $mode: fused or split"
   [[ "$store" == sqlite || "$store" == postgres ]] || die "--store $store: sqlite or postgres"
   [[ "$coordinators" =~ ^[1-9][0-9]*$ ]] || die "--coordinators $coordinators: a number from 1 is needed"
+  [[ "$metrics_port" =~ ^[0-9]*$ ]] || die "--metrics-port $metrics_port: a port is needed"
   [[ "$coordinators" -eq 1 || "$store" == postgres ]] || die "--coordinators $coordinators: several share a database: --store postgres"
   [[ -x "$bin/slicefarm-coordinator" ]] || die "no programs in $bin: run deploy/setup.sh, then cmake --preset release && cmake --build --preset release"
   mkdir -p "$state/log" "$state/pid" "$state/coordinator"
@@ -103,6 +107,7 @@ up() {
     for stage in beading infill ordering motion; do replicas "$stage" "$workers" "$stage"; done
   fi
   if [[ "$store" == sqlite ]]; then
+    unset SLICEFARM_POSTGRES # it would be a second place
     pools+=(--state-dir "$state/coordinator")
   else
     [[ -n "${SLICEFARM_POSTGRES:-}" ]] || SLICEFARM_POSTGRES=$(deploy/postgres/server.sh start "$state/postgres")
@@ -111,9 +116,10 @@ up() {
   local addresses=()
   use_certs coordinator
   for i in $(seq "$coordinators"); do
-    local at=$port
+    local at=$port metrics=()
+    [[ -z "$metrics_port" ]] || metrics=(--metrics-port $((metrics_port + i - 1)))
     [[ $i -eq 1 ]] || { at=$next; next=$((next + 1)); }
-    start "coordinator-$i" "$bin/slicefarm-coordinator" --listen "127.0.0.1:$at" --name "coordinator-$i" "${pools[@]}"
+    start "coordinator-$i" "$bin/slicefarm-coordinator" --listen "127.0.0.1:$at" --name "coordinator-$i" "${metrics[@]}" "${pools[@]}"
     await "coordinator-$i" "127.0.0.1:$at"
     addresses+=("127.0.0.1:$at")
   done
