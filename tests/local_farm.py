@@ -1,5 +1,6 @@
 """A farm of real processes on this machine, for the programs that put it under load or kill parts of it."""
 import contextlib
+import http.client
 import json
 import os
 import pathlib
@@ -75,11 +76,11 @@ class Service:
         return pathlib.Path(f"/proc/{self.process.pid}/{name}").read_text()
 
     def metric(self, name):
-        """Sum over its labels; None while the service is being started."""
+        """Sum over its labels; None while the service is not there."""
         try:
             with urllib.request.urlopen(f"http://127.0.0.1:{self.metrics_port}/metrics", timeout=2) as page:
                 lines = page.read().decode().splitlines()
-        except OSError:
+        except (OSError, http.client.HTTPException):  # it may be killed in the middle of its answer
             return None
         return sum(float(line.split()[-1]) for line in lines if line.startswith(name))
 

@@ -48,7 +48,7 @@ processes() {
 
 signal() {
   local all
-  read -ra all < <(processes) && kill -"$1" "${all[@]}"
+  read -ra all < <(processes) && kill -"$1" "${all[@]}" 2>/dev/null # some may have ended since
 }
 
 case $command in
