@@ -13,6 +13,7 @@
 
 #include "common/model/temp_directory_test.h"
 #include "common/model/trace_context.h"
+#include "common/rpc/dev_certs_test.h"
 #include "nlohmann/json.hpp"
 #include "services/coordinator/server/coordinator_client_test.h"
 #include "tests/corpus_file.h"
@@ -37,6 +38,20 @@ class ShownProcess {
 
   std::string Get(const std::string& path) const {
     return HttpGet(std::stoi(metrics_.substr(metrics_.rfind(':') + 1)), path);
+  }
+
+  /// Names of all metrics that it shows, those of histograms' series too.
+  std::set<std::string> MetricNames() const {
+    static const std::regex kType("# TYPE (\\w+) (\\w+)");
+    std::set<std::string> names;
+    const std::string text = Get("/metrics");
+    for (std::sregex_iterator type(text.begin(), text.end(), kType), end; type != end; ++type) {
+      const std::string name = (*type)[1];
+      names.insert(name);
+      if ((*type)[2] != "histogram") continue;
+      for (const char* series : {"_bucket", "_sum", "_count"}) names.insert(name + series);
+    }
+    return names;
   }
 
   /// Waits for a log line with this text, and gives it.
@@ -75,22 +90,6 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
     ASSERT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
   }
 
-  /// Names of all metrics that are shown, those of histograms' series too.
-  std::set<std::string> Names() const {
-    static const std::regex kType("# TYPE (\\w+) (\\w+)");
-    std::set<std::string> names = {"up"};  // Prometheus' own
-    for (const ShownProcess* process : {&slicing_, &motion_, &worker_, &coordinator_}) {
-      const std::string text = process->Get("/metrics");
-      for (std::sregex_iterator type(text.begin(), text.end(), kType), end; type != end; ++type) {
-        const std::string name = (*type)[1];
-        names.insert(name);
-        if ((*type)[2] != "histogram") continue;
-        for (const char* series : {"_bucket", "_sum", "_count"}) names.insert(name + series);
-      }
-    }
-    return names;
-  }
-
   TempDirectory state_;
   ShownProcess slicing_{"slicefarm-slicing"};
   ShownProcess motion_{"slicefarm-motion"};
@@ -117,8 +116,15 @@ std::set<std::string> NamesIn(const std::string& path) {
 }
 
 TEST_F(ObservabilityTest, DashboardsAndAlertsNameWhatThereIs) {
-  std::set<std::string> there = Names();
-  there.insert("slicefarm_tenants_file_usable");  // with --tenants
+  rpc::DevCerts certs;
+  const rpc::TlsFiles tls = certs.Make("worker");
+  ShownProcess secure("slicefarm-worker",
+                      {"--tls-cert", tls.cert, "--tls-key", tls.key, "--tls-ca", tls.ca});
+  std::set<std::string> there = {"up",                              // Prometheus' own
+                                 "slicefarm_tenants_file_usable"};  // with --tenants
+  for (const ShownProcess* process : {&slicing_, &motion_, &worker_, &coordinator_, &secure}) {
+    there.merge(process->MetricNames());
+  }
   for (const char* file : {"alerts.yml", "alerts_test.yml", "grafana.json", "adapter.yml"}) {
     const std::string path = std::string(SLICEFARM_SOURCE) + "/deploy/monitoring/" + file;
     const std::set<std::string> named = NamesIn(path);
