@@ -123,9 +123,11 @@ up() {
     await "coordinator-$i" "127.0.0.1:$at"
     addresses+=("127.0.0.1:$at")
   done
-  echo "up: $mode, $workers replicas; submit to $(IFS=,; echo "${addresses[*]}")"
+  local server=${addresses[0]}
+  [[ $coordinators -eq 1 ]] || server="ipv4:$(IFS=,; echo "${addresses[*]}")" # the one that is there
+  echo "up: $mode, $workers replicas; submit with --server $server"
   use_certs tenant-dev
-  [[ $tls -eq 0 ]] || echo "export SLICEFARM_TLS_CERT=$SLICEFARM_TLS_CERT SLICEFARM_TLS_KEY=$SLICEFARM_TLS_KEY SLICEFARM_TLS_CA=$SLICEFARM_TLS_CA"
+  [[ $tls -eq 0 ]] || echo "export SLICEFARM_TLS_CERT=$SLICEFARM_TLS_CERT SLICEFARM_TLS_KEY=$SLICEFARM_TLS_KEY SLICEFARM_TLS_CA=$SLICEFARM_TLS_CA SLICEFARM_TLS_SERVER_NAME=localhost"
 }
 
 status() {

@@ -13,7 +13,9 @@
 namespace slicefarm::cli {
 
 void AddServerOptions(CLI::App& app, ServerOptions& options) {
-  app.add_option("--server", options.server, "The coordinator")
+  app.add_option("--server", options.server,
+                 "The coordinator; of several: a name with the addresses of all, or "
+                 "ipv4:A:PORT,B:PORT")
       ->envname("SLICEFARM_SERVER")
       ->capture_default_str()
       ->type_name("HOST:PORT");
