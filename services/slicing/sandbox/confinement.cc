@@ -81,7 +81,7 @@ using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 /// Each returns 0 or a negative errno, as libseccomp does.
 int AllowWrites(scmp_filter_ctx filter) {
   return seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(write), 1,
-                          SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO));
+                          SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO, 0));
 }
 
 /// Memory of no file, and none to run code from: nothing can be made executable any more.
