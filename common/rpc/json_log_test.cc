@@ -1,6 +1,7 @@
 #include "common/rpc/json_log.h"
 
 #include <gmock/gmock.h>
+#include <google/protobuf/stubs/logging.h>
 #include <grpc/support/log.h>
 #include <gtest/gtest.h>
 #include <spdlog/sinks/ostream_sink.h>
@@ -11,7 +12,8 @@
 #include <sstream>
 
 #include "common/model/build_info.h"
-#include "common/rpc/grpc_log.h"
+#include "common/rpc/library_log.h"
+#include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -41,13 +43,20 @@ TEST_F(JsonLogTest, WritesOneObjectALine) {
               testing::MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}\\.[0-9]{3}Z"));
 }
 
-TEST_F(JsonLogTest, HasWhatGrpcSays) {
-  LogGrpcTo(log_);
+TEST_F(JsonLogTest, HasWhatLibrariesSay) {
+  LogLibrariesTo(log_);
+  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // which otherwise its first channel does
   gpr_log("core/lib/ssl.cc", 7, GPR_LOG_SEVERITY_ERROR, "Invalid %s key.", "private");
   gpr_set_log_function(nullptr);
   EXPECT_EQ(Line()["level"], "warning");
   EXPECT_EQ(Line()["msg"], "grpc ssl.cc");
   EXPECT_EQ(Line()["error"], "Invalid private key.");
+  out_.str("");
+  v1::GetJobRequest request;
+  EXPECT_FALSE(request.ParseFromString("\x0a\x01\xff"));
+  google::protobuf::SetLogHandler(nullptr);
+  EXPECT_EQ(Line()["msg"], "protobuf wire_format_lite.cc");
+  EXPECT_THAT(Line()["error"].get<std::string>(), testing::HasSubstr("GetJobRequest.id"));
 }
 
 TEST_F(JsonLogTest, NamesTheLevel) {

@@ -10,8 +10,8 @@
 #include "common/rpc/authorizer.h"
 #include "common/rpc/call_gate.h"
 #include "common/rpc/call_metrics.h"
-#include "common/rpc/grpc_log.h"
 #include "common/rpc/json_log.h"
+#include "common/rpc/library_log.h"
 #include "common/rpc/metrics.h"
 #include "common/rpc/server.h"
 #include "common/rpc/shutdown_signal.h"
@@ -48,7 +48,7 @@ class ServerProgram {
  public:
   /// `name`: `beading` of slicefarm-beading.
   explicit ServerProgram(std::string name) : log_(name), call_metrics_(metrics_.registry()) {
-    LogGrpcTo(log_);
+    LogLibrariesTo(log_);
   }
 
   const JsonLog& log() const { return log_; }
