@@ -44,6 +44,7 @@ TEST_F(JsonLogTest, WritesOneObjectALine) {
 }
 
 TEST_F(JsonLogTest, HasWhatLibrariesSay) {
+  auto* const protobufs_own = google::protobuf::SetLogHandler(nullptr);
   LogLibrariesTo(log_);
   gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // which otherwise its first channel does
   gpr_log("core/lib/ssl.cc", 7, GPR_LOG_SEVERITY_ERROR, "Invalid %s key.", "private");
@@ -54,7 +55,7 @@ TEST_F(JsonLogTest, HasWhatLibrariesSay) {
   out_.str("");
   v1::GetJobRequest request;
   EXPECT_FALSE(request.ParseFromString("\x0a\x01\xff"));
-  google::protobuf::SetLogHandler(nullptr);
+  google::protobuf::SetLogHandler(protobufs_own);
   EXPECT_EQ(Line()["msg"], "protobuf wire_format_lite.cc");
   EXPECT_THAT(Line()["error"].get<std::string>(), testing::HasSubstr("GetJobRequest.id"));
 }

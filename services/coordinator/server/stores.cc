@@ -35,15 +35,11 @@ absl::StatusOr<Stores> OpenDirectory(const std::string& directory) {
 absl::StatusOr<Stores> OpenPostgres(const std::string& conninfo) {
   auto opened = PostgresDatabase::Open(conninfo);
   if (!opened.ok()) return opened.status();
-  const std::shared_ptr<SqlDatabase> database = *std::move(opened);
-  auto runs = PostgresDatabase::Open(conninfo);
-  if (!runs.ok()) return runs.status();
-  auto blobs = PostgresDatabase::Open(conninfo);
-  if (!blobs.ok()) return blobs.status();
+  const std::shared_ptr<PostgresDatabase> database = *std::move(opened);
   return Stores{.lock = nullptr,
                 .jobs = std::make_unique<SqlJobStore>(database),
-                .runs = std::make_unique<SqlJobStore>(*std::move(runs)),
-                .blobs = MakePostgresBlobs(*std::move(blobs)),
+                .runs = std::make_unique<SqlJobStore>(database->More()),
+                .blobs = MakePostgresBlobs(database->More()),
                 .profiles = std::make_unique<SqlProfileStore>(database),
                 .webhooks = std::make_unique<SqlWebhookStore>(database)};
 }

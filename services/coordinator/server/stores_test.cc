@@ -6,7 +6,6 @@
 #include <thread>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
 #include "services/coordinator/store/postgres_connection.h"
 #include "services/coordinator/store/postgres_database.h"
 #include "services/coordinator/store/shared_postgres_test.h"

@@ -81,6 +81,20 @@ TEST(SqliteSchema, KeepsWhatOldDatabasesHold) {
   EXPECT_EQ(store->Create(again, 30)->job.id, "a");
 }
 
+// PostgreSQL shows each statement what was committed before it: a deletion may come in between two.
+TEST(SqlJobStore, ARequestWhoseJobIsBeingDeletedIsToBeMadeAgain) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  const auto store = *OpenSqliteJobStore(path);
+  NewJob job;
+  job.id = job.action_digest = "a";
+  job.request_id = "r";
+  ASSERT_TRUE(store->Create(job, 5).ok());
+  ASSERT_TRUE((*SqliteConnection::Open(path))->Execute("DELETE FROM jobs").ok());
+  const absl::Status again = store->Create(job, 6).status();
+  EXPECT_TRUE(absl::IsUnavailable(again)) << again;
+}
+
 TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
   TempDirectory directory;
   const std::string path = directory.path() + "/jobs.db";
