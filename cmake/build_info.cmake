@@ -1,6 +1,6 @@
 # cmake -D SOURCE_DIR=.. -D TEMPLATE=.. -D OUTPUT=.. -D VERSION=.. -D RELEASE_DATE=.. -P build_info.cmake
 #
-# Fills in common/model/build_info.cc.in. The build id is a digest over the names and contents of all files that decide
+# Fills in common/base/build_info.cc.in. The build id is a digest over the names and contents of all files that decide
 # what the programs compute, not over a commit: an image is built from a copy of the tree without its repository. A file *_test.{h,cc} is in no program,
 # so a changed test neither empties the cache nor parts a worker from its coordinator.
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR}

@@ -10,7 +10,7 @@ model=${1:-tests/corpus/models/benchy.stl}
 
 deploy/setup.sh
 cmake --preset release
-cmake --build --preset release
+cmake --build --preset release --target programs
 
 out=demo-out
 name=$(basename "${model%.*}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the documentation names must be there:
 
-  - the reasons of errors: the same in common/model/error.cc, error_reason.proto and proto/slicefarm/v1/README.md, and each
+  - the reasons of errors: the same in common/base/error.cc, error_reason.proto and proto/slicefarm/v1/README.md, and each
     looked for by a test;
   - tests: every `Suite.Name` (or `.Name` after one) in a table of services/coordinator/README.md.
 
@@ -24,7 +24,7 @@ def test_sources():
 
 
 def check_reasons():
-    names = re.findall(r'\{Reason::(k\w+), "(\w+)"\}', read("common/model/error.cc"))
+    names = re.findall(r'\{Reason::(k\w+), "(\w+)"\}', read("common/base/error.cc"))
     known = {name for _, name in names}
     enum = set(re.findall(r"^  ([A-Z_]+) = [1-9]\d*;", read("proto/slicefarm/v1/error_reason.proto"), re.M))
     table = set(re.findall(r"^\| ([A-Z_]+) \|", read("proto/slicefarm/v1/README.md"), re.M))

@@ -3,7 +3,7 @@
 
 usage: check_layers.py [repo root]        exit 1 and one line per violation
 
-The way is geometry <- model <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
+The way is base <- geometry <- model <- config, stage, algo <- wire, rpc, sandbox <- remote, store <- run <- server, sim, client;
 a service never includes another one, except in the two places where whole programs are put together: services/worker and
 services/cli.
 """
@@ -12,11 +12,12 @@ import re
 import sys
 
 WIRE, GRPC = r"\.pb\.h$", r"^grpc"
-PURE = {"model", "geometry"}
+PURE = {"base", "model", "geometry"}
 EDGE = PURE | {"config", "stage", "wire", "rpc", "algo"}
 # layer: (path pattern, layers it may include, system and generated headers it must not include)
 LAYERS = [
-    ("geometry", r"common/geometry/", {"geometry"}, f"{WIRE}|{GRPC}"),
+    ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
+    ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
     ("config", r"common/config/", PURE | {"config"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "common/config/value.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::config {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "common/config/setting_limits.h"
-#include "common/model/error.h"
-#include "common/model/text.h"
+#include "common/base/error.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "common/config/settings_table.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -14,9 +14,9 @@
 #include "common/config/setting_limits.h"
 #include "common/config/settings_table.h"
 #include "common/config/suggest.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

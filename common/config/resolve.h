@@ -6,22 +6,13 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/told_settings.h"
+#include "common/model/setting.h"
 #include "common/model/settings.h"
 
 namespace slicefarm::config {
 
-/// Who asks: a whole profile, of which many keys may mean nothing here, or a person who names what
-/// they want.
-enum class Source { kProfile, kRequest };
-
-/// A key of a config.ini and its value, as text: newlines as `\n`.
-struct Setting {
-  std::string key;
-  std::string value;
-  Source source = Source::kRequest;
-
-  friend bool operator==(const Setting&, const Setting&) = default;
-};
+using slicefarm::Setting;
+using slicefarm::Source;
 
 struct ResolvedSettings {
   JobSettings settings;

@@ -12,9 +12,9 @@
 
 #include "common/config/ini.h"
 #include "common/config/settings_table.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/config/settings_sections.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/config/known_keys.h"
-#include "common/model/error.h"
-#include "common/model/text.h"
+#include "common/base/error.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "common/config/known_keys.h"
 #include "common/config/settings_table.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -11,7 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/simple_rings.h"
 #include "common/model/limits.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm {
 namespace {

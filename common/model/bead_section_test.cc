@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 
 namespace slicefarm::rpc {

@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "absl/status/status.h"
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 
 namespace slicefarm::rpc {
 

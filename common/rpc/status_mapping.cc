@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/utf8.h"
 #include "slicefarm/v1/error_details.pb.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "slicefarm/v1/error_details.pb.h"
 
 namespace slicefarm::rpc {

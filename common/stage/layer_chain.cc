@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "common/model/error.h"
-#include "common/stage/stopwatch.h"
+#include "common/base/error.h"
+#include "common/base/stopwatch.h"
 
 namespace slicefarm {
 

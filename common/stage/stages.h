@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 #include "common/model/layer.h"
 #include "common/model/mesh.h"
 #include "common/model/program_summary.h"
 #include "common/model/settings.h"
-#include "common/model/trace_context.h"
+#include "common/base/trace_context.h"
 
 namespace slicefarm {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/wire_error.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/wire/every_field.h"
 #include "common/wire/path_wire.h"
 #include "google/protobuf/util/message_differencer.h"

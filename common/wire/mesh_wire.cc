@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/repeated_wire.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/wire/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
 

@@ -6,8 +6,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/cancel_token.h"
-#include "common/model/error.h"
+#include "common/base/cancel_token.h"
+#include "common/base/error.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/wire_error.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <limits>
 
-#include "common/model/build_info.h"
-#include "common/model/error.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
 #include "common/wire/every_field.h"
 #include "common/wire/stage_call_wire.h"
 #include "google/protobuf/util/message_differencer.h"

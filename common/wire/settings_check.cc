@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/wire_error.h"
 #include "google/protobuf/descriptor.h"

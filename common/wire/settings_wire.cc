@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"

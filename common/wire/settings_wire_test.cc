@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/every_field.h"
 #include "google/protobuf/text_format.h"

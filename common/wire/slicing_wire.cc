@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/mesh_wire.h"
 #include "common/wire/repeated_wire.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm {
 namespace {

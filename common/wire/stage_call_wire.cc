@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "common/model/build_info.h"
-#include "common/model/error.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
 #include "common/wire/wire_error.h"
 
 namespace slicefarm {

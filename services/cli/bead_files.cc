@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "common/geometry/boolean.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {

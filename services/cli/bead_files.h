@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
-#include "services/beading/algo/variable_walls.h"
+#include "services/beading/algo/arachne/variable_walls.h"
 
 namespace slicefarm::cli {
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "services/beading/algo/constant_walls.h"
-#include "services/beading/algo/gap_fill.h"
+#include "services/beading/algo/classic/constant_walls.h"
+#include "services/beading/algo/classic/gap_fill.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
-#include "services/beading/algo/wide_walls.h"
+#include "services/beading/algo/arachne/wide_walls.h"
 
 namespace slicefarm::cli {
 namespace {

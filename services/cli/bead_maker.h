@@ -5,7 +5,7 @@
 
 #include "common/geometry/polygon.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
-#include "services/beading/algo/variable_walls.h"
+#include "services/beading/algo/arachne/variable_walls.h"
 
 namespace slicefarm::cli {
 

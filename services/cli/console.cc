@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::cli {
 

@@ -1,6 +1,6 @@
 #include "services/cli/exit_code.h"
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::cli {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/cli/console.h"
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"

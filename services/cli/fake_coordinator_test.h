@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "common/rpc/status_mapping.h"
-#include "common/rpc/trace_metadata.h"
+#include "common/rpc/observe/trace_metadata.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 
 namespace slicefarm::cli {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "common/model/error.h"
-#include "common/model/temp_directory_test.h"
+#include "common/base/error.h"
+#include "common/base/temp_directory_test.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 
 namespace slicefarm::cli {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "common/config/ini.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/text.h"
+#include "common/base/text.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/files.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {

@@ -8,11 +8,11 @@
 #include <random>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/model/sha256.h"
-#include "common/rpc/channel.h"
-#include "common/rpc/client_call.h"
+#include "common/base/sha256.h"
+#include "common/rpc/client/channel.h"
+#include "common/rpc/client/client_call.h"
 #include "common/rpc/retry_after.h"
 #include "common/rpc/status_mapping.h"
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/model/cancel_token.h"
-#include "common/model/trace_context.h"
-#include "common/rpc/client_security.h"
-#include "common/stage/stopwatch.h"
+#include "common/base/cancel_token.h"
+#include "common/base/trace_context.h"
+#include "common/rpc/security/client_security.h"
+#include "common/base/stopwatch.h"
 #include "services/cli/files.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "services/cli/fake_coordinator_test.h"
 
 namespace slicefarm::cli {

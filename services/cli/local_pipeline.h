@@ -4,8 +4,8 @@
 
 #include "common/stage/layer_chain.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/dispatcher.h"
-#include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 
 namespace slicefarm::cli {
 

@@ -5,8 +5,8 @@
 #include <exception>
 #include <string>
 
-#include "common/model/build_info.h"
-#include "services/cli/commands.h"
+#include "common/base/build_info.h"
+#include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/exit_code.h"
 #include "services/cli/interrupt.h"

@@ -16,14 +16,14 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/sha256.h"
-#include "common/model/temp_directory_test.h"
+#include "common/base/sha256.h"
+#include "common/base/temp_directory_test.h"
 #include "services/cli/exit_code.h"
 #include "services/cli/fake_coordinator_test.h"
 #include "services/cli/files.h"
-#include "services/cli/gcode_layer.h"
-#include "services/cli/layer_drawing.h"
-#include "services/cli/picture_test.h"
+#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/layer_drawing.h"
+#include "services/cli/render/picture_test.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 
 extern char** environ;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/files.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/rpc/client_security.h"
+#include "common/rpc/security/client_security.h"
 #include "services/cli/console.h"
 #include "services/cli/interrupt.h"
 #include "services/cli/jobs_client.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "common/model/duration_text.h"
+#include "common/base/duration_text.h"
 
 namespace slicefarm::cli {
 

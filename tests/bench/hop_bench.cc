@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "common/rpc/identity.h"
-#include "common/rpc/tls.h"
+#include "common/rpc/security/identity.h"
+#include "common/rpc/security/tls.h"
 #include "common/stage/layer_chain.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/program_wire.h"
 #include "services/beading/algo/local_beading_stage.h"
-#include "services/coordinator/algo/layer_plan.h"
-#include "services/coordinator/algo/range_split.h"
+#include "services/coordinator/algo/pipeline/layer_plan.h"
+#include "services/coordinator/algo/pipeline/range_split.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/geometry/offset.h"
-#include "services/beading/algo/boundary.h"
+#include "services/beading/algo/skeleton/boundary.h"
 #include "services/beading/algo/sample_outlines_test.h"
 #include "services/cli/bead_files.h"
 #include "services/cli/bead_maker.h"

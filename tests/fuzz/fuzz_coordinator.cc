@@ -8,11 +8,11 @@
 #include <set>
 #include <string>
 
-#include "common/rpc/call_queue.h"
-#include "services/coordinator/algo/dispatcher.h"
-#include "services/coordinator/server/coordinator.h"
-#include "services/coordinator/server/fake_stages_test.h"
-#include "services/coordinator/store/sqlite_connection.h"
+#include "common/rpc/server/call_queue.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/server/main/coordinator.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/store/sql/sqlite_connection.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"
 #include "slicefarm/v1/profiles.grpc.pb.h"
 #include "tests/fuzz/calls.pb.h"

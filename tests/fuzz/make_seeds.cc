@@ -10,7 +10,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
-#include "common/model/sha256.h"
+#include "common/base/sha256.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/program_wire.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "absl/status/status.h"
-#include "common/model/build_info.h"
-#include "common/model/cancel_token.h"
+#include "common/base/build_info.h"
+#include "common/base/cancel_token.h"
 #include "google/protobuf/repeated_field.h"
 
 namespace slicefarm::fuzz {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/postgres_server.h"

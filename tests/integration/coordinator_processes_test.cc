@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/sha256.h"
-#include "common/model/temp_directory_test.h"
+#include "common/base/sha256.h"
+#include "common/base/temp_directory_test.h"
 #include "tests/integration/child_process.h"
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/http_get.h"

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/tcp_proxy.h"
 

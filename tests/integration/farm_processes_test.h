@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/temp_directory_test.h"
-#include "services/coordinator/server/coordinator_client_test.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/server/api/coordinator_client_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 

@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
-#include "services/coordinator/algo/layer_plan.h"
+#include "services/coordinator/algo/pipeline/layer_plan.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/temp_directory_test.h"
+#include "common/base/error.h"
+#include "common/base/temp_directory_test.h"
 #include "services/slicing/sandbox/processes_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "common/model/temp_directory_test.h"
-#include "common/model/trace_context.h"
-#include "common/rpc/dev_certs_test.h"
+#include "common/base/temp_directory_test.h"
+#include "common/base/trace_context.h"
+#include "common/rpc/security/dev_certs_test.h"
 #include "nlohmann/json.hpp"
-#include "services/coordinator/server/coordinator_client_test.h"
+#include "services/coordinator/server/api/coordinator_client_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 #include "tests/integration/http_get.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "services/coordinator/store/postgres_connection.h"
+#include "services/coordinator/store/sql/postgres_connection.h"
 
 namespace slicefarm {
 

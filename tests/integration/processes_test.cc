@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/rpc/channel.h"
+#include "common/rpc/client/channel.h"
 #include "common/stage/layer_chain.h"
 #include "common/wire/slicing_wire.h"
 #include "services/coordinator/remote/remote_stages.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/rpc/channel.h"
+#include "common/rpc/client/channel.h"
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/remote_worker.h"
 

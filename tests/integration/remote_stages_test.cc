@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "common/model/build_info.h"
-#include "common/model/error.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
 #include "common/rpc/event_test.h"
 #include "common/rpc/status_mapping.h"
 #include "slicefarm/v1/beading.grpc.pb.h"

@@ -14,12 +14,12 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
-#include "common/model/temp_directory_test.h"
-#include "common/rpc/dev_certs_test.h"
-#include "common/rpc/tls.h"
-#include "services/coordinator/server/coordinator_client_test.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "common/base/temp_directory_test.h"
+#include "common/rpc/security/dev_certs_test.h"
+#include "common/rpc/security/tls.h"
+#include "services/coordinator/server/api/coordinator_client_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "common/rpc/call_gate.h"
-#include "common/rpc/metrics.h"
-#include "common/rpc/server.h"
+#include "common/rpc/server/call_gate.h"
+#include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/server.h"
 #include "common/stage/stages.h"
 #include "services/beading/server/beading_service.h"
 #include "services/infill/server/infill_service.h"

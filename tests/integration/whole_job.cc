@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "services/cli/local_pipeline.h"
-#include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {

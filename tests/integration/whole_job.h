@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/dispatcher.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
 
 namespace slicefarm {
 

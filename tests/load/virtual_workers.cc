@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "absl/strings/str_join.h"
-#include "common/rpc/call_gate.h"
-#include "common/rpc/json_log.h"
-#include "common/rpc/metrics.h"
-#include "common/rpc/open_files.h"
-#include "common/rpc/server.h"
-#include "common/rpc/shutdown_signal.h"
+#include "common/rpc/server/call_gate.h"
+#include "common/rpc/observe/json_log.h"
+#include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/open_files.h"
+#include "common/rpc/server/server.h"
+#include "common/rpc/server/shutdown_signal.h"
 #include "services/worker/server/worker_service.h"
 
 namespace slicefarm {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "services/beading/algo/variable_walls.h"
+#include "services/beading/algo/arachne/variable_walls.h"
 
 namespace slicefarm::beading {
 

@@ -18,7 +18,7 @@
 #include "common/geometry/measure.h"
 #include "services/beading/algo/sample_outlines_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
-#include "services/beading/algo/variable_walls.h"
+#include "services/beading/algo/arachne/variable_walls.h"
 
 // Outlines by seed; a failure tells the seed, and so does a crash. What the environment sets:
 //   SLICEFARM_HOSTILE_OUTLINES   how many (300)

@@ -6,9 +6,9 @@
 
 #include "common/model/bead_section.h"
 #include "common/model/settings.h"
-#include "services/beading/algo/arachne_island.h"
-#include "services/beading/algo/classic_island.h"
-#include "services/beading/algo/neighbour_outlines.h"
+#include "services/beading/algo/arachne/arachne_island.h"
+#include "services/beading/algo/classic/classic_island.h"
+#include "services/beading/algo/arachne/neighbour_outlines.h"
 
 namespace slicefarm::beading {
 namespace {

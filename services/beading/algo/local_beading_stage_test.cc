@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/rpc/call_gate.h"
-#include "common/rpc/server_stream.h"
+#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/server_stream.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
 

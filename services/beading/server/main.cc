@@ -1,4 +1,4 @@
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/beading/server/beading_service.h"
 

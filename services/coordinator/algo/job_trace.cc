@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator {
 namespace {

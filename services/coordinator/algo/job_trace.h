@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/stage/span_log.h"
+#include "common/base/span_log.h"
 
 namespace slicefarm::coordinator {
 

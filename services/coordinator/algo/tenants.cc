@@ -9,8 +9,8 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/time.h"
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 
 namespace slicefarm::coordinator {
 namespace {

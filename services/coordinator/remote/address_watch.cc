@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -6,7 +6,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator {
 namespace {

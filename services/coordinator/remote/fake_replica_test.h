@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "common/model/build_info.h"
-#include "common/rpc/channel.h"
-#include "common/rpc/metrics.h"
-#include "common/rpc/server.h"
+#include "common/base/build_info.h"
+#include "common/rpc/client/channel.h"
+#include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/server.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "slicefarm/v1/worker.grpc.pb.h"
 

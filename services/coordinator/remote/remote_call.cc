@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator {
 

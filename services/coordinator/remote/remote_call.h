@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "absl/status/status.h"
-#include "common/rpc/client_call.h"
+#include "common/rpc/client/client_call.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/replica_source.h"
 

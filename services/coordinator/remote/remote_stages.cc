@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/rpc/client_call.h"
+#include "common/rpc/client/client_call.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/motion_options_wire.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/retry_after.h"
 
 namespace slicefarm::coordinator {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "absl/status/status.h"
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 
 namespace slicefarm::coordinator {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "common/model/error.h"
-#include "common/rpc/channel.h"
+#include "common/base/error.h"
+#include "common/rpc/client/channel.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "common/rpc/json_log.h"
+#include "common/rpc/observe/json_log.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/remote/replica_source.h"
 

@@ -10,8 +10,8 @@
 #include <map>
 #include <thread>
 
-#include "common/model/error.h"
-#include "common/rpc/client_call.h"
+#include "common/base/error.h"
+#include "common/rpc/client/client_call.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 

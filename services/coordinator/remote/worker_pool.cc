@@ -7,9 +7,9 @@
 #include <atomic>
 #include <utility>
 
-#include "common/model/build_info.h"
-#include "common/model/error.h"
-#include "common/rpc/channel.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
+#include "common/rpc/client/channel.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/remote_worker.h"
 #include "slicefarm/v1/worker.grpc.pb.h"

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/rpc/json_log.h"
-#include "services/coordinator/algo/runner_set.h"
+#include "common/rpc/observe/json_log.h"
+#include "services/coordinator/algo/dispatch/runner_set.h"
 #include "services/coordinator/remote/address_watch.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "slicefarm/v1/worker.pb.h"

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "common/model/cancel_token.h"
-#include "services/coordinator/store/blob_stores.h"
-#include "services/coordinator/store/job_store.h"
+#include "common/base/cancel_token.h"
+#include "services/coordinator/store/blobs/blob_stores.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "common/model/temp_directory_test.h"
-#include "services/coordinator/store/sql_job_store.h"
-#include "services/coordinator/store/sqlite_connection.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+#include "services/coordinator/store/sql/sqlite_connection.h"
 
 namespace slicefarm::coordinator {
 namespace {

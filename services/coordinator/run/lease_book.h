@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "services/coordinator/run/run_wishes.h"
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 
 namespace slicefarm::coordinator {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "absl/status/status.h"
-#include "services/coordinator/algo/job_pipeline.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/run_wishes.h"
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator {
 

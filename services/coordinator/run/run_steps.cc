@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "absl/status/status.h"
-#include "services/coordinator/store/job_record.h"
+#include "services/coordinator/store/jobs/job_record.h"
 
 namespace slicefarm::coordinator {
 

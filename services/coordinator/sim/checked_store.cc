@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/coordinator/run/run_conclusion.h"
 
 namespace slicefarm::coordinator::sim {

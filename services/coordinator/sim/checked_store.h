@@ -8,8 +8,8 @@
 
 #include "services/coordinator/sim/claim_order.h"
 #include "services/coordinator/sim/world.h"
-#include "services/coordinator/store/forwarding_job_store.h"
-#include "services/coordinator/store/memory_job_store.h"
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
+#include "services/coordinator/store/jobs/memory_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

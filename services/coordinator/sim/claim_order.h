@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "services/coordinator/store/memory_job_store.h"
+#include "services/coordinator/store/jobs/memory_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

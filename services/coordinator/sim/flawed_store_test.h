@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/store/forwarding_job_store.h"
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

@@ -10,7 +10,7 @@
 
 #include "services/coordinator/sim/simulation.h"
 #include "services/coordinator/sim/twin_store.h"
-#include "services/coordinator/store/sql_job_store.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/algo/range_scheduler.h"
+#include "services/coordinator/algo/dispatch/range_scheduler.h"
 #include "services/coordinator/sim/random.h"
 #include "services/coordinator/sim/sim_blobs.h"
 #include "services/coordinator/sim/work.h"
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

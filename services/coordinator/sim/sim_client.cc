@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

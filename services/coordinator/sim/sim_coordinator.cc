@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/coordinator/run/run_conclusion.h"
 #include "services/coordinator/sim/sim_sweep.h"
 

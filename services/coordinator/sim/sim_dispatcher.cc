@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/coordinator/algo/fan_out.h"
+#include "services/coordinator/algo/dispatch/fan_out.h"
 #include "services/coordinator/sim/farm.h"
 #include "services/coordinator/sim/process.h"
 #include "services/coordinator/sim/world.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/coordinator/run/run_conclusion.h"
 
 namespace slicefarm::coordinator::sim {

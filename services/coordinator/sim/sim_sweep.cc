@@ -1,6 +1,6 @@
 #include "services/coordinator/sim/sim_sweep.h"
 
-#include "services/coordinator/store/forwarding_job_store.h"
+#include "services/coordinator/store/jobs/forwarding_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

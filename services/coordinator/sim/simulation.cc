@@ -9,7 +9,7 @@
 #include "services/coordinator/sim/sim_client.h"
 #include "services/coordinator/sim/sim_coordinator.h"
 #include "services/coordinator/sim/world.h"
-#include "services/coordinator/store/memory_job_store.h"
+#include "services/coordinator/store/jobs/memory_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/model/temp_directory_test.h"
+#include "common/base/temp_directory_test.h"
 #include "services/coordinator/sim/flawed_store_test.h"
 #include "services/coordinator/sim/twin_store.h"
-#include "services/coordinator/store/memory_job_store.h"
-#include "services/coordinator/store/sql_job_store.h"
+#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

@@ -1,6 +1,6 @@
 #include "services/coordinator/sim/store_link.h"
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator::sim {
 

@@ -7,7 +7,7 @@
 #include "absl/status/statusor.h"
 #include "services/coordinator/sim/process.h"
 #include "services/coordinator/sim/world.h"
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

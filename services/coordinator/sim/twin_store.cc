@@ -1,6 +1,6 @@
 #include "services/coordinator/sim/twin_store.h"
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::coordinator::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "services/coordinator/sim/world.h"
-#include "services/coordinator/store/job_store.h"
+#include "services/coordinator/store/jobs/job_store.h"
 
 namespace slicefarm::coordinator::sim {
 

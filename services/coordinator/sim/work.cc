@@ -1,7 +1,7 @@
 #include "services/coordinator/sim/work.h"
 
 #include "absl/strings/str_cat.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/coordinator/sim/random.h"
 
 namespace slicefarm::coordinator::sim {

@@ -12,7 +12,7 @@
 #include "services/coordinator/sim/scenario.h"
 #include "services/coordinator/sim/sim_blobs.h"
 #include "services/coordinator/sim/totals.h"
-#include "services/coordinator/store/job_changes.h"
+#include "services/coordinator/store/jobs/job_changes.h"
 
 namespace slicefarm::coordinator::sim {
 

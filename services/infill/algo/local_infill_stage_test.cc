@@ -5,7 +5,7 @@
 #include <set>
 
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::infill {
 namespace {

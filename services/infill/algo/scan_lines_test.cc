@@ -7,7 +7,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::infill {
 namespace {

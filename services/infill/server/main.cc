@@ -1,4 +1,4 @@
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/infill/server/infill_service.h"
 

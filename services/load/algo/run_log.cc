@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::load {
 namespace {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::load {
 namespace {

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "common/rpc/status_mapping.h"
 #include "google/protobuf/util/time_util.h"
 #include "slicefarm/v1/jobs.grpc.pb.h"

@@ -1,8 +1,8 @@
 #include "services/load/client/farm.h"
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/rpc/channel.h"
+#include "common/rpc/client/channel.h"
 
 namespace slicefarm::load {
 

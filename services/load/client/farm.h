@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/rpc/client_security.h"
+#include "common/rpc/security/client_security.h"
 #include "services/load/client/farm_calls.h"
 
 namespace slicefarm::load {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "common/model/error.h"
-#include "common/model/sha256.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
 #include "google/protobuf/util/time_util.h"
 #include "services/load/client/upload_call.h"
 

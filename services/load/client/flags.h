@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/rpc/client_security.h"
+#include "common/rpc/security/client_security.h"
 #include "services/load/client/run.h"
 #include "services/load/client/scenario.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/build_info.h"
-#include "common/model/error.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
 #include "services/load/algo/latency_plot.h"
 #include "services/load/algo/report_json.h"
 #include "services/load/algo/report_table.h"

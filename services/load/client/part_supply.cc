@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/model/sha256.h"
+#include "common/base/sha256.h"
 #include "services/load/algo/seeded.h"
 
 namespace slicefarm::load {

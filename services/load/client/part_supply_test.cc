@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "common/model/sha256.h"
+#include "common/base/sha256.h"
 
 namespace slicefarm::load {
 namespace {

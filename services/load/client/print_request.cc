@@ -3,7 +3,7 @@
 #include <mutex>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::load {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::load {

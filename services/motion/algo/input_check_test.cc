@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::motion {
 namespace {

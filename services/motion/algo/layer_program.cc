@@ -5,14 +5,14 @@
 #include <string_view>
 #include <utility>
 
-#include "services/motion/algo/accelerations.h"
-#include "services/motion/algo/cooling.h"
-#include "services/motion/algo/gcode_template.h"
-#include "services/motion/algo/layer_timing.h"
-#include "services/motion/algo/layer_writer.h"
-#include "services/motion/algo/machine_setup.h"
-#include "services/motion/algo/template_variables.h"
-#include "services/motion/algo/toolpath_builder.h"
+#include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/toolpath/cooling.h"
+#include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/toolpath/layer_timing.h"
+#include "services/motion/algo/gcode/layer_writer.h"
+#include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/macro/template_variables.h"
+#include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
 namespace {

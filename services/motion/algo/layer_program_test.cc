@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "common/model/bead_section.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion {

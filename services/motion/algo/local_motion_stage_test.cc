@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::motion {
 namespace {

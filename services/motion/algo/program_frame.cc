@@ -5,16 +5,16 @@
 #include <string>
 #include <utility>
 
-#include "services/motion/algo/accelerations.h"
-#include "services/motion/algo/gcode_template.h"
-#include "services/motion/algo/gcode_text.h"
+#include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
-#include "services/motion/algo/machine_setup.h"
-#include "services/motion/algo/print_metadata.h"
-#include "services/motion/algo/print_speed.h"
-#include "services/motion/algo/template_variables.h"
-#include "services/motion/algo/thumbnails_block.h"
+#include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/gcode/print_metadata.h"
+#include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/macro/template_variables.h"
+#include "services/motion/algo/gcode/thumbnails_block.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 
 namespace slicefarm::motion {

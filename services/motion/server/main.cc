@@ -1,4 +1,4 @@
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/motion/server/motion_service.h"
 

@@ -8,7 +8,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/geometry/measure.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/ordering/algo/fill_order.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/route.h"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/geometry/text_format.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/ordering/algo/route.h"
 
 namespace slicefarm::ordering {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/ordering/algo/layer_order.h"
 
 namespace slicefarm::ordering {

@@ -1,4 +1,4 @@
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/ordering/server/ordering_service.h"
 

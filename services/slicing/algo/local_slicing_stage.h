@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "common/stage/stages.h"
-#include "services/slicing/algo/mesh_source.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
 
 namespace slicefarm::slicing {
 

@@ -10,7 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "services/slicing/algo/rotation.h"
+#include "services/slicing/algo/placement/rotation.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "services/slicing/algo/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {
 

@@ -14,7 +14,7 @@
 #include <memory>
 #include <string_view>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/slicing/sandbox/sanitized_build.h"
 
 namespace slicefarm::slicing {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "common/model/error.h"
-#include "services/slicing/algo/mesh_reader.h"
+#include "common/base/error.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 #include "services/slicing/sandbox/reader_side.h"
 

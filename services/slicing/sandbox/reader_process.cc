@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/slicing/sandbox/sanitized_build.h"
 
 extern char** environ;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 #include "services/slicing/sandbox/fd.h"
 
 namespace slicefarm::slicing {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "absl/strings/str_split.h"
-#include "common/model/build_info.h"
-#include "common/model/error.h"
+#include "common/base/build_info.h"
+#include "common/base/error.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::slicing {

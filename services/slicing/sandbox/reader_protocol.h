@@ -9,7 +9,7 @@
 
 #include "absl/status/status.h"
 #include "common/model/mesh.h"
-#include "services/slicing/algo/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/raw_mesh.h"
 #include "services/slicing/sandbox/confinement.h"
 
 namespace slicefarm::slicing {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/mesh.h"
-#include "services/slicing/algo/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {
 

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "common/model/cancel_token.h"
+#include "common/base/cancel_token.h"
 #include "services/slicing/sandbox/fd.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 

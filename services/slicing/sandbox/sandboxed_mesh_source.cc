@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/slicing/sandbox/reader_process.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 #include "services/slicing/sandbox/request_file.h"

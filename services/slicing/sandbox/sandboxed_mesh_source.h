@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "services/slicing/algo/mesh_source.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
 #include "services/slicing/sandbox/confinement.h"
 
 namespace slicefarm::slicing {

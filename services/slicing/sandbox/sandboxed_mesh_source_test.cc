@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "common/model/error.h"
-#include "services/slicing/algo/mesh_reader.h"
+#include "common/base/error.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/sandbox/processes_test.h"
 #include "services/slicing/sandbox/sanitized_build.h"

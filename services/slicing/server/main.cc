@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "common/model/error.h"
+#include "common/base/error.h"
 #include "services/slicing/sandbox/sandboxed_mesh_source.h"
 
 namespace slicefarm::slicing {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "services/slicing/algo/mesh_source.h"
+#include "services/slicing/algo/mesh_io/mesh_source.h"
 
 namespace CLI {
 class App;

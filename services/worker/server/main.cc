@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
 
-#include "common/rpc/serve.h"
+#include "common/rpc/server/serve.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/infill/algo/local_infill_stage.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/build_info.h"
+#include "common/base/build_info.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/program_wire.h"
 #include "common/wire/start_wire.h"

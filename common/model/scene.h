@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/geometry/point.h"
+#include "common/model/mesh.h"
+#include "common/model/setting.h"
+
+namespace slicefarm {
+
+/// An affine map of millimetres to millimetres: a 3x3 matrix, and a shift in the last column.
+using Transform = Eigen::Matrix<double, 3, 4>;
+
+/// One of the meshes of a file, or some of its triangles. STL, OBJ and PLY files have one mesh.
+struct MeshRef {
+  int32_t file = 0;
+  int32_t mesh = 0;             ///< by the order in which the file has them
+  int64_t first_triangle = 0;   ///< of the mesh as the file lists it
+  int64_t triangle_count = -1;  ///< -1: all from first_triangle on
+
+  friend bool operator==(const MeshRef&, const MeshRef&) = default;
+};
+
+/// What a part is for.
+enum class PartRole : uint8_t {
+  kSolid,            ///< is printed
+  kNegative,         ///< is cut out of the object's solid parts
+  kModifier,         ///< gives what lies inside it settings of its own
+  kSupportEnforcer,  ///< not supported yet
+  kSupportBlocker,   ///< not supported yet
+};
+
+/// A mesh as a part of an object.
+struct Part {
+  std::string name;
+  MeshRef mesh;
+  PartRole role = PartRole::kSolid;
+  Transform to_object = Transform::Identity();
+  std::vector<Setting> settings;
+
+  bool operator==(const Part&) const = default;
+};
+
+/// Settings of a slice of an object, in mm above its bottom.
+struct HeightRange {
+  double from_mm = 0;
+  double to_mm = 0;
+  std::vector<Setting> settings;
+
+  bool operator==(const HeightRange&) const = default;
+};
+
+/// A copy of an object on the plate.
+struct Instance {
+  Transform to_plate = Transform::Identity();
+  bool printable = true;
+  /// Whether to_plate's x and y say where it stands; else it is to be arranged.
+  bool placed = true;
+
+  bool operator==(const Instance&) const = default;
+};
+
+/// What stands on the plate as one: solid parts, what changes them, and its copies.
+struct SceneObject {
+  std::string name;
+  std::vector<Part> parts;  ///< later ones win where they overlap
+  std::vector<HeightRange> ranges;
+  std::vector<Setting> settings;
+  std::vector<Instance> instances;
+
+  bool operator==(const SceneObject&) const = default;
+};
+
+/// One plate of a project, with indices into Project::objects.
+struct ProjectPlate {
+  struct Member {
+    int32_t object = 0;
+    int32_t instance = 0;
+
+    friend bool operator==(const Member&, const Member&) = default;
+  };
+  std::string name;
+  std::vector<Member> members;
+  std::vector<Setting> settings;
+  bool locked = false;
+
+  bool operator==(const ProjectPlate&) const = default;
+};
+
+/// What a project file (3MF) says besides its triangles. Settings are text as the file has them,
+/// under PrusaSlicer's names where there is one.
+struct Project {
+  std::string application;        ///< "PrusaSlicer-2.9.2", as the file says
+  std::vector<Setting> settings;  ///< of the whole project
+  std::vector<SceneObject> objects;
+  std::vector<ProjectPlate> plates;  ///< empty: all objects lie on one
+  /// What the file has and nobody here makes anything of, for the report: "painted seams of object
+  /// 2".
+  std::vector<std::string> without_effect;
+
+  bool operator==(const Project&) const = default;
+};
+
+}  // namespace slicefarm

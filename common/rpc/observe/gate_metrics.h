@@ -1,0 +1,24 @@
+#pragma once
+
+#include <prometheus/collectable.h>
+#include <prometheus/metric_family.h>
+
+#include <vector>
+
+#include "common/rpc/server/admission.h"
+
+namespace slicefarm::rpc {
+
+/// How busy a service is: slicefarm_calls{state="working"|"waiting"} and slicefarm_call_slots.
+class GateMetrics : public prometheus::Collectable {
+ public:
+  /// `admission` must outlive it.
+  explicit GateMetrics(const Admission& admission) : admission_(admission) {}
+
+  std::vector<prometheus::MetricFamily> Collect() const override;
+
+ private:
+  const Admission& admission_;
+};
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "common/base/temp_directory_test.h"
+#include "common/rpc/security/tls_files.h"
+
+namespace slicefarm::rpc {
+
+/// A CA and what it signs, by deploy/dev-certs.sh.
+class DevCerts {
+ public:
+  /// A new certificate for a role ("stage/motion"); `days` 0: it has expired.
+  TlsFiles Make(const std::string& role, int days = 30) {
+    const std::string command = std::string(SLICEFARM_SOURCE) + "/deploy/dev-certs.sh '" + path() +
+                                "' --days " + std::to_string(days) + " " + role;
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::string name = role;
+    std::ranges::replace(name, '/', '-');
+    return In(path() + "/" + name);
+  }
+
+  static TlsFiles In(const std::string& directory) {
+    return {directory + "/cert.pem", directory + "/key.pem", directory + "/ca.pem"};
+  }
+
+  const std::string& path() const { return directory_.path(); }
+
+ private:
+  TempDirectory directory_;
+};
+
+/// A directory under a name that can come to mean another one at once, as when certificates are
+/// renewed.
+class SwappedDirectory {
+ public:
+  explicit SwappedDirectory(const std::string& to) { PointTo(to); }
+
+  void PointTo(const std::string& to) {
+    std::filesystem::create_directory_symlink(std::filesystem::canonical(to), path() + ".new");
+    std::filesystem::rename(path() + ".new", path());
+  }
+
+  std::string path() const { return directory_.path() + "/link"; }
+
+ private:
+  TempDirectory directory_;
+};
+
+}  // namespace slicefarm::rpc

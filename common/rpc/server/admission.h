@@ -1,0 +1,50 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+
+namespace slicefarm::rpc {
+
+/// How many calls may work at once, and how many may wait for their turn. Thread-safe; must outlive
+/// its tickets.
+class Admission {
+ public:
+  /// Gives its place back when destroyed.
+  class Ticket {
+   public:
+    explicit Ticket(Admission* admission) : admission_(admission) {}
+    Ticket(Ticket&& other) noexcept : admission_(other.admission_) { other.admission_ = nullptr; }
+    Ticket& operator=(Ticket&&) = delete;
+    ~Ticket();
+
+   private:
+    Admission* admission_;
+  };
+
+  /// REQUIRES: slots >= 1, queue >= 0.
+  Admission(int slots, int queue) : slots_(slots), queue_(queue) {}
+
+  /// Waits for a slot. Errors: ResourceExhausted, reason OVERLOADED with metadata `limit` and
+  /// `retry_after_ms`, if the queue is full; Cancelled.
+  absl::StatusOr<Ticket> Enter(const CancelToken& cancel);
+
+  int slots() const { return slots_; }
+  int working() const;
+  int waiting() const;
+
+ private:
+  void Leave();
+
+  const int slots_;
+  const int queue_;
+  mutable std::mutex mutex_;
+  std::condition_variable left_;
+  int working_ = 0;
+  int waiting_ = 0;
+};
+
+}  // namespace slicefarm::rpc

@@ -1,0 +1,19 @@
+#include "common/rpc/server/listen_address.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::rpc {
+namespace {
+
+TEST(ListenAddress, LoopbackIsWhatOnlyThisMachineReaches) {
+  for (const char* address : {"127.0.0.1:1", "127.9.8.7:1", "localhost:1", "[::1]:1"}) {
+    EXPECT_TRUE(IsLoopback(address)) << address;
+  }
+  for (const char* address : {"0.0.0.0:1", "[::]:1", "10.0.0.1:1", "farm:1", "localhost.farm:1",
+                              "127.0.0.1.farm:1", "[fe80::1]:1", ":1", ""}) {
+    EXPECT_FALSE(IsLoopback(address)) << address;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::rpc

@@ -1,0 +1,164 @@
+#include "common/rpc/server/serve.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "common/base/build_info.h"
+#include "common/rpc/security/certificate_metrics.h"
+#include "common/rpc/observe/gate_metrics.h"
+#include "common/rpc/server/listen_address.h"
+#include "common/rpc/server/open_files.h"
+#include "common/rpc/security/tls_options.h"
+
+namespace slicefarm::rpc {
+namespace {
+
+/// Threads beyond the calls at work and waiting: for health, reflection and calls that are being
+/// refused.
+constexpr int kSpareThreads = 16;
+
+/// The part of an address that another port can follow.
+std::string HostPart(const std::string& address) { return address.substr(0, address.rfind(':')); }
+
+void Announce(std::string_view what, const std::string& host, int port) {
+  fmt::print("{} on {}:{}\n", what, host, port);
+  std::fflush(stdout);
+}
+
+int Concurrency(const ServeFlags& flags) {
+  if (flags.max_concurrent > 0) return flags.max_concurrent;
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void AddTlsFlags(CLI::App& app, ServeFlags* flags) {
+  auto* cert =
+      AddTlsCert(app, &flags->tls, "Serve with TLS: this server's certificate; also as a client's");
+  auto* key = AddTlsKey(app, &flags->tls, "Its key");
+  auto* ca = AddTlsCa(app, &flags->tls, "The CAs that sign its peers' certificates");
+  cert->needs(key)->needs(ca);
+  key->needs(cert)->needs(ca);
+  ca->needs(cert)->needs(key);
+  app.add_option("--authz-policy", flags->policy_file,
+                 "Who may call what, instead of the policy that is built in (common/rpc)")
+      ->type_name("FILE")
+      ->needs(ca);
+}
+
+}  // namespace
+
+void AddServeFlags(CLI::App& app, ServeFlags* flags) {
+  app.set_version_flag(
+      "--version", fmt::format("slicefarm {} ({}) build {}", Version(), ReleaseDate(), BuildId()));
+  app.add_option("--listen", flags->server.listen, "Address to serve on; port 0 takes any free one")
+      ->capture_default_str();
+  app.add_option("--metrics-port", flags->metrics_port,
+                 "Port for Prometheus (/metrics) and people; 0 takes any free one, -1 serves none")
+      ->check(CLI::Range(-1, 65535))
+      ->capture_default_str();
+  app.add_option("--drain", flags->drain_s, "Seconds that calls in flight get after SIGTERM")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
+  AddTlsFlags(app, flags);
+}
+
+void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags) {
+  app.add_option("--max-concurrent", flags->max_concurrent,
+                 "Calls worked on at once; 0: one for each core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
+                                   const std::string& about, ServeFlags* flags) {
+  CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
+  AddServeFlags(app, flags);
+  AddConcurrencyFlag(app, flags);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  return std::nullopt;
+}
+
+CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
+  CallGateOptions options;
+  options.slots = Concurrency(flags);
+  options.queue = 4 * options.slots;
+  return options;
+}
+
+void ServerProgram::Show(const CallGate& gate) {
+  metrics_.Show(std::make_shared<GateMetrics>(gate.admission()));
+}
+
+/// Null without TLS.
+absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> ServerProgram::Credentials(
+    const ServeFlags& flags) const {
+  if (!flags.tls.enabled()) {
+    if (!IsLoopback(flags.server.listen)) {
+      log_.Warn("served without TLS: whoever reaches this address may call",
+                {{"address", flags.server.listen}});
+    }
+    return nullptr;
+  }
+  const auto tls = Tls::Open(flags.tls);
+  if (!tls.ok()) return tls.status();
+  auto authorizer = flags.policy_file.empty() ? Authorizer::Make(flags.policy, log_)
+                                              : Authorizer::Watch(flags.policy_file, log_);
+  if (!authorizer.ok()) return authorizer.status();
+  auto credentials = (*tls)->ForServer(flags.client_certs);
+  credentials->SetAuthMetadataProcessor(*std::move(authorizer));
+  return credentials;
+}
+
+int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*>& services,
+                       const std::function<void()>& on_signal, QueuedMethods* queued) {
+  RaiseOpenFilesLimit();
+  ServerOptions options = flags.server;
+  const CallGateOptions gate = GateOptions(flags);
+  options.max_threads = std::max(options.max_threads, gate.slots + gate.queue + kSpareThreads);
+  auto credentials = Credentials(flags);
+  if (!credentials.ok()) {
+    log_.Error("cannot serve", {{"error", std::string(credentials.status().message())}});
+    return 1;
+  }
+  options.credentials = *std::move(credentials);
+  if (flags.tls.has_certificate()) metrics_.Show(std::make_shared<CertificateMetrics>(flags.tls));
+  absl::StatusOr<std::unique_ptr<Server>> server =
+      Server::Start(options, services, call_metrics_, queued);
+  if (!server.ok()) {
+    log_.Error("cannot serve", {{"error", std::string(server.status().message())}});
+    return 1;
+  }
+  const std::string host = HostPart(options.listen);
+  if (flags.metrics_port >= 0) {
+    const absl::StatusOr<int> port = metrics_.Serve(fmt::format("{}:{}", host, flags.metrics_port));
+    if (!port.ok()) {
+      log_.Error("cannot serve", {{"error", std::string(port.status().message())}});
+      return 1;
+    }
+    Announce("metrics", host, *port);
+  }
+  Announce("listening", host, (*server)->port());
+  log_.Info("serving", {{"address", fmt::format("{}:{}", host, (*server)->port())},
+                        {"version", std::string(Version())}});
+
+  const int signal = signal_.Wait();
+  log_.Info("draining", {{"signal", int64_t{signal}}});
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(flags.drain_s);
+  (*server)->TurnAway();
+  if (on_signal) on_signal();
+  (*server)->Drain(
+      std::max(std::chrono::milliseconds(0), std::chrono::duration_cast<std::chrono::milliseconds>(
+                                                 end - std::chrono::steady_clock::now())));
+  metrics_.Stop();  // what it shows may be the caller's, and end with his scope
+  log_.Info("stopped");
+  return 0;
+}
+
+}  // namespace slicefarm::rpc

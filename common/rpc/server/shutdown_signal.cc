@@ -1,0 +1,21 @@
+#include "common/rpc/server/shutdown_signal.h"
+
+#include <pthread.h>
+
+namespace slicefarm::rpc {
+
+ShutdownSignal::ShutdownSignal() {
+  sigemptyset(&signals_);
+  sigaddset(&signals_, SIGTERM);
+  sigaddset(&signals_, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+}
+
+int ShutdownSignal::Wait() const {
+  int signal = 0;
+  while (sigwait(&signals_, &signal) != 0) {
+  }
+  return signal;
+}
+
+}  // namespace slicefarm::rpc

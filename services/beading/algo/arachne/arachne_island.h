@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "absl/status/statusor.h"
+#include "common/model/beading_options.h"
+#include "common/base/cancel_token.h"
+#include "common/model/layer.h"
+#include "services/beading/algo/classic/constant_walls.h"
+#include "services/beading/algo/classic/gap_fill.h"
+#include "services/beading/algo/strategy/beading_strategy.h"
+#include "services/beading/algo/arachne/variable_walls.h"
+
+namespace slicefarm::beading {
+
+/// Makes the walls of a layer's islands, of variable width where they need it.
+class ArachneIslands {
+ public:
+  /// `plan` is that of the layer's walls where nothing makes them vary; `deciding_radius`: see
+  /// CountOptions. REQUIRES: perimeters > 0.
+  ArachneIslands(const BeadingOptions& options, const WallPlan& plan,
+                 const GapFillOptions& gap_options,
+                 std::function<double(double x, double y, double radius_nm)> deciding_radius);
+
+  /// An island; the object is left to the caller. Nothing if walls of variable width cannot be made
+  /// (see MakeVariableWalls).
+  absl::StatusOr<std::optional<WalledIsland>> Make(const PolygonWithHoles& outline,
+                                                   const CancelToken& cancel) const;
+
+ private:
+  Path PathOf(WallLine line) const;
+
+  WallPlan plan_;
+  GapFillOptions gap_options_;
+  VariableWallOptions wall_options_;
+  std::unique_ptr<const BeadingStrategy> strategy_;
+};
+
+}  // namespace slicefarm::beading

@@ -1,0 +1,466 @@
+#include "services/beading/algo/arachne/bead_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <set>
+#include <utility>
+
+namespace slicefarm::beading {
+namespace {
+
+/// Nodes nearer than this to another one are not made.
+constexpr double kLeastPieceNm = 10'000;
+/// Where a stretch has no room for its half of a transition, its beads may deviate by this many
+/// times what they may otherwise.
+constexpr double kShortDeviation = 3;
+
+Coord Thickness(double radius) { return std::llround(2 * radius); }
+
+/// Stretches of central edges with the same count, and how they lie beside each other.
+class Stretches {
+ public:
+  Stretches(const SkeletalGraph& graph, const std::vector<int>& counts)
+      : parent_(counts.size()), data_(counts.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (size_t edge = 0; edge < counts.size(); ++edge) {
+      const int half = static_cast<int>(2 * edge);
+      const double a = graph.FromNode(half).radius, b = graph.ToNode(half).radius;
+      data_[edge] = {counts[edge], graph.Length(half), std::min(a, b), std::max(a, b), {}};
+    }
+    const std::vector<int> leaving = graph.Leaving();
+    for (const int first : leaving) {
+      std::vector<int> around;
+      graph.ForEachLeaving(first, [&](int half) {
+        if (counts[half / 2] >= 0) around.push_back(half / 2);
+      });
+      for (size_t i = 0; i < around.size(); ++i)
+        for (size_t j = 0; j < i; ++j) Meet(around[i], around[j]);
+    }
+  }
+
+  int CountOf(int edge) { return data_[Find(edge)].count; }
+
+  /// Takes stretches into those beside them, the shortest first.
+  void Merge(const BeadingStrategy& strategy, const CountOptions& options) {
+    std::set<std::pair<double, int>> queue;
+    for (int edge = 0; edge < static_cast<int>(parent_.size()); ++edge)
+      if (Find(edge) == edge && data_[edge].count >= 0) queue.emplace(data_[edge].length, edge);
+    while (!queue.empty()) {
+      const auto [length, stretch] = *queue.begin();
+      queue.erase(queue.begin());
+      if (Find(stretch) != stretch || data_[stretch].length != length) continue;
+      const int into = BestNeighbour(stretch, strategy, options);
+      if (into < 0) continue;
+      data_[stretch].count = data_[into].count;
+      const int joined = Absorb(stretch);
+      queue.emplace(data_[joined].length, joined);
+    }
+  }
+
+ private:
+  struct Data {
+    int count = -1;
+    double length = 0;
+    double min_radius = 0, max_radius = 0;
+    std::set<int> beside;  ///< stretches with another count; may be out of date: Find them
+  };
+
+  int Find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void Meet(int a, int b) {
+    a = Find(a);
+    b = Find(b);
+    if (a == b) return;
+    if (data_[a].count == data_[b].count) {
+      Unite(a, b);
+    } else {
+      data_[a].beside.insert(b);
+      data_[b].beside.insert(a);
+    }
+  }
+
+  int Unite(int a, int b) {
+    if (data_[a].beside.size() < data_[b].beside.size()) std::swap(a, b);
+    parent_[b] = a;
+    data_[a].length += data_[b].length;
+    data_[a].min_radius = std::min(data_[a].min_radius, data_[b].min_radius);
+    data_[a].max_radius = std::max(data_[a].max_radius, data_[b].max_radius);
+    data_[a].beside.merge(data_[b].beside);
+    return a;
+  }
+
+  std::vector<int> Neighbours(int stretch) {
+    std::vector<int> neighbours;
+    for (const int other : data_[stretch].beside)
+      if (const int root = Find(other); root != stretch) neighbours.push_back(root);
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    return neighbours;
+  }
+
+  /// Joins the stretch with all beside it that have its count by now.
+  int Absorb(int stretch) {
+    for (const int other : Neighbours(stretch))
+      if (data_[other].count == data_[stretch].count) stretch = Unite(stretch, Find(other));
+    return stretch;
+  }
+
+  /// Where the stretch may go; -1 if it is to stay.
+  int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
+    const std::vector<int> neighbours = Neighbours(stretch);
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int other : neighbours) {
+      double deviation = Deviation(data_[stretch], data_[other].count, strategy);
+      const bool allowed = deviation <= options.filter_deviation_nm &&
+                           data_[stretch].length <= options.filter_distance_nm;
+      const bool too_short = neighbours.size() == 1 &&
+                             deviation <= kShortDeviation * options.filter_deviation_nm &&
+                             !HasRoom(data_[stretch], data_[other], strategy);
+      if (!allowed && !too_short) continue;
+      if (deviation >= least) continue;
+      least = deviation;
+      best = other;
+    }
+    return best;
+  }
+
+  /// How far beads are stretched or squeezed if the stretch gets `count` of them.
+  static double Deviation(const Data& data, int count, const BeadingStrategy& strategy) {
+    const int lower = std::min(data.count, count);
+    const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
+    const double beyond = data.count > count ? data.max_radius - limit : limit - data.min_radius;
+    return (count % 2 == 1 ? 2 : 1) * std::abs(data.count - count) * std::max(0.0, beyond);
+  }
+
+  /// Whether the half of the transition that lies in the stretch ends within it.
+  static bool HasRoom(const Data& data, const Data& other, const BeadingStrategy& strategy) {
+    const int lower = std::min(data.count, other.count);
+    const double anchor = strategy.TransitionAnchor(lower);
+    const double share = data.count > other.count ? 1 - anchor : anchor;
+    return data.length >= share * static_cast<double>(strategy.TransitionLength(lower));
+  }
+
+  std::vector<int> parent_;
+  std::vector<Data> data_;
+};
+
+/// What is left of a transition at a node: it falls from its full height at the transition's place
+/// by 1 a transition length.
+struct Ramp {
+  double height = 0;
+  double full = 0;   ///< at the transition's place
+  double slope = 0;  ///< per nm
+};
+
+class CountPlanner {
+ public:
+  CountPlanner(const BeadingStrategy& strategy, const CountOptions& options, SkeletalGraph& graph,
+               std::vector<char>& central)
+      : strategy_(strategy), options_(options), graph_(graph), central_(central) {}
+
+  std::vector<BeadCount> Plan() {
+    leaving_ = graph_.Leaving();
+    JoinAcrossTops();
+    SplitWhereThicknessTells();
+    CountEdges();
+    leaving_ = graph_.Leaving();
+    FindTransitions();
+    Spread(up_, true);
+    Spread(down_, false);
+    SplitWhereRampsEnd();
+    return Counts();
+  }
+
+ private:
+  int Split(int half, double t) {
+    const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
+    const SkeletalNode node = {
+        {std::lerp(a.place.x, b.place.x, t), std::lerp(a.place.y, b.place.y, t)},
+        std::lerp(a.radius, b.radius, t)};
+    central_.push_back(central_[half / 2]);
+    return graph_.Split(half, node);
+  }
+
+  /// In a bend the axis rises to a top in the middle of it, too steeply to be central. Where the
+  /// number of beads is the same up there, or one more and that nearby, beads go on through it.
+  /// Source: CuraEngine's filterNoncentralRegions, for what it is good for.
+  void JoinAcrossTops() {
+    const std::vector<char> before = central_;
+    for (size_t node = 0; node < graph_.nodes.size(); ++node) {
+      bool is_central = false;
+      graph_.ForEachLeaving(leaving_[node],
+                            [&](int half) { is_central = is_central || before[half / 2]; });
+      if (!is_central) continue;
+      graph_.ForEachLeaving(leaving_[node], [&](int half) {
+        if (!before[half / 2]) JoinUpwards(half, before);
+      });
+    }
+  }
+
+  void JoinUpwards(int half, const std::vector<char>& before) {
+    const int count = strategy_.OptimalCount(Thickness(graph_.FromNode(half).radius));
+    std::vector<int> way;
+    double length = 0;
+    for (int at = half; at >= 0; at = SteepestUp(graph_.To(at), before)) {
+      if (graph_.ToNode(at).radius <= graph_.FromNode(at).radius) return;
+      way.push_back(at);
+      length += graph_.Length(at);
+      const int there = strategy_.OptimalCount(Thickness(graph_.ToNode(at).radius));
+      if (there > count + 1) return;
+      if (there > count &&
+          length > static_cast<double>(strategy_.TransitionLength(std::max(1, count))))
+        return;
+    }
+    for (const int step : way) central_[step / 2] = true;
+  }
+
+  /// The edge on which a way up goes on; -1 at a top, and where it meets a central edge.
+  int SteepestUp(int node, const std::vector<char>& before) const {
+    int best = -1;
+    bool is_central = false;
+    double steepest = 0;
+    graph_.ForEachLeaving(leaving_[node], [&](int half) {
+      is_central = is_central || before[half / 2];
+      const double length = graph_.Length(half);
+      const double rise = graph_.ToNode(half).radius - graph_.FromNode(half).radius;
+      if (length == 0 || rise / length <= steepest) return;
+      steepest = rise / length;
+      best = half;
+    });
+    return is_central ? -1 : best;
+  }
+
+  void SplitWhereThicknessTells() {
+    const std::vector<Coord> kinks = strategy_.Kinks();
+    const size_t edges = central_.size();
+    for (size_t edge = 0; edge < edges; ++edge) {
+      if (!central_[edge]) continue;
+      int half = static_cast<int>(2 * edge);
+      if (graph_.FromNode(half).radius > graph_.ToNode(half).radius) half ^= 1;
+      const Coord low = Thickness(graph_.FromNode(half).radius);
+      const Coord high = Thickness(graph_.ToNode(half).radius);
+      std::vector<Coord> marks;
+      for (const Coord kink : kinks)
+        if (low < kink && kink < high) marks.push_back(kink);
+      for (int n = strategy_.OptimalCount(low); strategy_.TransitionThickness(n) < high; ++n)
+        marks.push_back(strategy_.TransitionThickness(n));
+      std::sort(marks.begin(), marks.end());
+      for (const Coord mark : marks) {
+        const double from = graph_.FromNode(half).radius, to = graph_.ToNode(half).radius;
+        const double t = (static_cast<double>(mark) / 2 - from) / (to - from);
+        const double length = graph_.Length(half);
+        if (!(t * length > kLeastPieceNm && (1 - t) * length > kLeastPieceNm)) continue;
+        half = Split(half, t);
+      }
+    }
+  }
+
+  void CountEdges() {
+    edge_count_.assign(central_.size(), -1);
+    for (size_t edge = 0; edge < central_.size(); ++edge) {
+      if (!central_[edge]) continue;
+      edge_count_[edge] = CountAlong(static_cast<int>(2 * edge));
+    }
+    Stretches stretches(graph_, edge_count_);
+    stretches.Merge(strategy_, options_);
+    for (size_t edge = 0; edge < central_.size(); ++edge)
+      if (central_[edge]) edge_count_[edge] = stretches.CountOf(static_cast<int>(edge));
+  }
+
+  int CountAlong(int half) const {
+    const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
+    const double radius = (a.radius + b.radius) / 2;
+    const int count = strategy_.OptimalCount(Thickness(radius));
+    if (!options_.deciding_radius || !IsCloseCall(radius, count)) return count;
+    const Place middle = {(a.place.x + b.place.x) / 2, (a.place.y + b.place.y) / 2};
+    return strategy_.OptimalCount(Thickness(options_.deciding_radius(middle, radius)));
+  }
+
+  bool IsCloseCall(double radius, int count) const {
+    const auto to = [&](int lower) {
+      return std::abs(2 * radius - static_cast<double>(strategy_.TransitionThickness(lower)));
+    };
+    return std::min(to(count), count > 0 ? to(count - 1) : to(count)) <
+           options_.filter_deviation_nm;
+  }
+
+  struct Range {
+    int low = std::numeric_limits<int>::max();
+    int high = -1;
+    bool IsTransition() const { return low < high; }
+  };
+
+  Range CountsAround(int node) const {
+    Range range;
+    graph_.ForEachLeaving(leaving_[node], [&](int half) {
+      if (edge_count_[half / 2] < 0) return;
+      range.low = std::min(range.low, edge_count_[half / 2]);
+      range.high = std::max(range.high, edge_count_[half / 2]);
+    });
+    return range;
+  }
+
+  double Anchor(const Range& range) const {
+    return (range.high - range.low) * std::clamp(strategy_.TransitionAnchor(range.low), 0.0, 1.0);
+  }
+
+  void FindTransitions() {
+    const size_t nodes = graph_.nodes.size();
+    up_.assign(nodes, {});
+    down_.assign(nodes, {});
+    around_.resize(nodes);
+    for (size_t node = 0; node < nodes; ++node)
+      around_[node] = CountsAround(static_cast<int>(node));
+  }
+
+  /// The ramp that begins at a transition's node for the edges with its lower or its higher count.
+  Ramp RampAt(int node, int count) const {
+    const Range& range = around_[node];
+    if (!range.IsTransition() || (count != range.low && count != range.high)) return {};
+    const double below = Anchor(range), above = range.high - range.low - below;
+    const double full = count == range.low ? below : above;
+    return {full, full, 1 / std::max<double>(1, strategy_.TransitionLength(range.low))};
+  }
+
+  /// From each transition outwards, along the edges of its lower (`up`) or its higher count.
+  void Spread(std::vector<Ramp>& ramps, bool up) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry> queue;
+    const auto reach = [&](int half, const Ramp& from) {
+      const int to = graph_.To(half);
+      const double height = from.height - from.slope * graph_.Length(half);
+      if (height <= ramps[to].height || around_[to].IsTransition()) return;
+      ramps[to] = {height, from.full, from.slope};
+      queue.emplace(height, to);
+    };
+    for (size_t node = 0; node < graph_.nodes.size(); ++node) {
+      const Range& range = around_[node];
+      if (!range.IsTransition()) continue;
+      const int count = up ? range.low : range.high;
+      const Ramp ramp = RampAt(static_cast<int>(node), count);
+      graph_.ForEachLeaving(leaving_[node], [&](int half) {
+        if (edge_count_[half / 2] == count) reach(half, ramp);
+      });
+    }
+    while (!queue.empty()) {
+      const auto [height, node] = queue.top();
+      queue.pop();
+      if (height < ramps[node].height) continue;
+      const Ramp ramp = ramps[node];
+      graph_.ForEachLeaving(leaving_[node], [&](int half) {
+        if (edge_count_[half / 2] >= 0) reach(half, ramp);
+      });
+    }
+  }
+
+  /// The ramp at the start of `half`, as the edge sees it.
+  Ramp RampOn(int half, bool up) const {
+    const int node = graph_.half_edges[half].from;
+    const int count = edge_count_[half / 2];
+    if (!around_[node].IsTransition()) return up ? up_[node] : down_[node];
+    return count == (up ? around_[node].low : around_[node].high) ? RampAt(node, count) : Ramp{};
+  }
+
+  /// Where on the edge the ramps of its two ends reach 0 or meet.
+  static void AddKinks(const Ramp& a, const Ramp& b, double length, std::vector<double>& kinks) {
+    const double slope = std::max(a.slope, b.slope);
+    if (slope == 0) return;
+    const double a_end = a.height / slope, b_begin = length - b.height / slope;
+    if (a_end < b_begin) {
+      if (a.height > 0) kinks.push_back(a_end);
+      if (b.height > 0) kinks.push_back(b_begin);
+    } else {
+      kinks.push_back((a_end + b_begin) / 2);
+    }
+  }
+
+  static Ramp Later(const Ramp& ramp, double by) {
+    return {std::max(0.0, ramp.height - ramp.slope * by), ramp.full, ramp.slope};
+  }
+  static Ramp Higher(const Ramp& a, const Ramp& b) { return a.height >= b.height ? a : b; }
+
+  void SplitWhereRampsEnd() {
+    const size_t edges = central_.size();
+    for (size_t edge = 0; edge < edges; ++edge) {
+      if (!central_[edge]) continue;
+      const int half = static_cast<int>(2 * edge);
+      const double length = graph_.Length(half);
+      const Ramp ups[] = {RampOn(half, true), RampOn(half ^ 1, true)};
+      const Ramp downs[] = {RampOn(half, false), RampOn(half ^ 1, false)};
+      std::vector<double> kinks;
+      AddKinks(ups[0], ups[1], length, kinks);
+      AddKinks(downs[0], downs[1], length, kinks);
+      std::sort(kinks.begin(), kinks.end());
+      int at = half;
+      double done = 0;
+      for (const double kink : kinks) {
+        if (kink - done < kLeastPieceNm || length - kink < kLeastPieceNm) continue;
+        at = Split(at, (kink - done) / (length - done));
+        done = kink;
+        edge_count_.push_back(edge_count_[edge]);
+        up_.push_back(Higher(Later(ups[0], kink), Later(ups[1], length - kink)));
+        down_.push_back(Higher(Later(downs[0], kink), Later(downs[1], length - kink)));
+        around_.push_back({edge_count_[edge], edge_count_[edge]});
+      }
+    }
+  }
+
+  /// With transitions on both sides nearby each ends where the other one lies.
+  static double Share(const Ramp& ramp, const Ramp& other) {
+    return ramp.height * (other.full > 0 ? 1 - other.height / other.full : 1);
+  }
+
+  static BeadCount Of(double count) {
+    constexpr double kNothing = 1e-6;
+    const double whole = std::floor(count + kNothing);
+    return {static_cast<int>(whole), count - whole < kNothing ? 0 : count - whole};
+  }
+
+  std::vector<BeadCount> Counts() const {
+    std::vector<BeadCount> counts(graph_.nodes.size());
+    for (size_t node = 0; node < counts.size(); ++node) {
+      const Range& range = around_[node];
+      if (range.high >= 0) {
+        counts[node] =
+            range.IsTransition()
+                ? Of(range.low + Anchor(range))
+                : Of(range.low + Share(up_[node], down_[node]) - Share(down_[node], up_[node]));
+      }
+    }
+    const std::vector<int> leaving = graph_.Leaving();
+    for (size_t node = 0; node < counts.size(); ++node) {
+      const double radius = graph_.nodes[node].radius;
+      bool is_top = !counts[node].decided() && radius > 0;
+      graph_.ForEachLeaving(leaving[node], [&](int half) {
+        is_top = is_top && graph_.ToNode(half).radius <= radius;
+      });
+      if (is_top) counts[node] = {strategy_.OptimalCount(Thickness(radius)), 0};
+    }
+    return counts;
+  }
+
+  const BeadingStrategy& strategy_;
+  const CountOptions& options_;
+  SkeletalGraph& graph_;
+  std::vector<char>& central_;
+  std::vector<int> edge_count_;
+  std::vector<int> leaving_;
+  std::vector<Range> around_;    ///< counts of the edges around each node
+  std::vector<Ramp> up_, down_;  ///< by node: towards more beads, towards fewer
+};
+
+}  // namespace
+
+std::vector<BeadCount> PlanBeadCounts(const BeadingStrategy& strategy, const CountOptions& options,
+                                      SkeletalGraph& graph, std::vector<char>& central) {
+  return CountPlanner(strategy, options, graph, central).Plan();
+}
+
+}  // namespace slicefarm::beading

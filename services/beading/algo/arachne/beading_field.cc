@@ -1,0 +1,139 @@
+#include "services/beading/algo/arachne/beading_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace slicefarm::beading {
+namespace {
+
+/// Nodes nearer than this to another one are not made.
+constexpr double kLeastPieceNm = 10'000;
+
+NodeBeading LaidOut(const BeadingStrategy& strategy, double radius, const BeadCount& count) {
+  const auto thickness = static_cast<Coord>(std::llround(2 * radius));
+  NodeBeading lower = FromBeading(strategy.Compute(thickness, count.count));
+  if (count.ratio == 0) return lower;
+  return Between(lower, FromBeading(strategy.Compute(thickness, count.count + 1)), count.ratio,
+                 radius);
+}
+
+/// Whose beads a node takes over, and how far away that is along the graph.
+struct Origin {
+  int node = -1;
+  double distance = 0;
+  int next = -1;  ///< the next node on the way there
+};
+
+class Field {
+ public:
+  Field(const SkeletalGraph& graph, const std::vector<BeadCount>& counts)
+      : graph_(graph), counts_(counts), leaving_(graph.Leaving()), order_(graph.nodes.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](int a, int b) { return graph_.nodes[a].radius < graph_.nodes[b].radius; });
+  }
+
+  /// Nodes from the greatest radius to the least.
+  std::vector<int> Falling() const { return {order_.rbegin(), order_.rend()}; }
+
+  /// By node: the decided one that the steepest way leads up to.
+  std::vector<Origin> Tops() const {
+    std::vector<Origin> tops = Decided();
+    for (auto node = order_.rbegin(); node != order_.rend(); ++node) {
+      if (tops[*node].node >= 0) continue;
+      double steepest = -1;
+      graph_.ForEachLeaving(leaving_[*node], [&](int half) {
+        const int to = graph_.To(half);
+        const double rise = graph_.nodes[to].radius - graph_.nodes[*node].radius;
+        const double length = graph_.Length(half);
+        const double steepness = length > 0 ? rise / length : 0;
+        if (rise < 0 || tops[to].node < 0 || steepness <= steepest) return;
+        steepest = steepness;
+        tops[*node] = {tops[to].node, tops[to].distance + length, to};
+      });
+    }
+    return tops;
+  }
+
+  /// By node: the nearest decided one from which a way leads up to it, if there is one.
+  std::vector<Origin> Bottoms() const {
+    std::vector<Origin> bottoms = Decided();
+    for (const int node : order_) {
+      if (counts_[node].decided()) continue;
+      graph_.ForEachLeaving(leaving_[node], [&](int half) {
+        const int to = graph_.To(half);
+        if (bottoms[to].node < 0 || graph_.nodes[to].radius > graph_.nodes[node].radius) return;
+        const double distance = bottoms[to].distance + graph_.Length(half);
+        if (bottoms[node].node < 0 || distance < bottoms[node].distance)
+          bottoms[node] = {bottoms[to].node, distance, to};
+      });
+    }
+    return bottoms;
+  }
+
+ private:
+  std::vector<Origin> Decided() const {
+    std::vector<Origin> origins(graph_.nodes.size());
+    for (size_t i = 0; i < origins.size(); ++i)
+      if (counts_[i].decided()) origins[i].node = static_cast<int>(i);
+    return origins;
+  }
+
+  const SkeletalGraph& graph_;
+  const std::vector<BeadCount>& counts_;
+  const std::vector<int> leaving_;
+  std::vector<int> order_;  ///< nodes by radius
+};
+
+/// Widths go evenly from node to node: without these nodes a blend would be as long as its edge.
+void SplitWhereBlendsEnd(double transition_length, SkeletalGraph& graph,
+                         std::vector<BeadCount>& counts, std::vector<char>& central) {
+  const std::vector<Origin> bottoms = Field(graph, counts).Bottoms();
+  const size_t halves = graph.half_edges.size();
+  for (int half = 0; half < static_cast<int>(halves); ++half) {
+    const SkeletalNode from = graph.FromNode(half), to = graph.ToNode(half);
+    const auto node = static_cast<size_t>(graph.half_edges[half].from);
+    if (node >= bottoms.size()) continue;  // the edge was split already, from its other end
+    const bool both_decided = counts[node].decided() && counts[graph.To(half)].decided();
+    if (from.radius > to.radius || both_decided || bottoms[node].node < 0) continue;
+    const double left = transition_length - bottoms[node].distance, length = graph.Length(half);
+    if (left < kLeastPieceNm || length - left < kLeastPieceNm) continue;
+    const double t = left / length;
+    graph.Split(half,
+                {{std::lerp(from.place.x, to.place.x, t), std::lerp(from.place.y, to.place.y, t)},
+                 std::lerp(from.radius, to.radius, t)});
+    counts.emplace_back();
+    central.push_back(central[half / 2]);
+  }
+}
+
+}  // namespace
+
+std::vector<NodeBeading> BeadingField(const BeadingStrategy& strategy, double transition_length_nm,
+                                      SkeletalGraph& graph, std::vector<BeadCount>& counts,
+                                      std::vector<char>& central) {
+  SplitWhereBlendsEnd(transition_length_nm, graph, counts, central);
+  const size_t nodes = graph.nodes.size();
+  std::vector<NodeBeading> beadings(nodes);
+  for (size_t i = 0; i < nodes; ++i)
+    if (counts[i].decided()) beadings[i] = LaidOut(strategy, graph.nodes[i].radius, counts[i]);
+  const Field field(graph, counts);
+  const std::vector<Origin> tops = field.Tops(), bottoms = field.Bottoms();
+  for (const int i : field.Falling()) {
+    if (counts[i].decided() || tops[i].node < 0) continue;
+    if (bottoms[i].node < 0) {
+      beadings[i] = beadings[tops[i].next];
+      continue;
+    }
+    const NodeBeading& top = beadings[tops[i].node];
+    const double total = tops[i].distance + bottoms[i].distance;
+    const double ratio = bottoms[i].distance / std::max(1.0, std::min(total, transition_length_nm));
+    beadings[i] = ratio >= 1 ? top
+                             : Blend(beadings[bottoms[i].node], top, ratio,
+                                     graph.nodes[bottoms[i].node].radius);
+  }
+  return beadings;
+}
+
+}  // namespace slicefarm::beading

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/model/layer.h"
+#include "services/beading/algo/arachne/outline_index.h"
+
+namespace slicefarm::beading {
+
+/// The outlines of the layers around one, to decide alike in all of them what is a close call in
+/// each. Indexes are made when they are asked for, and kept for the next layer.
+class NeighbourOutlines {
+ public:
+  /// `layers` are consecutive and must outlive this.
+  explicit NeighbourOutlines(std::span<const SlicedLayer> layers)
+      : layers_(layers), indexes_(layers.size()) {}
+
+  /// The mean distance from the outlines, of the layers at most `reach` from layers[i] and itself,
+  /// of a place that is `radius_nm` away from those of layers[i]. Layers in which it differs from
+  /// that by more than `band_nm` have another shape there and do not count.
+  double MeanRadius(size_t i, size_t reach, double x, double y, double radius_nm,
+                    double band_nm) const;
+
+ private:
+  const OutlineIndex& IndexOf(size_t i) const;
+
+  std::span<const SlicedLayer> layers_;
+  mutable std::vector<std::optional<OutlineIndex>> indexes_;
+};
+
+}  // namespace slicefarm::beading

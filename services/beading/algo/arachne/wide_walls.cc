@@ -1,0 +1,132 @@
+#include "services/beading/algo/arachne/wide_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/predicates.h"
+
+namespace slicefarm::beading {
+namespace {
+
+/// Miters that go beyond their arc by less stay.
+constexpr double kLeastExcessNm = 1'000;
+/// Offsets cut miters square from here on; a little less, for what rounding does to angles.
+constexpr double kMaxTurn = 1.9;
+
+struct Direction {
+  double x = 0;
+  double y = 0;
+};
+
+Direction Along(Point a, Point b) {
+  const double length = Distance(a, b);
+  return {static_cast<double>(b.x - a.x) / length, static_cast<double>(b.y - a.y) / length};
+}
+
+/// What the inset's edges at a corner lose to the arc there.
+struct Rounding {
+  double turn = 0;    ///< radians, of a reflex corner; 0: the corner stays
+  double cut_nm = 0;  ///< off both edges
+};
+
+std::optional<Rounding> RoundingAt(Point before, Point at, Point after, double distance_nm) {
+  if (Orientation(before, at, after) >= 0) return Rounding{};
+  const Direction in = Along(before, at), out = Along(at, after);
+  const double turn = std::atan2(-(in.x * out.y - in.y * out.x), in.x * out.x + in.y * out.y);
+  if (turn > kMaxTurn) return std::nullopt;
+  if (distance_nm * (1 / std::cos(turn / 2) - 1) < kLeastExcessNm) return Rounding{};
+  return Rounding{turn, distance_nm * std::tan(turn / 2)};
+}
+
+/// Points of the arc to the right of the way in, from one tangent point to the other.
+void AppendArc(Point at, Direction in, const Rounding& rounding, double distance_nm, double step,
+               Polygon& ring) {
+  const double start_x = static_cast<double>(at.x) - in.x * rounding.cut_nm;
+  const double start_y = static_cast<double>(at.y) - in.y * rounding.cut_nm;
+  const double centre_x = start_x + in.y * distance_nm, centre_y = start_y - in.x * distance_nm;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(rounding.turn / step)));
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = rounding.turn * i / pieces;
+    const double c = std::cos(angle), s = std::sin(angle);
+    // The radius to the start, (-in.y, in.x), turned clockwise.
+    ring.push_back({std::llround(centre_x + distance_nm * (-in.y * c + in.x * s)),
+                    std::llround(centre_y + distance_nm * (in.x * c + in.y * s))});
+  }
+}
+
+/// The island's inset with round reflex corners.
+std::optional<MultiPolygon> RoundInset(const PolygonWithHoles& island, Coord distance_nm,
+                                       Coord tolerance_nm) {
+  std::optional<CleanOffset> inset = TryOffset({island}, -distance_nm);
+  if (!inset) return std::nullopt;
+  const auto round = [&](Polygon& ring) {
+    std::optional<Polygon> rounded = RoundReflexCorners(ring, distance_nm, tolerance_nm);
+    if (rounded) ring = *std::move(rounded);
+    return rounded.has_value();
+  };
+  for (PolygonWithHoles& part : inset->polygons) {
+    if (!round(part.outer)) return std::nullopt;
+    if (!std::all_of(part.holes.begin(), part.holes.end(), round)) return std::nullopt;
+  }
+  return std::move(inset->polygons);
+}
+
+}  // namespace
+
+std::optional<Polygon> RoundReflexCorners(const Polygon& ring, Coord distance_nm,
+                                          Coord tolerance_nm) {
+  const size_t count = ring.size();
+  const auto distance = static_cast<double>(distance_nm);
+  const auto before = [&](size_t i) { return ring[i == 0 ? count - 1 : i - 1]; };
+  const auto after = [&](size_t i) { return ring[i + 1 == count ? 0 : i + 1]; };
+  std::vector<Rounding> roundings(count);
+  for (size_t i = 0; i < count; ++i) {
+    const auto rounding = RoundingAt(before(i), ring[i], after(i), distance);
+    if (!rounding) return std::nullopt;
+    roundings[i] = *rounding;
+  }
+  const double step =
+      2 * std::acos(1 - std::min(1.0, static_cast<double>(tolerance_nm) / distance));
+  Polygon rounded;
+  rounded.reserve(count);
+  for (size_t i = 0; i < count; ++i) {
+    const Rounding& next = roundings[i + 1 == count ? 0 : i + 1];
+    if (roundings[i].cut_nm + next.cut_nm > Distance(ring[i], after(i)) + 1) return std::nullopt;
+    if (roundings[i].turn == 0) {
+      rounded.push_back(ring[i]);
+    } else {
+      AppendArc(ring[i], Along(before(i), ring[i]), roundings[i], distance, step, rounded);
+    }
+  }
+  return rounded;
+}
+
+std::optional<VariableWalls> TryWideWalls(const PolygonWithHoles& island,
+                                          const BeadingStrategy& strategy, int max_walls,
+                                          const VariableWallOptions& options) {
+  const Coord thickness = strategy.TransitionThickness(2 * max_walls);
+  // Close calls are not decided here, but by the layers around.
+  const auto widest = TryOffset({island}, -(thickness + options.filter_deviation_nm) / 2 - 1);
+  if (!widest || widest->has_tips) return std::nullopt;
+  const Beading beading = strategy.Compute(thickness, 2 * max_walls + 1);
+  VariableWalls walls;
+  for (int inset = 0; inset <= max_walls; ++inset) {
+    auto rings = RoundInset(island, beading.locations_nm[inset], options.tolerance_nm / 2);
+    if (!rings) return std::nullopt;
+    if (inset == max_walls) {
+      walls.fill_area = *std::move(rings);
+      break;
+    }
+    const Coord width = beading.widths_nm[inset];
+    ForEachRing(*rings, [&](const Polygon& ring) {
+      walls.lines.push_back({inset, false, {true, ring, std::vector<Coord>(ring.size(), width)}});
+    });
+  }
+  return walls;
+}
+
+}  // namespace slicefarm::beading

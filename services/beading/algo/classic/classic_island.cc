@@ -1,0 +1,43 @@
+#include "services/beading/algo/classic/classic_island.h"
+
+#include <utility>
+#include <vector>
+
+namespace slicefarm::beading {
+namespace {
+
+void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& plan,
+                 std::vector<Path>& paths) {
+  for (size_t inset = 0; inset < centre_lines.size(); ++inset) {
+    for (const PolygonWithHoles& rings : centre_lines[inset]) {
+      const auto append = [&](const Polygon& ring) {
+        Path& path = paths.emplace_back();
+        path.feature = inset == 0 ? Feature::kExternalPerimeter : Feature::kPerimeter;
+        path.inset = static_cast<int32_t>(inset);
+        path.closed = true;
+        path.points = ring;
+        path.widths_nm = {inset == 0 ? plan.external_width_nm : plan.inner_width_nm};
+      };
+      append(rings.outer);
+      for (const Polygon& hole : rings.holes) append(hole);
+    }
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<WalledIsland> MakeClassicIsland(const PolygonWithHoles& outline,
+                                               const WallPlan& plan,
+                                               const GapFillOptions& gap_options,
+                                               const CancelToken& cancel) {
+  WalledIsland island;
+  IslandWalls walls = MakeConstantWalls(outline, plan);
+  AppendWalls(walls.centre_lines, plan, island.walls);
+  auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
+  if (!gap_paths.ok()) return gap_paths.status();
+  for (Path& path : *gap_paths) island.walls.push_back(std::move(path));
+  island.fill_area = std::move(walls.fill_area);
+  return island;
+}
+
+}  // namespace slicefarm::beading

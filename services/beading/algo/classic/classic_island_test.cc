@@ -1,0 +1,106 @@
+#include "services/beading/algo/classic/classic_island.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::beading {
+namespace {
+
+constexpr Coord kHeight = 200'000;
+/// By how much beads that lie side by side are wider than their distance.
+constexpr double kOverlapMm = 0.2 * (1 - 3.14159265358979 / 4);
+
+WallPlan Plan(int perimeters, Coord external_width_nm = 450'000, Coord inner_width_nm = 450'000) {
+  WallPlan plan = WallPlan::Make(perimeters, external_width_nm, inner_width_nm, kHeight);
+  plan.gap_fill = plan.thin_walls = true;
+  plan.max_gap_width_nm = 800'000;
+  return plan;
+}
+
+WalledIsland IslandOf(std::string_view outline, const WallPlan& plan) {
+  auto island = MakeClassicIsland(MakePolygonsOrDie(outline)[0], plan, {}, {});
+  EXPECT_TRUE(island.ok()) << island.status();
+  return island.ok() ? *std::move(island) : WalledIsland{};
+}
+
+double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
+
+constexpr std::string_view kSquare = "(0 0, 20 0, 20 20, 0 20)";
+
+TEST(ClassicIsland, WallsHaveTheWidthsAndTheFillAreaWhatTheyLeave) {
+  const WalledIsland island = IslandOf(kSquare, Plan(3, 600'000, 400'000));
+  ASSERT_EQ(island.walls.size(), 3u);
+  for (int inset = 0; inset < 3; ++inset) {
+    const Path& wall = island.walls[inset];
+    EXPECT_EQ(wall.inset, inset);
+    EXPECT_EQ(wall.feature, inset == 0 ? Feature::kExternalPerimeter : Feature::kPerimeter);
+    EXPECT_TRUE(wall.closed);
+    EXPECT_EQ(wall.widths_nm, std::vector<Coord>{inset == 0 ? 600'000 : 400'000});
+    EXPECT_EQ(wall.points.size(), 4u);
+  }
+  // Full width of the outer bead, and what the inner two lie apart.
+  const double side = 20 - 2 * (0.6 + 2 * 0.4 - 2.5 * kOverlapMm);
+  EXPECT_NEAR(Mm2(island.fill_area), side * side, 1e-4);
+}
+
+TEST(ClassicIsland, HolesHaveWallsToo) {
+  const WalledIsland island =
+      IslandOf("(0 0, 20 0, 20 20, 0 20) (8 8, 12 8, 12 12, 8 12)", Plan(2));
+  ASSERT_EQ(island.walls.size(), 4u);
+  int external = 0, around_the_hole = 0;
+  for (const Path& wall : island.walls) {
+    external += wall.feature == Feature::kExternalPerimeter;
+    around_the_hole += SignedArea(wall.points) < 0;
+  }
+  EXPECT_EQ(external, 2);
+  EXPECT_EQ(around_the_hole, 2);
+}
+
+TEST(ClassicIsland, WithoutPerimetersAllIsFillArea) {
+  const WalledIsland island = IslandOf(kSquare, Plan(0));
+  EXPECT_TRUE(island.walls.empty());
+  EXPECT_EQ(island.fill_area, MakePolygonsOrDie(kSquare));
+}
+
+TEST(ClassicIsland, WhatIsTooThinForWallsIsAGap) {
+  const WalledIsland island = IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", Plan(3));
+  ASSERT_EQ(island.walls.size(), 1u);
+  EXPECT_EQ(island.walls[0].feature, Feature::kGapFill);
+  EXPECT_EQ(island.walls[0].widths_nm, std::vector<Coord>{400'000});
+  EXPECT_TRUE(island.fill_area.empty());
+}
+
+constexpr std::string_view kWallAndGap = "(0 0, 20 0, 20 1.2, 0 1.2)";
+
+// 1.2 mm less twice 0.45 are the bead's, and what it overlaps the walls by on either side.
+TEST(ClassicIsland, AGapBetweenWallsIsFilled) {
+  const WalledIsland island = IslandOf(kWallAndGap, Plan(3));
+  ASSERT_EQ(island.walls.size(), 2u);
+  EXPECT_EQ(island.walls[0].feature, Feature::kExternalPerimeter);
+  EXPECT_EQ(island.walls[1].feature, Feature::kGapFill);
+  ASSERT_EQ(island.walls[1].widths_nm.size(), 1u);
+  EXPECT_NEAR(island.walls[1].widths_nm[0], FromMm(0.3 + 2 * kOverlapMm), 1'000);
+  for (const Point p : island.walls[1].points) EXPECT_NEAR(p.y, 600'000, 1);
+}
+
+TEST(ClassicIsland, GapsStayEmptyIfTheyAreTo) {
+  WallPlan plan = Plan(3);
+  plan.gap_fill = plan.thin_walls = false;
+  EXPECT_EQ(IslandOf(kWallAndGap, plan).walls.size(), 1u);
+  EXPECT_TRUE(IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", plan).walls.empty());
+}
+
+TEST(ClassicIsland, StopsWhenCancelled) {
+  const auto island = MakeClassicIsland(MakePolygonsOrDie(kWallAndGap)[0], Plan(3), {},
+                                        CancelToken([] { return true; }));
+  EXPECT_TRUE(absl::IsCancelled(island.status()));
+}
+
+}  // namespace
+}  // namespace slicefarm::beading

@@ -1,0 +1,92 @@
+#include "services/beading/algo/classic/constant_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::beading {
+namespace {
+
+/// Opposite walls may come this part of a spacing closer than side by side before they make way for
+/// gap fill.
+constexpr double kFitTolerance = 0.15;
+/// Beads are grown by this much before they are taken away from a region, so that edges that should
+/// coincide but for rounding leave no slivers.
+constexpr Coord kSafetyNm = 5'000;
+constexpr Coord kRoundingNm = 10;
+
+void AppendGaps(const MultiPolygon& regions, bool along_outline, std::vector<Gap>& gaps) {
+  for (const PolygonWithHoles& region : regions) gaps.push_back({region, along_outline});
+}
+
+/// True if the region is nowhere narrower than twice the distance and has no tips: opening it by
+/// that changes nothing.
+bool IsWideThroughout(const MultiPolygon& region, Coord distance_nm) {
+  return std::all_of(region.begin(), region.end(), [&](const PolygonWithHoles& island) {
+    const auto inset = TryOffset({island}, -distance_nm);
+    return inset && !inset->has_tips;
+  });
+}
+
+/// Where `region` is wide enough that discs of `radius_nm` fit, with sharp corners kept; `core` is
+/// where their middles are.
+MultiPolygon Opened(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
+  if (core.empty()) return {};
+  return Intersection(region, FastOffset(core, radius_nm + kRoundingNm));
+}
+
+/// What discs of `radius_nm` around `core` leave of `region`.
+MultiPolygon Residue(const MultiPolygon& region, const MultiPolygon& core, Coord radius_nm) {
+  if (core.empty()) return region;
+  return Difference(region, FastOffset(core, radius_nm + kSafetyNm));
+}
+
+}  // namespace
+
+WallPlan WallPlan::Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
+                        Coord layer_height_nm) {
+  WallPlan plan;
+  plan.perimeters = perimeters;
+  plan.external_width_nm = external_width_nm;
+  plan.inner_width_nm = inner_width_nm;
+  plan.external_spacing_nm = Spacing(external_width_nm, layer_height_nm);
+  plan.inner_spacing_nm = Spacing(inner_width_nm, layer_height_nm);
+  return plan;
+}
+
+IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan) {
+  IslandWalls walls;
+  MultiPolygon region = {island};
+  for (int inset = 0; inset < plan.perimeters && !region.empty(); ++inset) {
+    const Coord spacing = inset == 0 ? plan.external_spacing_nm : plan.inner_spacing_nm;
+    const Coord to_centre = (inset == 0 ? plan.external_width_nm : spacing) / 2;
+    const Coord fit = std::llround(static_cast<double>(spacing) / 2 * (1 - kFitTolerance));
+    MultiPolygon centre = FastOffset(region, -to_centre);
+    if (!IsWideThroughout(region, to_centre + fit)) {
+      const MultiPolygon core = FastOffset(centre, -fit);
+      centre = Opened(centre, core, fit);
+      if (inset == 0 ? plan.thin_walls : plan.gap_fill)
+        AppendGaps(Residue(region, core, fit + to_centre), inset == 0, walls.gaps);
+    }
+    region = FastOffset(centre, -spacing / 2);
+    walls.centre_lines.push_back(std::move(centre));
+  }
+  walls.fill_area = std::move(region);
+  if (plan.gap_fill && plan.perimeters > 0)
+    TakeNarrowParts(plan.max_gap_width_nm, walls.fill_area, walls.gaps);
+  return walls;
+}
+
+void TakeNarrowParts(Coord width_nm, MultiPolygon& fill_area, std::vector<Gap>& gaps) {
+  const Coord half = width_nm / 2;
+  if (IsWideThroughout(fill_area, half)) return;
+  const MultiPolygon core = FastOffset(fill_area, -half);
+  AppendGaps(Residue(fill_area, core, half), false, gaps);
+  fill_area = Opened(fill_area, core, half);
+}
+
+}  // namespace slicefarm::beading

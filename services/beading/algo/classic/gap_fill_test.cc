@@ -1,0 +1,71 @@
+#include "services/beading/algo/classic/gap_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::beading {
+namespace {
+
+std::vector<Path> Fill(std::string_view text, bool along_outline) {
+  return *FillGaps({{MakePolygonsOrDie(text)[0], along_outline}}, {}, {});
+}
+
+TEST(GapFill, BetweenWallsTheRectangleFillsTheGap) {
+  const auto paths = Fill("(0 0, 10 0, 10 0.4, 0 0.4)", false);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths[0].feature, Feature::kGapFill);
+  ASSERT_EQ(paths[0].widths_nm.size(), 1u);
+  EXPECT_NEAR(Spacing(paths[0].widths_nm[0], 200'000), 400'000, 2);
+}
+
+TEST(GapFill, AlongTheOutlineTheBeadStaysInside) {
+  const auto paths = Fill("(0 0, 10 0, 10 0.4, 0 0.4)", true);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_NEAR(paths[0].widths_nm[0], 400'000, 2);
+}
+
+TEST(GapFill, ThinBeadsGetTheGapsArea) {
+  const auto paths = Fill("(0 0, 10 0, 10 0.1, 0 0.1)", false);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_NEAR(SectionMm2(paths[0].widths_nm[0], 200'000), 0.1 * 0.2, 1e-5);
+}
+
+TEST(GapFill, WidthIsBounded) {
+  for (const Path& path : Fill("(0 0, 10 0, 10 2, 0 2)", true))
+    for (const Coord width : path.widths_nm) EXPECT_LE(width, 800'000);
+}
+
+TEST(GapFill, SliversAndSpecksAreLeftOut) {
+  EXPECT_TRUE(Fill("(0 0, 10 0, 10 0.009, 0 0.009)", false).empty());
+  EXPECT_TRUE(Fill("(0 0, 0.1 0, 0.1 0.1, 0 0.1)", false).empty());
+}
+
+TEST(GapFill, StopsWhenCancelled) {
+  const Gap gap = {MakePolygonsOrDie("(0 0, 10 0, 10 0.4, 0 0.4)")[0], false};
+  int polls = 0;
+  const CancelToken cancel([&] { return ++polls > 2; });
+  const auto paths = FillGaps({gap, gap, gap, gap}, {}, cancel);
+  EXPECT_TRUE(absl::IsCancelled(paths.status()));
+  EXPECT_EQ(polls, 3);
+}
+
+TEST(GapFill, AWedgeHasAWidthForEachPoint) {
+  const auto paths = Fill("(0 0, 10 -0.3, 10 0.3)", false);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths[0].widths_nm.size(), paths[0].points.size());
+  double volume = 0;
+  for (size_t i = 1; i < paths[0].points.size(); ++i) {
+    const Coord width = (paths[0].WidthAt(i - 1) + paths[0].WidthAt(i)) / 2;
+    volume += SectionMm2(width, 200'000) *
+              ToMm(std::hypot(paths[0].points[i].x - paths[0].points[i - 1].x,
+                              paths[0].points[i].y - paths[0].points[i - 1].y));
+  }
+  EXPECT_NEAR(volume, 0.2 * 3, 0.2 * 3 * 0.1);
+}
+
+}  // namespace
+}  // namespace slicefarm::beading

@@ -1,0 +1,359 @@
+#include "services/beading/algo/skeleton/medial_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "services/beading/algo/skeleton/skeleton.h"
+
+namespace slicefarm::beading {
+namespace {
+
+/// Two sides face each other where the radius changes by less than this per length: sin of half the
+/// angle between them, here 80 degrees, so that a square corner is a corner and not a tip.
+constexpr double kFacing = 0.64;
+/// A branch shorter than this many radii of the node it leaves prints nothing that the others do
+/// not.
+constexpr double kShortBranch = 1.0;
+/// A line stops this many radii short of the middle of a line that it meets.
+constexpr double kRetreat = 0.8;
+/// A line goes on past the last point of its axis by this many radii: the circle there touches the
+/// end.
+constexpr double kExtend = 0.25;
+/// The least length of a line, in radii of its widest point: rounder regions give a dot of this
+/// length.
+constexpr double kDotLength = 0.8;
+
+/// The kept edges of a skeleton and how they hang together.
+class AxisGraph {
+ public:
+  AxisGraph(Skeleton skeleton, double min_radius) : skeleton_(std::move(skeleton)) {
+    CutAt(min_radius);
+    alive_.assign(skeleton_.edges.size(), true);
+    BuildIncidence();
+  }
+
+  const SkeletonNode& Node(int i) const { return skeleton_.nodes[i]; }
+  Point Place(int i) const {
+    return skeleton_.origin + Point{std::llround(Node(i).x), std::llround(Node(i).y)};
+  }
+  int NodeCount() const { return static_cast<int>(skeleton_.nodes.size()); }
+  int Degree(int node) const { return degree_[node]; }
+
+  /// The node with the largest radius among those with an edge, -1 if there is none.
+  int Widest() const {
+    int widest = -1;
+    for (int i = 0; i < NodeCount(); ++i)
+      if (degree_[i] > 0 && (widest < 0 || Node(i).radius > Node(widest).radius)) widest = i;
+    return widest;
+  }
+
+  /// Removes, from the leaves inwards, what leads into blunt corners.
+  void TrimCorners() {
+    std::vector<int> leaves = Leaves();
+    while (!leaves.empty()) {
+      const int leaf = leaves.back();
+      leaves.pop_back();
+      if (degree_[leaf] != 1) continue;
+      const int edge = FirstEdge(leaf);
+      if (IsFacing(edge)) continue;
+      const int other = OtherEnd(edge, leaf);
+      Remove(edge);
+      if (degree_[other] == 1) leaves.push_back(other);
+    }
+  }
+
+  /// Removes branches that end within the circle of the fork they start from, the shortest first
+  /// (of equals, that of the first leaf). Each branch is walked once and goes on from where it
+  /// stood when its fork is gone: O(n log n).
+  void PruneShortBranches() {
+    branches_.assign(skeleton_.nodes.size(), {});
+    branch_at_edge_.assign(skeleton_.edges.size(), -1);
+    for (const int leaf : Leaves()) {
+      branches_[leaf].at = leaf;
+      WalkOn(leaf, FirstEdge(leaf));
+    }
+    while (!short_branches_.empty()) {
+      const auto [reach, leaf] = short_branches_.top();
+      short_branches_.pop();
+      // Else it was removed, or has gone on since it was queued.
+      if (degree_[leaf] != 1 || branches_[leaf].reach != reach || !IsShort(leaf)) continue;
+      const int fork = branches_[leaf].at;
+      RemoveBranch(leaf);
+      if (degree_[fork] == 2) JoinBranchesAt(fork);
+    }
+  }
+
+  /// Lines of nodes: at a fork the two edges that bend least go on as one line. A closed line
+  /// repeats its first node.
+  std::vector<std::vector<int>> Lines() {
+    PairAtForks();
+    std::vector<std::vector<int>> lines;
+    std::vector<bool> used(skeleton_.edges.size(), false);
+    for (int pass = 0; pass < 2; ++pass) {  // open lines from their ends, then what is left: rings
+      for (size_t e = 0; e < skeleton_.edges.size(); ++e) {
+        if (!alive_[e] || used[e]) continue;
+        const SkeletonEdge& edge = skeleton_.edges[e];
+        if (pass == 1 || Continuation(static_cast<int>(e), edge.a) < 0) {
+          lines.push_back(Follow(static_cast<int>(e), edge.a, used));
+        } else if (Continuation(static_cast<int>(e), edge.b) < 0) {
+          lines.push_back(Follow(static_cast<int>(e), edge.b, used));
+        }
+      }
+    }
+    return lines;
+  }
+
+ private:
+  double EdgeLength(int e) const {
+    const SkeletonNode &a = Node(skeleton_.edges[e].a), &b = Node(skeleton_.edges[e].b);
+    return std::hypot(a.x - b.x, a.y - b.y);
+  }
+  bool IsFacing(int e) const {
+    const SkeletonEdge& edge = skeleton_.edges[e];
+    return std::abs(Node(edge.a).radius - Node(edge.b).radius) < kFacing * EdgeLength(e);
+  }
+  int OtherEnd(int e, int node) const {
+    return skeleton_.edges[e].a == node ? skeleton_.edges[e].b : skeleton_.edges[e].a;
+  }
+
+  /// Drops what is thinner than `min_radius`; edges that cross it end there.
+  void CutAt(double min_radius) {
+    std::vector<SkeletonEdge> kept;
+    kept.reserve(skeleton_.edges.size());
+    for (SkeletonEdge edge : skeleton_.edges) {
+      if (Node(edge.a).radius > Node(edge.b).radius) std::swap(edge.a, edge.b);
+      const SkeletonNode thin = Node(edge.a), thick = Node(edge.b);
+      if (thick.radius <= min_radius) continue;
+      if (thin.radius < min_radius) {
+        const double t = (min_radius - thin.radius) / (thick.radius - thin.radius);
+        edge.a = NodeCount();
+        skeleton_.nodes.push_back(
+            {thin.x + t * (thick.x - thin.x), thin.y + t * (thick.y - thin.y), min_radius});
+      }
+      kept.push_back(edge);
+    }
+    skeleton_.edges = std::move(kept);
+  }
+
+  void BuildIncidence() {
+    degree_.assign(skeleton_.nodes.size(), 0);
+    for (const SkeletonEdge& edge : skeleton_.edges) ++degree_[edge.a], ++degree_[edge.b];
+    first_.assign(skeleton_.nodes.size() + 1, 0);
+    std::partial_sum(degree_.begin(), degree_.end(), first_.begin() + 1);
+    incident_.resize(skeleton_.edges.size() * 2);
+    std::vector<int> at(first_.begin(), first_.end() - 1);
+    for (size_t e = 0; e < skeleton_.edges.size(); ++e) {
+      incident_[at[skeleton_.edges[e].a]++] = static_cast<int>(e);
+      incident_[at[skeleton_.edges[e].b]++] = static_cast<int>(e);
+    }
+  }
+
+  std::vector<int> Leaves() const {
+    std::vector<int> leaves;
+    for (int i = 0; i < NodeCount(); ++i)
+      if (degree_[i] == 1) leaves.push_back(i);
+    return leaves;
+  }
+
+  /// The first edge of a node, its only one if it is a leaf.
+  int FirstEdge(int node) const {
+    for (int i = first_[node]; i < first_[node + 1]; ++i)
+      if (alive_[incident_[i]]) return incident_[i];
+    return -1;
+  }
+  int NextEdge(int node, int from_edge) const {
+    for (int i = first_[node]; i < first_[node + 1]; ++i)
+      if (alive_[incident_[i]] && incident_[i] != from_edge) return incident_[i];
+    return -1;
+  }
+  void Remove(int e) {
+    alive_[e] = false;
+    --degree_[skeleton_.edges[e].a];
+    --degree_[skeleton_.edges[e].b];
+  }
+
+  /// Lets the branch of `leaf` go on over `edge` to the next fork, and queues it there if it is
+  /// short.
+  void WalkOn(int leaf, int edge) {
+    Branch& branch = branches_[leaf];
+    for (; edge >= 0; edge = NextEdge(branch.at, edge)) {
+      branch.reach += EdgeLength(edge);
+      branch.at = OtherEnd(edge, branch.at);
+      if (degree_[branch.at] <= 2) continue;
+      branch_at_edge_[edge] = leaf;
+      if (IsShort(leaf)) short_branches_.push({branch.reach, leaf});
+      return;
+    }
+  }
+
+  /// REQUIRES: the branch ends at a node that is, or was, a fork.
+  bool IsShort(int leaf) const {
+    const Branch& branch = branches_[leaf];
+    return degree_[branch.at] > 2 && branch.reach <= kShortBranch * Node(branch.at).radius;
+  }
+
+  /// The branches that ended at this node, which is no fork any more, go on over its other edge.
+  void JoinBranchesAt(int node) {
+    const int one = FirstEdge(node), other = NextEdge(node, one);
+    const int leaf = branch_at_edge_[one], other_leaf = branch_at_edge_[other];
+    if (leaf >= 0 && branches_[leaf].at == node) WalkOn(leaf, other);
+    if (other_leaf >= 0 && branches_[other_leaf].at == node) WalkOn(other_leaf, one);
+  }
+
+  void RemoveBranch(int leaf) {
+    int node = leaf;
+    while (degree_[node] == 1) {
+      const int edge = FirstEdge(node);
+      node = OtherEnd(edge, node);
+      Remove(edge);
+      if (degree_[node] >= 2) return;
+    }
+  }
+
+  /// For each node, which edge goes on as which: at forks the pair that bends least.
+  void PairAtForks() {
+    pair_.assign(skeleton_.nodes.size(), {-1, -1});
+    for (int node = 0; node < NodeCount(); ++node) {
+      if (degree_[node] < 2) continue;
+      double straightest = 2;
+      for (int i = first_[node]; i < first_[node + 1]; ++i) {
+        if (!alive_[incident_[i]]) continue;
+        for (int j = i + 1; j < first_[node + 1]; ++j) {
+          if (!alive_[incident_[j]]) continue;
+          const double bend = CosBetween(node, incident_[i], incident_[j]);
+          if (bend < straightest) straightest = bend, pair_[node] = {incident_[i], incident_[j]};
+        }
+      }
+    }
+  }
+
+  double CosBetween(int node, int e, int f) const {
+    const SkeletonNode &o = Node(node), &p = Node(OtherEnd(e, node)), &q = Node(OtherEnd(f, node));
+    const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
+    return (px * qx + py * qy) / (std::hypot(px, py) * std::hypot(qx, qy));
+  }
+
+  int Continuation(int e, int node) const {
+    if (pair_[node].first == e) return pair_[node].second;
+    if (pair_[node].second == e) return pair_[node].first;
+    return -1;
+  }
+
+  std::vector<int> Follow(int e, int from, std::vector<bool>& used) const {
+    std::vector<int> nodes = {from};
+    while (e >= 0 && !used[e]) {
+      used[e] = true;
+      nodes.push_back(OtherEnd(e, nodes.back()));
+      e = Continuation(e, nodes.back());
+    }
+    return nodes;
+  }
+
+  /// From a leaf to the next fork, by the leaf.
+  struct Branch {
+    int at = 0;  ///< its fork, or another leaf
+    double reach = 0;
+  };
+  using Queued = std::pair<double, int>;  ///< reach, leaf
+
+  Skeleton skeleton_;
+  std::vector<bool> alive_;
+  std::vector<int> degree_;
+  std::vector<int> first_;     ///< of each node in incident_
+  std::vector<int> incident_;  ///< edges by node
+  std::vector<std::pair<int, int>> pair_;
+  std::vector<Branch> branches_;
+  std::vector<int> branch_at_edge_;  ///< whose last edge, on the way to its fork, this is
+  std::priority_queue<Queued, std::vector<Queued>, std::greater<>> short_branches_;
+};
+
+/// Where an end of a line lies, as the graph knows it.
+enum class End { kTip, kBlunt, kFork };
+
+End EndAt(const AxisGraph& graph, int node, double min_radius) {
+  if (graph.Degree(node) > 2) return End::kFork;
+  return graph.Node(node).radius > 1.05 * min_radius ? End::kBlunt : End::kTip;
+}
+
+void FinishEnd(ThickLine& line, End end, double radius) {
+  if (end == End::kFork) CutEnd(line, kRetreat * radius);
+  if (end == End::kBlunt) ExtendEnd(line, kExtend * radius);
+}
+
+/// Lengthens a line that is shorter than a dot of its thickness.
+void MakeDot(ThickLine& line) {
+  const Coord widest = *std::max_element(line.thickness_nm.begin(), line.thickness_nm.end());
+  const double missing = kDotLength * static_cast<double>(widest) / 2 - Length(line);
+  if (missing <= 0) return;
+  ExtendEnd(line, missing / 2);
+  Reverse(line);
+  ExtendEnd(line, missing / 2);
+}
+
+ThickLine MakeLine(const AxisGraph& graph, const std::vector<int>& nodes, double min_radius) {
+  ThickLine line;
+  for (const int node : nodes) {
+    line.points.push_back(graph.Place(node));
+    line.thickness_nm.push_back(std::llround(2 * graph.Node(node).radius));
+  }
+  if (nodes.size() > 3 && nodes.front() == nodes.back()) {
+    line.closed = true;
+    line.points.pop_back();
+    line.thickness_nm.pop_back();
+    return line;
+  }
+  for (const int node : {nodes.back(), nodes.front()}) {
+    FinishEnd(line, EndAt(graph, node, min_radius), graph.Node(node).radius);
+    if (line.points.empty()) return line;
+    Reverse(line);
+  }
+  MakeDot(line);
+  return line;
+}
+
+/// A region with no two sides that face each other, such as a square: a dot in its middle, along
+/// its longest branch.
+std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
+  int farthest = widest;
+  double reach = 0;
+  for (int i = 0; i < graph.NodeCount(); ++i) {
+    const double distance = Distance(graph.Place(i), graph.Place(widest));
+    if (distance > reach) reach = distance, farthest = i;
+  }
+  if (reach == 0) return {};
+  const Coord thickness = std::llround(2 * graph.Node(widest).radius);
+  ThickLine line{false, {graph.Place(farthest), graph.Place(widest)}, {thickness, thickness}};
+  CutEnd(line, 0);
+  const double half = kDotLength * graph.Node(widest).radius / 2;
+  Reverse(line);
+  CutEnd(line, std::max(0.0, reach - half));
+  Reverse(line);
+  MakeDot(line);
+  return {line};
+}
+
+}  // namespace
+
+std::vector<ThickLine> MedialAxis(const PolygonWithHoles& region,
+                                  const MedialAxisOptions& options) {
+  const double min_radius = static_cast<double>(options.min_thickness_nm) / 2;
+  AxisGraph graph(MakeSkeleton(region, options.tolerance_nm), min_radius);
+  const int widest = graph.Widest();
+  if (widest < 0) return {};
+  graph.TrimCorners();
+  graph.PruneShortBranches();
+  const std::vector<std::vector<int>> chains = graph.Lines();
+  if (chains.empty()) return LoneDot(graph, widest);
+  std::vector<ThickLine> lines;
+  for (const std::vector<int>& nodes : chains) {
+    ThickLine line = MakeLine(graph, nodes, min_radius);
+    if (!line.points.empty()) lines.push_back(SimplifyThickLine(line, options.tolerance_nm));
+  }
+  return lines;
+}
+
+}  // namespace slicefarm::beading

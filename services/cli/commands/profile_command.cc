@@ -1,0 +1,107 @@
+#include <fmt/core.h>
+#include <google/protobuf/util/time_util.h>
+
+#include <charconv>
+#include <memory>
+#include <string>
+
+#include "common/base/error.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/job_options.h"
+#include "services/cli/jobs_client.h"
+#include "services/cli/server_options.h"
+#include "services/cli/setting_wire.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct ProfileOptions {
+  ServerOptions server;
+  SettingOptions settings;
+  std::string name;
+  int64_t revision = 0;
+};
+
+ExitCode Put(const ProfileOptions& options, Interrupt& interrupt) {
+  const auto settings = GivenSettings(options.settings);
+  if (!settings.ok()) return Fail(settings.status());
+  v1::PutProfileRequest request;
+  request.set_name(options.name);
+  for (const config::Setting& setting : *settings) *request.add_settings() = ToProto(setting);
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto profile = client.PutProfile(request);
+  if (!profile.ok()) return Fail(profile.status());
+  Print(fmt::format("{}@{}\n", profile->name(), profile->revision()));
+  return ExitCode::kOk;
+}
+
+ExitCode Get(const ProfileOptions& options, Interrupt& interrupt) {
+  v1::GetProfileRequest request;
+  request.set_name(options.name);
+  request.set_revision(options.revision);
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  const auto profile = client.GetProfile(request);
+  if (!profile.ok()) return Fail(profile.status());
+  std::string text = fmt::format("# {}@{}\n", profile->name(), profile->revision());
+  for (const v1::Setting& setting : profile->settings())
+    text += fmt::format("{} = {}\n", setting.key(), setting.value());
+  Print(text);
+  return ExitCode::kOk;
+}
+
+ExitCode List(const ProfileOptions& options, Interrupt& interrupt) {
+  using google::protobuf::util::TimeUtil;
+  JobsClient client(ClientOptions(options.server, &interrupt));
+  std::string text = fmt::format("{:<40}  {:>8}  {}\n", "PROFILE", "REVISION", "CREATED");
+  v1::ListProfilesRequest request;
+  do {
+    const auto page = client.ListProfiles(request);
+    if (!page.ok()) return Fail(page.status());
+    for (const v1::Profile& profile : page->profiles()) {
+      google::protobuf::Timestamp created = profile.create_time();
+      created.set_nanos(0);
+      text += fmt::format("{:<40}  {:>8}  {}\n", profile.name(), profile.revision(),
+                          TimeUtil::ToString(created));
+    }
+    request.set_page_token(page->next_page_token());
+  } while (!request.page_token().empty());
+  Print(text);
+  return ExitCode::kOk;
+}
+
+CLI::App* AddTo(CLI::App& parent, const char* name, const char* about,
+                const std::shared_ptr<ProfileOptions>& options, CommandContext& context,
+                ExitCode (*run)(const ProfileOptions&, Interrupt&)) {
+  CLI::App* command = parent.add_subcommand(name, about);
+  AddServerOptions(*command, options->server);
+  command->callback([options, &context, run] {
+    context.run = [options, &context, run] { return run(*options, *context.interrupt); };
+  });
+  return command;
+}
+
+}  // namespace
+
+void AddProfile(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("profile", "Settings that the farm keeps under a name");
+  command->require_subcommand(1);
+  const auto options = std::make_shared<ProfileOptions>();
+  CLI::App* put =
+      AddTo(*command, "put", "Add a revision, and print NAME@REVISION", options, context, Put);
+  put->add_option("NAME", options->name, "Letters, digits, -, _ and .")->required();
+  AddSettingOptions(*put, options->settings);
+  CLI::App* get = AddTo(*command, "get", "Print a revision as a config.ini", options, context, Get);
+  get->add_option("NAME", options->name)->required();
+  get->add_option("--revision", options->revision, "Default: the newest")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  AddTo(*command, "list", "List the newest revisions", options, context, List);
+  command->footer(
+      "A revision never changes: a job says which it was made with.\n"
+      "Examples:\n"
+      "  slicefarm profile put mk4-pla --config prusa.ini\n"
+      "  slicefarm submit part.stl -o part.gcode --profile mk4-pla --set fill_density=30%");
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+#include "common/base/error.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/files.h"
+#include "services/cli/render/gcode_layer.h"
+#include "services/cli/render/layer_drawing.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr int64_t kMaxGcodeBytes = int64_t{4} << 30;
+
+struct RenderOptions {
+  std::string gcode;
+  std::string output;
+  int layer = 0;
+  std::string format;
+  std::string colour_by = "feature";
+  int size_px = 1200;
+  bool travels = false;
+};
+
+/// By --format, else by the end of the output's name.
+absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
+  const std::string name = "." + options.format;
+  const std::string_view end = options.format.empty() ? options.output : name;
+  if (end.ends_with(".svg")) return ImageFormat::kSvg;
+  if (end.ends_with(".png")) return ImageFormat::kPng;
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+      fmt::format("{}: give it a name that ends in .png or .svg, or say --format", options.output));
+}
+
+ExitCode Render(const RenderOptions& options) {
+  const auto format = FormatOf(options);
+  if (!format.ok()) return Fail(format.status());
+  const auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
+  if (!gcode.ok()) return Fail(gcode.status());
+  const auto layer = ReadGcodeLayer(*gcode, options.layer);
+  if (!layer.ok()) return Fail(layer.status());
+  const auto image = DrawLayer(
+      *layer, {.format = *format,
+               .colour_by = options.colour_by == "width" ? ColourBy::kWidth : ColourBy::kFeature,
+               .size_px = options.size_px,
+               .travels = options.travels});
+  if (!image.ok()) return Fail(image.status());
+  if (absl::Status status = WriteFile(options.output, *image); !status.ok()) return Fail(status);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddRender(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("render", "Draw a layer of a G-code file");
+  const auto options = std::make_shared<RenderOptions>();
+  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer")->required();
+  command->add_option("-l,--layer", options->layer, "Which layer; 0 is the first")
+      ->required()
+      ->type_name("N");
+  command->add_option("-o,--output", options->output, "Where the picture goes; -: to stdout")
+      ->required()
+      ->type_name("LAYER.png|svg");
+  command->add_option("--format", options->format, "If the output's name does not say it")
+      ->check(CLI::IsMember({"png", "svg"}));
+  command->add_option("--by", options->colour_by, "What the colours tell")
+      ->check(CLI::IsMember({"feature", "width"}))
+      ->capture_default_str();
+  command->add_option("--size", options->size_px, "Longer side of the part's picture, pixels")
+      ->check(CLI::Range(50, 8000))
+      ->capture_default_str()
+      ->type_name("PX");
+  command->add_flag("--travels", options->travels, "Draw travel moves too, as thin lines");
+  command->footer(
+      "Beads have their true width and round ends, in the order of printing.\n"
+      "Example:\n"
+      "  slicefarm render part.gcode --layer 12 -o layer.png");
+  command->callback([options, &context] { context.run = [options] { return Render(*options); }; });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/config/settings_table.h"
+#include "common/base/error.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct SettingsOptions {
+  std::string pattern;
+  bool json = false;
+  bool ini = false;
+};
+
+nlohmann::ordered_json ToJson(const config::SettingSpec& spec) {
+  nlohmann::ordered_json json = {{"key", std::string(spec.key)},
+                                 {"default", std::string(spec.standard)},
+                                 {"range", config::DescribeRange(spec)},
+                                 {"unit", std::string(spec.unit)},
+                                 {"doc", std::string(spec.doc)}};
+  if (spec.min < spec.max) {
+    json["min"] = spec.min;
+    json["max"] = spec.max;
+  }
+  return json;
+}
+
+std::string ToText(const config::SettingSpec& spec) {
+  return fmt::format("{} = {}\n    {}.\n    {}{}{}\n", spec.key, spec.standard, spec.doc,
+                     config::DescribeRange(spec), spec.unit.empty() ? "" : "; unit: ", spec.unit);
+}
+
+std::string ToIni(const config::SettingSpec& spec) {
+  return fmt::format("# {}. {}{}{}\n{} = {}\n", spec.doc, config::DescribeRange(spec),
+                     spec.unit.empty() ? "" : "; unit: ", spec.unit, spec.key, spec.standard);
+}
+
+ExitCode List(const SettingsOptions& options) {
+  std::string text;
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const config::SettingSpec& spec : config::SettingsTable()) {
+    if (spec.key.find(options.pattern) == std::string_view::npos) continue;
+    if (options.json) {
+      all.push_back(ToJson(spec));
+    } else {
+      text += options.ini ? ToIni(spec) : ToText(spec);
+    }
+  }
+  if (text.empty() && all.empty()) {
+    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
+                          fmt::format("no setting has '{}' in its name", options.pattern)));
+  }
+  Print(options.json ? all.dump(2) + "\n" : text);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSettings(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("settings", "List every setting with its range, default and meaning");
+  const auto options = std::make_shared<SettingsOptions>();
+  command->add_option("PATTERN", options->pattern, "Only those with this in their name");
+  CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--ini", options->ini, "As a commented config.ini of the defaults")
+      ->excludes(json);
+  command->footer(
+      "Names and meanings are those of PrusaSlicer's config.ini.\n"
+      "Example:\n"
+      "  slicefarm settings speed");
+  command->callback([options, &context] { context.run = [options] { return List(*options); }; });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,136 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "common/config/resolve.h"
+#include "common/base/build_info.h"
+#include "common/base/sha256.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/files.h"
+#include "services/cli/job_options.h"
+#include "services/cli/local_pipeline.h"
+#include "services/cli/summary.h"
+#include "services/coordinator/algo/pipeline/report_json.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr int kMaxThreads = 256;
+
+struct SliceOptions {
+  JobOptions job;
+  std::string output;
+  int threads = 0;
+};
+
+int ThreadsOf(const SliceOptions& options) {
+  if (options.threads > 0) return options.threads;
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
+}
+
+absl::StatusOr<coordinator::JobInput> InputOf(const JobOptions& options,
+                                              config::ResolvedSettings& resolved) {
+  auto placement = GivenPlacement(options);
+  if (!placement.ok()) return placement.status();
+  auto model = ReadModel(options);
+  if (!model.ok()) return model.status();
+  coordinator::JobInput input;
+  input.meshes.files.push_back(*std::move(model));
+  input.meshes.placements.push_back(*std::move(placement));
+  input.settings = resolved.settings;
+  input.settings_text = resolved.effective_text;
+  input.warnings = resolved.warnings;
+  return input;
+}
+
+absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordinator::JobInput input,
+                                           Interrupt& interrupt) {
+  const LocalPipeline local(ThreadsOf(options));
+  const StageCall call = {
+      .job_id = "local", .cancel = interrupt.Token(), .threads = ThreadsOf(options)};
+  ProgressBar bar(!options.job.quiet);
+  bar.Show("reading", 0, 0);
+  return local.pipeline().Run(call, std::move(input), [&](coordinator::PipelineProgress progress) {
+    bar.Show("layers", progress.layers_done, progress.layers_total);
+  });
+}
+
+absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOutput& output,
+                          const config::ResolvedSettings& resolved) {
+  if (!options.job.report.empty()) {
+    const std::string json = coordinator::ReportJson(
+        output.report, {.settings_without_effect = resolved.no_effect,
+                        .settings_digest = Sha256Hex(resolved.effective_text),
+                        .build_id = std::string(BuildId())});
+    if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
+  }
+  return WriteFile(options.output, output.gcode);
+}
+
+void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,
+                  const config::ResolvedSettings& resolved) {
+  Warn(report.warnings);
+  if (options.job.quiet) return;
+  const bool result_on_stdout = options.output == "-" || options.job.report == "-";
+  Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+                     .layers = report.layer_count,
+                     .print_time_s = report.print_time_s,
+                     .filament_mm = report.filament.length_mm,
+                     .filament_g = report.filament.mass_g,
+                     .settings_without_effect = static_cast<int64_t>(resolved.no_effect.size()),
+                     .report = options.job.report}),
+        result_on_stdout);
+}
+
+ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
+  const auto given = GivenSettings(options.job);
+  if (!given.ok()) return Fail(given.status());
+  auto resolved = config::Resolve(*given);
+  if (!resolved.ok()) return Fail(resolved.status());
+  auto input = InputOf(options.job, *resolved);
+  if (!input.ok()) return Fail(input.status());
+
+  auto output = Run(options, *std::move(input), interrupt);
+  if (!output.ok()) {
+    const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
+    return Fail(mesh ? InFile(options.job.model, output.status()) : output.status());
+  }
+  if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
+    return Fail(status);
+  }
+  PrintSummary(options, output->report, *resolved);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSlice(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("slice", "Make G-code of a model, in this process");
+  const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
+  AddJobOptions(*command, options->job);
+  command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
+      ->type_name("OUT.gcode")
+      ->required();
+  command
+      ->add_option("--threads", options->threads,
+                   "How many to use; the result is the same. Default: one per processor")
+      ->check(CLI::Range(1, kMaxThreads))
+      ->type_name("N");
+  command->footer(
+      "The output appears when it is complete, or not at all. Ctrl-C stops the work (exit code "
+      "7).\n"
+      "Examples:\n"
+      "  slicefarm slice part.stl -o part.gcode --config prusa.ini\n"
+      "  slicefarm slice part.obj -o part.gcode --set layer_height=0.15 --set fill_density=30%\n"
+      "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Slice(*options, *context.interrupt); };
+  });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,279 @@
+#include <fmt/core.h>
+#include <google/protobuf/util/time_util.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/wire/mesh_wire.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/job_options.h"
+#include "services/cli/jobs_client.h"
+#include "services/cli/server_options.h"
+#include "services/cli/setting_wire.h"
+#include "services/cli/summary.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct SubmitOptions {
+  JobOptions job;
+  ServerOptions server;
+  std::string output;
+  std::vector<std::string> labels;
+  std::vector<std::string> profiles;
+  std::string priority = "normal";
+  double deadline_s = 0;  ///< 0: none
+  std::string webhook;
+  bool quote = false;
+  bool check = false;
+  std::string traceparent;
+  bool detach = false;
+};
+
+absl::Status Malformed(const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+/// As the standard wants it, what is no trace context is ignored.
+TraceContext TraceOf(const SubmitOptions& options) {
+  const auto trace = ParseTraceparent(options.traceparent);
+  if (!trace && !options.traceparent.empty()) {
+    Warn({fmt::format("'{}' is no W3C trace context: the job gets its own", options.traceparent)});
+  }
+  return trace.value_or(TraceContext());
+}
+
+/// All of the spec but the mesh's digest.
+absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const MeshFile& model) {
+  const JobOptions& options = submit.job;
+  const auto settings = GivenSettings(options);
+  if (!settings.ok()) return settings.status();
+  const auto placement = GivenPlacement(options);
+  if (!placement.ok()) return placement.status();
+  v1::JobSpec spec;
+  spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
+  if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
+  for (const config::Setting& setting : *settings) *spec.add_settings() = ToProto(setting);
+  v1::Object* object = spec.add_objects();
+  object->set_name(model.name);
+  object->set_format(ToProto(model.format));
+  if (absl::Status status = ToProto(*placement, object->mutable_placement()); !status.ok()) {
+    return status;
+  }
+  return spec;
+}
+
+v1::JobPriority PriorityOf(const std::string& name) {
+  if (name == "bulk") return v1::JOB_PRIORITY_BULK;
+  return name == "interactive" ? v1::JOB_PRIORITY_INTERACTIVE : v1::JOB_PRIORITY_NORMAL;
+}
+
+/// All of the request but the mesh's digest.
+absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
+                                               const MeshFile& model) {
+  const auto labels = ReadLabels(options.labels);
+  if (!labels.ok()) return labels.status();
+  auto spec = SpecOf(options, model);
+  if (!spec.ok()) return spec.status();
+  v1::CreateJobRequest request;
+  *request.mutable_spec() = *std::move(spec);
+  request.mutable_labels()->insert(labels->begin(), labels->end());
+  request.set_priority(PriorityOf(options.priority));
+  request.set_webhook_url(options.webhook);
+  request.set_validate_only(options.check);
+  if (options.deadline_s > 0) {
+    using google::protobuf::util::TimeUtil;
+    *request.mutable_deadline() =
+        TimeUtil::GetCurrentTime() +
+        TimeUtil::MillisecondsToDuration(static_cast<int64_t>(options.deadline_s * 1000));
+  }
+  return request;
+}
+
+absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
+  const auto model = ReadModel(options.job);
+  if (!model.ok()) return model.status();
+  auto request = RequestOf(options, *model);
+  if (!request.ok()) return request.status();
+
+  constexpr int64_t kKib = 1024;
+  const int total_kib = static_cast<int>(model->bytes.size() / kKib);
+  const auto sha256 = client.UploadMesh(model->bytes, [&](int64_t sent) {
+    bar.Show("upload, KiB", static_cast<int>(sent / kKib), total_kib);
+  });
+  if (!sha256.ok()) return sha256.status();
+  request->mutable_spec()->mutable_objects(0)->set_mesh_sha256(*sha256);
+  return client.CreateJob(*std::move(request));
+}
+
+/// Ctrl-C while we wait for a job means that nobody wants it any more.
+ExitCode CancelAfterInterrupt(const SubmitOptions& options, const std::string& id) {
+  JobsClient client(ClientOptions(options.server, nullptr));
+  const auto job = client.CancelJob(id);
+  if (!job.ok()) {
+    fmt::print(stderr, "job {} may go on: it could not be cancelled\n", id);
+    Fail(job.status());
+    return ExitCode::kCancelled;
+  }
+  if (job->state() == v1::JOB_STATE_FAILED) return FailJob(*job);
+  if (job->state() == v1::JOB_STATE_SUCCEEDED) {
+    fmt::print(stderr,
+               "job {0} had succeeded before; `slicefarm get {0} -o OUT.gcode` fetches it\n", id);
+  } else {
+    fmt::print(stderr, "job {} {}\n", id, HasEnded(*job) ? "was cancelled" : "is being cancelled");
+  }
+  return ExitCode::kCancelled;
+}
+
+void PrintSummary(const SubmitOptions& options, const v1::Job& job) {
+  Warn({job.warnings().begin(), job.warnings().end()});
+  if (options.job.quiet) return;
+  const v1::JobResult& result = job.result();
+  Print(SummaryText({.output = options.output == "-" ? "" : options.output,
+                     .layers = result.layers(),
+                     .print_time_s = result.print_time_s(),
+                     .filament_mm = result.filament_mm(),
+                     .filament_g = result.filament_g(),
+                     .cost = MoneyText(result.cost().total(), result.cost().currency()),
+                     .cached = result.cached(),
+                     .report = options.job.report}),
+        options.output == "-" || options.job.report == "-");
+}
+
+absl::Status CheckWishes(const SubmitOptions& options) {
+  const bool gcode = !options.output.empty();
+  if (options.check && (gcode || !options.job.report.empty())) {
+    return Malformed("--check makes nothing: there is no G-code and no report");
+  }
+  if (options.check && (options.detach || options.quote)) {
+    return Malformed("--check makes no job: leave --detach and --quote out");
+  }
+  if (options.quote && gcode) return Malformed("--quote makes no G-code: leave -o out");
+  if (options.detach && (gcode || !options.job.report.empty())) {
+    return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
+  }
+  if (!gcode && !options.detach && !options.quote && !options.check) {
+    return Malformed("say where the G-code goes (-o OUT.gcode), or --detach, --quote or --check");
+  }
+  return absl::OkStatus();
+}
+
+void PrintPreflight(const v1::Job& job) {
+  Warn({job.warnings().begin(), job.warnings().end()});
+  const v1::Preflight& found = job.preflight();
+  for (const v1::MeshReport& mesh : found.meshes()) {
+    const auto side = [&](int i) { return mesh.max_mm(i) - mesh.min_mm(i); };
+    Print(fmt::format("{}: {} triangles, {}, {:.1f} x {:.1f} x {:.1f} mm, {:.1f} cm3\n",
+                      mesh.name(), mesh.triangles(), mesh.open_edges() == 0 ? "closed" : "open",
+                      side(0), side(1), side(2), mesh.volume_mm3() / 1000));
+  }
+  Print(fmt::format("first layer: {:.1f} cm2\nestimate: ", found.first_layer_area_mm2() / 100) +
+        SummaryText({.layers = found.layers(),
+                     .print_time_s = found.print_time_s(),
+                     .filament_mm = found.filament_mm(),
+                     .filament_g = found.filament_g(),
+                     .cost = MoneyText(found.cost().total(), found.cost().currency())}));
+}
+
+ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
+  if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
+  for (const std::string& path : {options.output, options.job.report}) {
+    if (absl::Status may = CheckWritable(path); !may.ok()) return Fail(may);
+  }
+  JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
+  client_options.trace = TraceOf(options);
+  JobsClient client(std::move(client_options));
+  ProgressBar bar(!options.job.quiet);
+  const auto created = Upload(options, client, bar);
+  if (!created.ok()) {
+    bar.Clear();
+    return Fail(created.status());
+  }
+  if (options.check) {
+    bar.Clear();
+    PrintPreflight(*created);
+    return ExitCode::kOk;
+  }
+  if (options.detach) {
+    bar.Clear();
+    Print(created->id() + "\n");
+    return ExitCode::kOk;
+  }
+  const auto job =
+      client.WatchJob(created->id(), [&](const v1::Job& event) { ShowProgress(bar, event); });
+  bar.Clear();
+  if (interrupt.Requested()) return CancelAfterInterrupt(options, created->id());
+  if (!job.ok()) {
+    fmt::print(stderr, "job {} goes on; `slicefarm watch {}` follows it\n", created->id(),
+               created->id());
+    return Fail(job.status());
+  }
+  if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.model);
+  const absl::Status fetched =
+      FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
+  if (!fetched.ok()) {
+    fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
+    return Fail(fetched);
+  }
+  PrintSummary(options, *job);
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddSubmit(CLI::App& app, CommandContext& context) {
+  CLI::App* command =
+      app.add_subcommand("submit", "Have a farm make the G-code, and fetch it when it is done");
+  const auto options = std::make_shared<SubmitOptions>();
+  AddJobOptions(*command, options->job);
+  command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
+      ->type_name("OUT.gcode");
+  command->add_flag("--detach", options->detach, "Do not wait; print the job's id");
+  command->add_option("--label", options->labels, "Kept with the job. May be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--profile", options->profiles,
+                   "Settings kept by the farm (`slicefarm profile`), before those given here. "
+                   "May be repeated")
+      ->type_name("NAME[@REVISION]")
+      ->allow_extra_args(false);
+  command->add_option("--priority", options->priority, "Among the jobs that wait")
+      ->check(CLI::IsMember({"bulk", "normal", "interactive"}))
+      ->capture_default_str();
+  command
+      ->add_option("--deadline", options->deadline_s,
+                   "Seconds after which the job is of no use, and fails")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  command
+      ->add_option("--webhook", options->webhook,
+                   "Is posted the job when it has ended; the farm must allow it")
+      ->type_name("URL");
+  command->add_flag("--quote", options->quote, "Time, filament and cost only: no G-code is made");
+  command->add_flag("--check", options->check,
+                    "Only look whether the job can be made, and estimate it; nothing is kept but "
+                    "the mesh");
+  command
+      ->add_option("--traceparent", options->traceparent,
+                   "The trace that the job belongs to (W3C Trace Context)")
+      ->envname("TRACEPARENT")
+      ->type_name("00-TRACE-SPAN-01");
+  AddServerOptions(*command, options->server);
+  command->footer(
+      "A broken connection is taken up again, the upload where it broke off. Ctrl-C cancels the "
+      "job\n"
+      "(exit code 7); a job submitted with --detach goes on without this program.\n"
+      "Examples:\n"
+      "  slicefarm submit part.stl -o part.gcode --config prusa.ini --server farm:50050\n"
+      "  job=$(slicefarm submit part.stl --detach) && slicefarm watch $job");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return Submit(*options, *context.interrupt); };
+  });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+#include <openssl/rand.h>
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "absl/time/time.h"
+#include "common/base/sha256.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct TokenOptions {
+  std::vector<std::string> scopes;
+  std::string expires;
+};
+
+/// 256 random bits, behind what tells people and scanners of leaked secrets what it is.
+std::string NewToken() {
+  std::array<unsigned char, 32> bytes;
+  if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();
+  std::string token = "sf_";
+  for (const unsigned char byte : bytes) fmt::format_to(std::back_inserter(token), "{:02x}", byte);
+  return token;
+}
+
+std::string CheckTime(const std::string& text) {
+  absl::Time time;
+  std::string error;
+  if (absl::ParseTime(absl::RFC3339_full, text, &time, &error)) return "";
+  return "it is not a time such as 2027-01-31T12:00:00Z";
+}
+
+ExitCode Make(const TokenOptions& options) {
+  const std::string token = NewToken();
+  nlohmann::ordered_json entry = {{"sha256", Sha256Hex(token)}, {"scopes", options.scopes}};
+  if (options.scopes.empty()) entry["scopes"] = {"submit", "read"};
+  if (!options.expires.empty()) entry["expires"] = options.expires;
+  Print(fmt::format("{}\n{}\n", token, entry.dump()));
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddToken(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("token", "Make a token for a tenant of a farm");
+  const auto options = std::make_shared<TokenOptions>();
+  command
+      ->add_option("--scope", options->scopes,
+                   "submit, read or admin. May be repeated; none: submit and read")
+      ->check(CLI::IsMember({"submit", "read", "admin"}))
+      ->allow_extra_args(false);
+  command->add_option("--expires", options->expires, "When it is no longer good; else it always is")
+      ->check(CheckTime)
+      ->type_name("TIME");
+  command->footer(
+      "Prints two lines: the token, which is kept nowhere, for the client; and an entry for the\n"
+      "\"tokens\" of the tenant in the coordinator's --tenants file, from which nobody learns the "
+      "token.\n"
+      "Example:\n"
+      "  slicefarm token --expires 2027-01-31T12:00:00Z");
+  command->callback([options, &context] { context.run = [options] { return Make(*options); }; });
+}
+
+}  // namespace slicefarm::cli

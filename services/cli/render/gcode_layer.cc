@@ -1,0 +1,172 @@
+#include "services/cli/render/gcode_layer.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr double kDefaultWidthMm = 0.4;  // until the first ;WIDTH:
+/// Nothing is farther out, so that sums and extents of any number of moves stay finite.
+constexpr double kFarthestMm = 1e9;
+
+/// NaN is not near.
+bool Near(double number) { return std::abs(number) <= kFarthestMm; }
+
+/// The words of a command that matter here, by letter.
+struct Words {
+  std::array<std::optional<double>, 26> values;
+
+  std::optional<double> operator[](char letter) const { return values[letter - 'A']; }
+};
+
+Words ParseWords(std::string_view text) {
+  Words words;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at < end) {
+    const char letter = *at++;
+    if (letter < 'A' || letter > 'Z') continue;
+    double number = 0;
+    const auto [after, error] = std::from_chars(at, end, number);
+    if (error == std::errc()) {
+      if (Near(number)) words.values[letter - 'A'] = number;
+      at = after;
+    }
+  }
+  return words;
+}
+
+class Reader {
+ public:
+  explicit Reader(int wanted) { layer_.index = wanted; }
+
+  void Line(std::string_view line) {
+    if (line.starts_with(';')) return Comment(line.substr(1));
+    line = line.substr(0, line.find(';'));
+    if (line.starts_with('G') || line.starts_with('M')) Command(line);
+  }
+
+  GcodeLayer Finish() {
+    EndRuns();
+    layer_.layer_count = current_ + 1;
+    return std::move(layer_);
+  }
+
+ private:
+  bool Wanted() const { return current_ == layer_.index; }
+
+  void Comment(std::string_view text) {
+    if (text.starts_with("LAYER_CHANGE")) {
+      EndRuns();
+      ++current_;
+    } else if (text.starts_with("TYPE:")) {
+      EndRuns();
+      feature_ = std::string(text.substr(5));
+    } else if (text.starts_with("WIDTH:")) {
+      EndRuns();
+      const double width_mm = ToNumber(text.substr(6)).value_or(0);
+      if (width_mm > 0 && Near(width_mm)) width_mm_ = width_mm;
+    } else if (Wanted() && text.starts_with("HEIGHT:")) {
+      layer_.height_mm = ToNumber(text.substr(7)).value_or(0);
+    } else if (Wanted() && text.starts_with("Z:")) {
+      layer_.z_mm = ToNumber(text.substr(2)).value_or(0);
+    }
+  }
+
+  void Command(std::string_view line) {
+    const std::string_view code = line.substr(0, line.find(' '));
+    if (code == "G1" || code == "G0" || code == "G2" || code == "G3") {
+      Move(ParseWords(line.substr(code.size())));
+    } else if (code == "G90" || code == "G91") {
+      relative_ = code == "G91";
+      relative_e_ = relative_;
+    } else if (code == "M82" || code == "M83") {
+      relative_e_ = code == "M83";
+    } else if (code == "G92") {
+      const Words words = ParseWords(line.substr(code.size()));
+      at_ = {words['X'].value_or(at_.x), words['Y'].value_or(at_.y)};
+      e_ = words['E'].value_or(e_);
+    }
+  }
+
+  void Move(const Words& words) {
+    const PointMm to = {Coordinate(words['X'], at_.x), Coordinate(words['Y'], at_.y)};
+    double pushed = 0;
+    if (const auto e = words['E']) {
+      pushed = relative_e_ ? *e : *e - e_;
+      if (!relative_e_) e_ = *e;
+    }
+    if (to == at_) {
+      EndRuns();
+      return;
+    }
+    if (Wanted()) Extend(pushed > 0 ? bead_ : travel_, pushed > 0, to);
+    at_ = to;
+  }
+
+  double Coordinate(std::optional<double> word, double from) const {
+    if (!word.has_value()) return from;
+    return relative_ ? from + *word : *word;
+  }
+
+  void Extend(std::vector<PointMm>& run, bool extruding, PointMm to) {
+    if (extruding != extruding_) EndRuns();
+    extruding_ = extruding;
+    if (run.empty()) run.push_back(at_);
+    run.push_back(to);
+  }
+
+  void EndRuns() {
+    if (!bead_.empty()) layer_.beads.push_back({feature_, width_mm_, std::move(bead_)});
+    if (!travel_.empty()) layer_.travels.push_back(std::move(travel_));
+    bead_.clear();
+    travel_.clear();
+  }
+
+  GcodeLayer layer_;
+  int current_ = -1;
+  PointMm at_;
+  double e_ = 0;
+  bool relative_ = false;
+  bool relative_e_ = false;
+  bool extruding_ = false;
+  std::string feature_ = "Unknown";
+  double width_mm_ = kDefaultWidthMm;
+  std::vector<PointMm> bead_;
+  std::vector<PointMm> travel_;
+};
+
+}  // namespace
+
+absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index) {
+  Reader reader(index);
+  for (size_t begin = 0; begin < gcode.size();) {
+    const size_t end = std::min(gcode.find('\n', begin), gcode.size());
+    std::string_view line = gcode.substr(begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    reader.Line(line);
+    begin = end + 1;
+  }
+  GcodeLayer layer = reader.Finish();
+  if (layer.layer_count == 0) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     "there is no ;LAYER_CHANGE comment in it: this is not G-code by slicefarm or "
+                     "PrusaSlicer");
+  }
+  if (index < 0 || index >= layer.layer_count) {
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+        fmt::format("there is no layer {}: they go from 0 to {}", index, layer.layer_count - 1));
+  }
+  return layer;
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,277 @@
+#include "services/cli/render/layer_drawing.h"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr int kLegendPx = 250;
+constexpr int kMinHeightPx = 420;  // so that the legend fits
+constexpr double kMarginMm = 2;
+constexpr double kRim = 0.6;    // how dark the rim of a bead is, against its middle
+constexpr double kCore = 0.86;  // how much of a bead's width the middle takes
+
+constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
+    {"External perimeter", {1.00, 0.49, 0.22}}, {"Perimeter", {1.00, 0.90, 0.30}},
+    {"Overhang perimeter", {0.12, 0.12, 1.00}}, {"Gap fill", {0.80, 0.80, 0.80}},
+    {"Internal infill", {0.69, 0.19, 0.16}},    {"Solid infill", {0.59, 0.33, 0.80}},
+    {"Top solid infill", {0.94, 0.25, 0.25}},   {"Bridge infill", {0.30, 0.50, 0.73}},
+    {"Skirt/Brim", {0.00, 0.53, 0.43}},         {"Skirt", {0.00, 0.53, 0.43}},
+    {"Support material", {0.20, 0.75, 0.20}},
+};
+constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
+
+Colour Mix(Colour a, Colour b, double t) {
+  return {a.red + (b.red - a.red) * t, a.green + (b.green - a.green) * t,
+          a.blue + (b.blue - a.blue) * t};
+}
+
+struct WidthRange {
+  double min_mm = 0;
+  double max_mm = 0;
+
+  double Fraction(double width_mm) const {
+    return max_mm > min_mm ? (width_mm - min_mm) / (max_mm - min_mm) : 0.5;
+  }
+};
+
+WidthRange WidthsOf(const GcodeLayer& layer) {
+  if (layer.beads.empty()) return {};
+  const auto [narrowest, widest] = std::minmax_element(
+      layer.beads.begin(), layer.beads.end(),
+      [](const BeadRun& a, const BeadRun& b) { return a.width_mm < b.width_mm; });
+  return {narrowest->width_mm, widest->width_mm};
+}
+
+cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int size) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+struct Release {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+
+/// Paints one layer; all lengths in the part are mm, in the legend pixels.
+class Painter {
+ public:
+  Painter(cairo_t* cairo, const GcodeLayer& layer, const DrawingOptions& options,
+          const Layout& layout)
+      : cairo_(cairo),
+        layer_(layer),
+        options_(options),
+        layout_(layout),
+        widths_(WidthsOf(layer)) {}
+
+  void Paint() {
+    Use({1, 1, 1});
+    cairo_paint(cairo_);
+    PaintPart();
+    PaintLegend();
+  }
+
+ private:
+  void Use(Colour colour) { cairo_set_source_rgb(cairo_, colour.red, colour.green, colour.blue); }
+
+  Colour ColourOf(const BeadRun& bead) const {
+    return options_.colour_by == ColourBy::kFeature ? FeatureColour(bead.feature)
+                                                    : ScaleColour(widths_.Fraction(bead.width_mm));
+  }
+
+  void Trace(const std::vector<PointMm>& points) {
+    cairo_new_path(cairo_);
+    for (const PointMm& p : points) cairo_line_to(cairo_, p.x, p.y);
+  }
+
+  void PaintPart() {
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, 0, 0, layout_.part_width_px, layout_.height_px);
+    cairo_clip(cairo_);
+    cairo_scale(cairo_, layout_.px_per_mm, -layout_.px_per_mm);
+    cairo_translate(cairo_, -layout_.left_mm, -layout_.top_mm);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    for (const BeadRun& bead : layer_.beads) {
+      const Colour colour = ColourOf(bead);
+      Trace(bead.points);
+      cairo_set_line_width(cairo_, bead.width_mm);
+      Use(Mix({0, 0, 0}, colour, kRim));
+      cairo_stroke_preserve(cairo_);
+      cairo_set_line_width(cairo_, bead.width_mm * kCore);
+      Use(colour);
+      cairo_stroke(cairo_);
+    }
+    if (options_.travels) PaintTravels();
+    cairo_restore(cairo_);
+  }
+
+  void PaintTravels() {
+    Use({0, 0, 0});
+    cairo_set_line_width(cairo_, 1 / layout_.px_per_mm);
+    for (const auto& travel : layer_.travels) {
+      Trace(travel);
+      cairo_stroke(cairo_);
+    }
+  }
+
+  void Text(double x, double y, double size, const std::string& text) {
+    Use({0.1, 0.1, 0.1});
+    cairo_select_font_face(cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_, size);
+    cairo_move_to(cairo_, x, y);
+    cairo_show_text(cairo_, text.c_str());
+  }
+
+  void Swatch(double x, double y, Colour colour) {
+    constexpr double kSide = 14;
+    cairo_rectangle(cairo_, x, y - kSide + 2, kSide, kSide);
+    Use(colour);
+    cairo_fill(cairo_);
+  }
+
+  void PaintLegend() {
+    const double x = layout_.part_width_px + 16;
+    double y = 34;
+    Text(x, y, 20, fmt::format("Layer {} (0 to {})", layer_.index, layer_.layer_count - 1));
+    Text(x, y += 24, 13,
+         fmt::format("z {:.2f} mm, height {:.2f} mm", layer_.z_mm, layer_.height_mm));
+    y += 16;
+    if (options_.colour_by == ColourBy::kFeature) {
+      y = PaintFeatures(x, y);
+    } else {
+      y = PaintWidths(x, y);
+    }
+    PaintScale(x, y + 44);
+  }
+
+  double PaintFeatures(double x, double y) {
+    std::vector<std::string_view> present;
+    for (const BeadRun& bead : layer_.beads) {
+      if (std::find(present.begin(), present.end(), bead.feature) == present.end()) {
+        present.push_back(bead.feature);
+      }
+    }
+    std::sort(present.begin(), present.end());
+    for (const std::string_view feature : present) {
+      y += 22;
+      Swatch(x, y, FeatureColour(feature));
+      Text(x + 22, y, 13, std::string(feature));
+    }
+    return y;
+  }
+
+  double PaintWidths(double x, double y) {
+    constexpr int kSteps = 5;
+    Text(x, y += 20, 13, "Width of the beads, mm");
+    for (int i = 0; i < kSteps; ++i) {
+      const double fraction = static_cast<double>(i) / (kSteps - 1);
+      const double width = widths_.min_mm + fraction * (widths_.max_mm - widths_.min_mm);
+      y += 22;
+      Swatch(x, y, ScaleColour(widths_.max_mm > widths_.min_mm ? fraction : 0.5));
+      Text(x + 22, y, 13, fmt::format("{:.3f}", width));
+      if (widths_.max_mm == widths_.min_mm) break;
+    }
+    return y;
+  }
+
+  /// A bar of a round length, at most as long as the legend is wide.
+  void PaintScale(double x, double y) {
+    const double room_mm = (kLegendPx - 40) / layout_.px_per_mm;
+    double length_mm = std::pow(10, std::floor(std::log10(room_mm)));
+    if (length_mm * 5 <= room_mm) {
+      length_mm *= 5;
+    } else if (length_mm * 2 <= room_mm) {
+      length_mm *= 2;
+    }
+    Use({0.1, 0.1, 0.1});
+    cairo_rectangle(cairo_, x, y, length_mm * layout_.px_per_mm, 4);
+    cairo_fill(cairo_);
+    Text(x, y + 22, 13, fmt::format("{:g} mm", length_mm));
+  }
+
+  cairo_t* cairo_;
+  const GcodeLayer& layer_;
+  const DrawingOptions& options_;
+  const Layout& layout_;
+  WidthRange widths_;
+};
+
+}  // namespace
+
+Colour FeatureColour(std::string_view feature) {
+  for (const auto& [name, colour] : kFeatureColours) {
+    if (name == feature) return colour;
+  }
+  return kUnknownColour;
+}
+
+Colour ScaleColour(double fraction) {
+  constexpr Colour kStops[] = {{0.27, 0.00, 0.33},
+                               {0.23, 0.32, 0.55},
+                               {0.13, 0.57, 0.55},
+                               {0.37, 0.79, 0.38},
+                               {0.99, 0.91, 0.15}};
+  constexpr int kSpans = 4;
+  const double at = std::clamp(fraction, 0.0, 1.0) * kSpans;
+  const int span = std::min(static_cast<int>(at), kSpans - 1);
+  return Mix(kStops[span], kStops[span + 1], at - span);
+}
+
+Layout LayOut(const GcodeLayer& layer, const DrawingOptions& options) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  PointMm min = {kFar, kFar};
+  PointMm max = {-kFar, -kFar};
+  for (const BeadRun& bead : layer.beads) {
+    const double reach = bead.width_mm / 2 + kMarginMm;
+    for (const PointMm& p : bead.points) {
+      min = {std::min(min.x, p.x - reach), std::min(min.y, p.y - reach)};
+      max = {std::max(max.x, p.x + reach), std::max(max.y, p.y + reach)};
+    }
+  }
+  if (layer.beads.empty()) {
+    min = {0, 0};
+    max = {10, 10};
+  }
+  Layout layout;
+  layout.left_mm = min.x;
+  layout.top_mm = max.y;
+  layout.px_per_mm = options.size_px / std::max(max.x - min.x, max.y - min.y);
+  layout.part_width_px = static_cast<int>(std::ceil((max.x - min.x) * layout.px_per_mm));
+  layout.width_px = layout.part_width_px + kLegendPx;
+  layout.height_px =
+      std::max(kMinHeightPx, static_cast<int>(std::ceil((max.y - min.y) * layout.px_per_mm)));
+  return layout;
+}
+
+absl::StatusOr<std::string> DrawLayer(const GcodeLayer& layer, const DrawingOptions& options) {
+  const Layout layout = LayOut(layer, options);
+  std::string bytes;
+  const bool svg = options.format == ImageFormat::kSvg;
+  const std::unique_ptr<cairo_surface_t, Release> surface(
+      svg ? cairo_svg_surface_create_for_stream(Append, &bytes, layout.width_px, layout.height_px)
+          : cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.width_px, layout.height_px));
+  {
+    const std::unique_ptr<cairo_t, Release> cairo(cairo_create(surface.get()));
+    Painter(cairo.get(), layer, options, layout).Paint();
+    const cairo_status_t status = cairo_status(cairo.get());
+    if (status != CAIRO_STATUS_SUCCESS) return absl::InternalError(cairo_status_to_string(status));
+  }
+  if (!svg) cairo_surface_write_to_png_stream(surface.get(), Append, &bytes);
+  cairo_surface_finish(surface.get());
+  const cairo_status_t status = cairo_surface_status(surface.get());
+  if (status != CAIRO_STATUS_SUCCESS) return absl::InternalError(cairo_status_to_string(status));
+  return bytes;
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,284 @@
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// How often an idle slot looks for a slow range to double, and Execute asks whether its job is
+/// still wanted.
+constexpr std::chrono::milliseconds kPoll{20};
+/// How long a slot waits at a time for its runner to be reachable.
+constexpr std::chrono::milliseconds kReadyWait{200};
+
+using Flag =
+    std::shared_ptr<std::atomic<bool>>;  // shared by a call's token and the job that stops it
+
+absl::Status PoisonedError(const LayerRange& range, int tries, const std::string& runner,
+                           const absl::Status& last) {
+  return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned,
+                   absl::StrCat("layers ", range.first, " to ", range.last - 1, " failed ", tries,
+                                " times, the last time on ", runner, ": ", last.message()),
+                   {{"layer_first", absl::StrCat(range.first)},
+                    {"layer_last", absl::StrCat(range.last - 1)},
+                    {"tries", absl::StrCat(tries)},
+                    {"cause", std::string(ReasonName(DetailOf(last).reason))}});
+}
+
+}  // namespace
+
+struct Dispatcher::Member {
+  RunnerId id = 0;
+  Runner runner;
+  bool leaving = false;
+  int threads_running = 0;
+  std::vector<std::thread> threads;
+};
+
+struct Dispatcher::Job {
+  const FanOut::JobId id;
+  const StageCall& call;
+  const std::span<const RangeTask> tasks;
+  std::vector<RangeResult> results = std::vector<RangeResult>(tasks.size());
+  std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
+  int32_t layers_done = 0;
+  bool over = false;
+  absl::Status status = absl::OkStatus();
+};
+
+/// What a slot is to do next.
+struct Dispatcher::Assignment {
+  Job* job = nullptr;
+  FanOut::Grant grant;
+  StageCall call;
+  Flag stop;
+};
+
+Dispatcher::Dispatcher(const DispatcherOptions& options)
+    : options_(options), fan_out_(options.scheduler) {}
+
+Dispatcher::~Dispatcher() {
+  {
+    Lock lock(mutex_);
+    stopping_ = true;
+    for (auto& [id, member] : members_) left_.push_back(std::move(member));
+    members_.clear();
+  }
+  work_.notify_all();
+  for (const auto& member : left_) {
+    for (std::thread& thread : member->threads) thread.join();
+  }
+}
+
+RunnerId Dispatcher::Join(Runner runner) {
+  Lock lock(mutex_);
+  Reap();
+  const RunnerId id = next_runner_++;
+  auto& member = *(members_[id] = std::make_unique<Member>());
+  member.id = id;
+  member.runner = std::move(runner);
+  member.threads_running = std::max(member.runner.slots, 1);
+  for (int i = 0; i < member.threads_running; ++i) {
+    member.threads.emplace_back([this, &member] { Serve(member); });
+  }
+  work_.notify_all();  // with company, slots look for slow ranges
+  return id;
+}
+
+void Dispatcher::Leave(RunnerId id) {
+  Lock lock(mutex_);
+  const auto found = members_.find(id);
+  if (found == members_.end()) return;
+  found->second->leaving = true;
+  left_.push_back(std::move(found->second));
+  members_.erase(found);
+  fan_out_.RunnerGone(id);
+  Reap();
+  work_.notify_all();
+}
+
+/// Joins the threads of members that left and have come to their end.
+void Dispatcher::Reap() {
+  std::erase_if(left_, [](const std::unique_ptr<Member>& member) {
+    if (member->threads_running > 0) return false;
+    for (std::thread& thread : member->threads) thread.join();
+    return true;
+  });
+}
+
+int Dispatcher::Slots() const {
+  Lock lock(mutex_);
+  int slots = 0;
+  for (const auto& [id, member] : members_) slots += std::max(member->runner.slots, 1);
+  return slots;
+}
+
+DispatchCounts Dispatcher::Counts() const {
+  Lock lock(mutex_);
+  return fan_out_.Counts();
+}
+
+absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
+    const StageCall& call, std::span<const RangeTask> tasks,
+    const std::function<void(int32_t)>& layers_done) {
+  Lock lock(mutex_);
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant), call, tasks};
+  jobs_[job.id] = &job;
+  work_.notify_all();
+  int32_t told = 0;
+  while (!job.over && (!fan_out_.AllDone(job.id) || told < job.layers_done)) {
+    if (told == job.layers_done) AwaitEnd(lock, job);
+    if (told == job.layers_done) continue;
+    told = job.layers_done;
+    lock.unlock();
+    if (layers_done) layers_done(told);
+    lock.lock();
+  }
+  fan_out_.Remove(job.id);
+  jobs_.erase(job.id);
+  // The tasks are the caller's: every call has to be over before they may go.
+  for (const auto& [ticket, stop] : job.calls) stop->store(true);
+  changed_.wait(lock, [&] { return job.calls.empty(); });
+  if (!job.status.ok()) return job.status;
+  return std::move(job.results);
+}
+
+/// Returns when something about the job may have changed.
+void Dispatcher::AwaitEnd(Lock& lock, Job& job) {
+  changed_.wait_for(lock, kPoll);
+  if (job.over || fan_out_.AllDone(job.id)) return;
+  lock.unlock();
+  absl::Status wanted = job.call.cancel.Check();
+  lock.lock();
+  if (!wanted.ok()) End(job, std::move(wanted));
+}
+
+/// The life of one slot.
+void Dispatcher::Serve(Member& member) {
+  Lock lock(mutex_);
+  int failures = 0;
+  while (AwaitWork(lock, member)) {
+    if (!Ready(lock, member)) {
+      Rest(lock, member, /*failures=*/1);
+      continue;
+    }
+    std::optional<Assignment> assignment = Take(member);
+    if (!assignment) continue;
+    const RangeTask& task = assignment->job->tasks[assignment->grant.range];
+    lock.unlock();
+    auto result = member.runner.ranges->Run(assignment->call, task);
+    const absl::Status wanted = assignment->call.cancel.Check();
+    const bool failed = !result.ok() && wanted.ok();
+    lock.lock();
+    Report(member, *assignment, wanted, std::move(result));
+    assignment.reset();
+    failures = failed ? failures + 1 : 0;
+    if (failed) Rest(lock, member, failures);
+  }
+  --member.threads_running;
+}
+
+/// Waits until a job wants something done; false: the slot's time is over.
+bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
+  const auto ended = [&] { return stopping_ || member.leaving; };
+  while (!ended()) {
+    if (fan_out_.AnyQueued()) return true;
+    if (jobs_.empty() || members_.size() < 2) {
+      work_.wait(lock);
+    } else if (work_.wait_for(lock, kPoll) == std::cv_status::timeout) {
+      return !ended();  // time to look for a slow range
+    }
+  }
+  return false;
+}
+
+/// Asks the runner whether it can be reached.
+bool Dispatcher::Ready(Lock& lock, const Member& member) {
+  if (!member.runner.await_ready) return true;
+  lock.unlock();
+  const bool ready = member.runner.await_ready(kReadyWait);
+  lock.lock();
+  return ready && !stopping_ && !member.leaving;
+}
+
+void Dispatcher::Rest(Lock& lock, const Member& member, int failures) {
+  const auto rest = RestAfter(failures, options_.min_rest, options_.max_rest);
+  work_.wait_for(lock, rest, [&] { return stopping_ || member.leaving; });
+}
+
+std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
+  const auto grant = fan_out_.Take(member.id, clock_.Seconds());
+  if (!grant) return std::nullopt;
+  Job& job = *jobs_.at(grant->job);
+  Assignment assignment{&job, *grant, job.call, std::make_shared<std::atomic<bool>>(false)};
+  assignment.call.threads = 1;
+  assignment.call.cancel = CancelToken([stop = assignment.stop, wanted = job.call.cancel] {
+    return stop->load() || wanted.Cancelled();
+  });
+  job.calls.emplace(grant->ticket, assignment.stop);
+  return assignment;
+}
+
+/// `wanted`: not OK if the job or this copy of the range was cancelled meanwhile.
+void Dispatcher::Report(const Member& member, const Assignment& assignment,
+                        const absl::Status& wanted, absl::StatusOr<RangeResult> result) {
+  Job& job = *assignment.job;
+  job.calls.erase(assignment.grant.ticket);
+  if (job.over) {
+    // Nothing is wanted of it any more.
+  } else if (result.ok()) {
+    Accept(job, assignment, *std::move(result));
+  } else if (wanted.ok()) {
+    Reject(job, member, assignment, result.status());
+  } else if (assignment.stop->load()) {
+    fan_out_.Superseded(assignment.grant);
+  } else {
+    End(job, wanted);
+  }
+  changed_.notify_all();
+}
+
+void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult result) {
+  const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
+  if (!accepted.first) {
+    if (job.results[assignment.grant.range].programs != result.programs) fan_out_.Differed();
+    return;
+  }
+  for (const FanOut::Ticket ticket : accepted.superfluous) {
+    if (const auto call = job.calls.find(ticket); call != job.calls.end())
+      call->second->store(true);
+  }
+  const int32_t range = assignment.grant.range;
+  job.results[range] = std::move(result);
+  job.layers_done += job.tasks[range].range.size();
+}
+
+void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assignment,
+                        const absl::Status& error) {
+  const int32_t range = assignment.grant.range;
+  switch (fan_out_.Failed(assignment.grant, error)) {
+    case FanOut::Verdict::kGoesOn:
+      work_.notify_all();
+      return;
+    case FanOut::Verdict::kInputAtFault:
+      return End(job, error);
+    case FanOut::Verdict::kPoisoned:
+      return End(job, PoisonedError(job.tasks[range].range, fan_out_.Tries(job.id, range),
+                                    member.runner.name, error));
+  }
+}
+
+void Dispatcher::End(Job& job, absl::Status status) {
+  job.over = true;
+  job.status = std::move(status);
+  fan_out_.Remove(job.id);
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,328 @@
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <random>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::HasSubstr;
+
+/// A runner made of a function.
+class FakeRunner : public RangeRunner {
+ public:
+  using Body = std::function<absl::Status(const StageCall&, const RangeTask&)>;
+  FakeRunner(Body body, std::string gcode) : body_(std::move(body)), gcode_(std::move(gcode)) {}
+
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+    if (absl::Status status = body_(call, task); !status.ok()) return status;
+    RangeResult result;
+    for (int i = task.range.first; i < task.range.last; ++i) {
+      LayerProgram program;
+      program.frame.index = i;
+      program.gcode = gcode_;
+      result.programs.push_back(program);
+    }
+    return result;
+  }
+
+ private:
+  Body body_;
+  std::string gcode_;
+};
+
+Runner RunnerOf(std::string name, FakeRunner::Body body, int slots = 1, std::string gcode = "") {
+  return {.name = std::move(name),
+          .ranges = std::make_shared<FakeRunner>(std::move(body), std::move(gcode)),
+          .slots = slots,
+          .await_ready = {}};
+}
+
+absl::Status Good(const StageCall&, const RangeTask&) { return absl::OkStatus(); }
+absl::Status Unavailable(const StageCall&, const RangeTask&) {
+  return absl::UnavailableError("gone");
+}
+/// Never answers; ends when it is told to.
+absl::Status Stuck(const StageCall& call, const RangeTask&) {
+  while (!call.cancel.Cancelled()) std::this_thread::yield();
+  return call.cancel.Check();
+}
+
+std::vector<RangeTask> Tasks(int count, int layers_each = 10) {
+  std::vector<RangeTask> tasks(count);
+  for (int i = 0; i < count; ++i) tasks[i].range = {i * layers_each, (i + 1) * layers_each};
+  return tasks;
+}
+
+DispatcherOptions Quick() {
+  DispatcherOptions options;
+  options.min_rest = std::chrono::milliseconds(1);
+  options.max_rest = std::chrono::milliseconds(4);
+  options.scheduler.hedge_after_s = 0;
+  return options;
+}
+
+testing::AssertionResult IsWhole(const absl::StatusOr<std::vector<RangeResult>>& results,
+                                 const std::vector<RangeTask>& tasks) {
+  if (!results.ok()) return testing::AssertionFailure() << results.status();
+  if (results->size() != tasks.size()) return testing::AssertionFailure() << results->size();
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    const auto& programs = (*results)[i].programs;
+    if (static_cast<int>(programs.size()) != tasks[i].range.size() ||
+        programs[0].frame.index != tasks[i].range.first) {
+      return testing::AssertionFailure() << "range " << i;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(Dispatcher, RunsAllRangesInOrder) {
+  Dispatcher dispatcher;
+  dispatcher.Join(RunnerOf("a", Good, 3));
+  dispatcher.Join(RunnerOf("b", Good, 2));
+  EXPECT_EQ(dispatcher.Slots(), 5);
+  const auto tasks = Tasks(50);
+  std::vector<int32_t> done;
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, [&](int32_t n) { done.push_back(n); }), tasks));
+  ASSERT_FALSE(done.empty());
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  EXPECT_EQ(done.back(), 500);
+  EXPECT_EQ(dispatcher.Counts().done, 50);
+}
+
+TEST(Dispatcher, NothingToDoIsDone) {
+  Dispatcher dispatcher;
+  const auto results = dispatcher.Execute({}, {}, nullptr);
+  ASSERT_TRUE(results.ok());
+  EXPECT_TRUE(results->empty());
+}
+
+TEST(Dispatcher, WaitsForARunner) {
+  Dispatcher dispatcher;
+  const auto tasks = Tasks(4);
+  std::thread later([&] { dispatcher.Join(RunnerOf("late", Good)); });
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  later.join();
+}
+
+TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<int> calls = 0;
+  dispatcher.Join(RunnerOf("a", [&](const StageCall&, const RangeTask&) {
+    ++calls;
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange, "too wide");
+  }));
+  const auto results = dispatcher.Execute({}, Tasks(5), nullptr);
+  EXPECT_TRUE(absl::IsInvalidArgument(results.status()));
+  EXPECT_EQ(DetailOf(results.status()).reason, Reason::kOutOfRange);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
+  Dispatcher dispatcher(Quick());
+  const auto body = [](const StageCall&, const RangeTask& task) {
+    return task.range.first == 20 ? absl::InternalError("crash") : absl::OkStatus();
+  };
+  dispatcher.Join(RunnerOf("a", body));
+  dispatcher.Join(RunnerOf("b", body));
+  const auto results = dispatcher.Execute({}, Tasks(5), nullptr);
+  const ErrorDetail detail = DetailOf(results.status());
+  EXPECT_EQ(detail.reason, Reason::kRangePoisoned);
+  EXPECT_EQ(detail.metadata.at("layer_first"), "20");
+  EXPECT_EQ(detail.metadata.at("layer_last"), "29");
+  EXPECT_THAT(results.status().message(), HasSubstr("crash"));
+  EXPECT_EQ(dispatcher.Counts().poisoned, 1);
+
+  const auto tasks = Tasks(2);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks)) << "the next job is well";
+}
+
+TEST(Dispatcher, ABrokenRunnerCostsOnlyTries) {
+  Dispatcher dispatcher(Quick());
+  dispatcher.Join(RunnerOf("broken", Unavailable, 1));
+  dispatcher.Join(RunnerOf("good", Good, 1));
+  const auto tasks = Tasks(30);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+}
+
+TEST(Dispatcher, AnUnreachableRunnerGetsNothing) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<int> calls = 0;
+  Runner dead = RunnerOf(
+      "dead",
+      [&](const StageCall&, const RangeTask&) {
+        ++calls;
+        return absl::OkStatus();
+      },
+      4);
+  dead.await_ready = [](std::chrono::milliseconds) { return false; };
+  dispatcher.Join(std::move(dead));
+  dispatcher.Join(RunnerOf("good", Good));
+  const auto tasks = Tasks(30);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(Dispatcher, SecondAnswersThatDifferAreCounted) {
+  for (const std::string second : {"same", "other"}) {
+    Dispatcher dispatcher(Quick());
+    std::atomic<bool> begun = false;
+    // Is superseded, and answers all the same.
+    const auto slow = [&](const StageCall& call, const RangeTask&) {
+      begun = true;
+      while (!call.cancel.Cancelled()) std::this_thread::yield();
+      return absl::OkStatus();
+    };
+    dispatcher.Join(RunnerOf("slow", slow, 1, "same"));
+    std::thread later([&] {
+      while (!begun) std::this_thread::yield();
+      dispatcher.Join(RunnerOf("later", Good, 1, second));
+    });
+    const auto tasks = Tasks(1);
+    EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+    later.join();
+    EXPECT_EQ(dispatcher.Counts().differing, second == "same" ? 0 : 1);
+  }
+}
+
+TEST(Dispatcher, AStuckRunnerIsHedged) {
+  Dispatcher dispatcher(Quick());
+  dispatcher.Join(RunnerOf("stuck", Stuck, 1));
+  dispatcher.Join(RunnerOf("good", Good, 1));
+  // As long as it takes until the stuck runner has a range of some job.
+  while (dispatcher.Counts().hedged == 0) {
+    const auto tasks = Tasks(6);
+    ASSERT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  }
+}
+
+TEST(Dispatcher, CancelReachesTheCalls) {
+  Dispatcher dispatcher;
+  std::atomic<int> started = 0;
+  const auto body = [&](const StageCall& call, const RangeTask& task) {
+    ++started;
+    return Stuck(call, task);
+  };
+  dispatcher.Join(RunnerOf("a", body, 2));
+  StageCall call;
+  call.cancel = CancelToken([&] { return started > 1; });
+  const absl::Status status = dispatcher.Execute(call, Tasks(9), nullptr).status();
+  EXPECT_TRUE(absl::IsCancelled(status)) << status;
+}
+
+TEST(Dispatcher, LeavingGivesTheRangesToOthers) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<bool> has_one = false;
+  const RunnerId stuck =
+      dispatcher.Join(RunnerOf("stuck", [&](const StageCall& call, const RangeTask& task) {
+        has_one = true;
+        has_one.notify_all();
+        return Stuck(call, task);
+      }));
+  std::thread mover([&] {
+    has_one.wait(false);
+    dispatcher.Leave(stuck);
+    dispatcher.Join(RunnerOf("good", Good));
+  });
+  const auto tasks = Tasks(5);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  mover.join();
+  EXPECT_EQ(dispatcher.Slots(), 1);
+}
+
+TEST(Dispatcher, ARunnerOfAnotherBuildCostsARangeNoTries) {
+  Dispatcher dispatcher(Quick());
+  std::atomic<int> refusals = 0;
+  const auto misfit = [&](const StageCall&, const RangeTask&) -> absl::Status {
+    if (++refusals > 40) return absl::OkStatus();
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "old");
+  };
+  dispatcher.Join(RunnerOf("a", misfit));
+  dispatcher.Join(RunnerOf("b", misfit));
+  const auto tasks = Tasks(2);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_EQ(dispatcher.Counts().poisoned, 0);
+}
+
+TEST(Dispatcher, JobsShareTheRunners) {
+  Dispatcher dispatcher;
+  std::atomic<bool> both = false;
+  std::string order;
+  // The first call holds until both jobs are there; then the only slot takes turns.
+  dispatcher.Join(RunnerOf("a", [&](const StageCall& call, const RangeTask&) {
+    both.wait(false);
+    order += call.job_id;
+    return absl::OkStatus();
+  }));
+  const auto tasks = Tasks(5);
+  const auto run = [&](const std::string& id, const std::function<bool()>& poll) {
+    StageCall call;
+    call.job_id = id;
+    call.cancel = CancelToken(poll);
+    EXPECT_TRUE(IsWhole(dispatcher.Execute(call, tasks, nullptr), tasks));
+  };
+  std::atomic<int> seen = 0;
+  const auto joined = [&](int bit) {
+    return [&, bit] {
+      if ((seen |= bit) == 3 && !both.exchange(true)) both.notify_all();
+      return false;
+    };
+  };
+  std::thread first(run, "1", joined(1));
+  std::thread second(run, "2", joined(2));
+  first.join();
+  second.join();
+  EXPECT_THAT(order, testing::AnyOf("1212121212", "2121212121"));
+}
+
+/// Runners that fail, crawl, leave and join at random, under several jobs at once: every job ends
+/// whole.
+TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
+  DispatcherOptions options = Quick();
+  options.scheduler.poison_tries = 1000;
+  options.scheduler.max_tries = 1000;
+  Dispatcher dispatcher(options);
+  std::atomic<uint32_t> salt = 1;
+  const auto flaky = [&](const StageCall& call, const RangeTask&) {
+    std::mt19937 random(salt++);
+    const uint32_t what = random() % 10;
+    if (what < 3) return absl::UnavailableError("flaky");
+    if (what == 3) {
+      for (int i = 0; i < 200 && !call.cancel.Cancelled(); ++i) std::this_thread::yield();
+    }
+    return absl::OkStatus();
+  };
+  dispatcher.Join(RunnerOf("constant", flaky, 2));
+  std::mutex mutex;
+  std::vector<RunnerId> ids;
+  // Whenever a job gets on, one runner joins and one leaves.
+  const auto churn = [&](int32_t) {
+    std::lock_guard lock(mutex);
+    ids.push_back(dispatcher.Join(RunnerOf("churn", flaky, 1 + static_cast<int>(ids.size()) % 3)));
+    if (ids.size() <= 4) return;
+    dispatcher.Leave(ids.front());
+    ids.erase(ids.begin());
+  };
+  std::vector<std::thread> jobs;
+  for (int j = 0; j < 4; ++j) {
+    jobs.emplace_back([&, j] {
+      for (int round = 0; round < 10; ++round) {
+        const auto tasks = Tasks(10 + j * 7);
+        EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, churn), tasks));
+      }
+    });
+  }
+  for (std::thread& job : jobs) job.join();
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,132 @@
+#include "services/coordinator/algo/dispatch/fan_out.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// True if the input is at fault: the same anywhere, whatever the number of tries.
+bool IsFinal(const absl::Status& status) {
+  return absl::IsInvalidArgument(status) || absl::IsOutOfRange(status);
+}
+
+}  // namespace
+
+FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant) {
+  const JobId id = next_job_++;
+  jobs_.emplace(id, Job{RangeScheduler(ranges, options_), std::move(claimant)});
+  return id;
+}
+
+void FanOut::Remove(JobId job) {
+  const auto found = jobs_.find(job);
+  if (found == jobs_.end()) return;
+  counts_.requeued += found->second.scheduler.Requeued();
+  counts_.hedged += found->second.scheduler.Hedged();
+  jobs_.erase(found);
+}
+
+/// The jobs, those first whose turn it is. Cost: n log n.
+std::vector<FanOut::JobId> FanOut::Order() const {
+  using Turn = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
+  std::map<std::string, Turn> tenants;
+  for (const auto& [id, job] : jobs_) {
+    auto& [running, last_turn] = tenants[job.claimant.tenant];
+    running += job.scheduler.Running();
+    last_turn = std::max(last_turn, job.last_turn);
+  }
+  std::vector<std::tuple<Turn, int, Turn, JobId>> keys;
+  for (const auto& [id, job] : jobs_) {
+    keys.emplace_back(tenants.at(job.claimant.tenant), -job.claimant.priority,
+                      Turn(job.scheduler.Running(), job.last_turn), id);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<JobId> order;
+  for (const auto& key : keys) order.push_back(std::get<JobId>(key));
+  return order;
+}
+
+std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
+  const std::vector<JobId> order = Order();
+  for (const JobId id : order) {
+    Job& job = jobs_.at(id);
+    if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
+  }
+  if (hedges_left_ < 1) return std::nullopt;
+  for (const JobId id : order) {
+    Job& job = jobs_.at(id);
+    const auto grant = job.scheduler.Hedge(runner, now_s);
+    if (!grant) continue;
+    --hedges_left_;
+    return Granted(id, job, *grant);
+  }
+  return std::nullopt;
+}
+
+FanOut::Grant FanOut::Granted(JobId id, Job& job, const RangeScheduler::Grant& grant) {
+  job.last_turn = next_turn_++;
+  return {id, grant.ticket, grant.range};
+}
+
+RangeScheduler::Accepted FanOut::Succeeded(const Grant& grant, double now_s) {
+  RangeScheduler* scheduler = Find(grant.job);
+  if (!scheduler) return {};
+  auto accepted = scheduler->Succeeded(grant.ticket, now_s);
+  if (!accepted.first) return accepted;
+  ++counts_.done;
+  hedges_left_ = std::min(options_.hedge_burst, hedges_left_ + options_.hedge_share);
+  return accepted;
+}
+
+FanOut::Verdict FanOut::Failed(const Grant& grant, const absl::Status& error) {
+  RangeScheduler* scheduler = Find(grant.job);
+  if (!scheduler) return Verdict::kGoesOn;
+  if (IsFinal(error)) return Verdict::kInputAtFault;
+  if (DetailOf(error).reason == Reason::kBuildMismatch) {
+    scheduler->Abandoned(grant.ticket);  // says nothing of the range
+    return Verdict::kGoesOn;
+  }
+  scheduler->Failed(grant.ticket);
+  if (scheduler->Poisoned() != grant.range) return Verdict::kGoesOn;
+  ++counts_.poisoned;
+  return Verdict::kPoisoned;
+}
+
+void FanOut::Superseded(const Grant& grant) {
+  if (RangeScheduler* scheduler = Find(grant.job)) scheduler->Failed(grant.ticket);
+}
+
+void FanOut::RunnerGone(RunnerId runner) {
+  for (auto& [id, job] : jobs_) job.scheduler.RunnerGone(runner);
+}
+
+bool FanOut::AnyQueued() const {
+  return std::any_of(jobs_.begin(), jobs_.end(),
+                     [](const auto& job) { return job.second.scheduler.Queued() > 0; });
+}
+
+DispatchCounts FanOut::Counts() const {
+  DispatchCounts counts = counts_;
+  for (const auto& [id, job] : jobs_) {
+    counts.requeued += job.scheduler.Requeued();
+    counts.hedged += job.scheduler.Hedged();
+  }
+  return counts;
+}
+
+RangeScheduler* FanOut::Find(JobId job) {
+  const auto found = jobs_.find(job);
+  return found == jobs_.end() ? nullptr : &found->second.scheduler;
+}
+
+std::chrono::milliseconds RestAfter(int failures, std::chrono::milliseconds min,
+                                    std::chrono::milliseconds max) {
+  return std::min(max, min * (1 << std::clamp(failures - 1, 0, 10)));
+}
+
+}  // namespace slicefarm::coordinator

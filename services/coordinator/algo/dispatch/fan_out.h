@@ -1,0 +1,100 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/algo/dispatch/range_scheduler.h"
+#include "services/coordinator/algo/dispatch/runner_set.h"
+
+namespace slicefarm::coordinator {
+
+/// What happened to ranges since the start; for metrics.
+struct DispatchCounts {
+  int64_t done = 0;
+  int64_t requeued = 0;
+  int64_t hedged = 0;
+  int64_t poisoned = 0;
+  int64_t differing = 0;  ///< second answers that are unlike the first
+};
+
+/// The ranges of any number of jobs over the runners there are: which range of which job a free
+/// slot takes, and what its answer means for the job. A pure state machine, as RangeScheduler is,
+/// of which it has one for each job.
+///
+/// Tenants share the runners evenly: a free slot goes to the tenant with the fewest ranges in
+/// flight, of these to the one that has waited longest. Of a tenant's jobs those of the highest
+/// priority come first; among equals the one with the fewest ranges in flight, then the one that
+/// has waited longest. A slow range is doubled only when nothing is queued, and not more than
+/// `hedge_share` of all: when everything is slow, second copies would make it slower. Not
+/// thread-safe.
+class FanOut {
+ public:
+  using JobId = int64_t;
+  using Ticket = RangeScheduler::Ticket;
+
+  struct Grant {
+    JobId job = 0;
+    Ticket ticket = 0;  ///< of the job
+    int32_t range = 0;
+  };
+
+  /// What an error means for its job.
+  enum class Verdict {
+    kGoesOn,
+    kInputAtFault,  ///< it ends with that error, the same anywhere
+    kPoisoned,      ///< it ends: this range has failed too often
+  };
+
+  explicit FanOut(const SchedulerOptions& options = {})
+      : options_(options), hedges_left_(options.hedge_burst) {}
+
+  /// A job with so many ranges to run.
+  JobId Add(int32_t ranges, Claimant claimant = {});
+
+  /// Nothing of the job is wanted any more.
+  void Remove(JobId job);
+
+  std::optional<Grant> Take(RunnerId runner, double now_s);
+
+  RangeScheduler::Accepted Succeeded(const Grant& grant, double now_s);
+  Verdict Failed(const Grant& grant, const absl::Status& error);
+  /// The call was cancelled, as another copy of the range has made it.
+  void Superseded(const Grant& grant);
+  /// Two copies of a range came out differently.
+  void Differed() { ++counts_.differing; }
+  void RunnerGone(RunnerId runner);
+
+  bool AnyQueued() const;
+  bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
+  int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
+  DispatchCounts Counts() const;
+
+ private:
+  struct Job {
+    RangeScheduler scheduler;
+    Claimant claimant;
+    int64_t last_turn = 0;
+  };
+
+  std::vector<JobId> Order() const;
+  Grant Granted(JobId id, Job& job, const RangeScheduler::Grant& grant);
+  RangeScheduler* Find(JobId job);
+
+  SchedulerOptions options_;
+  std::map<JobId, Job> jobs_;
+  JobId next_job_ = 1;
+  int64_t next_turn_ = 1;
+  double hedges_left_;
+  DispatchCounts counts_;  ///< of jobs that were removed; done and poisoned of all
+};
+
+/// How long a slot rests whose calls failed `failures` times in a row: twice as long each time.
+std::chrono::milliseconds RestAfter(int failures, std::chrono::milliseconds min,
+                                    std::chrono::milliseconds max);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,134 @@
+#include "services/coordinator/algo/dispatch/fan_out.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using std::chrono::milliseconds;
+using Verdict = FanOut::Verdict;
+
+TEST(FanOut, JobsTakeTurns) {
+  FanOut fan_out;
+  const auto first = fan_out.Add(3);
+  const auto second = fan_out.Add(3);
+  std::vector<FanOut::JobId> order;
+  for (int i = 0; i < 6; ++i) order.push_back(fan_out.Take(1, 0)->job);
+  EXPECT_EQ(order, (std::vector<FanOut::JobId>{first, second, first, second, first, second}));
+  EXPECT_FALSE(fan_out.AnyQueued());
+  EXPECT_EQ(fan_out.Take(1, 0), std::nullopt);
+}
+
+TEST(FanOut, TheJobWithTheFewestRangesInFlightComesFirst) {
+  FanOut fan_out;
+  const auto first = fan_out.Add(9);
+  for (int i = 0; i < 3; ++i) fan_out.Take(1, 0);
+  const auto late = fan_out.Add(9);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(fan_out.Take(1, 0)->job, late);
+  EXPECT_EQ(fan_out.Take(1, 0)->job, first);
+}
+
+TEST(FanOut, TenantsShareEvenlyHoweverManyJobsTheyHave) {
+  FanOut fan_out;
+  for (int i = 0; i < 7; ++i) fan_out.Add(9, {"many"});
+  for (int i = 0; i < 4; ++i) fan_out.Take(1, 0);
+  const auto one = fan_out.Add(9, {"one"});
+  int of_one = 0;
+  for (int i = 0; i < 12; ++i) of_one += fan_out.Take(1, 0)->job == one;
+  EXPECT_EQ(of_one, 8) << "as many as the other tenant then has";
+}
+
+TEST(FanOut, ATenantsUrgentJobComesBeforeItsOthers) {
+  FanOut fan_out;
+  const auto bulk = fan_out.Add(9, {"a", 0});
+  fan_out.Take(1, 0);
+  const auto urgent = fan_out.Add(3, {"a", 2});
+  const auto others = fan_out.Add(9, {"b", 0});
+  std::vector<FanOut::JobId> order;
+  for (int i = 0; i < 8; ++i) order.push_back(fan_out.Take(1, 0)->job);
+  EXPECT_EQ(order, (std::vector<FanOut::JobId>{others, urgent, others, urgent, others, urgent,
+                                               others, bulk}));
+}
+
+TEST(FanOut, NothingIsDoubledWhileAnythingIsQueued) {
+  FanOut fan_out;
+  const auto slow = fan_out.Add(1);
+  fan_out.Take(1, 0);
+  const auto other = fan_out.Add(1);
+  EXPECT_EQ(fan_out.Take(2, 100)->job, other);
+  EXPECT_EQ(fan_out.Take(2, 100)->job, slow) << "a second copy of what runner 1 does not end";
+  EXPECT_EQ(fan_out.Counts().hedged, 1);
+}
+
+TEST(FanOut, SecondCopiesHaveABudget) {
+  FanOut fan_out({.hedge_after_s = 1, .hedge_share = 0.5, .hedge_burst = 1});
+  fan_out.Add(4);
+  const auto first = *fan_out.Take(1, 0);
+  const auto second = *fan_out.Take(1, 0);
+  const auto third = *fan_out.Take(1, 0);
+  fan_out.Take(1, 0);
+  EXPECT_TRUE(fan_out.Take(2, 100)) << "of the first";
+  EXPECT_FALSE(fan_out.Take(2, 100)) << "all four are slow, and the budget is spent";
+  fan_out.Succeeded(second, 0.5);
+  EXPECT_FALSE(fan_out.Take(2, 100));
+  fan_out.Succeeded(third, 0.5);
+  const auto copy = fan_out.Take(2, 100);
+  ASSERT_TRUE(copy) << "two ranges are done: one more";
+  EXPECT_EQ(copy->range, 3);
+  EXPECT_NE(copy->range, first.range);
+}
+
+TEST(FanOut, ErrorsEndAJobOrDoNot) {
+  FanOut fan_out;
+  const auto job = fan_out.Add(1);
+  const auto fail = [&](RunnerId runner, const absl::Status& error) {
+    return fan_out.Failed(*fan_out.Take(runner, 0), error);
+  };
+  const auto misfit = MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "");
+  EXPECT_EQ(fail(1, misfit), Verdict::kGoesOn);
+  EXPECT_EQ(fan_out.Tries(job, 0), 0) << "says nothing of the range";
+  EXPECT_EQ(fail(1, absl::UnavailableError("")), Verdict::kGoesOn);
+  EXPECT_EQ(fail(1, absl::InternalError("")), Verdict::kGoesOn);
+  EXPECT_EQ(fail(2, absl::UnavailableError("")), Verdict::kPoisoned);
+  EXPECT_EQ(fan_out.Counts().poisoned, 1);
+  const auto bad = fan_out.Add(1);
+  const auto grant = *fan_out.Take(1, 0);
+  EXPECT_EQ(grant.job, bad);
+  EXPECT_EQ(fan_out.Failed(grant, absl::InvalidArgumentError("")), Verdict::kInputAtFault);
+}
+
+TEST(FanOut, AnswersForAJobThatIsGoneMeanNothing) {
+  FanOut fan_out;
+  const auto job = fan_out.Add(2);
+  const auto one = *fan_out.Take(1, 0);
+  const auto two = *fan_out.Take(1, 0);
+  fan_out.Remove(job);
+  fan_out.Remove(job);
+  EXPECT_FALSE(fan_out.Succeeded(one, 1).first);
+  EXPECT_EQ(fan_out.Failed(two, absl::InvalidArgumentError("")), Verdict::kGoesOn);
+  EXPECT_EQ(fan_out.Counts().done, 0);
+}
+
+TEST(FanOut, RequeuedRangesAreCountedAfterTheirJobAsWell) {
+  FanOut fan_out;
+  const auto job = fan_out.Add(2);
+  fan_out.Take(1, 0);
+  fan_out.RunnerGone(1);
+  EXPECT_EQ(fan_out.Counts().requeued, 1);
+  fan_out.Remove(job);
+  EXPECT_EQ(fan_out.Counts().requeued, 1);
+}
+
+TEST(FanOut, RestsDoubleUpToTheMaximum) {
+  const auto rest = [](int failures) {
+    return RestAfter(failures, milliseconds(20), milliseconds(1000));
+  };
+  EXPECT_EQ(rest(1), milliseconds(20));
+  EXPECT_EQ(rest(3), milliseconds(80));
+  EXPECT_EQ(rest(60), milliseconds(1000));
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,107 @@
+#include "services/coordinator/algo/dispatch/fleet.h"
+
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// So much of a message tells what went wrong; a job may have thousands of spans.
+constexpr size_t kMaxErrorBytes = 200;
+
+void NoteOutcome(const absl::StatusOr<RangeResult>& result, ScopedSpan& span) {
+  if (!result.ok()) {
+    span.Set("outcome", std::string(ReasonName(DetailOf(result.status()).reason)));
+    span.Set("error", std::string(result.status().message().substr(0, kMaxErrorBytes)));
+    return;
+  }
+  span.Set("outcome", "ok");
+  const StageTimes& times = result->times;
+  for (const auto& [stage, seconds] :
+       {std::pair{"beading_s", times.beading_s}, std::pair{"infill_s", times.infill_s},
+        std::pair{"ordering_s", times.ordering_s}, std::pair{"motion_s", times.motion_s}}) {
+    span.Set(stage, absl::StrCat(seconds));
+  }
+}
+
+}  // namespace
+
+/// A runner's ranges, with a look at who comes and goes.
+class Fleet::Watched : public RangeRunner {
+ public:
+  Watched(Runner runner, int64_t member) : runner_(std::move(runner)), member_(member) {}
+
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+    const std::string name = absl::StrCat("layers ", task.range.first, "-", task.range.last - 1);
+    const int64_t turn = Begin(call, task);
+    StageCall traced = call;
+    traced.trace = ChildSpan(call.trace, absl::StrCat(name, " ", member_, "/", turn));
+    ScopedSpan span(call.spans, name, runner_.name);
+    span.Set("span_id", traced.trace.span_id);
+    auto result = runner_.ranges->Run(traced, task);
+    NoteOutcome(result, span);
+    End(turn);
+    return result;
+  }
+
+  RunnerAtWork Now() const {
+    RunnerAtWork now = {runner_.name, runner_.slots, {}};
+    const std::lock_guard lock(mutex_);
+    for (const auto& [turn, at_work] : at_work_) {
+      now.ranges.push_back({at_work.job_id, at_work.layers, at_work.clock.Seconds()});
+    }
+    return now;
+  }
+
+ private:
+  struct AtWork {
+    std::string job_id;
+    LayerRange layers;
+    Stopwatch clock = {};
+  };
+
+  int64_t Begin(const StageCall& call, const RangeTask& task) const {
+    const std::lock_guard lock(mutex_);
+    at_work_.emplace(++turns_, AtWork{call.job_id, task.range});
+    return turns_;
+  }
+
+  void End(int64_t turn) const {
+    const std::lock_guard lock(mutex_);
+    at_work_.erase(turn);
+  }
+
+  const Runner runner_;
+  const int64_t member_;
+  mutable std::mutex mutex_;
+  mutable int64_t turns_ = 0;
+  mutable std::map<int64_t, AtWork> at_work_;
+};
+
+RunnerId Fleet::Join(Runner runner) {
+  const std::lock_guard lock(mutex_);
+  const auto watched = std::make_shared<const Watched>(runner, next_member_++);
+  runner.ranges = watched;
+  const RunnerId id = runners_.Join(std::move(runner));
+  members_[id] = watched;
+  return id;
+}
+
+void Fleet::Leave(RunnerId id) {
+  const std::lock_guard lock(mutex_);
+  runners_.Leave(id);
+  members_.erase(id);
+}
+
+std::vector<RunnerAtWork> Fleet::Runners() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<RunnerAtWork> runners;
+  for (const auto& [id, member] : members_) runners.push_back(member->Now());
+  return runners;
+}
+
+}  // namespace slicefarm::coordinator

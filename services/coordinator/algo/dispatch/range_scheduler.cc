@@ -1,0 +1,131 @@
+#include "services/coordinator/algo/dispatch/range_scheduler.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace slicefarm::coordinator {
+
+RangeScheduler::RangeScheduler(int32_t range_count, const SchedulerOptions& options)
+    : options_(options), ranges_(range_count), queue_(range_count) {
+  std::iota(queue_.begin(), queue_.end(), 0);
+}
+
+std::optional<RangeScheduler::Grant> RangeScheduler::Next(RunnerId runner, double now_s) {
+  if (queue_.empty() || poisoned_) return std::nullopt;
+  const auto untried = std::find_if(queue_.begin(), queue_.end(), [&](int32_t range) {
+    return !ranges_[range].failed_on.contains(runner);
+  });
+  const auto chosen = untried != queue_.end() ? untried : queue_.begin();
+  const int32_t range = *chosen;
+  queue_.erase(chosen);
+  return Start(range, runner, now_s);
+}
+
+std::optional<RangeScheduler::Grant> RangeScheduler::Hedge(RunnerId runner, double now_s) {
+  if (poisoned_) return std::nullopt;
+  const double slow_s =
+      std::max(options_.hedge_after_s, options_.hedge_after_ratio * slowest_done_s_);
+  // Tickets count up, so the first that fits runs longest.
+  for (const auto& [ticket, copy] : running_) {
+    if (now_s - copy.since_s < slow_s) break;
+    const Range& range = ranges_[copy.range];
+    if (range.done || copy.runner == runner || range.copies != 1) continue;
+    // Its last copy decides: with a new one beside each that fails, it would never come to an end.
+    if (FailedTooOften(range)) continue;
+    ++hedged_;
+    return Start(copy.range, runner, now_s);
+  }
+  return std::nullopt;
+}
+
+RangeScheduler::Grant RangeScheduler::Start(int32_t range, RunnerId runner, double now_s) {
+  const Ticket ticket = next_ticket_++;
+  running_.emplace(ticket, Copy{range, runner, now_s});
+  ++ranges_[range].copies;
+  return {ticket, range};
+}
+
+RangeScheduler::Accepted RangeScheduler::Succeeded(Ticket ticket, double now_s) {
+  int32_t range = 0;
+  if (const auto found = running_.find(ticket); found != running_.end()) {
+    range = found->second.range;
+    slowest_done_s_ = std::max(slowest_done_s_, now_s - found->second.since_s);
+    --ranges_[range].copies;
+    running_.erase(found);
+  } else if (const auto lost = lost_.find(ticket); lost != lost_.end()) {
+    range = lost->second;
+    lost_.erase(lost);
+  } else {
+    return {};
+  }
+  if (ranges_[range].done) return {};
+  ranges_[range].done = true;
+  ++done_;
+  std::erase(queue_, range);  // where it stands again if the result is late
+
+  Accepted accepted{.first = true};
+  for (const auto& [other, copy] : running_) {
+    if (copy.range == range) accepted.superfluous.push_back(other);
+  }
+  for (const auto& [other, lost_range] : lost_) {
+    if (lost_range == range) accepted.superfluous.push_back(other);
+  }
+  return accepted;
+}
+
+void RangeScheduler::Failed(Ticket ticket) {
+  lost_.erase(ticket);
+  const auto found = running_.find(ticket);
+  if (found == running_.end()) return;
+  const Copy copy = found->second;
+  running_.erase(found);
+  --ranges_[copy.range].copies;
+  if (ranges_[copy.range].done) return;
+  CountFailure(copy.range, copy.runner);
+  Requeue(copy.range);
+}
+
+void RangeScheduler::Abandoned(Ticket ticket) {
+  lost_.erase(ticket);
+  const auto found = running_.find(ticket);
+  if (found == running_.end()) return;
+  const int32_t range = found->second.range;
+  running_.erase(found);
+  --ranges_[range].copies;
+  if (!ranges_[range].done) Requeue(range);
+}
+
+void RangeScheduler::RunnerGone(RunnerId runner) {
+  std::vector<Ticket> gone;
+  for (const auto& [ticket, copy] : running_) {
+    if (copy.runner == runner) gone.push_back(ticket);
+  }
+  // Back to front, so that the ranges stand in the queue as they were granted.
+  for (auto ticket = gone.rbegin(); ticket != gone.rend(); ++ticket) {
+    const int32_t range = running_.at(*ticket).range;
+    Abandoned(*ticket);
+    lost_.emplace(*ticket, range);
+  }
+}
+
+void RangeScheduler::CountFailure(int32_t range, RunnerId runner) {
+  Range& r = ranges_[range];
+  ++r.tries;
+  r.failed_on.insert(runner);
+  if (r.copies > 0) return;  // the other copy may still make it
+  if (FailedTooOften(r) && !poisoned_) poisoned_ = range;
+}
+
+bool RangeScheduler::FailedTooOften(const Range& range) const {
+  return range.tries >= options_.max_tries ||
+         (range.tries >= options_.poison_tries &&
+          static_cast<int>(range.failed_on.size()) >= options_.poison_runners);
+}
+
+void RangeScheduler::Requeue(int32_t range) {
+  if (ranges_[range].copies > 0) return;
+  queue_.push_front(range);
+  ++requeued_;
+}
+
+}  // namespace slicefarm::coordinator

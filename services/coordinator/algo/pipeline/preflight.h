@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/pipeline/print_estimate.h"
+
+namespace slicefarm::coordinator {
+
+/// What can be told of a job before it is made.
+struct Preflight {
+  std::vector<MeshReport> meshes;
+  int32_t layers = 0;
+  double first_layer_area_mm2 = 0;
+  PrintEstimate estimate;
+  std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
+};
+
+/// Slices the meshes and looks at the outlines. Errors: those of slicing, OUT_OF_BUILD_VOLUME among
+/// them; NOTHING_TO_PRINT.
+absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
+                                 const SlicingStage& slicing);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,69 @@
+#include "services/coordinator/algo/pipeline/preflight.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+#include "common/base/error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// `layers` squares of 10 mm over layers without outlines.
+class FakeSlicing : public SlicingStage {
+ public:
+  explicit FakeSlicing(int layers) : layers_(layers) {}
+
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput,
+                                  const SlicingOptions& options) const override {
+    EXPECT_EQ(options.layer_height_nm, 123);
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+    SlicedJob job;
+    for (int i = 0; i < 10; ++i) {
+      SlicedLayer layer{{i, FromMm(0.2 * (i + 1)), FromMm(0.2)}, {}};
+      if (i < layers_) layer.objects = {{0, MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")}};
+      job.layers.push_back(layer);
+    }
+    job.meshes.resize(1);
+    job.meshes[0].open_edges = 4;
+    return job;
+  }
+
+ private:
+  const int layers_;
+};
+
+JobInput Input() {
+  JobInput input;
+  input.settings.slicing.layer_height_nm = 123;
+  input.warnings = {"of a setting"};
+  return input;
+}
+
+TEST(LookAt, TellsWhatThePlateIsLike) {
+  const auto found = LookAt({}, Input(), FakeSlicing(10));
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->layers, 10);
+  EXPECT_DOUBLE_EQ(found->first_layer_area_mm2, 100);
+  EXPECT_EQ(found->meshes.size(), 1);
+  EXPECT_THAT(found->warnings,
+              ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
+  EXPECT_GT(found->estimate.print_time_s, 0);
+  EXPECT_NEAR(found->estimate.filament.volume_mm3, 200, 1e-6) << "all of it is skin";
+}
+
+TEST(LookAt, NothingToPrintIsAnError) {
+  EXPECT_EQ(DetailOf(LookAt({}, Input(), FakeSlicing(0)).status()).reason, Reason::kNothingToPrint);
+}
+
+TEST(LookAt, CanBeCancelled) {
+  StageCall call;
+  call.cancel = CancelToken([] { return true; });
+  EXPECT_TRUE(absl::IsCancelled(LookAt(call, Input(), FakeSlicing(1)).status()));
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

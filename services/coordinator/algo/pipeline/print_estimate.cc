@@ -1,0 +1,172 @@
+#include "services/coordinator/algo/pipeline/print_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "common/geometry/measure.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr double kSharpTurnRad = 0.5;
+constexpr double kMm2PerNm2 = 1e-12;
+
+/// The outlines of a layer in figures, millimetres.
+struct LayerShape {
+  double area = 0;
+  double perimeter = 0;
+  double sharp_corners = 0;
+  double islands = 0;
+};
+
+bool IsSharp(Point before, Point at, Point after) {
+  const double in = std::atan2(ToMm(at.y - before.y), ToMm(at.x - before.x));
+  const double out = std::atan2(ToMm(after.y - at.y), ToMm(after.x - at.x));
+  return std::abs(std::remainder(out - in, 2 * std::numbers::pi)) > kSharpTurnRad;
+}
+
+void AddRing(const Polygon& ring, LayerShape& shape) {
+  shape.perimeter += Perimeter(ring) / kNmPerMm;
+  const size_t n = ring.size();
+  for (size_t i = 0; i < n; ++i) {
+    if (IsSharp(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n])) ++shape.sharp_corners;
+  }
+}
+
+LayerShape ShapeOf(const SlicedLayer& layer) {
+  LayerShape shape;
+  for (const ObjectSection& section : layer.objects) {
+    shape.area += Area(section.outlines) * kMm2PerNm2;
+    shape.islands += static_cast<double>(section.outlines.size());
+    for (const PolygonWithHoles& island : section.outlines) {
+      AddRing(island.outer, shape);
+      for (const Polygon& hole : island.holes) AddRing(hole, shape);
+    }
+  }
+  return shape;
+}
+
+/// Part of layer `index` that no layer among the `reach` ones above (step 1) or below (step -1)
+/// covers, at least: as if each lay within the other.
+double Exposed(std::span<const LayerShape> shapes, std::ptrdiff_t index, int step, int reach) {
+  const double area = shapes[index].area;
+  double covered = area;
+  for (int k = 1; k <= reach; ++k) {
+    const std::ptrdiff_t other = index + k * step;
+    const bool air = other < 0 || other >= std::ssize(shapes);
+    covered = std::min(covered, air ? 0 : shapes[other].area);
+  }
+  return area - covered;
+}
+
+/// Lines of one kind in a layer.
+struct Lines {
+  Feature feature = Feature::kPerimeter;
+  double length_mm = 0;
+  double stops = 0;
+};
+
+class LayerEstimate {
+ public:
+  LayerEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
+                const JobSettings& settings)
+      : shape_(shape), frame_(frame), settings_(settings) {
+    const double height = ToMm(frame.height_nm);
+    const double wall = Spacing(settings.beading.inner_width_nm);
+    const int32_t walls = settings.beading.perimeters;
+    const double wall_area = std::min(shape.area, walls * wall * shape.perimeter);
+    const double inside = shape.area - wall_area;
+    const double solid = std::min(inside, exposed_mm2);
+    const double sparse = (inside - solid) * settings.infill.density;
+    const double outer = std::min(shape.perimeter, wall_area / wall);
+    Add({Feature::kExternalPerimeter, outer, shape.sharp_corners});
+    Add({Feature::kPerimeter, wall_area / wall - outer, shape.sharp_corners * (walls - 1)});
+    AddFill(Feature::kSolidInfill, solid, Spacing(settings.infill.solid_width_nm));
+    AddFill(Feature::kInternalInfill, sparse, Spacing(settings.infill.sparse_width_nm));
+    AddTravels(walls + 1);
+    volume_mm3_ = (wall_area + solid + sparse) * height;
+  }
+
+  double volume_mm3() const { return volume_mm3_; }
+
+  /// With the time that cooling asks for.
+  double time_s() const {
+    const CoolingOptions& cooling = settings_.motion.cooling;
+    if (!cooling.enabled || shape_.area == 0) return time_s_;
+    return std::max(time_s_, cooling.slowdown_below_layer_time_s);
+  }
+
+ private:
+  /// Of beads side by side: a rectangle with round ends (see bead_section.h) is this wide on
+  /// average.
+  double Spacing(Coord width_nm) const {
+    return ToMm(width_nm) - ToMm(frame_.height_nm) * (1 - std::numbers::pi / 4);
+  }
+
+  double SpeedOf(Feature feature) const {
+    const double speed = settings_.motion.speed_mm_s[static_cast<size_t>(feature)];
+    const double first = settings_.motion.first_layer_speed_mm_s;
+    return frame_.index == 0 && first > 0 ? std::min(speed, first) : speed;
+  }
+
+  void Add(const Lines& lines) {
+    const double speed = SpeedOf(lines.feature);
+    const double stop_s = speed / settings_.motion.limits.max_acceleration_extruding_mm_s2;
+    time_s_ += lines.length_mm / speed + lines.stops * stop_s;
+  }
+
+  /// Lines across the islands, with a stop at both ends: as long as a mean chord, pi area /
+  /// perimeter (Crofton).
+  void AddFill(Feature feature, double area_mm2, double spacing_mm) {
+    if (area_mm2 <= 0) return;
+    const double length = area_mm2 / spacing_mm;
+    const double chord = std::numbers::pi * shape_.area / shape_.perimeter;
+    Add({feature, length, 2 * length / chord});
+  }
+
+  void AddTravels(int an_island) {
+    const double distance = std::sqrt(shape_.area) / 2;
+    const RetractionOptions& retraction = settings_.motion.retraction;
+    double each_s = distance / settings_.motion.travel_speed_mm_s;
+    if (distance > retraction.min_travel_mm)
+      each_s += retraction.length_mm / retraction.speed_mm_s +
+                retraction.length_mm / retraction.restart_speed_mm_s;
+    time_s_ += shape_.islands * an_island * each_s;
+  }
+
+  const LayerShape& shape_;
+  const LayerFrame& frame_;
+  const JobSettings& settings_;
+  double time_s_ = 0;
+  double volume_mm3_ = 0;
+};
+
+double FilamentMm(double volume_mm3, const MotionOptions& motion) {
+  const double radius = motion.filament_diameter_mm / 2;
+  return volume_mm3 * motion.extrusion_multiplier / (std::numbers::pi * radius * radius);
+}
+
+}  // namespace
+
+PrintEstimate EstimatePrint(std::span<const SlicedLayer> layers, const JobSettings& settings) {
+  std::vector<LayerShape> shapes;
+  shapes.reserve(layers.size());
+  for (const SlicedLayer& layer : layers) shapes.push_back(ShapeOf(layer));
+  PrintEstimate estimate;
+  ProgramStats total;
+  FeatureUse& all = total.features[0];
+  for (std::ptrdiff_t i = 0; i < std::ssize(layers); ++i) {
+    const double exposed = Exposed(shapes, i, 1, settings.infill.top_solid_layers) +
+                           Exposed(shapes, i, -1, settings.infill.bottom_solid_layers);
+    const LayerEstimate layer(shapes[i], exposed, layers[i].frame, settings);
+    estimate.print_time_s += layer.time_s();
+    all.volume_mm3 += layer.volume_mm3();
+  }
+  all.filament_mm = FilamentMm(all.volume_mm3, settings.motion);
+  estimate.filament = FilamentUseOf(total, settings.motion);
+  return estimate;
+}
+
+}  // namespace slicefarm::coordinator

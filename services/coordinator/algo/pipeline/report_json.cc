@@ -1,0 +1,85 @@
+#include "services/coordinator/algo/pipeline/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/duration_text.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const MeshReport& mesh) {
+  return {{"name", mesh.name},
+          {"closed", mesh.Closed()},
+          {"triangles", mesh.triangles},
+          {"vertices", mesh.vertices},
+          {"bodies", mesh.bodies},
+          {"open_edges", mesh.open_edges},
+          {"non_manifold_edges", mesh.non_manifold_edges},
+          {"flipped_faces", mesh.flipped_faces},
+          {"degenerate_faces", mesh.degenerate_faces},
+          {"volume_mm3", mesh.volume_mm3},
+          {"min_mm", mesh.min_mm},
+          {"max_mm", mesh.max_mm},
+          {"open_loops_closed", mesh.open_loops_closed},
+          {"open_loops_dropped", mesh.open_loops_dropped},
+          {"largest_gap_closed_mm", mesh.largest_gap_closed_mm},
+          {"dropped_length_mm", mesh.dropped_length_mm},
+          {"cracks_closed_mm", mesh.cracks_closed_mm},
+          {"overlapping_copies", mesh.overlapping_copies}};
+}
+
+Json Features(const ProgramStats& stats) {
+  Json features = Json::object();
+  for (int i = 0; i < kFeatureCount; ++i) {
+    const FeatureUse& use = stats.features[i];
+    if (use.length_mm == 0) continue;
+    features[std::string(FeatureName(static_cast<Feature>(i)))] = {{"time_s", use.time_s},
+                                                                   {"length_mm", use.length_mm},
+                                                                   {"filament_mm", use.filament_mm},
+                                                                   {"volume_mm3", use.volume_mm3}};
+  }
+  return features;
+}
+
+Json ToJson(const StageTimes& times) {
+  return {{"slicing", times.slicing_s},
+          {"beading", times.beading_s},
+          {"infill", times.infill_s},
+          {"ordering", times.ordering_s},
+          {"motion", times.motion_s}};
+}
+
+Json Travel(const JobReport& report) {
+  return {{"length_mm", report.travel_mm},
+          {"time_s", report.stats.travel_time_s},
+          {"count", report.stats.travels},
+          {"retractions", report.stats.retractions}};
+}
+
+}  // namespace
+
+std::string ReportJson(const JobReport& report, const ReportContext& context) {
+  Json json;
+  json["meshes"] = Json::array();
+  for (const MeshReport& mesh : report.meshes) json["meshes"].push_back(ToJson(mesh));
+  json["layers"] = report.layer_count;
+  json["object_height_mm"] = report.object_height_mm;
+  json["print_time_s"] = report.print_time_s;
+  json["print_time"] = DurationText(report.print_time_s);
+  json["filament"] = {{"mm", report.filament.length_mm},
+                      {"mm3", report.filament.volume_mm3},
+                      {"g", report.filament.mass_g},
+                      {"cost", report.filament.cost}};
+  json["features"] = Features(report.stats);
+  json["travel"] = Travel(report);
+  json["stage_times_s"] = ToJson(report.stage_times);
+  json["warnings"] = report.warnings;
+  json["settings_without_effect"] = context.settings_without_effect;
+  json["settings_digest"] = context.settings_digest;
+  json["build_id"] = context.build_id;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,52 @@
+#include "services/coordinator/algo/pipeline/report_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slicefarm::coordinator {
+namespace {
+
+TEST(ReportJson, HasWhatTheReportHas) {
+  JobReport report;
+  report.meshes = {{.name = "cube.stl", .triangles = 12, .open_edges = 3}};
+  report.layer_count = 50;
+  report.object_height_mm = 10;
+  report.print_time_s = 3723.4;
+  report.travel_mm = 77;
+  report.filament.length_mm = 1000;
+  report.filament.mass_g = 2.98;
+  report.filament.cost = 0.06;
+  report.stage_times.infill_s = 0.5;
+  report.stats.features[static_cast<int>(Feature::kGapFill)] = {1, 2, 3, 4};
+  report.stats.retractions = 9;
+  report.warnings = {"careful"};
+
+  const auto json = nlohmann::json::parse(ReportJson(
+      report,
+      {.settings_without_effect = {"raft_layers"}, .settings_digest = "d", .build_id = "b"}));
+  EXPECT_EQ(json["meshes"][0]["triangles"], 12);
+  EXPECT_EQ(json["meshes"][0]["closed"], false);
+  EXPECT_EQ(json["layers"], 50);
+  EXPECT_EQ(json["print_time"], "1h 2m 3s");
+  EXPECT_DOUBLE_EQ(json["print_time_s"], 3723.4);
+  EXPECT_DOUBLE_EQ(json["filament"]["g"], 2.98);
+  EXPECT_DOUBLE_EQ(json["stage_times_s"]["infill"], 0.5);
+  EXPECT_EQ(json["features"].size(), 1u);
+  EXPECT_EQ(json["features"]["Gap fill"]["volume_mm3"], 4);
+  EXPECT_EQ(json["travel"]["retractions"], 9);
+  EXPECT_EQ(json["warnings"][0], "careful");
+  EXPECT_EQ(json["settings_without_effect"][0], "raft_layers");
+  EXPECT_EQ(json["settings_digest"], "d");
+  EXPECT_EQ(json["build_id"], "b");
+}
+
+TEST(ReportJson, SurvivesNamesThatAreNoText) {
+  JobReport report;
+  report.meshes = {{.name = "\xff\xfe\"\n"}};
+  EXPECT_TRUE(nlohmann::json::accept(ReportJson(report, {})));
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,60 @@
+#include "services/coordinator/server/api/callers.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/rpc/security/bearer_token.h"
+#include "common/rpc/security/identity.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status Unauthenticated(std::string_view message) {
+  return MakeError(absl::StatusCode::kUnauthenticated, Reason::kUnauthenticated, message);
+}
+
+absl::Status Denied(std::string_view message, std::map<std::string, std::string> metadata = {}) {
+  return MakeError(absl::StatusCode::kPermissionDenied, Reason::kPermissionDenied, message,
+                   std::move(metadata));
+}
+
+}  // namespace
+
+absl::StatusOr<Caller> Callers::Find(const grpc::ServerContextBase& context,
+                                     const Scopes& one_of) const {
+  auto caller = Known(context);
+  if (!caller.ok()) return caller;
+  if (std::ranges::any_of(one_of, [&](Scope scope) { return caller->may(scope); })) return caller;
+  const std::string scope(ScopeName(*one_of.begin()));
+  return Denied(absl::StrCat("this needs the scope '", scope, "'"), {{"scope", scope}});
+}
+
+absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) const {
+  const std::string identity = rpc::PeerIdentity(*context.auth_context());
+  const auto shown = rpc::TenantOfIdentity(identity);
+  if (!identity.empty() && !shown) {
+    return Denied(absl::StrCat("the certificate is ", identity, "'s, and no tenant's"));
+  }
+  if (!tenants_) {
+    // The CA may be one that signs for others as well.
+    if (context.auth_context()->IsPeerAuthenticated() && !shown)
+      return Denied("the certificate names no tenant");
+    return Caller{.tenant = "", .scopes = {Scope::kSubmit, Scope::kRead}};
+  }
+  const std::shared_ptr<const Tenants> tenants = tenants_();
+  const std::optional<std::string> token = rpc::BearerToken(context);
+  if (!token && !shown) return Unauthenticated("a token is needed: `authorization: Bearer TOKEN`");
+  const auto caller = token ? CallerWithToken(*tenants, *token, now_us_())
+                            : CallerWithCertificate(*tenants, *shown);
+  if (!caller) {
+    return Unauthenticated(token ? "the token is not known, or not any more"
+                                 : "the certificate's tenant is not known");
+  }
+  if (shown && caller->tenant != *shown) return Denied("token and certificate are of two tenants");
+  return *caller;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,91 @@
+#include "services/coordinator/server/api/job_intake.h"
+
+#include <fmt/format.h>
+#include <openssl/rand.h>
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::coordinator {
+
+std::string NewJobId() {
+  std::array<unsigned char, 16> bytes;
+  if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();
+  std::string id;
+  for (const unsigned char byte : bytes) fmt::format_to(std::back_inserter(id), "{:02x}", byte);
+  return id;
+}
+
+absl::StatusOr<ResolvedJob> JobIntake::Check(const Submission& submission) {
+  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
+  return Resolve(submission);
+}
+
+absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
+  const auto spec_bytes = static_cast<int64_t>(submission.spec.size());
+  if (spec_bytes > limits::kMaxSpecBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a spec", limits::kMaxSpecBytes,
+                      spec_bytes);
+  }
+  if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
+  auto resolved =
+      ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
+  if (!resolved.ok()) return resolved.status();
+  if (absl::Status ok = CheckMeshes(submission.tenant, resolved->request); !ok.ok()) return ok;
+  return resolved;
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
+  NewJob job;
+  job.refusal = disk_.CheckRoom();
+  const auto resolved = Resolve(submission);
+  job.refusal.Update(resolved.status());
+  // A call that is made again gets its job, though there is no room any more, or no mesh.
+  if (!job.refusal.ok() && submission.request_id.empty()) return job.refusal;
+  job.id = NewJobId();
+  job.tenant = std::move(submission.tenant);
+  job.request_id = std::move(submission.request_id);
+  job.spec_digest = std::move(submission.spec_digest);
+  job.spec = std::move(submission.spec);
+  job.labels = std::move(submission.labels);
+  job.priority = submission.priority;
+  job.deadline_us = submission.deadline_us;
+  job.webhook_url = std::move(submission.webhook_url);
+  job.traceparent = Traceparent(submission.trace.empty() ? TraceOfJob(job.id) : submission.trace);
+  job.max_open = submission.max_open_jobs;
+  job.build_id = build_id_;
+  if (resolved.ok()) {
+    for (const ObjectRequest& object : resolved->request.objects)
+      job.inputs.push_back(object.mesh_sha256);
+    job.settings_digest = resolved->settings_digest;
+    job.action_digest = resolved->action_digest;
+  }
+  auto created = jobs_.Create(job, now_us_());
+  full_queues_.Note(job.tenant, created.status(), job.max_open);
+  return created;
+}
+
+absl::Status JobIntake::CheckMeshes(const std::string& tenant, const JobRequest& request) {
+  const auto blobs = blobs_.Of(tenant);
+  if (!blobs.ok()) return blobs.status();
+  int64_t bytes = 0;
+  for (const ObjectRequest& object : request.objects) {
+    const auto status = (*blobs)->Keep(object.mesh_sha256);
+    if (!status.ok()) return status.status();
+    if (!status->complete) {
+      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,
+                       fmt::format("mesh {} was not uploaded", object.mesh_sha256),
+                       {{"sha256", object.mesh_sha256}});
+    }
+    bytes += status->committed_size;
+  }
+  if (bytes <= limits::kMaxMeshBytes) return absl::OkStatus();
+  return LimitError(Reason::kMeshTooLarge, "bytes of a job's meshes", limits::kMaxMeshBytes, bytes);
+}
+
+}  // namespace slicefarm::coordinator

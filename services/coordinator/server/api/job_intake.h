@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "common/model/limits.h"
+#include "common/base/trace_context.h"
+#include "services/coordinator/server/execution/disk_guard.h"
+#include "services/coordinator/server/api/full_queues.h"
+#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/execution/job_results.h"
+#include "services/coordinator/store/blobs/blob_stores.h"
+#include "services/coordinator/store/jobs/job_store.h"
+
+namespace slicefarm::coordinator {
+
+struct Submission {
+  std::string tenant = {};
+  int64_t max_open_jobs = limits::kMaxOpenJobs;  ///< of the tenant
+  std::string request_id;
+  std::string spec_digest;  ///< of the request as it came: equal for equal requests
+  std::string spec;         ///< the request as it will be kept
+  JobRequest request;
+  std::map<std::string, std::string> labels;
+  Priority priority = Priority::kNormal;
+  int64_t deadline_us = kNoDeadlineUs;
+  std::string webhook_url = {};
+  TraceContext trace = {};  ///< of the call that asks for it; empty: it gets its own
+};
+
+/// The edge where requests become jobs: what comes behind it has been checked.
+class JobIntake {
+ public:
+  JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, FullQueues& full_queues,
+            std::string build_id, ResultSharing sharing, std::function<int64_t()> now_us)
+      : jobs_(jobs),
+        blobs_(blobs),
+        disk_(disk),
+        full_queues_(full_queues),
+        build_id_(std::move(build_id)),
+        sharing_(sharing),
+        now_us_(std::move(now_us)) {}
+
+  /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard and JobStore::Create;
+  /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not
+  /// uploaded.
+  absl::StatusOr<Created> Create(Submission submission);
+
+  /// All of that but the keeping: the job that would be made, without an id.
+  absl::StatusOr<ResolvedJob> Check(const Submission& submission);
+
+  /// The build that would make it.
+  const std::string& build_id() const { return build_id_; }
+
+ private:
+  absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
+  absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);
+
+  JobStore& jobs_;
+  BlobStores& blobs_;
+  const DiskGuard& disk_;
+  FullQueues& full_queues_;
+  const std::string build_id_;
+  const ResultSharing sharing_;
+  const std::function<int64_t()> now_us_;
+};
+
+/// 32 hex digits that nobody can guess. Dies without a source of randomness.
+std::string NewJobId();
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,351 @@
+#include "services/coordinator/server/api/jobs_service.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/base/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "common/rpc/observe/trace_metadata.h"
+#include "common/wire/wire_error.h"
+#include "services/coordinator/algo/pipeline/preflight.h"
+#include "services/coordinator/server/observe/job_log.h"
+#include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/observe/job_traces.h"
+#include "services/coordinator/server/api/job_watch.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/api/profile_settings.h"
+#include "services/coordinator/store/jobs/job_steps.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kDownloadChunkBytes = 64 << 10;
+
+/// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
+constexpr int64_t kMaxEchoedBytes = 2 << 20;
+
+int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
+  auto bytes = static_cast<int64_t>(batch.ByteSizeLong());
+  for (const v1::CreateJobRequest& each : batch.requests()) {
+    for (const v1::Setting& setting : each.spec().settings()) {
+      bytes -= static_cast<int64_t>(setting.ByteSizeLong());
+    }
+  }
+  return bytes;
+}
+
+absl::Status IsAQuote(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   fmt::format("job {} is a quote: it has a report, and no G-code", id),
+                   {{"job", id}});
+}
+
+absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifact) {
+  if (!job.result) {
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
+                     fmt::format("job {} has no result: it is {}", job.id, JobStateName(job.state)),
+                     {{"job", job.id}, {"state", std::string(JobStateName(job.state))}});
+  }
+  switch (artifact) {
+    case v1::ARTIFACT_GCODE:
+      if (job.result->gcode_sha256.empty()) return IsAQuote(job.id);
+      return job.result->gcode_sha256;
+    case v1::ARTIFACT_REPORT:
+      return job.result->report_sha256;
+    default:
+      return Malformed("artifact", "is none of this version");
+  }
+}
+
+/// What is made when it is asked for.
+class TextReader : public BlobReader {
+ public:
+  explicit TextReader(std::string text) : text_(std::move(text)) {}
+  int64_t size() const override { return std::ssize(text_); }
+
+ private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    return text_.substr(offset, count);
+  }
+
+  const std::string text_;
+};
+
+}  // namespace
+
+/// The job, if the caller may know of it.
+absl::StatusOr<JobRecord> JobsService::Find(const Caller& caller, const std::string& id, Of of) {
+  auto job = backend_.jobs.Get(id);
+  if (!job.ok() || job->tenant == caller.tenant) return job;
+  if (of == Of::kAllForAdmins && caller.may(Scope::kAdmin)) return job;
+  return JobNotFound(id);
+}
+
+absl::StatusOr<JobRecord> JobsService::Find(const grpc::ServerContextBase& context,
+                                            const Scopes& one_of, const std::string& id, Of of) {
+  const auto caller = backend_.callers.Find(context, one_of);
+  if (!caller.ok()) return caller.status();
+  return Find(*caller, id, of);
+}
+
+grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
+                                    const v1::CreateJobRequest* request, v1::Job* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->validate_only()) {
+    const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
+    if (!place.ok()) return rpc::ToGrpc(place.status());
+    return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
+      auto job = Validate(*caller, *request, call);
+      if (job.ok()) *response = *std::move(job);
+      return job.status();
+    });
+  }
+  const auto created = Create(*caller, *request, rpc::TraceOf(*context));
+  if (created.ok()) *response = ToProto(*created);
+  return rpc::ToGrpc(created.status());
+}
+
+grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
+                                          const v1::BatchCreateJobsRequest* request,
+                                          v1::BatchCreateJobsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->requests_size() > limits::kMaxBatchJobs) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "jobs of a batch",
+                                  limits::kMaxBatchJobs, request->requests_size()));
+  }
+  if (const int64_t bytes = EchoedBytes(*request); bytes > kMaxEchoedBytes) {
+    return rpc::ToGrpc(LimitError(Reason::kRequestTooLarge, "bytes of a batch without its settings",
+                                  kMaxEchoedBytes, bytes));
+  }
+  for (const v1::CreateJobRequest& each : request->requests()) {
+    const auto created =
+        each.validate_only()
+            ? absl::StatusOr<JobRecord>(Malformed("validate_only", "is not for batches"))
+            : Create(*caller, each, rpc::TraceOf(*context));
+    v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
+    if (created.ok()) {
+      *outcome.mutable_job() = ToProto(*created);
+      outcome.mutable_job()->mutable_spec()->clear_settings();
+    } else {
+      // As short as errors of calls are: there may be many in this answer.
+      const absl::Status cut = rpc::FromGrpc(rpc::ToGrpc(created.status()));
+      *outcome.mutable_error() = ToProto(JobErrorOf(cut));
+    }
+  }
+  return grpc::Status::OK;
+}
+
+absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
+                                              const TraceContext& trace) {
+  auto submission = Read(caller, request);
+  if (submission.ok()) submission->trace = trace;
+  auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
+                                 : absl::StatusOr<Created>(submission.status());
+  if (!created.ok()) {
+    backend_.log.Warn("job refused", {{"tenant", caller.tenant},
+                                      {"error", std::string(created.status().message())}});
+    return created.status();
+  }
+  if (created->fresh) {
+    backend_.log.Info("job accepted", FieldsOf(created->job));
+    backend_.runner.Wake();
+  }
+  return std::move(created->job);
+}
+
+absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
+                                             const v1::CreateJobRequest& request) {
+  const auto spec = WithProfiles(request.spec(), caller.tenant, backend_.profiles);
+  if (!spec.ok()) return spec.status();
+  auto job = FromProto(*spec);
+  if (!job.ok()) return Within("spec", job.status());
+  const auto priority = FromProto(request.priority());
+  if (!priority.ok()) return priority.status();
+  Submission submission;
+  submission.tenant = caller.tenant;
+  submission.max_open_jobs = caller.max_open_jobs;
+  submission.request_id = request.request_id();
+  submission.spec_digest = Sha256Hex(SpecBytes(request.spec()));
+  submission.spec = SpecBytes(*spec);
+  submission.request = *std::move(job);
+  submission.labels = {request.labels().begin(), request.labels().end()};
+  submission.priority = *priority;
+  submission.webhook_url = request.webhook_url();
+  if (!submission.webhook_url.empty()) {
+    absl::Status allowed = backend_.webhook_policy.Check(caller.tenant, submission.webhook_url);
+    if (!allowed.ok()) return allowed;
+  }
+  if (!request.has_deadline()) return submission;
+  const auto deadline_us = FromProto(request.deadline());
+  if (!deadline_us.ok()) return Within("deadline", deadline_us.status());
+  submission.deadline_us = *deadline_us;
+  return submission;
+}
+
+absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
+                                              const v1::CreateJobRequest& request,
+                                              const rpc::Call& call) {
+  const auto submission = Read(caller, request);
+  if (!submission.ok()) return submission.status();
+  const auto resolved = backend_.intake.Check(*submission);
+  if (!resolved.ok()) return resolved.status();
+  const auto blobs = backend_.blobs.Of(caller.tenant);
+  if (!blobs.ok()) return blobs.status();
+  const auto room = RoomForMeshes(resolved->request, **blobs, backend_.mesh_memory, call.cancel);
+  if (!room.ok()) return room.status();
+  auto meshes = LoadMeshes(resolved->request, **blobs);
+  if (!meshes.ok()) return meshes.status();
+  StageCall stage_call;
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  const auto found =
+      LookAt(stage_call,
+             {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
+             backend_.slicing);
+  if (!found.ok()) return found.status();
+  v1::Job job;
+  job.mutable_spec()->ParseFromString(submission->spec);
+  *job.mutable_labels() = request.labels();
+  job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission->priority) + 1));
+  if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
+  job.set_settings_digest(resolved->settings_digest);
+  job.set_build_id(backend_.intake.build_id());
+  job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
+  *job.mutable_preflight() = ToProto(
+      *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
+                     resolved->settings.settings.motion.filament_cost_per_kg));
+  return job;
+}
+
+grpc::Status JobsService::GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
+                                 v1::Job* response) {
+  const auto job = Find(*context, {Scope::kRead, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  if (job.ok()) *response = ToProto(*job);
+  return rpc::ToGrpc(job.status());
+}
+
+grpc::Status JobsService::ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
+                                   v1::ListJobsResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  auto query = FromProto(*request);
+  if (!query.ok()) return rpc::ToGrpc(query.status());
+  query->tenant = caller->tenant;
+  query->all_tenants = caller->may(Scope::kAdmin);
+  // The store's connections are for all, and a list may hold one for long.
+  const auto place = lists_of_tenants_.Enter(caller->tenant, {});
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  const auto jobs = backend_.jobs.List(*query);
+  if (jobs.ok()) *response = ToProto(*jobs, *query);
+  return rpc::ToGrpc(jobs.status());
+}
+
+void JobsService::ServeFrom(grpc::ServerCompletionQueue& queue) {
+  const auto admit = [this](const auto& context, const auto& request) {
+    return AdmitWatch(context, request);
+  };
+  watches_.emplace(JobWatches{*this, queue, backend_.jobs, backend_.feed, admit});
+  JobWatch::Await(*watches_);
+}
+
+absl::StatusOr<rpc::Admission::Ticket> JobsService::AdmitWatch(const grpc::ServerContext& context,
+                                                               const v1::WatchJobRequest& request) {
+  const auto caller = backend_.callers.Find(context, {Scope::kRead, Scope::kAdmin});
+  if (!caller.ok()) return caller.status();
+  const auto job = Find(*caller, request.id(), Of::kAllForAdmins);
+  if (!job.ok()) return job.status();
+  return watches_of_tenants_.Enter(caller->tenant, {});
+}
+
+grpc::Status JobsService::CancelJob(grpc::ServerContext* context,
+                                    const v1::CancelJobRequest* request, v1::Job* response) {
+  const auto known =
+      Find(*context, {Scope::kSubmit, Scope::kAdmin}, request->id(), Of::kAllForAdmins);
+  if (!known.ok()) return rpc::ToGrpc(known.status());
+  const auto job = backend_.jobs.RequestCancel(request->id(), backend_.now_us());
+  if (!job.ok()) return rpc::ToGrpc(job.status());
+  backend_.log.Info("job cancelled", FieldsOf(*job));
+  backend_.runner.Cancel(job->id);
+  backend_.feed.Changed(job->id);
+  *response = ToProto(*job);
+  return grpc::Status::OK;
+}
+
+grpc::Status JobsService::GetWebhook(grpc::ServerContext* context,
+                                     const v1::GetWebhookRequest* request, v1::Webhook* response) {
+  const auto job = Find(*context, {Scope::kRead}, request->job_id(), Of::kTenant);
+  if (!job.ok()) return rpc::ToGrpc(job.status());
+  const auto webhook = backend_.webhooks.Get(request->job_id());
+  if (webhook.ok() && *webhook) *response = ToProto(**webhook);
+  return rpc::ToGrpc(webhook.status());
+}
+
+grpc::Status JobsService::DeleteJob(grpc::ServerContext* context,
+                                    const v1::DeleteJobRequest* request, google::protobuf::Empty*) {
+  const auto known = Find(*context, {Scope::kSubmit}, request->id(), Of::kTenant);
+  if (!known.ok()) return rpc::ToGrpc(known.status());
+  return rpc::ToGrpc(backend_.jobs.Delete(request->id()));
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRecord& job,
+                                                                    v1::Artifact artifact) {
+  const auto digest = ArtifactOf(job, artifact);
+  if (!digest.ok()) return digest.status();
+  const auto blobs = backend_.blobs.Of(job.result->tenant);
+  if (!blobs.ok()) return blobs.status();
+  // Also if its job is deleted meanwhile, what is read stays for as long as that takes.
+  if (const auto kept = (*blobs)->Keep(*digest); !kept.ok()) return kept.status();
+  return (*blobs)->Open(*digest);
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobRecord& job) {
+  auto trace = JobTraces(backend_.jobs, backend_.blobs).Chrome(job);
+  if (!trace.ok()) return trace.status();
+  return std::make_unique<TextReader>(*std::move(trace));
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
+    const Caller& caller, const v1::DownloadRequest& request) {
+  const auto job = Find(caller, request.id(), Of::kTenant);
+  if (!job.ok()) return job.status();
+  auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
+                                                         : OpenResult(*job, request.artifact());
+  if (!reader.ok()) return reader.status();
+  if (request.offset() < 0 || request.offset() > (*reader)->size()) {
+    return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());
+  }
+  return reader;
+}
+
+grpc::Status JobsService::Download(grpc::ServerContext* context, const v1::DownloadRequest* request,
+                                   grpc::ServerWriter<v1::DownloadResponse>* stream) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(downloads_.Run(*context, caller->tenant, [&](const Transfers::Moved& moved) {
+    return Send(*caller, *request, moved, *stream);
+  }));
+}
+
+absl::Status JobsService::Send(const Caller& caller, const v1::DownloadRequest& request,
+                               const Transfers::Moved& moved,
+                               grpc::ServerWriter<v1::DownloadResponse>& stream) {
+  const auto reader = OpenArtifact(caller, request);
+  if (!reader.ok()) return reader.status();
+  v1::DownloadResponse response;
+  for (int64_t at = request.offset(); at < (*reader)->size(); at += kDownloadChunkBytes) {
+    auto bytes = (*reader)->Read(at, kDownloadChunkBytes);
+    if (!bytes.ok()) return bytes.status();
+    response.set_data(*std::move(bytes));
+    if (!stream.Write(response)) break;  // the client left
+    moved();
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::coordinator

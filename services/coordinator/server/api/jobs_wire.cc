@@ -1,0 +1,279 @@
+#include "services/coordinator/server/api/jobs_wire.h"
+
+#include <charconv>
+#include <utility>
+
+#include "common/model/limits.h"
+#include "common/wire/mesh_wire.h"
+#include "common/wire/wire_error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int32_t kDefaultPageSize = 50;
+
+/// 9999-12-31T23:59:59Z, as google.protobuf.Timestamp has it.
+constexpr int64_t kMaxSeconds = 253'402'300'799;
+
+/// A page ends before it; one job is less than the rest of a message (limits::kMaxSpecBytes).
+constexpr size_t kMaxPageBytes = 1 << 20;
+
+absl::StatusOr<ObjectRequest> ObjectFromProto(const v1::Object& proto) {
+  const auto format = slicefarm::FromProto(proto.format());
+  if (!format.ok()) return format.status();
+  auto placement = slicefarm::FromProto(proto.placement());
+  if (!placement.ok()) return Within("placement", placement.status());
+  return ObjectRequest{proto.mesh_sha256(), proto.name(), *format, *std::move(placement)};
+}
+
+absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
+  if (proto == v1::JOB_STATE_UNSPECIFIED || !v1::JobState_IsValid(proto)) {
+    return Malformed("states", "is not a state of this version");
+  }
+  return static_cast<JobState>(static_cast<int>(proto) - 1);
+}
+
+void SetTime(int64_t us, google::protobuf::Timestamp* time) {
+  time->set_seconds(us / 1'000'000);
+  time->set_nanos(static_cast<int32_t>(us % 1'000'000 * 1'000));
+}
+
+v1::JobResult ResultToProto(const JobResult& result) {
+  v1::JobResult proto;
+  proto.set_gcode_sha256(result.gcode_sha256);
+  proto.set_gcode_size(result.gcode_size);
+  proto.set_report_sha256(result.report_sha256);
+  proto.set_print_time_s(result.print_time_s);
+  proto.set_filament_mm(result.filament_mm);
+  proto.set_filament_g(result.filament_g);
+  proto.set_layers(result.layers);
+  proto.set_cached(result.cached);
+  *proto.mutable_cost() = ToProto(result.cost);
+  return proto;
+}
+
+absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
+  if (request.has_created_from()) {
+    const auto from = FromProto(request.created_from());
+    if (!from.ok()) return Within("created_from", from.status());
+    query.created_from_us = *from;
+  }
+  if (request.has_created_before()) {
+    const auto before = FromProto(request.created_before());
+    if (!before.ok()) return Within("created_before", before.status());
+    query.created_before_us = *before;
+  }
+  return absl::OkStatus();
+}
+
+/// All but the spec.
+v1::Job SummaryToProto(const JobRecord& job) {
+  v1::Job proto;
+  proto.set_id(job.id);
+  proto.set_tenant(job.tenant);
+  proto.set_state(ToProto(job.state));
+  proto.mutable_labels()->insert(job.labels.begin(), job.labels.end());
+  proto.set_priority(static_cast<v1::JobPriority>(static_cast<int>(job.priority) + 1));
+  if (job.deadline_us != kNoDeadlineUs) SetTime(job.deadline_us, proto.mutable_deadline());
+  SetTime(job.create_us, proto.mutable_create_time());
+  if (job.start_us != 0) SetTime(job.start_us, proto.mutable_start_time());
+  if (job.end_us != 0) SetTime(job.end_us, proto.mutable_end_time());
+  proto.mutable_progress()->set_layers_total(job.layers_total);
+  proto.mutable_progress()->set_layers_done(job.layers_done);
+  if (job.error) *proto.mutable_error() = ToProto(*job.error);
+  proto.set_settings_digest(job.settings_digest);
+  proto.set_build_id(job.build_id);
+  if (!job.result) return proto;
+  *proto.mutable_result() = ResultToProto(*job.result);
+  proto.mutable_warnings()->Assign(job.result->warnings.begin(), job.result->warnings.end());
+  return proto;
+}
+
+}  // namespace
+
+static_assert(static_cast<int>(v1::JOB_STATE_CANCELLED) ==
+              static_cast<int>(JobState::kCancelled) + 1);
+static_assert(static_cast<int>(v1::JOB_PRIORITY_INTERACTIVE) ==
+              static_cast<int>(Priority::kInteractive) + 1);
+
+absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
+  JobRequest request;
+  if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
+  if (spec.mode() == v1::JOB_MODE_QUOTE) request.mode = JobMode::kQuote;
+  for (int i = 0; i < spec.objects_size(); ++i) {
+    auto object = ObjectFromProto(spec.objects(i));
+    if (!object.ok()) return Within("objects", i, object.status());
+    request.objects.push_back(*std::move(object));
+  }
+  request.settings = SettingsFromProto(spec.settings());
+  return request;
+}
+
+std::vector<config::Setting> SettingsFromProto(
+    const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
+  std::vector<config::Setting> given;
+  for (const v1::Setting& setting : settings) {
+    const auto source =
+        setting.from_profile() ? config::Source::kProfile : config::Source::kRequest;
+    given.push_back({setting.key(), setting.value(), source});
+  }
+  return given;
+}
+
+absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {
+  if (!v1::JobPriority_IsValid(priority)) {
+    return Malformed("priority", "is not one of this version");
+  }
+  if (priority == v1::JOB_PRIORITY_UNSPECIFIED) return Priority::kNormal;
+  return static_cast<Priority>(static_cast<int>(priority) - 1);
+}
+
+absl::StatusOr<int64_t> FromProto(const google::protobuf::Timestamp& time) {
+  if (time.seconds() < 0 || time.seconds() > kMaxSeconds || time.nanos() < 0 ||
+      time.nanos() >= 1'000'000'000) {
+    return Malformed("time", "is not between 1970 and 9999");
+  }
+  return time.seconds() * 1'000'000 + time.nanos() / 1'000;
+}
+
+std::string SpecBytes(const v1::JobSpec& spec) { return spec.SerializeAsString(); }
+
+absl::StatusOr<JobRequest> ReadSpec(const std::string& bytes) {
+  v1::JobSpec spec;
+  if (!spec.ParseFromString(bytes)) return Malformed("spec", "cannot be read");
+  return FromProto(spec);
+}
+
+v1::JobState ToProto(JobState state) {
+  return static_cast<v1::JobState>(static_cast<int>(state) + 1);
+}
+
+v1::JobError ToProto(const JobError& error) {
+  v1::JobError proto;
+  proto.set_code(static_cast<int>(error.code));
+  proto.set_reason(error.reason);
+  proto.set_message(error.message);
+  proto.mutable_metadata()->insert(error.metadata.begin(), error.metadata.end());
+  return proto;
+}
+
+v1::Cost ToProto(const Cost& cost) {
+  v1::Cost proto;
+  proto.set_currency(cost.currency);
+  proto.set_setup(cost.setup);
+  proto.set_machine(cost.machine);
+  proto.set_energy(cost.energy);
+  proto.set_filament(cost.filament);
+  proto.set_total(cost.Total());
+  return proto;
+}
+
+v1::Preflight ToProto(const Preflight& preflight, const Cost& cost) {
+  v1::Preflight proto;
+  for (const MeshReport& mesh : preflight.meshes) *proto.add_meshes() = slicefarm::ToProto(mesh);
+  proto.set_layers(preflight.layers);
+  proto.set_first_layer_area_mm2(preflight.first_layer_area_mm2);
+  proto.set_print_time_s(preflight.estimate.print_time_s);
+  proto.set_filament_mm(preflight.estimate.filament.length_mm);
+  proto.set_filament_g(preflight.estimate.filament.mass_g);
+  *proto.mutable_cost() = ToProto(cost);
+  return proto;
+}
+
+absl::StatusOr<ListQuery> FromProto(const v1::ListJobsRequest& request) {
+  ListQuery query;
+  if (request.page_size() < 0) return Malformed("page_size", "is negative");
+  query.limit = request.page_size() == 0 ? kDefaultPageSize
+                                         : std::min(request.page_size(), limits::kMaxPageSize);
+  const std::string& token = request.page_token();
+  if (!token.empty()) {
+    const char* end = token.data() + token.size();
+    const auto [read, error] = std::from_chars(token.data(), end, query.after_number);
+    if (error != std::errc() || read != end || query.after_number < 1) {
+      return Malformed("page_token", "is none that a list gave");
+    }
+  }
+  for (const int state : request.states()) {
+    const auto known = StateFromProto(static_cast<v1::JobState>(state));
+    if (!known.ok()) return known.status();
+    if (std::ranges::find(query.states, *known) == query.states.end())
+      query.states.push_back(*known);
+  }
+  query.labels = {request.labels().begin(), request.labels().end()};
+  if (absl::Status ok = CheckLabels(query.labels); !ok.ok()) return ok;
+  query.oldest_first = request.oldest_first();
+  if (request.priority() != v1::JOB_PRIORITY_UNSPECIFIED) {
+    const auto priority = FromProto(request.priority());
+    if (!priority.ok()) return priority.status();
+    query.priority = *priority;
+  }
+  if (absl::Status taken = TakeTimes(request, query); !taken.ok()) return taken;
+  return query;
+}
+
+v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery& query) {
+  v1::ListJobsResponse response;
+  size_t bytes = 0;
+  int64_t read_bytes = 0;
+  for (const JobRecord& job : jobs) read_bytes += std::ssize(job.spec);
+  for (const JobRecord& job : jobs) {
+    v1::Job listed = ToProto(job);
+    listed.mutable_spec()->clear_settings();
+    bytes += listed.ByteSizeLong();
+    if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
+    *response.add_jobs() = std::move(listed);
+  }
+  const int taken = response.jobs_size();
+  if (taken == query.limit || taken < std::ssize(jobs) || read_bytes >= kListedSpecBytes) {
+    response.set_next_page_token(std::to_string(jobs[taken - 1].number));
+  }
+  return response;
+}
+
+v1::Job ToProto(const JobRecord& job) {
+  v1::Job proto = SummaryToProto(job);
+  proto.mutable_spec()->ParseFromString(job.spec);
+  return proto;
+}
+
+v1::JobEvent ToProto(const JobEventRecord& event, const JobRecord& job) {
+  JobRecord then = job;
+  then.state = event.state;
+  then.layers_total = event.layers_total;
+  then.layers_done = event.layers_done;
+  if (event.time_us < job.start_us) then.start_us = 0;
+  if (!IsTerminal(event.state)) {
+    then.end_us = 0;
+    then.error.reset();
+    then.result.reset();
+  }
+  v1::JobEvent proto;
+  proto.set_sequence(event.sequence);
+  SetTime(event.time_us, proto.mutable_time());
+  *proto.mutable_job() = SummaryToProto(then);
+  return proto;
+}
+
+v1::Webhook ToProto(const WebhookRecord& webhook) {
+  v1::Webhook proto;
+  proto.set_url(webhook.url);
+  proto.set_state(static_cast<v1::Webhook::State>(static_cast<int>(webhook.state) + 1));
+  if (webhook.state == WebhookState::kDue) SetTime(webhook.due_us, proto.mutable_next_time());
+  for (const WebhookAttempt& attempt : webhook.attempts) {
+    v1::Webhook::Attempt& each = *proto.add_attempts();
+    SetTime(attempt.time_us, each.mutable_time());
+    each.set_http_status(attempt.http_status);
+    each.set_error(attempt.error);
+  }
+  return proto;
+}
+
+v1::Upload ToProto(const std::string& digest, const BlobStatus& status) {
+  v1::Upload proto;
+  proto.set_sha256(digest);
+  proto.set_committed_size(status.committed_size);
+  proto.set_complete(status.complete);
+  return proto;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,102 @@
+#include "services/coordinator/server/api/profile_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "absl/strings/ascii.h"
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/wire/wire_error.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+bool IsNameCharacter(char c) {
+  return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
+}
+
+/// A profile that a request only refers to is a state of things, not what was asked for.
+absl::Status AsPrecondition(const absl::Status& status) {
+  if (!absl::IsNotFound(status)) return status;
+  return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProfileNotFound,
+                   {status.message().data(), status.message().size()}, DetailOf(status).metadata);
+}
+
+}  // namespace
+
+absl::Status CheckProfileName(const std::string& name) {
+  if (name.empty()) return Malformed("name", "is missing");
+  if (std::ssize(name) > limits::kMaxNameBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a profile's name", limits::kMaxNameBytes,
+                      std::ssize(name));
+  }
+  if (std::ranges::all_of(name, IsNameCharacter)) return absl::OkStatus();
+  return Malformed("name", "may have letters, digits, '-', '_' and '.'");
+}
+
+absl::StatusOr<ProfileRef> ParseProfileRef(const std::string& text) {
+  const size_t at = text.rfind('@');
+  ProfileRef ref{text.substr(0, at), 0};
+  if (absl::Status named = CheckProfileName(ref.name); !named.ok()) return named;
+  if (at == std::string::npos) return ref;
+  const char* end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data() + at + 1, end, ref.revision);
+  if (error != std::errc() || read != end || ref.revision < 1) {
+    return Malformed("name", "after '@' comes the number of a revision");
+  }
+  return ref;
+}
+
+absl::StatusOr<v1::JobSpec> WithProfiles(v1::JobSpec spec, const std::string& tenant,
+                                         ProfileStore& profiles) {
+  if (spec.profiles_size() > limits::kMaxJobProfiles) {
+    return LimitError(Reason::kRequestTooLarge, "profiles of a job", limits::kMaxJobProfiles,
+                      spec.profiles_size());
+  }
+  google::protobuf::RepeatedPtrField<v1::Setting> settings;
+  int64_t bytes = 0;
+  for (int i = 0; i < spec.profiles_size(); ++i) {
+    const auto ref = ParseProfileRef(spec.profiles(i));
+    if (!ref.ok()) return Within("spec.profiles", i, ref.status());
+    const auto record = profiles.Get(tenant, ref->name, ref->revision);
+    if (!record.ok()) return AsPrecondition(record.status());
+    bytes += std::ssize(record->settings);
+    if (bytes > limits::kMaxSpecBytes) {
+      return LimitError(Reason::kRequestTooLarge, "bytes of a job's profiles",
+                        limits::kMaxSpecBytes, bytes);
+    }
+    auto profile = ReadProfile(*record);
+    if (!profile.ok()) return profile.status();
+    settings.MergeFrom(profile->settings());
+    spec.set_profiles(i, fmt::format("{}@{}", record->name, record->revision));
+  }
+  settings.MergeFrom(spec.settings());
+  spec.mutable_settings()->Swap(&settings);
+  return spec;
+}
+
+std::string ProfileBytes(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
+  v1::Profile profile;
+  *profile.mutable_settings() = settings;
+  return profile.SerializeAsString();
+}
+
+absl::StatusOr<v1::Profile> ReadProfile(const ProfileRecord& record) {
+  v1::Profile profile;
+  if (!profile.ParseFromString(record.settings)) {
+    return MakeError(absl::StatusCode::kDataLoss, Reason::kStoreFailed,
+                     fmt::format("profile {}@{} cannot be read", record.name, record.revision));
+  }
+  profile.set_name(record.name);
+  profile.set_revision(record.revision);
+  profile.set_settings_digest(record.settings_digest);
+  profile.mutable_create_time()->set_seconds(record.create_us / 1'000'000);
+  profile.mutable_create_time()->set_nanos(static_cast<int32_t>(record.create_us % 1'000'000) *
+                                           1'000);
+  return profile;
+}
+
+}  // namespace slicefarm::coordinator

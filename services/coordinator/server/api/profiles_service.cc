@@ -1,0 +1,92 @@
+#include "services/coordinator/server/api/profiles_service.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "common/config/resolve.h"
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/base/sha256.h"
+#include "common/rpc/status_mapping.h"
+#include "common/wire/wire_error.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/api/profile_settings.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int32_t kDefaultPageSize = 50;
+
+absl::Status CheckSettings(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
+  return config::Resolve(SettingsFromProto(settings)).status();
+}
+
+}  // namespace
+
+grpc::Status ProfilesService::PutProfile(grpc::ServerContext* context,
+                                         const v1::PutProfileRequest* request,
+                                         v1::Profile* response) {
+  const auto caller = callers_.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(Put(caller->tenant, *request, response));
+}
+
+absl::Status ProfilesService::Put(const std::string& tenant, const v1::PutProfileRequest& request,
+                                  v1::Profile* response) {
+  if (absl::Status named = CheckProfileName(request.name()); !named.ok()) return named;
+  std::string bytes = ProfileBytes(request.settings());
+  if (std::ssize(bytes) > limits::kMaxSpecBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a profile", limits::kMaxSpecBytes,
+                      std::ssize(bytes));
+  }
+  if (absl::Status known = CheckSettings(request.settings()); !known.ok()) return known;
+  if (absl::Status room = disk_.CheckRoom(); !room.ok()) return room;
+  const std::string digest = Sha256Hex(bytes);
+  const auto record = profiles_.Put({tenant, request.name(), std::move(bytes), digest}, now_us_());
+  if (!record.ok()) return record.status();
+  auto profile = ReadProfile(*record);
+  if (profile.ok()) *response = *std::move(profile);
+  return profile.status();
+}
+
+grpc::Status ProfilesService::GetProfile(grpc::ServerContext* context,
+                                         const v1::GetProfileRequest* request,
+                                         v1::Profile* response) {
+  const auto caller = callers_.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  if (request->revision() < 0) return rpc::ToGrpc(Malformed("revision", "is negative"));
+  const auto record = profiles_.Get(caller->tenant, request->name(), request->revision());
+  if (!record.ok()) return rpc::ToGrpc(record.status());
+  auto profile = ReadProfile(*record);
+  if (profile.ok()) *response = *std::move(profile);
+  return rpc::ToGrpc(profile.status());
+}
+
+grpc::Status ProfilesService::ListProfiles(grpc::ServerContext* context,
+                                           const v1::ListProfilesRequest* request,
+                                           v1::ListProfilesResponse* response) {
+  const auto caller = callers_.Find(*context, {Scope::kRead});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  return rpc::ToGrpc(List(caller->tenant, *request, response));
+}
+
+absl::Status ProfilesService::List(const std::string& tenant,
+                                   const v1::ListProfilesRequest& request,
+                                   v1::ListProfilesResponse* response) {
+  if (request.page_size() < 0) return Malformed("page_size", "is negative");
+  const int32_t limit = request.page_size() == 0
+                            ? kDefaultPageSize
+                            : std::min(request.page_size(), limits::kMaxPageSize);
+  const auto records = profiles_.List(tenant, request.page_token(), limit);
+  if (!records.ok()) return records.status();
+  for (const ProfileRecord& record : *records) {
+    auto profile = ReadProfile(record);
+    if (!profile.ok()) return profile.status();
+    *response->add_profiles() = *std::move(profile);
+  }
+  if (std::ssize(*records) == limit) response->set_next_page_token(records->back().name);
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::coordinator

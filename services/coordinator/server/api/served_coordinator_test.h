@@ -1,0 +1,84 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/temp_directory_test.h"
+#include "common/rpc/server/server.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/dispatch/fleet.h"
+#include "services/coordinator/server/main/coordinator.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
+
+namespace slicefarm::coordinator {
+
+/// For tests: a coordinator over a real server and real stores, with fake stages. It can be closed
+/// and served again, with the same state.
+class ServedCoordinatorTest : public testing::Test {
+ protected:
+  ServedCoordinatorTest() { fleet_.Join({.name = "fake", .ranges = ranges_, .slots = 2}); }
+
+  /// While what a derived test lends to the coordinator is still there.
+  void TearDown() override {
+    ranges_->LetGo();
+    Close();
+  }
+
+  /// To change and serve with.
+  CoordinatorOptions Options() {
+    CoordinatorOptions options;
+    options.stores.state_dir = directory_.path();
+    options.build_id = "test-build";
+    options.runner.owner = "coordinator";
+    options.runner.jobs = 2;
+    options.runner.poll = std::chrono::milliseconds(20);
+    options.metrics = &registry_;
+    return options;
+  }
+
+  void Serve(const CoordinatorOptions& options) {
+    auto coordinator =
+        Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+    ASSERT_TRUE(coordinator.ok()) << coordinator.status();
+    coordinator_ = *std::move(coordinator);
+    auto server =
+        rpc::Server::Start({}, coordinator_->services(), metrics_, &coordinator_->queued_methods());
+    ASSERT_TRUE(server.ok()) << server.status();
+    server_ = *std::move(server);
+    ASSERT_TRUE(coordinator_->Start().ok());
+  }
+
+  /// As SIGTERM does it.
+  void Close() {
+    if (!coordinator_) return;
+    coordinator_->Stop();
+    server_->Drain(std::chrono::seconds(10));
+    server_.reset();
+    coordinator_.reset();
+  }
+
+  /// Where a blob of the tenant "" lies.
+  std::string BlobPath(const std::string& digest) const {
+    return directory_.path() + "/blobs/" + digest.substr(0, 2) + "/" + digest;
+  }
+
+  std::string address() const { return absl::StrCat("127.0.0.1:", server_->port()); }
+
+  TempDirectory directory_;
+  FakeSlicing slicing_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  Fleet fleet_{dispatcher_};
+  prometheus::Registry registry_;
+  rpc::CallMetrics metrics_{registry_};
+  std::unique_ptr<Coordinator> coordinator_;
+  std::unique_ptr<rpc::Server> server_;
+};
+
+}  // namespace slicefarm::coordinator

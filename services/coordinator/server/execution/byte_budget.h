@@ -1,0 +1,48 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+
+namespace slicefarm::coordinator {
+
+/// How many bytes may be in memory at a time for one purpose. Thread-safe; must outlive its shares.
+class ByteBudget {
+ public:
+  /// Gives its bytes back when destroyed.
+  class Share {
+   public:
+    Share(ByteBudget& budget, int64_t bytes) : budget_(&budget), bytes_(bytes) {}
+    Share(Share&& other) noexcept
+        : budget_(std::exchange(other.budget_, nullptr)), bytes_(other.bytes_) {}
+    Share& operator=(Share&&) = delete;
+    ~Share();
+
+   private:
+    ByteBudget* budget_;
+    int64_t bytes_;
+  };
+
+  explicit ByteBudget(int64_t limit) : limit_(limit) {}
+
+  /// Waits, in the order of the calls, until `bytes` fit beside those that others have; more than
+  /// the limit are had alone. Errors: `cancel`'s.
+  absl::StatusOr<Share> Take(int64_t bytes, const CancelToken& cancel);
+
+ private:
+  void GiveBack(int64_t bytes);
+
+  const int64_t limit_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int64_t used_ = 0;
+  int64_t next_turn_ = 0;
+  std::set<int64_t> waiting_;  ///< turns
+};
+
+}  // namespace slicefarm::coordinator

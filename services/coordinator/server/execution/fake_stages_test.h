@@ -1,0 +1,138 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "common/geometry/text_format.h"
+#include "common/base/error.h"
+#include "common/stage/stages.h"
+
+namespace slicefarm::coordinator {
+
+/// Stages for tests of the coordinator: a mesh's bytes say what is to happen, one layer for each
+/// `x`.
+///   `x` a layer    `!` slicing fails (MESH_MALFORMED)    `~` slicing is not there (UNAVAILABLE)
+///   `?` slicing is of another build (BUILD_MISMATCH)
+class FakeSlicing : public SlicingStage {
+ public:
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
+                                  const SlicingOptions&) const override {
+    ++runs_;
+    {
+      const std::lock_guard lock(mutex_);
+      traces_.push_back(call.trace);
+    }
+    SlicedJob job;
+    const std::string& bytes = input.files.at(0).bytes;
+    if (bytes.find('!') != std::string::npos) {
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad mesh",
+                       {{"line", "7"}});
+    }
+    if (bytes.find('?') != std::string::npos && mismatches_-- > 0) {
+      return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "old");
+    }
+    if (bytes.find('~') != std::string::npos && unavailable_-- > 0) {
+      return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "not there");
+    }
+    for (size_t i = 0; i < bytes.size(); ++i) {
+      SlicedLayer layer;
+      layer.frame = {static_cast<int32_t>(i), FromMm(0.2) * (static_cast<Coord>(i) + 1),
+                     FromMm(0.2)};
+      layer.objects = {{0, MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)")}};
+      job.layers.push_back(std::move(layer));
+    }
+    job.meshes.resize(1);
+    job.object_names = {input.files.at(0).name};
+    return job;
+  }
+
+  int runs() const { return runs_; }
+  /// Of the calls.
+  std::vector<TraceContext> traces() const {
+    const std::lock_guard lock(mutex_);
+    return traces_;
+  }
+  mutable std::atomic<int> unavailable_ = 0;  ///< calls that `~` makes fail
+  mutable std::atomic<int> mismatches_ = 0;   ///< calls that `?` makes fail
+
+ private:
+  mutable std::atomic<int> runs_ = 0;
+  mutable std::mutex mutex_;
+  mutable std::vector<TraceContext> traces_;
+};
+
+class FakeMotion : public MotionStage {
+ public:
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
+                                                    const MotionOptions&) const override {
+    return absl::UnimplementedError("");
+  }
+  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary& summary,
+                                     const MotionOptions&) const override {
+    ProgramFrame frame;
+    frame.prologue = "; " + summary.object_names.at(0) + "\n";
+    frame.epilogue = "; end\n";
+    frame.time_s = summary.total.TimeS();
+    return frame;
+  }
+};
+
+/// Programs of one line a layer. While it is held, calls wait until they are let go or cancelled.
+class FakeRanges : public RangeRunner {
+ public:
+  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+    ++calls_;
+    {
+      std::unique_lock lock(mutex_);
+      waiting_ = true;
+      changed_.notify_all();
+      while (held_ && !call.cancel.Cancelled()) {
+        changed_.wait_for(lock, std::chrono::milliseconds(5));
+      }
+    }
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) {
+      ++cancelled_;
+      return wanted;
+    }
+    RangeResult result;
+    for (int i = task.range.first; i < task.range.last; ++i) {
+      LayerProgram program;
+      program.frame.index = i;
+      program.gcode = absl::StrCat("G1 X", i, "\n");
+      program.stats.features[0] = {1, 2, 3, 4};
+      result.programs.push_back(std::move(program));
+    }
+    return result;
+  }
+
+  void Hold() {
+    std::lock_guard lock(mutex_);
+    held_ = true;
+    waiting_ = false;
+  }
+  void LetGo() {
+    std::lock_guard lock(mutex_);
+    held_ = false;
+    changed_.notify_all();
+  }
+  /// Waits until a call waits.
+  void AwaitCall() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_; });
+  }
+  int cancelled() const { return cancelled_; }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  bool held_ = false;
+  mutable bool waiting_ = false;
+  mutable std::atomic<int> calls_ = 0;
+  mutable std::atomic<int> cancelled_ = 0;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "common/stage/stages.h"
+#include "services/coordinator/server/execution/byte_budget.h"
+#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/store/blobs/blob_store.h"
+
+namespace slicefarm::coordinator {
+
+/// Room for the files of a job beside those that others have in memory. Errors: those of
+/// BlobStore::Status; `cancel`'s.
+absl::StatusOr<ByteBudget::Share> RoomForMeshes(const JobRequest& request, BlobStore& blobs,
+                                                ByteBudget& memory, const CancelToken& cancel);
+
+/// The files of a job with their places on the bed. Errors: those of BlobStore::Get.
+absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request, BlobStore& blobs);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,92 @@
+#include "services/coordinator/server/execution/job_results.h"
+
+#include <utility>
+
+namespace slicefarm::coordinator {
+namespace {
+
+JobUpdate Success(JobResult result) {
+  JobUpdate update;
+  update.state = JobState::kSucceeded;
+  update.layers_total = update.layers_done = result.layers;
+  update.result = std::move(result);
+  return update;
+}
+
+}  // namespace
+
+absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output,
+                                           const std::string& result_tenant) {
+  const auto blobs = blobs_.Of(result_tenant);
+  if (!blobs.ok()) return blobs.status();
+  JobResult result = std::move(output.result);
+  result.tenant = result_tenant;
+  if (job.request.mode == JobMode::kPrint) {
+    result.gcode_size = static_cast<int64_t>(output.gcode.size());
+    auto gcode = (*blobs)->Put(output.gcode);
+    if (!gcode.ok()) return gcode.status();
+    result.gcode_sha256 = *std::move(gcode);
+  }
+  auto report = (*blobs)->Put(output.report_json);
+  if (!report.ok()) return report.status();
+  result.report_sha256 = *std::move(report);
+  result.cost = CostOfJob(job, result);
+  return Success(std::move(result));
+}
+
+absl::StatusOr<std::optional<JobRecord>> JobResults::SucceedFromCache(const Lease& lease,
+                                                                      const ResolvedJob& job,
+                                                                      int64_t now_us) {
+  auto found = Find(job);
+  if (!found.ok()) return found.status();
+  if (!*found) return std::nullopt;
+  JobResult result = **std::move(found);
+  result.cached = true;
+  result.cost = CostOfJob(job, result);
+  if (job.request.mode == JobMode::kQuote) {
+    result.gcode_sha256.clear();
+    result.gcode_size = 0;
+  }
+  auto ended = jobs_.Update(lease, Success(std::move(result)), now_us);
+  if (absl::IsNotFound(ended.status())) return std::nullopt;
+  if (!ended.ok()) return ended.status();
+  return *std::move(ended);
+}
+
+/// The first result that serves and whose blobs are there.
+absl::StatusOr<std::optional<JobResult>> JobResults::Find(const ResolvedJob& job) {
+  for (const std::string& action : job.serving_actions) {
+    auto found = jobs_.FindResult(action);
+    if (!found.ok() && !absl::IsDataLoss(found.status())) return found.status();
+    if (found.ok()) {
+      if (!*found) continue;
+      const auto complete = Complete(**found);
+      if (!complete.ok()) return complete.status();
+      if (*complete) return found;
+    }
+    if (absl::Status done = jobs_.ForgetResult(action); !done.ok()) return done;
+  }
+  return std::nullopt;
+}
+
+/// True if all artifacts are there, unchanged. An unreadable one is to be made anew; only where the
+/// store is away there is nothing to be said.
+absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
+  const auto blobs = blobs_.Of(result.tenant);
+  if (!blobs.ok()) return blobs.status();
+  for (const std::string& digest : {result.gcode_sha256, result.report_sha256}) {
+    if (digest.empty()) continue;
+    absl::Status opened = (*blobs)->Keep(digest).status();
+    if (opened.ok()) opened = (*blobs)->Open(digest).status();
+    if (absl::IsUnavailable(opened)) return opened;
+    if (!opened.ok()) return false;
+  }
+  return true;
+}
+
+Cost JobResults::CostOfJob(const ResolvedJob& job, const JobResult& result) const {
+  return CostOf(rates_, result.print_time_s, result.filament_g,
+                job.settings.settings.motion.filament_cost_per_kg);
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,198 @@
+#include "services/coordinator/server/execution/job_run.h"
+
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "services/coordinator/algo/job_trace.h"
+#include "services/coordinator/algo/pipeline/report_json.h"
+#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/server/observe/job_log.h"
+#include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/observe/job_traces.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
+  JobReport& report = output.report;
+  RunOutput run;
+  run.report_json = ReportJson(report, {.settings_without_effect = job.settings.no_effect,
+                                        .settings_digest = job.settings_digest,
+                                        .build_id = std::string(build_id)});
+  run.gcode = std::move(output.gcode);
+  run.result.print_time_s = report.print_time_s;
+  run.result.filament_mm = report.filament.length_mm;
+  run.result.filament_g = report.filament.mass_g;
+  run.result.layers = report.layer_count;
+  run.result.warnings = std::move(report.warnings);
+  return run;
+}
+
+}  // namespace
+
+JobRun::JobRun(RunEnvironment& environment, JobRecord job)
+    : environment_(environment),
+      job_(std::move(job)),
+      result_tenant_(ResultTenant(environment.sharing, job_.tenant)),
+      lease_{job_.id, job_.owner_epoch},
+      spans_(environment.now_us(), kMaxJobSpans) {
+  if (job_.cancel_requested) wishes_->Cancel();
+}
+
+void JobRun::Run() {
+  RunSteps steps(job_);
+  const auto next = [&] { return steps.Next(*wishes_, environment_.now_us()); };
+  for (auto step = next(); step != RunSteps::Step::kOver; step = next()) {
+    steps.Took(Take(step, steps.status()));
+  }
+  if (wishes_->lost()) {
+    environment_.log.Warn("job lost", Fields({{"seconds", clock_.Seconds()}}));
+  } else if (steps.status().ok()) {
+    environment_.log.Info("job done", Fields({{"seconds", clock_.Seconds()}}));
+  }
+}
+
+absl::StatusOr<bool> JobRun::Take(RunSteps::Step step, const absl::Status& error) {
+  switch (step) {
+    case RunSteps::Step::kFindCached:
+      return FindCached();
+    case RunSteps::Step::kBegin:
+      return Begin();
+    case RunSteps::Step::kCompute:
+      return Compute();
+    case RunSteps::Step::kKeep:
+      return Keep();
+    case RunSteps::Step::kConclude:
+      return Conclude(error);
+    case RunSteps::Step::kOver:
+      return true;
+  }
+  return true;
+}
+
+absl::StatusOr<bool> JobRun::FindCached() {
+  auto request = ReadSpec(job_.spec);
+  if (!request.ok()) return request.status();
+  auto resolved = ResolveJob(*std::move(request), environment_.build_id, result_tenant_);
+  if (!resolved.ok()) return resolved.status();
+  resolved_ = *std::move(resolved);
+  std::optional<ScopedSpan> looking(std::in_place, &spans_, "cache");
+  const auto cached =
+      environment_.results.SucceedFromCache(lease_, *resolved_, environment_.now_us());
+  looking.reset();
+  if (!cached.ok()) return Written(cached.status());
+  if (*cached) Written(absl::OkStatus()).IgnoreError();
+  return cached->has_value();
+}
+
+absl::StatusOr<bool> JobRun::Begin() {
+  if (absl::Status written = Write({.state = JobState::kRunning}); !written.ok()) return written;
+  return false;
+}
+
+absl::StatusOr<bool> JobRun::Compute() {
+  std::optional<ScopedSpan> loading(std::in_place, &spans_, "meshes");
+  const auto blobs = environment_.blobs.Of(job_.tenant);
+  if (!blobs.ok()) return blobs.status();
+  const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
+  auto room = RoomForMeshes(resolved_->request, **blobs, environment_.mesh_memory, given_up);
+  if (!room.ok()) return room.status();
+  auto meshes = LoadMeshes(resolved_->request, **blobs);
+  if (!meshes.ok()) return meshes.status();
+  loading.reset();
+  StageCall call;
+  call.job_id = job_.id;
+  call.claimant = {job_.tenant, static_cast<int>(job_.priority)};
+  call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
+  call.spans = &spans_;
+  call.cancel = given_up;
+  const config::ResolvedSettings& settings = resolved_->settings;
+  JobInput input{*std::move(meshes), settings.settings, settings.effective_text, settings.warnings};
+  std::optional<ByteBudget::Share> room_until_sliced(*std::move(room));
+  auto output = environment_.pipeline.Run(call, std::move(input), [&](PipelineProgress progress) {
+    room_until_sliced.reset();  // progress comes when the meshes have gone
+    Progress(progress);
+  });
+  if (!output.ok()) return output.status();
+  environment_.computed(output->report.stage_times);
+  output_ = OutputOf(*std::move(output), *resolved_, environment_.build_id);
+  return false;
+}
+
+absl::StatusOr<bool> JobRun::Keep() {
+  std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
+  auto update = environment_.results.Keep(*resolved_, *std::move(output_), result_tenant_);
+  if (!update.ok()) return update.status();
+  keeping.reset();
+  update->trace_sha256 = KeepTrace("ok");
+  if (absl::Status written = Write(*update); !written.ok()) return written;
+  return true;
+}
+
+/// What was done so far; empty if it cannot be kept: no job is to fail for want of its trace.
+std::string JobRun::KeepTrace(std::string_view outcome) {
+  const Span whole = {"run",
+                      "",
+                      begin_us_,
+                      spans_.NowUs(),
+                      {{"coordinator", job_.owner},
+                       {"epoch", absl::StrCat(job_.owner_epoch)},
+                       {"outcome", std::string(outcome)}}};
+  const auto kept = JobTraces(environment_.jobs, environment_.blobs).Keep(job_, spans_, whole);
+  if (kept.ok()) return *kept;
+  environment_.log.Warn("trace not kept",
+                        Fields({{"error", std::string(kept.status().message())}}));
+  return "";
+}
+
+rpc::LogFields JobRun::Fields(const rpc::LogFields& more) const {
+  rpc::LogFields fields = FieldsOf(job_);
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+void JobRun::Progress(PipelineProgress progress) {
+  if (!progress_.Passes(progress, clock_.Seconds())) return;
+  // Progress that cannot be written is not worth ending the job for.
+  Write({.state = JobState::kRunning,
+         .layers_total = progress.layers_total,
+         .layers_done = progress.layers_done})
+      .IgnoreError();
+}
+
+absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
+  JobUpdate update = Conclusion(job_, *wishes_, error, progress_.told(), environment_.now_us());
+  const std::string reason(ReasonName(DetailOf(error).reason));
+  environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},
+                                                {"seconds", clock_.Seconds()},
+                                                {"code", absl::StatusCodeToString(error.code())},
+                                                {"reason", reason},
+                                                {"error", std::string(error.message())}}));
+  update.trace_sha256 = KeepTrace(reason);
+  const absl::Status written = Write(update);
+  if (written.ok() || wishes_->lost()) return true;
+  environment_.log.Warn("job's state not written: it will be claimed again",
+                        Fields({{"error", std::string(written.message())}}));
+  return true;
+}
+
+absl::Status JobRun::Write(JobUpdate update) {
+  if (wishes_->lost()) return absl::AbortedError("fenced");
+  update.lost_runs = LostRunsAfter(job_, update.state);
+  const auto job = environment_.jobs.Update(lease_, update, environment_.now_us());
+  // A cancel that came after the claim, and before this run could be told of it.
+  if (update.state == JobState::kRunning && job.ok() && job->cancel_requested) wishes_->Cancel();
+  return Written(job.status());
+}
+
+/// What follows a write to the record.
+absl::Status JobRun::Written(const absl::Status& status) {
+  wishes_->Heard(status);
+  if (status.ok()) environment_.feed.Changed(job_.id);
+  return status;
+}
+
+}  // namespace slicefarm::coordinator

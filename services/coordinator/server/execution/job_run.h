@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/rpc/observe/json_log.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+#include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/run/progress_gate.h"
+#include "services/coordinator/run/run_steps.h"
+#include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/server/execution/byte_budget.h"
+#include "services/coordinator/server/execution/job_feed.h"
+#include "services/coordinator/server/api/job_request.h"
+#include "services/coordinator/server/execution/job_results.h"
+
+namespace slicefarm::coordinator {
+
+/// What all runs share. Everything outlives the runs.
+struct RunEnvironment {
+  JobStore& jobs;
+  BlobStores& blobs;
+  JobResults& results;
+  const JobPipeline& pipeline;
+  ByteBudget& mesh_memory;
+  JobFeed& feed;
+  std::function<int64_t()> now_us;
+  std::string build_id;
+  ResultSharing sharing = ResultSharing::kOff;
+  rpc::JsonLog log;
+  /// Told what the stages took for each job that was computed.
+  std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
+};
+
+/// One claimed job, from the claim to what it came to: takes the steps of RunSteps.
+/// It ends as SUCCEEDED, FAILED or CANCELLED; or goes back to QUEUED, as Conclusion says. If that
+/// cannot be written, the lease runs out and the job is claimed again. After a fencing nothing is
+/// written any more.
+class JobRun {
+ public:
+  JobRun(RunEnvironment& environment, JobRecord job);
+
+  void Run();
+
+  const Lease& lease() const { return lease_; }
+  const std::string& action_digest() const { return job_.action_digest; }
+  /// Shared with those who give the run up.
+  const std::shared_ptr<RunWishes>& wishes() const { return wishes_; }
+
+ private:
+  absl::StatusOr<bool> Take(RunSteps::Step step, const absl::Status& error);
+  absl::StatusOr<bool> FindCached();
+  absl::StatusOr<bool> Begin();
+  absl::StatusOr<bool> Compute();
+  absl::StatusOr<bool> Keep();
+  absl::StatusOr<bool> Conclude(const absl::Status& error);
+  void Progress(PipelineProgress progress);
+  absl::Status Write(JobUpdate update);
+  absl::Status Written(const absl::Status& status);
+  std::string KeepTrace(std::string_view outcome);
+  rpc::LogFields Fields(const rpc::LogFields& more) const;
+
+  RunEnvironment& environment_;
+  const JobRecord job_;
+  const std::string result_tenant_;
+  const Lease lease_;
+  const std::shared_ptr<RunWishes> wishes_ = std::make_shared<RunWishes>(job_.deadline_us);
+  std::optional<ResolvedJob> resolved_;  ///< from FindCached to Compute
+  std::optional<RunOutput> output_;      ///< from Compute to Keep
+  ProgressGate progress_;
+  Stopwatch clock_;
+  SpanLog spans_;
+  const int64_t begin_us_ = spans_.NowUs();
+};
+
+}  // namespace slicefarm::coordinator

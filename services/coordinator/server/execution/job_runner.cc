@@ -1,0 +1,203 @@
+#include "services/coordinator/server/execution/job_runner.h"
+
+#include <utility>
+
+#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/server/observe/job_log.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr double kRequestIdSweepS = 3600;
+constexpr int kJudgementsALease = 20;
+constexpr int32_t kMaxOverdueAtOnce = 100;
+
+absl::StatusOr<JobIdentity> IdentityOf(const JobRecord& record, const std::string& build_id,
+                                       ResultSharing sharing) {
+  auto request = ReadSpec(record.spec);
+  if (!request.ok()) return request.status();
+  auto job = ResolveJob(*std::move(request), build_id, ResultTenant(sharing, record.tenant));
+  if (!job.ok()) return job.status();
+  return JobIdentity{std::move(job->settings_digest), std::move(job->action_digest), build_id};
+}
+
+}  // namespace
+
+JobRunner::JobRunner(RunEnvironment environment, JobRunnerOptions options)
+    : environment_(std::move(environment)),
+      options_(std::move(options)),
+      leases_(std::chrono::microseconds(options_.lease).count()) {}
+
+JobRunner::~JobRunner() { Stop(); }
+
+absl::Status JobRunner::Start() {
+  if (absl::Status released = environment_.jobs.Release(options_.owner); !released.ok()) {
+    return released;
+  }
+  for (int i = 0; i < options_.jobs; ++i) {
+    threads_.emplace_back([this] { Serve(Priority::kBulk); });
+  }
+  // So that somebody who waits for an answer does not wait for long jobs to end.
+  threads_.emplace_back([this] { Serve(Priority::kInteractive); });
+  threads_.emplace_back([this] { Keep(); });
+  threads_.emplace_back([this] { Judge(); });
+  threads_.emplace_back([this] { Tidy(); });
+  return absl::OkStatus();
+}
+
+void JobRunner::Wake() {
+  std::lock_guard lock(mutex_);
+  ++wakes_;
+  wake_.notify_all();
+}
+
+void JobRunner::Cancel(const std::string& job_id) {
+  std::lock_guard lock(mutex_);
+  leases_.Cancel(job_id);
+}
+
+void JobRunner::Stop() {
+  {
+    std::lock_guard lock(mutex_);
+    stopping_ = true;
+    leases_.HandBackAll();
+    wake_.notify_all();
+  }
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+}
+
+/// The life of one of the threads that run jobs: those of this priority and higher.
+void JobRunner::Serve(Priority at_least) {
+  while (true) {
+    int64_t seen = 0;
+    {
+      std::lock_guard lock(mutex_);
+      if (stopping_) return;
+      seen = wakes_;
+    }
+    if (const auto run = Claim(at_least)) {
+      run->Run();
+      std::lock_guard lock(mutex_);
+      leases_.Remove(run->lease());
+      continue;
+    }
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, options_.poll, [&] { return stopping_ || wakes_ != seen; });
+  }
+}
+
+/// The work that is being done.
+std::set<std::string> JobRunner::Busy() {
+  std::lock_guard lock(mutex_);
+  return leases_.Busy();
+}
+
+/// A job that another build made is another action here: its result must be found and kept under
+/// the name that this build gives it. False: the same is being worked on, so the job is back in the
+/// queue; or the store failed, so it will be claimed again.
+bool JobRunner::Adopt(JobRecord& job) {
+  const auto identity = IdentityOf(job, environment_.build_id, environment_.sharing);
+  if (!identity.ok()) return true;  // the run will end with that error
+  const Lease lease{job.id, job.owner_epoch};
+  if (!environment_.jobs.Adopt(lease, *identity).ok()) return false;
+  if (Busy().contains(identity->action_digest)) {
+    environment_.jobs.Update(lease, {.state = JobState::kQueued}, NowUs()).IgnoreError();
+    environment_.feed.Changed(job.id);
+    Wake();  // there may be others
+    return false;
+  }
+  job.settings_digest = identity->settings_digest;
+  job.action_digest = identity->action_digest;
+  job.build_id = identity->build_id;
+  job.lost_runs = 0;  // as the store has it
+  return true;
+}
+
+std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
+  std::lock_guard claiming(claim_mutex_);
+  const int64_t now_us = NowUs();
+  auto job =
+      environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy(), at_least);
+  if (!job.ok()) Warn("no job claimed", job.status());  // the store is asked again soon
+  if (!job.ok() || !*job) return nullptr;
+  if ((*job)->build_id != environment_.build_id && !Adopt(**job)) return nullptr;
+  auto run = std::make_unique<JobRun>(environment_, **std::move(job));
+  std::lock_guard lock(mutex_);
+  if (stopping_) run->wishes()->HandBack();
+  leases_.Add(run->lease(), run->action_digest(), now_us, run->wishes());
+  return run;
+}
+
+/// Holds the leases, and does nothing else.
+void JobRunner::Keep() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    RenewLeases();
+    lock.lock();
+    wake_.wait_for(lock, options_.renew, [this] { return stopping_; });
+  }
+}
+
+void JobRunner::RenewLeases() {
+  std::unique_lock lock(mutex_);
+  const std::vector<Lease> leases = leases_.ToRenew();
+  const int64_t until_us = leases_.UntilUs(NowUs());
+  unanswered_ = true;
+  lock.unlock();
+  const auto held = environment_.jobs.Renew(leases, until_us);
+  if (!held.ok()) Warn("leases not renewed", held.status());
+  lock.lock();
+  if (!held.ok()) return;
+  unanswered_ = false;
+  leases_.Renewed(leases, *held, until_us);
+}
+
+/// What takes its time, on a thread that holds no lease up: ends overdue jobs, which at the end of
+/// a long queue would hear of their deadlines long after them, and forgets old request ids.
+void JobRunner::Tidy() {
+  Stopwatch since_sweep;
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    const bool more = EndOverdue() == kMaxOverdueAtOnce;
+    if (since_sweep.Seconds() > kRequestIdSweepS) {
+      environment_.jobs.ExpireRequestIds(NowUs()).IgnoreError();  // the next sweep comes
+      since_sweep = Stopwatch();
+    }
+    lock.lock();
+    if (!more) wake_.wait_for(lock, options_.renew, [this] { return stopping_; });
+  }
+}
+
+/// How many.
+int32_t JobRunner::EndOverdue() {
+  const auto ended = environment_.jobs.EndOverdue(DeadlinePassed(), NowUs(), kMaxOverdueAtOnce);
+  if (!ended.ok()) {
+    Warn("overdue jobs not ended", ended.status());
+    return 0;
+  }
+  for (const JobRecord& job : *ended) {
+    environment_.log.Warn("waiting job ended at its deadline", FieldsOf(job));
+    environment_.feed.Changed(job.id);
+  }
+  return static_cast<int32_t>(ended->size());
+}
+
+void JobRunner::Warn(const std::string& what, const absl::Status& why) const {
+  environment_.log.Warn(what, {{"error", std::string(why.message())}});
+}
+
+/// Gives up runs whose leases were not renewed, on a thread that a store without an answer does not
+/// hold up.
+void JobRunner::Judge() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    if (unanswered_) leases_.GiveUpLate(NowUs());
+    wake_.wait_for(lock, options_.lease / kJudgementsALease, [this] { return stopping_; });
+  }
+}
+
+}  // namespace slicefarm::coordinator

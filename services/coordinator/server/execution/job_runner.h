@@ -1,0 +1,72 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "services/coordinator/run/lease_book.h"
+#include "services/coordinator/server/execution/job_run.h"
+
+namespace slicefarm::coordinator {
+
+struct JobRunnerOptions {
+  std::string owner;  ///< names this coordinator; the same again after a restart
+  int jobs = 2;       ///< at the same time
+  std::chrono::milliseconds lease{
+      10'000};  ///< a coordinator that is silent this long loses its jobs
+  std::chrono::milliseconds renew{3'000};
+  std::chrono::milliseconds poll{
+      1'000};  ///< how often to look for jobs that other coordinators left
+};
+
+/// Claims jobs and runs them, a bounded number at a time, and holds their leases; ends those that
+/// wait beyond their deadlines. A job that does the work of a running one stays QUEUED until that
+/// has ended, so that it keeps no thread from others.
+class JobRunner {
+ public:
+  JobRunner(RunEnvironment environment, JobRunnerOptions options);
+  ~JobRunner();
+
+  /// Takes over what an earlier life of this coordinator left, and begins. Errors: the store's.
+  absl::Status Start();
+
+  /// There is a new job.
+  void Wake();
+
+  /// Ends the job's run, if it runs here. The request itself stands in the store.
+  void Cancel(const std::string& job_id);
+
+  /// Hands the running jobs back to the queue, and returns when that is written.
+  void Stop();
+
+ private:
+  void Serve(Priority at_least);
+  void Keep();
+  void Judge();
+  void Warn(const std::string& what, const absl::Status& why) const;
+  void RenewLeases();
+  void Tidy();
+  int32_t EndOverdue();
+  std::set<std::string> Busy();
+  std::unique_ptr<JobRun> Claim(Priority at_least);
+  bool Adopt(JobRecord& job);
+  int64_t NowUs() const { return environment_.now_us(); }
+
+  RunEnvironment environment_;
+  const JobRunnerOptions options_;
+  std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  LeaseBook leases_;         ///< of the jobs that run
+  bool unanswered_ = false;  ///< the last renewal failed, or is still under way
+  bool stopping_ = false;
+  int64_t wakes_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace slicefarm::coordinator

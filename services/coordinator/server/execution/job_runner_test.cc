@@ -1,0 +1,446 @@
+// Runs of jobs over real stores and fake stages, without a server between.
+#include "services/coordinator/server/execution/job_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/run/run_conclusion.h"
+#include "services/coordinator/server/execution/failing_job_store_test.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/server/api/job_intake.h"
+#include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using Call = FailingJobStore::Call;
+
+constexpr int64_t kSecondUs = 1'000'000;
+
+class JobRunnerTest : public testing::Test {
+ protected:
+  JobRunnerTest() { dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2}); }
+
+  ~JobRunnerTest() override { ranges_->LetGo(); }
+
+  /// On the test's clock, which goes on only when it is told to.
+  int64_t NowUs() const { return now_us_; }
+  void Pass(int64_t us) { now_us_ += us; }
+
+  std::function<int64_t()> Clock() {
+    return [this] { return NowUs(); };
+  }
+
+  std::unique_ptr<JobRunner> Runner(const std::string& owner = "me") {
+    JobRunnerOptions options;
+    options.owner = owner;
+    options.poll = options.renew = std::chrono::milliseconds(10);
+    auto runner = std::make_unique<JobRunner>(
+        RunEnvironment{failing_, *blobs_, results_, pipeline_, mesh_memory_, feed_, Clock(),
+                       "build", ResultSharing::kOff, rpc::JsonLog("test")},
+        options);
+    EXPECT_TRUE(runner->Start().ok());
+    return runner;
+  }
+
+  std::string Submit(const std::string& mesh, const std::string& build = "build",
+                     int64_t deadline_us = kNoDeadlineUs) {
+    v1::JobSpec spec;
+    v1::Object* object = spec.add_objects();
+    object->set_mesh_sha256(*(*blobs_->Of(""))->Put(mesh));
+    object->set_name("part");
+    const auto created = JobIntake(*jobs_, *blobs_, DiskGuard("", 0), full_queues_, build,
+                                   ResultSharing::kOff, Clock())
+                             .Create({.request_id = {},
+                                      .spec_digest = Sha256Hex(SpecBytes(spec)),
+                                      .spec = SpecBytes(spec),
+                                      .request = *FromProto(spec),
+                                      .labels = {},
+                                      .deadline_us = deadline_us});
+    EXPECT_TRUE(created.ok()) << created.status();
+    return created->job.id;
+  }
+
+  /// A job that is being worked on until LetGo.
+  std::string SubmitHeld(JobRunner& runner, const std::string& mesh = "xx") {
+    ranges_->Hold();
+    std::string id = Submit(mesh);
+    runner.Wake();
+    ranges_->AwaitCall();
+    return id;
+  }
+
+  JobRecord AwaitEnd(const std::string& id) {
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool news = true;
+    const int64_t ticket = feed_.Listen(id, [&] {
+      std::lock_guard lock(mutex);
+      news = true;
+      changed.notify_all();
+    });
+    JobRecord job;
+    do {
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return news; });
+      news = false;
+      lock.unlock();
+      job = *jobs_->Get(id);
+    } while (!IsTerminal(job.state));
+    feed_.Forget(ticket);
+    return job;
+  }
+
+  /// A job that coordinators died of so often, in the middle of its runs. REQUIRES: no runner; no
+  /// other job.
+  std::string SubmitSuspect(const std::string& mesh, int lost_runs) {
+    std::string id = Submit(mesh);
+    const auto job = *jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs);
+    const JobUpdate last = {.state = JobState::kRunning, .lost_runs = lost_runs};
+    EXPECT_TRUE(jobs_->Update({job->id, job->owner_epoch}, last, NowUs()).ok());
+    EXPECT_TRUE(jobs_->Release("dead").ok());
+    return id;
+  }
+
+  /// Waits for so many further calls.
+  void AwaitCalls(Call call, int count) {
+    const int until = failing_.Calls(call) + count;
+    while (failing_.Calls(call) < until) std::this_thread::yield();
+  }
+
+  TempDirectory directory_;
+  std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
+  FailingJobStore failing_{*jobs_};
+  std::unique_ptr<BlobStores> blobs_ = *OpenDirectoryBlobs(directory_.path());
+  FakeSlicing slicing_;
+  FakeMotion motion_;
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  JobPipeline pipeline_{slicing_, motion_, dispatcher_};
+  ByteBudget mesh_memory_{3};
+  JobResults results_{failing_, *blobs_, {}};
+  JobFeed feed_;
+  FullQueues full_queues_{Clock()};
+  std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
+};
+
+TEST_F(JobRunnerTest, RunsManyJobs) {
+  const auto runner = Runner();
+  std::vector<std::string> ids;
+  for (int i = 1; i <= 20; ++i) {
+    ids.push_back(Submit(std::string(i, 'x')));
+    runner->Wake();
+  }
+  for (int i = 1; i <= 20; ++i) {
+    const JobRecord job = AwaitEnd(ids[i - 1]);
+    EXPECT_EQ(job.state, JobState::kSucceeded);
+    EXPECT_EQ(job.result->layers, i);
+  }
+}
+
+TEST_F(JobRunnerTest, JobsOfTheSameWorkLeaveRoomForOthers) {
+  const auto runner = Runner();
+  const std::string first = SubmitHeld(*runner);
+  const std::string same = Submit("xx");
+  const std::string other = Submit("xxx");
+  runner->Wake();
+  while (jobs_->Get(other)->state != JobState::kRunning && jobs_->Get(same)->owner.empty()) {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(jobs_->Get(other)->state, JobState::kRunning);
+  EXPECT_EQ(jobs_->Get(same)->owner, "") << "it waits in the queue";
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(first).result->cached);
+  EXPECT_TRUE(AwaitEnd(same).result->cached);
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  EXPECT_EQ(slicing_.runs(), 2);
+}
+
+TEST_F(JobRunnerTest, ProgressIsNotToldLayerByLayer) {
+  const auto runner = Runner();
+  const std::string id = Submit(std::string(20'000, 'x'));
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_LE(jobs_->Events(id, 0, 10'000)->size(), 105u);
+}
+
+TEST_F(JobRunnerTest, ARequestToCancelIsFoundInTheStore) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());  // as another coordinator's client would
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
+// Nobody could have told the run of it.
+TEST_F(JobRunnerTest, ACancelBetweenTheClaimAndTheRunIsHeeded) {
+  const auto runner = Runner();
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  failing_.Block(Call::kUpdate);
+  ranges_->Hold();
+  const std::string id = Submit("xx");
+  runner->Wake();
+  AwaitCalls(Call::kUpdate, 1);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
+  failing_.Unblock(Call::kUpdate);
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, AJobThatIsToEndDoesNotEndWithAnEarlierResult) {
+  const std::string id = Submit("xx");
+  ASSERT_NE(*jobs_->Claim("dead", NowUs(), NowUs() + kSecondUs), std::nullopt);
+  ASSERT_TRUE(jobs_->RequestCancel(id, NowUs()).ok());
+  const auto runner = Runner();
+  const std::string same = Submit("xx");
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(same).state, JobState::kSucceeded);
+  Pass(kSecondUs);
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kCancelled);
+}
+
+TEST_F(JobRunnerTest, ARunThatIsKilledIsALostOne) {
+  ranges_->Hold();
+  const std::string id = SubmitSuspect("xx", 1);
+  auto runner = Runner();
+  ranges_->AwaitCall();
+  EXPECT_EQ(jobs_->Get(id)->lost_runs, 2) << "as long as nothing more is heard of it";
+  runner->Stop();
+  EXPECT_EQ(jobs_->Get(id)->state, JobState::kQueued);
+  EXPECT_EQ(jobs_->Get(id)->lost_runs, 1) << "it was handed back";
+}
+
+TEST_F(JobRunnerTest, AJobThatMayKillItsCoordinatorRestsBeforeItRunsAgain) {
+  const std::string suspect = SubmitSuspect("xx", kSuspectRuns);
+  const std::string other = Submit("xxx");
+  const auto runner = Runner();
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  while (jobs_->Get(suspect)->state != JobState::kQueued) std::this_thread::yield();
+  EXPECT_EQ(slicing_.runs(), 1);
+  Pass(2 * kSecondUs);
+  EXPECT_EQ(AwaitEnd(suspect).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, AJobThatKillsItsCoordinatorsFailsInTheEnd) {
+  const std::string poisoned = SubmitSuspect("xx", kMaxLostRuns);
+  const std::string other = Submit("xxx");
+  const auto runner = Runner();
+  const JobRecord job = AwaitEnd(poisoned);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "JOB_POISONED");
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
+  const auto runner = Runner();
+  const std::string held = SubmitHeld(*runner, "xx");
+  const std::string other = Submit("x!");  // which does not fit beside that, and cannot be sliced
+  runner->Wake();
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kFailed);
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(held).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {
+  const auto runner = Runner();
+  const std::string held = SubmitHeld(*runner);
+  const std::string same = Submit("xx", "build", NowUs() + kSecondUs);  // waits for the other's end
+  Pass(kSecondUs);
+  const JobRecord job = AwaitEnd(same);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "DEADLINE_EXCEEDED");
+  EXPECT_EQ(jobs_->Get(held)->state, JobState::kRunning);
+}
+
+TEST_F(JobRunnerTest, AFencedRunWritesNothing) {
+  const auto runner = Runner("me");
+  const std::string id = SubmitHeld(*runner);
+  // Another coordinator takes the job over, as if ours had been silent too long.
+  const int64_t later_us = NowUs() + 3600 * kSecondUs;
+  const auto taken = jobs_->Claim("you", later_us, later_us + 60 * kSecondUs);
+  ASSERT_NE(*taken, std::nullopt);
+  ranges_->LetGo();
+  runner->Stop();
+  const JobRecord job = *jobs_->Get(id);
+  EXPECT_EQ(job.state, JobState::kRunning);
+  EXPECT_EQ(job.owner, "you");
+  EXPECT_EQ(job.last_sequence, (*taken)->last_sequence);
+}
+
+TEST_F(JobRunnerTest, AJobGivenUpWhileTheStoreWasAwayIsClaimedAgain) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  AwaitCalls(Call::kRenew, 2);  // the one that may have been on its way has been answered
+  const int64_t until_us = jobs_->Get(id)->owner_until_us;
+  now_us_ = until_us - kSecondUs;
+  while (ranges_->cancelled() == 0) std::this_thread::yield();
+
+  failing_.Recover();
+  AwaitCalls(Call::kRenew, 2);
+  ASSERT_EQ(jobs_->Get(id)->owner_until_us, until_us) << "what nobody works on is not held";
+  ranges_->LetGo();
+  now_us_ = until_us;
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
+TEST_F(JobRunnerTest, ARenewalWithoutAnAnswerKeepsNoRunGoing) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Block(Call::kRenew);
+  AwaitCalls(Call::kRenew, 1);
+  const int64_t until_us = jobs_->Get(id)->owner_until_us;
+  now_us_ = until_us - kSecondUs;
+  while (ranges_->cancelled() == 0) std::this_thread::yield();
+
+  failing_.Recover();
+  ranges_->LetGo();
+  now_us_ = 2 * until_us;
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
+TEST_F(JobRunnerTest, AShortAbsenceOfTheStoreCostsNothing) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Fail(Call::kRenew, absl::InternalError("away"));
+  AwaitCalls(Call::kRenew, 2);
+  now_us_ = jobs_->Get(id)->owner_until_us - 3 * kSecondUs;
+  AwaitCalls(Call::kRenew, 2);
+  failing_.Recover();
+  AwaitCalls(Call::kRenew, 2);
+  ranges_->LetGo();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 1);
+}
+
+TEST_F(JobRunnerTest, AStoreThatFailsDelaysAJobAndNeverEndsIt) {
+  failing_.Fail(Call::kFindResult, MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                                             "SQLite: disk I/O error"));
+  const std::string id = Submit("xx");
+  const auto runner = Runner();
+  int64_t last_delay_us = 0;
+  for (int failures = 1; failures <= 9; ++failures) {
+    JobRecord job = *jobs_->Get(id);
+    while (!IsTerminal(job.state) && job.store_failures < failures) {
+      std::this_thread::yield();
+      job = *jobs_->Get(id);
+    }
+    ASSERT_EQ(job.state, JobState::kQueued);
+    const int64_t delay_us = job.owner_until_us - NowUs();
+    EXPECT_GE(delay_us, std::min(2 * last_delay_us, 60 * kSecondUs));
+    EXPECT_LE(delay_us, 60 * kSecondUs);
+    last_delay_us = delay_us;
+    if (failures == 9) failing_.Recover();
+    Pass(delay_us);
+  }
+  const JobRecord job = AwaitEnd(id);
+  EXPECT_EQ(job.state, JobState::kSucceeded);
+  EXPECT_EQ(job.retries, 0) << "those are for services that are not there";
+}
+
+TEST_F(JobRunnerTest, WhatAnEarlierLifeLeftGoesOn) {
+  const std::string id = Submit("xxx");
+  const auto claimed = jobs_->Claim("me", NowUs(), NowUs() + 3'600'000'000);
+  ASSERT_TRUE(
+      jobs_->Update({id, (*claimed)->owner_epoch}, {.state = JobState::kRunning}, NowUs()).ok());
+  const auto runner = Runner("me");
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, StopHandsBack) {
+  auto runner = Runner();
+  const std::string id = SubmitHeld(*runner, "xxx");
+  runner->Stop();
+  const JobRecord job = *jobs_->Get(id);
+  EXPECT_EQ(job.state, JobState::kQueued);
+  EXPECT_EQ(job.owner, "");
+  EXPECT_EQ(job.retries, 0);
+  ranges_->LetGo();
+  runner = Runner();
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, AJobOfAnotherBuildIsFiledUnderThisOne) {
+  const std::string theirs = Submit("xx", "another build");
+  const auto runner = Runner();
+  const JobRecord first = AwaitEnd(theirs);
+  EXPECT_EQ(first.state, JobState::kSucceeded);
+  EXPECT_EQ(first.build_id, "build");
+  const JobRecord ours = AwaitEnd(Submit("xx"));
+  EXPECT_EQ(ours.action_digest, first.action_digest);
+  EXPECT_TRUE(ours.result->cached);
+  EXPECT_TRUE(AwaitEnd(Submit("xx", "a third build")).result->cached);
+  EXPECT_EQ(slicing_.runs(), 1);
+}
+
+TEST_F(JobRunnerTest, JobsOfAnotherBuildWaitForTheSameWorkOfThisOne) {
+  const auto runner = Runner();
+  const std::string ours = SubmitHeld(*runner);
+  const std::string theirs = Submit("xx", "another build");
+  runner->Wake();
+  while (jobs_->Get(theirs)->build_id != "build") std::this_thread::yield();
+  ranges_->LetGo();
+  EXPECT_FALSE(AwaitEnd(ours).result->cached);
+  EXPECT_TRUE(AwaitEnd(theirs).result->cached);
+  EXPECT_EQ(slicing_.runs(), 1);
+}
+
+TEST_F(JobRunnerTest, AnEndThatCannotBeWrittenComesAgain) {
+  const auto runner = Runner();
+  const std::string id = SubmitHeld(*runner);
+  failing_.Fail(Call::kUpdate, absl::InternalError("away"));
+  ranges_->LetGo();
+  runner->Stop();
+  failing_.Recover();
+  EXPECT_EQ(jobs_->Get(id)->state, JobState::kRunning);
+  now_us_ = jobs_->Get(id)->owner_until_us;
+  const auto other = Runner("you");
+  EXPECT_EQ(AwaitEnd(id).state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->owner_epoch, 2);
+}
+
+TEST_F(JobRunnerTest, AStageOfAnotherBuildNeverEndsAJob) {
+  slicing_.mismatches_ = 12;
+  const std::string id = Submit("x?");
+  const auto runner = Runner();
+  for (JobRecord job = *jobs_->Get(id); !IsTerminal(job.state); job = *jobs_->Get(id)) {
+    // No further than to its next claim, which may be under way already: its lease is not to run
+    // out.
+    now_us_ = std::max(NowUs(), job.owner.empty() ? job.owner_until_us : 0);
+    runner->Wake();
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(jobs_->Get(id)->state, JobState::kSucceeded);
+  EXPECT_EQ(jobs_->Get(id)->retries, 0) << "so that there are some left for stages that are away";
+}
+
+TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {
+  slicing_.unavailable_ = 1000;
+  const std::string id = Submit("x~");
+  // As if it had been tried before.
+  for (int i = 0; i < 5; ++i) {
+    const auto claimed = jobs_->Claim("past", NowUs(), NowUs() + 1'000'000);
+    ASSERT_TRUE(
+        jobs_->Update({id, (*claimed)->owner_epoch}, {.state = JobState::kRunning}, NowUs()).ok());
+    JobUpdate back{.state = JobState::kQueued};
+    back.retry = true;
+    ASSERT_TRUE(jobs_->Update({id, (*claimed)->owner_epoch}, back, NowUs()).ok());
+  }
+  const auto runner = Runner();
+  const JobRecord job = AwaitEnd(id);
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error->reason, "UNAVAILABLE");
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,98 @@
+#include "services/coordinator/server/main/coordinator.h"
+
+#include <chrono>
+#include <utility>
+
+namespace slicefarm::coordinator {
+namespace {
+
+int64_t NowUs() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+int64_t SteadyUs() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOptions options,
+                                                               const SlicingStage& slicing,
+                                                               const MotionStage& motion,
+                                                               RangeExecutor& executor,
+                                                               const rpc::JsonLog& log) {
+  auto stores = OpenStores(options.stores);
+  if (!stores.ok()) return stores.status();
+  return std::unique_ptr<Coordinator>(
+      new Coordinator(std::move(options), *std::move(stores), slicing, motion, executor, log));
+}
+
+Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
+                         const MotionStage& motion, RangeExecutor& executor,
+                         const rpc::JsonLog& log)
+    : options_(std::move(options)),
+      stores_(std::move(stores)),
+      log_(log),
+      jobs_(*stores_.jobs, Registry()),
+      runs_(*stores_.runs, Registry()),
+      blobs_(*stores_.blobs, Registry()),
+      stage_seconds_(Registry()),
+      pipeline_(slicing, motion, executor),
+      results_(runs_, blobs_, options_.rates),
+      disk_(options_.stores.state_dir, options_.min_free_bytes),
+      full_queues_(SteadyUs),
+      callers_(options_.tenants, NowUs),
+      intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs),
+      runner_(RunEnvironment{runs_, blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
+                             options_.build_id, options_.sharing, log,
+                             [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
+              options_.runner),
+      meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
+      jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                                *stores_.webhooks, options_.webhooks, slicing, mesh_memory_,
+                                options_.rates, NowUs, log},
+                    options_.transfers, options_.watches),
+      profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
+
+prometheus::Registry& Coordinator::Registry() {
+  return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;
+}
+
+Coordinator::~Coordinator() { Stop(); }
+
+absl::Status Coordinator::Start() {
+  if (absl::Status started = runner_.Start(); !started.ok()) return started;
+  changes_ = ListenForChanges(options_.stores,
+                              [this](const std::optional<JobChange>& change) { Changed(change); });
+  webhook_sender_.emplace(*stores_.webhooks, jobs_, options_.webhooks, options_.webhook_sender,
+                          NowUs, log_, Registry());
+  maintenance_.emplace(jobs_, blobs_, options_.maintenance, NowUs, log_);
+  return absl::OkStatus();
+}
+
+/// First what others wait for.
+void Coordinator::Stop() {
+  feed_.Close();
+  runner_.Stop();
+  changes_.reset();
+  maintenance_.reset();
+  webhook_sender_.reset();
+}
+
+/// Another coordinator, or this one, wrote to a job.
+void Coordinator::Changed(const std::optional<JobChange>& change) {
+  if (!change) {
+    feed_.AllChanged();
+    runner_.Wake();
+    return;
+  }
+  feed_.Changed(change->job_id);
+  if (change->state == JobState::kQueued) runner_.Wake();
+  if (change->cancel_requested) runner_.Cancel(change->job_id);
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/model/limits.h"
+#include "services/coordinator/server/execution/byte_budget.h"
+#include "services/coordinator/server/api/jobs_service.h"
+#include "services/coordinator/server/execution/maintenance.h"
+#include "services/coordinator/server/api/meshes_service.h"
+#include "services/coordinator/server/observe/metered_blob_store.h"
+#include "services/coordinator/server/observe/metered_job_store.h"
+#include "services/coordinator/server/api/profiles_service.h"
+#include "services/coordinator/server/observe/stage_seconds.h"
+#include "services/coordinator/server/main/stores.h"
+#include "services/coordinator/server/webhooks/webhook_sender.h"
+
+namespace slicefarm::coordinator {
+
+struct CoordinatorOptions {
+  StoreOptions stores;
+  JobRunnerOptions runner;
+  Rates rates = {};
+  WebhookPolicy webhooks = {};
+  WebhookSender::Options webhook_sender = {};
+  int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
+  std::string build_id;
+  TransferOptions transfers = {};
+  WatchOptions watches = {};
+  Maintenance::Options maintenance = {};
+  TenantsNow tenants = {};  ///< none: one tenant without a name
+  ResultSharing sharing = ResultSharing::kOff;
+  prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
+};
+
+/// The coordinator put together: stores, intake, runner and services over given stages. Several may
+/// share one PostgreSQL database; all of them are active.
+class Coordinator {
+ public:
+  /// The stages and the executor must outlive it. Errors: those of the stores; Unavailable if
+  /// another process uses the directory.
+  static absl::StatusOr<std::unique_ptr<Coordinator>> Open(CoordinatorOptions options,
+                                                           const SlicingStage& slicing,
+                                                           const MotionStage& motion,
+                                                           RangeExecutor& executor,
+                                                           const rpc::JsonLog& log);
+  ~Coordinator();
+
+  /// Begins to run jobs, those of an earlier life first.
+  absl::Status Start();
+
+  /// Hands running jobs back, and ends the calls that watch.
+  void Stop();
+
+  std::vector<grpc::Service*> services() {
+    return {&meshes_service_, &jobs_service_, &profiles_service_};
+  }
+  rpc::QueuedMethods& queued_methods() { return jobs_service_; }
+  JobStore& jobs() { return jobs_; }
+
+ private:
+  Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
+              const MotionStage& motion, RangeExecutor& executor, const rpc::JsonLog& log);
+  void Changed(const std::optional<JobChange>& change);
+  prometheus::Registry& Registry();
+
+  const CoordinatorOptions options_;
+  const Stores stores_;
+  const rpc::JsonLog log_;
+  prometheus::Registry unseen_metrics_;
+  MeteredJobStore jobs_;
+  MeteredJobStore runs_;
+  MeteredBlobStores blobs_;
+  StageSeconds stage_seconds_;
+  JobPipeline pipeline_;
+  ByteBudget mesh_memory_{limits::kMaxMeshBytes};
+  JobResults results_;
+  JobFeed feed_;
+  const DiskGuard disk_;
+  FullQueues full_queues_;
+  const Callers callers_;
+  JobIntake intake_;
+  JobRunner runner_;
+  MeshesService meshes_service_;
+  JobsService jobs_service_;
+  ProfilesService profiles_service_;
+  std::unique_ptr<JobChanges> changes_;
+  std::optional<WebhookSender> webhook_sender_;
+  std::optional<Maintenance> maintenance_;
+};
+
+}  // namespace slicefarm::coordinator

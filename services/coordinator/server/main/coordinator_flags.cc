@@ -1,0 +1,156 @@
+#include "services/coordinator/server/main/coordinator_flags.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <map>
+
+#include "common/model/limits.h"
+#include "common/rpc/server/listen_address.h"
+#include "services/coordinator/remote/address_watch.h"
+#include "services/coordinator/server/api/transfers.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// Uploads and downloads hold a thread each: TransferOptions bounds them, and leaves enough for the
+/// other calls.
+constexpr int kThreads = 256;
+constexpr TransferOptions kTransfers;
+static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
+
+/// Whatever one connection has open, it does not take all threads.
+constexpr int kStreamsPerConnection = 128;
+/// Clients behind one name find new coordinators within this time.
+constexpr std::chrono::minutes kConnectionAge{10};
+
+/// A container's host name is its own.
+std::string DefaultName() {
+  std::array<char, 256> host = {};
+  gethostname(host.data(), host.size() - 1);
+  return host.data();
+}
+
+void CheckSecurity(const CoordinatorFlags& flags) {
+  const bool tls = flags.serve.tls.enabled();
+  const bool optional = flags.serve.client_certs == rpc::ClientCerts::kOptional;
+  if (optional && (!tls || flags.tenants_file.empty())) {
+    throw CLI::ValidationError(
+        "--client-certs optional takes tokens instead: it needs --tenants and --tls-cert");
+  }
+  const std::string& listen = flags.serve.server.listen;
+  if (!flags.tenants_file.empty() && !tls && !rpc::IsLoopback(listen)) {
+    throw CLI::ValidationError("--tenants without --tls-cert: tokens would come to " + listen +
+                               " in plain text, which is for loopback addresses only");
+  }
+}
+
+void Check(const CoordinatorFlags& flags) {
+  CheckSecurity(flags);
+  if (flags.stores.state_dir.empty() == flags.stores.postgres.empty()) {
+    throw CLI::ValidationError("one of --state-dir and --postgres is needed");
+  }
+  const bool all = !flags.beading.empty() && !flags.infill.empty() && !flags.ordering.empty();
+  const bool any = !flags.beading.empty() || !flags.infill.empty() || !flags.ordering.empty();
+  if (any && !all) {
+    throw CLI::ValidationError("--beading, --infill and --ordering go together");
+  }
+  if (!any && flags.workers.empty()) {
+    throw CLI::ValidationError("either --workers or --beading, --infill and --ordering is needed");
+  }
+}
+
+}  // namespace
+
+Maintenance::Options CoordinatorFlags::maintenance() const {
+  Maintenance::Options options;
+  options.sweep.keep_jobs_s = keep_jobs_days * 24 * 3600;
+  options.sweep.keep_blobs_s = keep_blobs_hours * 3600;
+  return options;
+}
+
+JobRunnerOptions CoordinatorFlags::runner_options() const {
+  using std::chrono::milliseconds;
+  JobRunnerOptions options = runner;
+  options.lease = milliseconds(static_cast<int64_t>(lease_s * 1000));
+  options.renew = options.lease * 3 / 10;
+  options.poll = options.lease / 10;
+  return options;
+}
+
+SplitStages::Names CoordinatorFlags::split_names() const {
+  return {SplitAddresses(beading), SplitAddresses(infill), SplitAddresses(ordering)};
+}
+
+void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
+  flags->runner.owner = DefaultName();
+  flags->serve.policy = rpc::OpenPolicy();  // the services know what each tenant may
+  flags->serve.server.max_message_bytes = limits::kMaxPublicMessageBytes;
+  flags->serve.server.max_threads = kThreads;
+  flags->serve.server.max_streams_per_connection = kStreamsPerConnection;
+  flags->serve.server.max_connection_age = kConnectionAge;
+  AddServeFlags(app, &flags->serve);
+  app.add_option("--state-dir", flags->stores.state_dir,
+                 "Directory for jobs and blobs, of this coordinator alone; made if needed");
+  auto* postgres =
+      app.add_option("--postgres", flags->stores.postgres,
+                     "Or a PostgreSQL database, which coordinators share: its connection string")
+          ->envname("SLICEFARM_POSTGRES");
+  app.add_option("--name", flags->runner.owner,
+                 "Of this coordinator among those that share a database; the same after a restart")
+      ->capture_default_str();
+  app.add_option("--lease", flags->lease_s,
+                 "Seconds after which other coordinators take over from one that is silent")
+      ->check(CLI::Range(1.0, 600.0))
+      ->capture_default_str();
+  app.add_option("--keep-jobs", flags->keep_jobs_days,
+                 "Days after which ended jobs are removed; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--keep-blobs", flags->keep_blobs_hours,
+                 "Hours for which meshes and results that no job refers to are kept")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--slicing", flags->slicing, "Addresses of slicing services, host:port,...")
+      ->required();
+  app.add_option("--motion", flags->motion, "Addresses of motion services")->required();
+  app.add_option("--workers", flags->workers, "Addresses of fused workers");
+  auto* beading = app.add_option("--beading", flags->beading,
+                                 "Addresses of beading services, for split stages");
+  app.add_option("--infill", flags->infill, "Addresses of infill services");
+  app.add_option("--ordering", flags->ordering, "Addresses of ordering services");
+  app.add_option("--split-slots", flags->split_slots,
+                 "Layer ranges in flight over the split stages")
+      ->check(CLI::Range(1, 1024))
+      ->needs(beading)
+      ->capture_default_str();
+  app.add_option("--jobs", flags->runner.jobs,
+                 "Jobs that run at the same time; one more if it is INTERACTIVE")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--tenants", flags->tenants_file,
+                 "JSON file of tenants, their tokens and what they may; without, all are one")
+      ->check(CLI::ExistingFile);
+  app.add_flag("--share-cache", flags->share_cache,
+               "Tenants take each other's results for the same work, and may so learn of it");
+  app.add_option("--client-certs", flags->serve.client_certs,
+                 "With TLS, whether clients must show a certificate: required or optional")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, rpc::ClientCerts>{
+          {"required", rpc::ClientCerts::kRequired}, {"optional", rpc::ClientCerts::kOptional}}))
+      ->type_name("HOW");
+  app.add_option("--min-free", flags->min_free_mib,
+                 "MiB of --state-dir's disk below which nothing new is taken")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(postgres)
+      ->capture_default_str();
+  app.add_option("--rates", flags->rates_file,
+                 "JSON file of what the farm charges: jobs then tell what they cost")
+      ->check(CLI::ExistingFile);
+  app.add_option("--webhooks", flags->webhooks_file,
+                 "JSON file of where webhooks may go; without, none are sent")
+      ->check(CLI::ExistingFile);
+  app.callback([flags] { Check(*flags); });
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/coordinator/server/main/state_lock.h"
+#include "services/coordinator/store/blobs/blob_stores.h"
+#include "services/coordinator/store/jobs/job_changes.h"
+#include "services/coordinator/store/jobs/job_store.h"
+#include "services/coordinator/store/jobs/profile_store.h"
+#include "services/coordinator/store/jobs/webhook_store.h"
+
+namespace slicefarm::coordinator {
+
+/// Where a coordinator keeps its state.
+struct StoreOptions {
+  std::string state_dir;  ///< SQLite and files in this directory, of one coordinator
+  std::string
+      postgres;  ///< or a PostgreSQL database, which several may share: how to connect to it
+};
+
+/// What a coordinator keeps its state in.
+struct Stores {
+  std::unique_ptr<StateLock> lock;  ///< of a directory
+  std::unique_ptr<JobStore> jobs;   ///< as callers see them
+  /// The same ones, as those who run them see them: whatever callers ask for, leases are renewed.
+  std::unique_ptr<JobStore> runs;
+  std::unique_ptr<BlobStores> blobs;
+  std::unique_ptr<ProfileStore> profiles;
+  std::unique_ptr<WebhookStore> webhooks;
+};
+
+/// Errors: those of the stores; Unavailable if another process uses the directory.
+absl::StatusOr<Stores> OpenStores(const StoreOptions& options);
+
+/// What other coordinators do to the jobs; null where there are none.
+std::unique_ptr<JobChanges> ListenForChanges(const StoreOptions& options,
+                                             JobChanges::Listener listener);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,67 @@
+#include "services/coordinator/server/main/stores.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "services/coordinator/store/sql/postgres_connection.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kNow = 1'000'000;
+constexpr int64_t kUntil = 9'000'000;
+
+NewJob Job(const std::string& id) {
+  NewJob job;
+  job.id = id;
+  job.spec = "spec";
+  job.action_digest = id;
+  return job;
+}
+
+/// Until so many wait for a lock that another holds.
+void AwaitBlocked(SqlConnection& db, int64_t calls) {
+  while (true) {
+    SqlQuery query(db,
+                   "SELECT count(*) FROM pg_stat_activity"
+                   " WHERE datname = current_database() AND wait_event_type = 'Lock'");
+    ASSERT_TRUE(query.Next()) << query.status();
+    if (query.Int(0) >= calls) return;
+    std::this_thread::yield();
+  }
+}
+
+// Or else a few slow calls of one tenant would cost everybody the runs of their jobs.
+TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
+  const std::string database = SharedPostgres().NewDatabase();
+  const auto stores = OpenStores({.state_dir = "", .postgres = database});
+  ASSERT_TRUE(stores.ok()) << stores.status();
+  ASSERT_TRUE(stores->jobs->Create(Job("run"), kNow).ok());
+  const auto claimed = stores->runs->Claim("owner", kNow, kUntil);
+  ASSERT_TRUE(claimed.ok() && *claimed) << claimed.status();
+  ASSERT_TRUE(stores->jobs->Create(Job("wanted"), kNow).ok());
+
+  const auto locker = PostgresConnection::Open(database);
+  const auto watcher = PostgresConnection::Open(database);
+  ASSERT_TRUE(locker.ok() && watcher.ok());
+  SqlTransaction lock(**locker);
+  ASSERT_TRUE((*locker)->Execute("SELECT 1 FROM jobs WHERE id = 'wanted' FOR UPDATE").ok());
+  std::vector<std::thread> callers;
+  for (int i = 0; i < PostgresDatabase::kConnections; ++i) {
+    callers.emplace_back([&] { EXPECT_TRUE(stores->jobs->RequestCancel("wanted", kNow).ok()); });
+  }
+  AwaitBlocked(**watcher, PostgresDatabase::kConnections);
+  const Lease lease{(*claimed)->id, (*claimed)->owner_epoch};
+  const auto held = stores->runs->Renew({lease}, kUntil + 1);
+  EXPECT_TRUE(held.ok() && held->size() == 1) << held.status();
+  EXPECT_TRUE(lock.Commit().ok());
+  for (std::thread& caller : callers) caller.join();
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

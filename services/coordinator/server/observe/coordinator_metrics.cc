@@ -1,0 +1,147 @@
+#include "services/coordinator/server/observe/coordinator_metrics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+namespace slicefarm::coordinator {
+namespace {
+
+using prometheus::ClientMetric;
+using prometheus::MetricFamily;
+using prometheus::MetricType;
+
+/// One value of a family, with at most one label.
+ClientMetric Value(MetricType type, double value, const std::string& label = "",
+                   const std::string& label_value = "") {
+  ClientMetric metric;
+  if (!label.empty()) metric.label = {{label, label_value}};
+  (type == MetricType::Counter ? metric.counter.value : metric.gauge.value) = value;
+  return metric;
+}
+
+MetricFamily Gauge(const std::string& name, const std::string& help, double value) {
+  return {name, help, MetricType::Gauge, {Value(MetricType::Gauge, value)}};
+}
+
+MetricFamily Jobs(const std::map<JobState, int64_t>& counts) {
+  MetricFamily family{"slicefarm_jobs", "Jobs in the store", MetricType::Gauge, {}};
+  using enum JobState;
+  for (const JobState state : {kQueued, kRunning, kSucceeded, kFailed, kCancelled}) {
+    const auto count = counts.find(state);
+    family.metric.push_back(Value(MetricType::Gauge,
+                                  count == counts.end() ? 0 : static_cast<double>(count->second),
+                                  "state", std::string(JobStateName(state))));
+  }
+  return family;
+}
+
+/// How many wait, and for how long the one that has waited longest.
+void AddQueue(const std::vector<OpenJobs>& open, std::vector<MetricFamily>& families) {
+  MetricFamily depth{"slicefarm_queue_depth", "Jobs that wait", MetricType::Gauge, {}};
+  MetricFamily age{"slicefarm_queue_age_seconds",
+                   "Age of the oldest job that waits; 0: none does",
+                   MetricType::Gauge,
+                   {}};
+  for (const Priority priority : {Priority::kBulk, Priority::kNormal, Priority::kInteractive}) {
+    const auto waiting = std::ranges::find_if(open, [&](const OpenJobs& jobs) {
+      return jobs.state == JobState::kQueued && jobs.priority == priority;
+    });
+    const bool any = waiting != open.end();
+    const std::string name = PriorityName(priority);
+    depth.metric.push_back(
+        Value(MetricType::Gauge, any ? static_cast<double>(waiting->count) : 0, "priority", name));
+    age.metric.push_back(
+        Value(MetricType::Gauge, any ? SecondsSince(waiting->oldest_us) : 0, "priority", name));
+  }
+  families.push_back(std::move(depth));
+  families.push_back(std::move(age));
+}
+
+void AddStore(JobStore& jobs, std::vector<MetricFamily>& families) {
+  const auto counts = jobs.CountByState();
+  const auto open = counts.ok() ? jobs.CountOpen() : counts.status();
+  families.push_back(Gauge("slicefarm_store_up", "Whether the job store answers", open.ok()));
+  if (!open.ok()) return;
+  families.push_back(Jobs(*counts));
+  AddQueue(*open, families);
+}
+
+MetricFamily Ranges(const DispatchCounts& counts) {
+  MetricFamily family{
+      "slicefarm_ranges_total", "Layer ranges by what became of them", MetricType::Counter, {}};
+  for (const auto& [outcome, count] : {std::pair{"ok", counts.done},
+                                       {"requeued", counts.requeued},
+                                       {"hedged", counts.hedged},
+                                       {"poisoned", counts.poisoned},
+                                       {"differing", counts.differing}}) {
+    family.metric.push_back(
+        Value(MetricType::Counter, static_cast<double>(count), "outcome", outcome));
+  }
+  return family;
+}
+
+void AddFleet(const Fleet& fleet, std::vector<MetricFamily>& families) {
+  int slots = 0;
+  int busy = 0;
+  const auto runners = fleet.Runners();
+  for (const RunnerAtWork& runner : runners) {
+    slots += runner.slots;
+    busy += static_cast<int>(runner.ranges.size());
+  }
+  families.push_back(
+      Gauge("slicefarm_workers", "Workers that have joined", static_cast<double>(runners.size())));
+  families.push_back({"slicefarm_worker_slots",
+                      "Ranges that the workers there are can take at once",
+                      MetricType::Gauge,
+                      {Value(MetricType::Gauge, busy, "state", "busy"),
+                       Value(MetricType::Gauge, std::max(slots - busy, 0), "state", "idle")}});
+}
+
+void AddDisk(const std::string& directory, std::vector<MetricFamily>& families) {
+  const auto disk = DiskOf(directory);
+  if (!disk) return;
+  families.push_back(Gauge("slicefarm_disk_free_bytes", "Free on the disk of the state",
+                           static_cast<double>(disk->available)));
+  families.push_back(Gauge("slicefarm_disk_size_bytes", "Size of the disk of the state",
+                           static_cast<double>(disk->capacity)));
+}
+
+}  // namespace
+
+std::string PriorityName(Priority priority) {
+  switch (priority) {
+    case Priority::kBulk:
+      return "bulk";
+    case Priority::kNormal:
+      return "normal";
+    case Priority::kInteractive:
+      return "interactive";
+  }
+  return "unknown";
+}
+
+std::optional<std::filesystem::space_info> DiskOf(const std::string& directory) {
+  if (directory.empty()) return std::nullopt;
+  std::error_code error;
+  const auto space = std::filesystem::space(directory, error);
+  return error ? std::nullopt : std::optional(space);
+}
+
+double SecondsSince(int64_t us) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto now_us = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+  return std::max(0.0, static_cast<double>(now_us - us) / 1e6);
+}
+
+std::vector<MetricFamily> CoordinatorMetrics::Collect() const {
+  std::vector<MetricFamily> families;
+  AddStore(sources_.jobs, families);
+  families.push_back(Ranges(sources_.dispatcher.Counts()));
+  AddFleet(sources_.fleet, families);
+  AddDisk(sources_.state_dir, families);
+  return families;
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <prometheus/collectable.h>
+#include <prometheus/metric_family.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/dispatch/fleet.h"
+#include "services/coordinator/store/jobs/job_store.h"
+
+namespace slicefarm::coordinator {
+
+/// What the coordinator shows beside its calls and what MeteredJobStore counts; looked up when
+/// Prometheus asks:
+///   slicefarm_jobs{state}                   in the store, as is the next
+///   slicefarm_queue_depth{priority}, slicefarm_queue_age_seconds{priority}
+///   slicefarm_store_up                      0: it does not answer, and the three above are missing
+///   slicefarm_ranges_total{outcome}
+///   slicefarm_workers, slicefarm_worker_slots{state}
+///   slicefarm_disk_free_bytes, slicefarm_disk_size_bytes   of a state directory
+/// Coordinators that share a store all show what is in it: take the maximum over them, not the sum.
+class CoordinatorMetrics : public prometheus::Collectable {
+ public:
+  struct Sources {
+    JobStore& jobs;
+    const Dispatcher& dispatcher;
+    const Fleet& fleet;
+    std::string state_dir;  ///< empty: there is none
+  };
+
+  /// The sources must outlive it.
+  explicit CoordinatorMetrics(Sources sources) : sources_(std::move(sources)) {}
+
+  std::vector<prometheus::MetricFamily> Collect() const override;
+
+ private:
+  const Sources sources_;
+};
+
+/// "bulk", "normal", "interactive".
+std::string PriorityName(Priority priority);
+
+/// Of the disk that a directory lies on; none if it cannot be looked at, or `directory` is empty.
+std::optional<std::filesystem::space_info> DiskOf(const std::string& directory);
+
+/// Seconds since `us`, on the system's clock; not below 0.
+double SecondsSince(int64_t us);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,88 @@
+#include "services/coordinator/server/observe/coordinator_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "common/base/error.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
+#include "services/coordinator/server/observe/metric_values_test.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+int64_t NowUs() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+class CoordinatorMetricsTest : public testing::Test {
+ protected:
+  std::optional<double> Value(const std::string& name,
+                              const std::map<std::string, std::string>& labels = {}) {
+    return MetricValue(metrics_.Collect(), name, labels);
+  }
+
+  void Make(const std::string& id, Priority priority, double age_s) {
+    NewJob job;
+    job.id = id;
+    job.priority = priority;
+    ASSERT_TRUE(jobs_->Create(job, NowUs() - static_cast<int64_t>(age_s * 1e6)).ok());
+  }
+
+  TempDirectory directory_;
+  std::unique_ptr<JobStore> jobs_ = *OpenSqliteJobStore(directory_.path() + "/jobs.db");
+  std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
+  Dispatcher dispatcher_;
+  Fleet fleet_{dispatcher_};
+  CoordinatorMetrics metrics_{{*jobs_, dispatcher_, fleet_, directory_.path()}};
+};
+
+TEST_F(CoordinatorMetricsTest, ShowsTheQueue) {
+  EXPECT_EQ(Value("slicefarm_queue_age_seconds", {{"priority", "bulk"}}), 0);
+  Make("a", Priority::kBulk, 1000);
+  Make("b", Priority::kBulk, 10);
+  Make("c", Priority::kInteractive, 5);
+  EXPECT_EQ(Value("slicefarm_store_up"), 1);
+  EXPECT_EQ(Value("slicefarm_jobs", {{"state", "QUEUED"}}), 3);
+  EXPECT_EQ(Value("slicefarm_jobs", {{"state", "FAILED"}}), 0);
+  EXPECT_EQ(Value("slicefarm_queue_depth", {{"priority", "bulk"}}), 2);
+  EXPECT_EQ(Value("slicefarm_queue_depth", {{"priority", "normal"}}), 0);
+  EXPECT_EQ(Value("slicefarm_queue_depth", {{"priority", "interactive"}}), 1);
+  EXPECT_GE(Value("slicefarm_queue_age_seconds", {{"priority", "bulk"}}), 1000);
+  EXPECT_LT(Value("slicefarm_queue_age_seconds", {{"priority", "interactive"}}), 1000);
+}
+
+TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
+  EXPECT_EQ(Value("slicefarm_workers"), 0);
+  fleet_.Join({.name = "w:1", .ranges = ranges_, .slots = 2});
+  fleet_.Join({.name = "w:2", .ranges = ranges_, .slots = 3});
+  EXPECT_EQ(Value("slicefarm_workers"), 2);
+  EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
+  EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "idle"}}), 5);
+  ranges_->Hold();
+  std::thread job([&] {
+    const std::vector<RangeTask> tasks(1);
+    EXPECT_TRUE(dispatcher_.Execute({}, tasks, {}).ok());
+  });
+  ranges_->AwaitCall();
+  EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 1);
+  EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "idle"}}), 4);
+  ranges_->LetGo();
+  job.join();
+  EXPECT_EQ(Value("slicefarm_ranges_total", {{"outcome", "ok"}}), 1);
+  EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
+}
+
+TEST_F(CoordinatorMetricsTest, ShowsTheDiskOfAStateDirectoryOnly) {
+  EXPECT_GT(Value("slicefarm_disk_size_bytes"), 0);
+  EXPECT_GT(Value("slicefarm_disk_free_bytes"), 0);
+  const CoordinatorMetrics shared({*jobs_, dispatcher_, fleet_, ""});
+  EXPECT_EQ(MetricValue(shared.Collect(), "slicefarm_disk_free_bytes"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "common/rpc/observe/json_log.h"
+#include "common/base/stopwatch.h"
+#include "services/coordinator/remote/stage_pool.h"
+#include "services/coordinator/server/observe/coordinator_metrics.h"
+#include "services/coordinator/server/observe/status_page.h"
+
+namespace slicefarm::coordinator {
+
+/// Looks around in a coordinator for its page /statusz. Thread-safe.
+class StatusBoard {
+ public:
+  struct Sources {
+    std::string name;
+    std::string store;  ///< which one, without secrets
+    std::string state_dir;
+    JobStore& jobs;
+    const Fleet& fleet;
+    std::map<std::string, const StagePool*> stages;
+    rpc::JsonLog log;
+  };
+
+  /// The sources must outlive it.
+  explicit StatusBoard(Sources sources) : sources_(std::move(sources)) {}
+
+  CoordinatorStatus Look() const;
+  std::string Page() const { return StatusPage(Look()); }
+
+ private:
+  const Sources sources_;
+  const Stopwatch uptime_;
+};
+
+}  // namespace slicefarm::coordinator

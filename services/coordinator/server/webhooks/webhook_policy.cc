@@ -1,0 +1,143 @@
+#include "services/coordinator/server/webhooks/webhook_policy.h"
+
+#include <curl/curl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kMinSecretBytes = 16;
+
+struct Url {
+  std::string origin;  ///< scheme, host and port, in their usual form
+  std::string path;
+};
+
+std::string Part(CURLU* url, CURLUPart part, unsigned int flags = 0) {
+  char* text = nullptr;
+  if (curl_url_get(url, part, &text, CURLU_DEFAULT_PORT | flags) != CURLUE_OK) return {};
+  std::string value = text;
+  curl_free(text);
+  return value;
+}
+
+/// nullopt: no URL of http or https, or one with a user's name.
+std::optional<Url> ParseUrl(const std::string& text) {
+  const std::unique_ptr<CURLU, decltype(&curl_url_cleanup)> url(curl_url(), &curl_url_cleanup);
+  if (curl_url_set(url.get(), CURLUPART_URL, text.c_str(), CURLU_DISALLOW_USER) != CURLUE_OK) {
+    return std::nullopt;
+  }
+  const std::string scheme = Part(url.get(), CURLUPART_SCHEME);
+  if (scheme != "http" && scheme != "https") return std::nullopt;
+  // A receiver may decode it before it resolves it.
+  const std::string decoded = Part(url.get(), CURLUPART_PATH, CURLU_URLDECODE);
+  if (decoded.empty()) return std::nullopt;  // control characters
+  if ((decoded + "/").find("/../") != std::string::npos) return std::nullopt;
+  std::string host = Part(url.get(), CURLUPART_HOST);
+  std::ranges::transform(host, host.begin(), [](unsigned char c) { return std::tolower(c); });
+  return Url{fmt::format("{}://{}:{}", scheme, host, Part(url.get(), CURLUPART_PORT)),
+             Part(url.get(), CURLUPART_PATH)};
+}
+
+bool IsBelow(const std::string& path, const std::string& parent) {
+  if (!path.starts_with(parent)) return false;
+  return path.size() == parent.size() || parent.ends_with('/') || path[parent.size()] == '/';
+}
+
+absl::Status Invalid(const std::string& tenant, std::string_view key, std::string_view why) {
+  return absl::InvalidArgumentError(fmt::format("webhooks: \"{}\": {}: {}", tenant, key, why));
+}
+
+absl::Status TakeAllow(const std::string& tenant, const Json& value, WebhookRules& rules) {
+  if (!value.is_array()) return Invalid(tenant, "allow", "a list of URLs is needed");
+  for (const Json& url : value) {
+    if (!url.is_string() || !ParseUrl(url.get<std::string>())) {
+      return Invalid(tenant, "allow", fmt::format("{} is no http(s) URL", url.dump()));
+    }
+    rules.allow.push_back(url.get<std::string>());
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<WebhookRules> RulesFrom(const std::string& tenant, const Json& json) {
+  if (!json.is_object()) return Invalid(tenant, "its value", "an object is needed");
+  WebhookRules rules;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "allow") {
+      if (absl::Status taken = TakeAllow(tenant, value, rules); !taken.ok()) return taken;
+    } else if (key == "secret" && value.is_string()) {
+      rules.secret = value.get<std::string>();
+    } else if (key == "private" && value.is_boolean()) {
+      rules.private_addresses = value.get<bool>();
+    } else {
+      return Invalid(tenant, key, "is unknown, or of another type");
+    }
+  }
+  if (rules.secret.size() >= kMinSecretBytes) return rules;
+  return Invalid(tenant, "secret", fmt::format("{} bytes or more are needed", kMinSecretBytes));
+}
+
+absl::Status Refused(const std::string& url, std::string_view why) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kWebhookRefused,
+                   fmt::format("webhook {}: {}", url, why), {{"url", url}});
+}
+
+}  // namespace
+
+absl::StatusOr<WebhookPolicy> WebhookPolicy::Parse(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return absl::InvalidArgumentError("webhooks: a JSON object is needed");
+  WebhookPolicy policy;
+  for (const auto& [tenant, value] : json.items()) {
+    auto rules = RulesFrom(tenant, value);
+    if (!rules.ok()) return rules.status();
+    policy.rules_[tenant] = *std::move(rules);
+  }
+  return policy;
+}
+
+absl::StatusOr<WebhookPolicy> WebhookPolicy::Read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    return absl::InvalidArgumentError(fmt::format("webhooks: {} cannot be read", path));
+  }
+  return Parse(text.str());
+}
+
+absl::Status WebhookPolicy::Check(const std::string& tenant, const std::string& url) const {
+  if (std::ssize(url) > limits::kMaxUrlBytes) {
+    return LimitError(Reason::kRequestTooLarge, "bytes of a URL", limits::kMaxUrlBytes,
+                      std::ssize(url));
+  }
+  const WebhookRules* rules = RulesOf(tenant);
+  if (rules == nullptr) return Refused(url, "this farm sends none");
+  const std::optional<Url> wanted = ParseUrl(url);
+  if (!wanted) return Refused(url, "is no http(s) URL, or names a user");
+  for (const std::string& entry : rules->allow) {
+    const std::optional<Url> allowed = ParseUrl(entry);
+    if (allowed->origin == wanted->origin && IsBelow(wanted->path, allowed->path)) {
+      return absl::OkStatus();
+    }
+  }
+  return Refused(url, "is not among the places that are allowed");
+}
+
+const WebhookRules* WebhookPolicy::RulesOf(const std::string& tenant) const {
+  const auto found = rules_.find(tenant);
+  return found == rules_.end() ? nullptr : &found->second;
+}
+
+}  // namespace slicefarm::coordinator

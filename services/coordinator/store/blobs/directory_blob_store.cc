@@ -1,0 +1,338 @@
+#include "services/coordinator/store/blobs/directory_blob_store.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "services/coordinator/store/blobs/blob_errors.h"
+#include "services/coordinator/store/blobs/posix_file.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kReadBytes = 1 << 20;
+
+using Lock = std::lock_guard<std::mutex>;
+
+absl::StatusOr<std::string> DigestOf(const PosixFile& file) {
+  Sha256 sha;
+  for (int64_t offset = 0;;) {
+    const auto bytes = file.ReadAt(offset, kReadBytes);
+    if (!bytes.ok()) return bytes.status();
+    if (bytes->empty()) return sha.Hex();
+    sha.Add(*bytes);
+    offset += static_cast<int64_t>(bytes->size());
+  }
+}
+
+/// Since the file was last written or touched; none if it is not there.
+std::optional<double> IdleSeconds(const std::filesystem::path& path) {
+  std::error_code gone;
+  const auto written = std::filesystem::last_write_time(path, gone);
+  if (gone) return std::nullopt;
+  const auto now = std::filesystem::file_time_type::clock::now();
+  return std::chrono::duration<double>(now - written).count();
+}
+
+absl::Status WriteDurably(const std::string& path, std::string_view bytes) {
+  const auto file = PosixFile::OpenToWrite(path);
+  if (!file.ok()) return file.status();
+  if (absl::Status written = file->WriteAt(0, bytes); !written.ok()) return written;
+  return file->Sync();
+}
+
+class FileReader : public BlobReader {
+ public:
+  FileReader(PosixFile file, int64_t size) : file_(std::move(file)), size_(size) {}
+  int64_t size() const override { return size_; }
+
+ private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    return file_.ReadAt(offset, count);
+  }
+
+  PosixFile file_;
+  int64_t size_;
+};
+
+absl::Status ListError(const std::string& path, const std::error_code& error) {
+  return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed,
+                   absl::StrCat("list ", path, ": ", error.message()));
+}
+
+absl::StatusOr<PosixFile> OpenBlob(const std::string& path, const std::string& digest) {
+  auto file = PosixFile::OpenToRead(path);
+  if (!absl::IsNotFound(file.status())) return file;
+  return BlobNotFound(digest);
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> DirectoryBlobStore::OpenAt(
+    const std::string& root) {
+  for (const char* part : {"/blobs", "/uploads", "/tmp", "/corrupt"}) {
+    if (absl::Status made = MakeDirectory(root + part); !made.ok()) return made;
+  }
+  std::unique_ptr<DirectoryBlobStore> store(new DirectoryBlobStore(root));
+  if (absl::Status removed = store->RemoveLeftovers(); !removed.ok()) return removed;
+  return store;
+}
+
+/// What was being written when the last process ended, and uploads of blobs that are there.
+absl::Status DirectoryBlobStore::RemoveLeftovers() const {
+  namespace fs = std::filesystem;
+  for (const auto& [part, all] : {std::pair("/tmp", true), std::pair("/uploads", false)}) {
+    std::error_code error;
+    fs::directory_iterator files(root_ + part, error);
+    for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+      if (!all && !fs::exists(BlobPath(files->path().filename()), error)) continue;
+      if (absl::Status removed = RemoveFile(files->path()); !removed.ok()) return removed;
+    }
+    if (error) return ListError(root_ + part, error);
+  }
+  return absl::OkStatus();
+}
+
+std::string DirectoryBlobStore::FolderOf(const std::string& digest) const {
+  return absl::StrCat(root_, "/blobs/", digest.substr(0, 2));
+}
+
+std::string DirectoryBlobStore::BlobPath(const std::string& digest) const {
+  return absl::StrCat(FolderOf(digest), "/", digest);
+}
+
+std::string DirectoryBlobStore::UploadPath(const std::string& digest) const {
+  return absl::StrCat(root_, "/uploads/", digest);
+}
+
+std::mutex& DirectoryBlobStore::MutexOf(const std::string& digest) {
+  return mutexes_[std::hash<std::string>()(digest) % mutexes_.size()];
+}
+
+absl::StatusOr<BlobStatus> DirectoryBlobStore::StatusLocked(const std::string& digest) {
+  for (const bool complete : {true, false}) {
+    const auto file = PosixFile::OpenToRead(complete ? BlobPath(digest) : UploadPath(digest));
+    if (absl::IsNotFound(file.status())) continue;
+    if (!file.ok()) return file.status();
+    const auto size = file->Size();
+    if (!size.ok()) return size.status();
+    if (complete) {
+      if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+    }
+    return BlobStatus{*size, complete};
+  }
+  return BlobStatus{};
+}
+
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  return StatusLocked(digest);
+}
+
+/// What is complete counts as used from now on.
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Used(const std::string& digest,
+                                                    const BlobStatus& status) const {
+  if (absl::Status done = TouchFile(BlobPath(digest)); !done.ok()) return done;
+  return status;
+}
+
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest, int64_t offset,
+                                                      std::string_view bytes) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  auto status = StatusLocked(digest);
+  if (!status.ok() || status->complete) return status;
+  const int64_t committed = status->committed_size;
+  if (offset < 0 || offset > committed) return UploadOffset(digest, committed, offset);
+  const auto known = std::min<int64_t>(committed - offset, static_cast<int64_t>(bytes.size()));
+  bytes.remove_prefix(known);
+  if (bytes.empty()) return status;
+  const auto file = PosixFile::OpenToWrite(UploadPath(digest));
+  if (!file.ok()) return file.status();
+  if (absl::Status written = file->WriteAt(committed, bytes); !written.ok()) {
+    file->Truncate(committed).IgnoreError();
+    return written;
+  }
+  if (committed == 0) {
+    Lock doubts(doubts_mutex_);
+    written_here_.insert(digest);
+  }
+  status->committed_size += static_cast<int64_t>(bytes.size());
+  return status;
+}
+
+/// Makes the folder if need be. Afterwards the names that it had before are on disk.
+absl::Status DirectoryBlobStore::Settle(const std::string& folder) {
+  Lock lock(doubts_mutex_);
+  if (settled_.contains(folder)) return absl::OkStatus();
+  if (absl::Status made = MakeDirectory(folder); !made.ok()) return made;
+  if (absl::Status synced = SyncDirectory(folder); !synced.ok()) return synced;
+  settled_.insert(folder);
+  return absl::OkStatus();
+}
+
+/// A file whose bytes are on disk becomes the blob.
+absl::Status DirectoryBlobStore::Complete(const std::string& file, const std::string& digest) {
+  const std::string folder = FolderOf(digest);
+  if (absl::Status settled = Settle(folder); !settled.ok()) return settled;
+  if (absl::Status renamed = RenameFile(file, BlobPath(digest)); !renamed.ok()) return renamed;
+  absl::Status synced = SyncDirectory(folder);
+  if (!synced.ok()) {
+    Lock lock(doubts_mutex_);
+    settled_.erase(folder);
+  }
+  return synced;
+}
+
+absl::Status DirectoryBlobStore::SyncUpload(const std::string& digest, const PosixFile& file) {
+  const bool dirty = [&] {
+    Lock lock(doubts_mutex_);
+    return written_here_.erase(digest) > 0;
+  }();
+  return dirty ? file.Sync() : file.SyncAnew();
+}
+
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest, int64_t size) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  const auto status = StatusLocked(digest);
+  if (!status.ok()) return status;
+  if (status->complete) return Used(digest, *status);
+  if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
+  const std::string path = UploadPath(digest);
+  const auto file = PosixFile::OpenToWrite(path);  // also makes the file of an empty blob
+  if (!file.ok()) return file.status();
+  const auto got = DigestOf(*file);
+  if (!got.ok()) return got.status();
+  if (*got != digest) {
+    if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    Lock doubts(doubts_mutex_);
+    written_here_.erase(digest);
+    return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
+  }
+  if (absl::Status synced = SyncUpload(digest, *file); !synced.ok()) return synced;
+  if (absl::Status done = Complete(path, digest); !done.ok()) return done;
+  return BlobStatus{status->committed_size, /*complete=*/true};
+}
+
+/// A good blob is there already, and counts as used. An unreadable one is to be mended.
+absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
+  const auto file = PosixFile::OpenToRead(BlobPath(digest));
+  if (!file.ok()) return false;
+  const auto got = DigestOf(*file);
+  if (!got.ok() || *got != digest) return false;
+  if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
+  if (absl::Status touched = TouchFile(BlobPath(digest)); !touched.ok()) return touched;
+  return true;
+}
+
+absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
+  const std::string digest = Sha256Hex(bytes);
+  Lock lock(MutexOf(digest));
+  const auto here = HasGood(digest);
+  if (!here.ok()) return here.status();
+  if (*here) return digest;
+  const std::string path = absl::StrCat(root_, "/tmp/", next_tmp_++);
+  absl::Status written = WriteDurably(path, bytes);
+  if (written.ok()) written = Complete(path, digest);
+  if (!written.ok()) {
+    RemoveFile(path).IgnoreError();
+    return written;
+  }
+  return digest;
+}
+
+/// Puts a damaged blob aside, unless a good one has taken its place since it was read.
+absl::Status DirectoryBlobStore::Corrupt(const std::string& digest, const std::string& got) {
+  Lock lock(MutexOf(digest));
+  const auto file = OpenBlob(BlobPath(digest), digest);
+  if (absl::IsNotFound(file.status()))
+    return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
+  if (!file.ok()) return file.status();
+  const auto now = DigestOf(*file);
+  if (!now.ok()) return now.status();
+  if (*now != digest) {
+    const std::string aside = absl::StrCat(root_, "/corrupt/", digest);
+    // If a power cut left half of a rename, this is the same file, and to rename it does nothing.
+    if (absl::Status removed = RemoveFile(aside); !removed.ok()) return removed;
+    if (absl::Status moved = RenameFile(BlobPath(digest), aside); !moved.ok()) return moved;
+  }
+  return BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> DirectoryBlobStore::Open(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  auto file = OpenBlob(BlobPath(digest), digest);
+  if (!file.ok()) return file.status();
+  const auto got = DigestOf(*file);
+  if (!got.ok()) return got.status();
+  if (*got != digest) return Corrupt(digest, *got);
+  const auto size = file->Size();
+  if (!size.ok()) return size.status();
+  return std::make_unique<FileReader>(*std::move(file), *size);
+}
+
+absl::StatusOr<std::string> DirectoryBlobStore::Get(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto file = OpenBlob(BlobPath(digest), digest);
+  if (!file.ok()) return file.status();
+  const auto size = file->Size();
+  if (!size.ok()) return size.status();
+  auto bytes = file->ReadAt(0, *size);
+  if (!bytes.ok()) return bytes.status();
+  const std::string got = Sha256Hex(*bytes);
+  if (got != digest) return Corrupt(digest, got);
+  return bytes;
+}
+
+absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  const auto status = StatusLocked(digest);
+  return status.ok() && status->complete ? Used(digest, *status) : status;
+}
+
+absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  Lock lock(MutexOf(digest));
+  bool deleted = false;
+  for (const std::string& path : {BlobPath(digest), UploadPath(digest)}) {
+    const auto idle = IdleSeconds(path);
+    if (!idle || *idle < idle_s) continue;
+    if (absl::Status removed = RemoveFile(path); !removed.ok()) return removed;
+    deleted = true;
+  }
+  if (deleted) {
+    Lock doubts(doubts_mutex_);
+    written_here_.erase(digest);
+  }
+  return deleted;
+}
+
+absl::Status DirectoryBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
+  namespace fs = std::filesystem;
+  for (const bool complete : {true, false}) {
+    std::error_code error;
+    fs::recursive_directory_iterator files(root_ + (complete ? "/blobs" : "/uploads"), error);
+    for (; !error && files != fs::recursive_directory_iterator(); files.increment(error)) {
+      std::error_code gone;
+      BlobEntry entry{files->path().filename(), 0, complete, 0};
+      if (!files->is_regular_file(gone) || !IsSha256Hex(entry.digest)) continue;
+      entry.size = static_cast<int64_t>(files->file_size(gone));
+      const auto idle = IdleSeconds(files->path());
+      if (gone || !idle) continue;
+      entry.idle_s = *idle;
+      visit(entry);
+    }
+    if (error) return ListError(root_, error);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "services/coordinator/store/blobs/blob_store.h"
+#include "services/coordinator/store/blobs/posix_file.h"
+
+namespace slicefarm::coordinator {
+
+/// Blobs in a directory of this machine:
+///
+///   blobs/ab/abcd...   complete ones: written elsewhere, fsynced, renamed, the folder fsynced
+///   uploads/abcd...    what came of an upload so far
+///   tmp/               what Put is writing; emptied at the start
+///   corrupt/abcd...    blobs whose bytes had changed when they were read: out of the way of a new
+///   upload
+class DirectoryBlobStore : public BlobStore {
+ public:
+  /// Makes the directory if need be. REQUIRES: no other process uses it.
+  static absl::StatusOr<std::unique_ptr<DirectoryBlobStore>> OpenAt(const std::string& root);
+
+  absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
+  absl::StatusOr<BlobStatus> Keep(const std::string& digest) override;
+  absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
+                                    std::string_view bytes) override;
+  absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
+  absl::StatusOr<std::string> Put(std::string_view bytes) override;
+  absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
+  absl::StatusOr<std::string> Get(const std::string& digest) override;
+  absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
+  absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
+
+ private:
+  explicit DirectoryBlobStore(std::string root) : root_(std::move(root)) {}
+
+  absl::Status RemoveLeftovers() const;
+  std::string FolderOf(const std::string& digest) const;
+  std::string BlobPath(const std::string& digest) const;
+  std::string UploadPath(const std::string& digest) const;
+  std::mutex& MutexOf(const std::string& digest);
+  absl::StatusOr<BlobStatus> StatusLocked(const std::string& digest);
+  absl::StatusOr<BlobStatus> Used(const std::string& digest, const BlobStatus& status) const;
+  absl::Status SyncUpload(const std::string& digest, const PosixFile& file);
+  absl::StatusOr<bool> HasGood(const std::string& digest);
+  absl::Status Corrupt(const std::string& digest, const std::string& got);
+  absl::Status Settle(const std::string& folder);
+  absl::Status Complete(const std::string& file, const std::string& digest);
+
+  const std::string root_;
+  std::array<std::mutex, 16> mutexes_;  ///< one write to a blob at a time
+  std::atomic<int64_t> next_tmp_ = 0;
+
+  std::mutex doubts_mutex_;
+  /// Folders of blobs whose names are on disk for certain. Not so at the start, as an earlier life
+  /// may have ended between a rename and its fsync; not so after an fsync that failed.
+  std::set<std::string> settled_;
+  /// Uploads of which this process wrote all bytes and has not tried to fsync them; others need
+  /// PosixFile::SyncAnew.
+  std::set<std::string> written_here_;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,312 @@
+#include "services/coordinator/store/blobs/postgres_blob_store.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "common/base/sha256.h"
+#include "services/coordinator/store/blobs/blob_errors.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int64_t kPieceBytes = 1 << 20;
+constexpr int32_t kListed = 1000;  ///< blobs a query
+
+/// Of a row.
+struct Key {
+  std::string tenant;
+  std::string digest;
+};
+
+absl::StatusOr<BlobStatus> SelectStatus(SqlConnection& db, const Key& key, bool lock) {
+  SqlQuery query(
+      db, lock ? "SELECT size, complete FROM blobs WHERE tenant = ? AND digest = ? FOR UPDATE"
+               : "SELECT size, complete FROM blobs WHERE tenant = ? AND digest = ?");
+  BlobStatus status;
+  if (query.Bind(key.tenant, key.digest).Next()) status = {query.Int(0), query.Int(1) != 0};
+  if (!query.status().ok()) return query.status();
+  return status;
+}
+
+/// Makes the blob's row if there is none, and holds it: one write to a blob at a time.
+absl::StatusOr<BlobStatus> LockBlob(SqlConnection& db, const Key& key) {
+  SqlQuery make(db,
+                "INSERT INTO blobs (tenant, digest, size, complete) VALUES (?, ?, 0, 0)"
+                " ON CONFLICT DO NOTHING");
+  if (absl::Status done = make.Bind(key.tenant, key.digest).Run(); !done.ok()) return done;
+  return SelectStatus(db, key, /*lock=*/true);
+}
+
+absl::Status AddPiece(SqlConnection& db, const Key& key, int64_t at, std::string_view bytes) {
+  SqlQuery add(db, "INSERT INTO blob_pieces (tenant, digest, at, bytes) VALUES (?, ?, ?, ?)");
+  return add.Bind(key.tenant, key.digest, at, Blob{bytes}).Run();
+}
+
+absl::Status SetStatus(SqlConnection& db, const Key& key, const BlobStatus& status) {
+  SqlQuery set(db,
+               "UPDATE blobs SET size = ?, complete = ?, touched = now()"
+               " WHERE tenant = ? AND digest = ?");
+  return set.Bind(status.committed_size, status.complete, key.tenant, key.digest).Run();
+}
+
+absl::Status Remove(SqlConnection& db, const Key& key) {
+  SqlQuery remove(db, "DELETE FROM blobs WHERE tenant = ? AND digest = ?");
+  return remove.Bind(key.tenant, key.digest).Run();
+}
+
+/// Up to `limit` bytes from `offset` on.
+absl::StatusOr<std::string> ReadBytes(SqlConnection& db, const Key& key, int64_t offset,
+                                      int64_t limit) {
+  SqlQuery query(db,
+                 "SELECT at, bytes FROM blob_pieces WHERE tenant = ? AND digest = ? AND at < ?"
+                 " AND at >= (SELECT max(at) FROM blob_pieces"
+                 "  WHERE tenant = ? AND digest = ? AND at <= ?) ORDER BY at");
+  query.Bind(key.tenant, key.digest, offset + limit, key.tenant, key.digest, offset);
+  std::string bytes;
+  while (query.Next()) {
+    const std::string piece = query.Text(1);
+    const auto have = static_cast<int64_t>(bytes.size());
+    const int64_t skip = offset + have - query.Int(0);
+    if (skip < 0 || skip > static_cast<int64_t>(piece.size())) break;  // a piece is missing
+    bytes.append(piece, skip, limit - have);
+  }
+  if (!query.status().ok()) return query.status();
+  return bytes;
+}
+
+/// All bytes that are there, piece by piece: a mesh of 2 GB in one answer would need as much memory
+/// again, and more time than a statement has. Returns their digest.
+absl::StatusOr<std::string> ReadPieces(SqlConnection& db, const Key& key,
+                                       const std::function<void(const std::string&)>& visit) {
+  Sha256 sha;
+  for (int64_t offset = 0;;) {
+    const auto bytes = ReadBytes(db, key, offset, kPieceBytes);
+    if (!bytes.ok()) return bytes.status();
+    if (bytes->empty()) return sha.Hex();
+    sha.Add(*bytes);
+    visit(*bytes);
+    offset += static_cast<int64_t>(bytes->size());
+  }
+}
+
+absl::StatusOr<std::string> DigestOf(SqlConnection& db, const Key& key) {
+  return ReadPieces(db, key, [](const std::string&) {});
+}
+
+/// Of a blob that is complete. Errors: BLOB_NOT_FOUND.
+absl::StatusOr<int64_t> SizeOf(SqlConnection& db, const Key& key) {
+  const auto status = SelectStatus(db, key, /*lock=*/false);
+  if (!status.ok()) return status.status();
+  if (!status->complete) return BlobNotFound(key.digest);
+  return status->committed_size;
+}
+
+class PostgresReader : public BlobReader {
+ public:
+  PostgresReader(std::shared_ptr<SqlDatabase> database, Key key, int64_t size)
+      : database_(std::move(database)), key_(std::move(key)), size_(size) {}
+
+  int64_t size() const override { return size_; }
+
+ private:
+  absl::StatusOr<std::string> ReadWithin(int64_t offset, int64_t count) override {
+    const auto session = database_->Read();
+    if (!session.ok()) return session.status();
+    return ReadBytes(**session, key_, offset, count);
+  }
+
+  const std::shared_ptr<SqlDatabase> database_;
+  const Key key_;
+  const int64_t size_;
+};
+
+}  // namespace
+
+absl::StatusOr<BlobStatus> PostgresBlobStore::Status(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return SelectStatus(**session, {tenant_, digest}, /*lock=*/false);
+}
+
+absl::StatusOr<BlobStatus> PostgresBlobStore::Append(const std::string& digest, int64_t offset,
+                                                     std::string_view bytes) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlConnection& db = **session;
+  const Key key = {tenant_, digest};
+  SqlTransaction transaction(db);
+  if (!transaction.status().ok()) return transaction.status();
+  // An upload is acknowledged by Finish, which waits for the disk; a chunk need not.
+  absl::Status done = SqlQuery(db, "SET LOCAL synchronous_commit = off").Run();
+  if (!done.ok()) return done;
+  auto status = LockBlob(db, key);
+  if (!status.ok() || status->complete) return status;
+  const int64_t committed = status->committed_size;
+  if (offset < 0 || offset > committed) return UploadOffset(digest, committed, offset);
+  bytes.remove_prefix(std::min<int64_t>(committed - offset, static_cast<int64_t>(bytes.size())));
+  if (bytes.empty()) return status;
+  if (done = AddPiece(db, key, committed, bytes); !done.ok()) return done;
+  status->committed_size += static_cast<int64_t>(bytes.size());
+  if (done = SetStatus(db, key, *status); !done.ok()) return done;
+  if (done = transaction.Commit(); !done.ok()) return done;
+  return status;
+}
+
+absl::StatusOr<BlobStatus> PostgresBlobStore::Finish(const std::string& digest, int64_t size) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlConnection& db = **session;
+  const Key key = {tenant_, digest};
+  SqlTransaction transaction(db);
+  if (!transaction.status().ok()) return transaction.status();
+  auto status = LockBlob(db, key);
+  if (!status.ok()) return status;
+  if (!status->complete) {
+    if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
+    const auto got = DigestOf(db, key);
+    if (!got.ok()) return got.status();
+    if (*got != digest) {
+      if (absl::Status done = Remove(db, key); !done.ok()) return done;
+      if (absl::Status done = transaction.Commit(); !done.ok()) return done;
+      return BlobMismatch(absl::StatusCode::kInvalidArgument, digest, *got);
+    }
+    status->complete = true;
+  }
+  if (absl::Status done = SetStatus(db, key, *status); !done.ok()) return done;
+  if (absl::Status done = transaction.Commit(); !done.ok()) return done;
+  return status;
+}
+
+absl::StatusOr<std::string> PostgresBlobStore::Put(std::string_view bytes) {
+  const std::string digest = Sha256Hex(bytes);
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlConnection& db = **session;
+  const Key key = {tenant_, digest};
+  SqlTransaction transaction(db);
+  if (!transaction.status().ok()) return transaction.status();
+  const auto old = LockBlob(db, key);
+  if (!old.ok()) return old.status();
+  const auto got = old->complete ? DigestOf(db, key) : std::string();
+  if (!got.ok()) return got.status();
+  if (*got != digest) {  // nothing, a part of it, or a damaged one
+    SqlQuery clear(db, "DELETE FROM blob_pieces WHERE tenant = ? AND digest = ?");
+    if (absl::Status done = clear.Bind(tenant_, digest).Run(); !done.ok()) return done;
+    for (size_t at = 0; at < bytes.size(); at += kPieceBytes) {
+      absl::Status done =
+          AddPiece(db, key, static_cast<int64_t>(at), bytes.substr(at, kPieceBytes));
+      if (!done.ok()) return done;
+    }
+  }
+  absl::Status done = SetStatus(db, key, {static_cast<int64_t>(bytes.size()), true});
+  if (!done.ok()) return done;
+  if (done = transaction.Commit(); !done.ok()) return done;
+  return digest;
+}
+
+/// Puts a damaged blob aside, unless a good one has taken its place since it was read.
+absl::Status PostgresBlobStore::Corrupt(const std::string& digest, const std::string& got) {
+  const absl::Status damaged = BlobMismatch(absl::StatusCode::kDataLoss, digest, got);
+  const auto session = database_->Write();
+  if (!session.ok()) return damaged;
+  SqlConnection& db = **session;
+  const Key key = {tenant_, digest};
+  SqlTransaction transaction(db);
+  if (!transaction.status().ok() || !SelectStatus(db, key, /*lock=*/true).ok()) return damaged;
+  if (const auto now = DigestOf(db, key); !now.ok() || *now == digest) return damaged;
+  const Key aside = {tenant_, "corrupt/" + digest};
+  SqlQuery move(db, "UPDATE blobs SET digest = ?, complete = 0 WHERE tenant = ? AND digest = ?");
+  if (Remove(db, aside).ok() && move.Bind(aside.digest, tenant_, digest).Run().ok()) {
+    transaction.Commit().IgnoreError();  // the damage is what counts
+  }
+  return damaged;
+}
+
+/// Reads a blob and checks it against its name; its bytes go to `bytes`, if that is not null.
+/// Returns its size.
+absl::StatusOr<int64_t> PostgresBlobStore::Check(const std::string& digest, std::string* bytes) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const Key key = {tenant_, digest};
+  auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const auto size = SizeOf(**session, key);
+  if (!size.ok()) return size;
+  if (bytes != nullptr) bytes->reserve(*size);
+  const auto got = ReadPieces(**session, key, [&](const std::string& piece) {
+    if (bytes != nullptr) *bytes += piece;
+  });
+  session->reset();
+  if (!got.ok()) return got.status();
+  if (*got != digest) return Corrupt(digest, *got);
+  return size;
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::Open(const std::string& digest) {
+  const auto size = Check(digest, /*bytes=*/nullptr);
+  if (!size.ok()) return size.status();
+  return std::make_unique<PostgresReader>(database_, Key{tenant_, digest}, *size);
+}
+
+absl::StatusOr<std::string> PostgresBlobStore::Get(const std::string& digest) {
+  std::string bytes;
+  if (const auto size = Check(digest, &bytes); !size.ok()) return size.status();
+  return bytes;
+}
+
+absl::StatusOr<BlobStatus> PostgresBlobStore::Keep(const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery touch(**session,
+                 "UPDATE blobs SET touched = now()"
+                 " WHERE tenant = ? AND digest = ? AND complete = 1");
+  if (absl::Status done = touch.Bind(tenant_, digest).Run(); !done.ok()) return done;
+  return SelectStatus(**session, {tenant_, digest}, /*lock=*/false);
+}
+
+absl::StatusOr<bool> PostgresBlobStore::Delete(const std::string& digest, double idle_s) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery remove(**session,
+                  "DELETE FROM blobs WHERE tenant = ? AND digest = ?"
+                  " AND touched <= now() - ? * interval '1 microsecond' RETURNING digest");
+  remove.Bind(tenant_, digest, static_cast<int64_t>(idle_s * 1e6));
+  bool deleted = false;
+  while (remove.Next()) deleted = true;
+  if (!remove.status().ok()) return remove.status();
+  return deleted;
+}
+
+absl::Status PostgresBlobStore::ForEach(const std::function<void(const BlobEntry&)>& visit) {
+  std::string after;
+  for (bool more = true; more;) {
+    std::vector<BlobEntry> page;
+    {
+      const auto session = database_->Read();
+      if (!session.ok()) return session.status();
+      SqlQuery query(**session,
+                     "SELECT digest, size, complete,"
+                     " (extract(epoch FROM now() - touched) * 1000000)::BIGINT FROM blobs"
+                     " WHERE tenant = ? AND digest > ? AND digest NOT LIKE 'corrupt/%' ORDER BY "
+                     "digest LIMIT ?");
+      query.Bind(tenant_, after, kListed);
+      while (query.Next()) {
+        page.push_back({query.Text(0), query.Int(1), query.Int(2) != 0,
+                        static_cast<double>(query.Int(3)) * 1e-6});
+      }
+      if (!query.status().ok()) return query.status();
+    }
+    for (const BlobEntry& entry : page) visit(entry);
+    more = static_cast<int32_t>(page.size()) == kListed;
+    if (more) after = page.back().digest;
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/coordinator/store/blobs/blob_store.h"
+#include "services/coordinator/store/sql/sql.h"
+
+namespace slicefarm::coordinator {
+
+/// A tenant's blobs in the tables `blobs` and `blob_pieces` of `deploy/postgres`, for coordinators
+/// that share them.
+/// Damaged ones go under the name `corrupt/DIGEST`. Of an upload, what came in the last moments
+/// before the database was killed may be missing; a complete blob is on disk.
+class PostgresBlobStore : public BlobStore {
+ public:
+  explicit PostgresBlobStore(std::shared_ptr<SqlDatabase> database, std::string tenant = "")
+      : database_(std::move(database)), tenant_(std::move(tenant)) {}
+
+  absl::StatusOr<BlobStatus> Status(const std::string& digest) override;
+  absl::StatusOr<BlobStatus> Keep(const std::string& digest) override;
+  absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
+                                    std::string_view bytes) override;
+  absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
+  absl::StatusOr<std::string> Put(std::string_view bytes) override;
+  absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
+  absl::StatusOr<std::string> Get(const std::string& digest) override;
+  absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
+  absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
+
+ private:
+  absl::StatusOr<int64_t> Check(const std::string& digest, std::string* bytes);
+  absl::Status Corrupt(const std::string& digest, const std::string& got);
+
+  const std::shared_ptr<SqlDatabase> database_;  // shared with the readers that it gave
+  const std::string tenant_;
+};
+
+}  // namespace slicefarm::coordinator

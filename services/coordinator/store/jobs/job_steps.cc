@@ -1,0 +1,107 @@
+#include "services/coordinator/store/jobs/job_steps.h"
+
+#include <fmt/format.h>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/rpc/status_mapping.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+void LetGo(JobRecord& job, int64_t claimable_from_us) {
+  job.owner.clear();
+  job.owner_until_us = claimable_from_us;
+}
+
+}  // namespace
+
+absl::Status ApplyUpdate(JobRecord& job, const Lease& lease, const JobUpdate& update,
+                         int64_t now_us) {
+  if (job.owner_epoch != lease.epoch || job.owner.empty() || IsTerminal(job.state)) {
+    return NotHeld(lease);
+  }
+  // Who was asked to end it and puts it back instead did not know: nobody is to wait for the rest.
+  const bool ends = update.state == JobState::kQueued && job.cancel_requested;
+  const JobState to = ends ? JobState::kCancelled : update.state;
+  const bool begins = job.state == JobState::kQueued && to == JobState::kRunning;
+  if (to != job.state && !MayFollow(job.state, to)) {
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     fmt::format("job {} cannot go from {} to {}", job.id, JobStateName(job.state),
+                                 JobStateName(to)));
+  }
+  job.state = to;
+  job.layers_total = update.layers_total;
+  job.layers_done = update.layers_done;
+  job.error = update.error;
+  job.result = update.result;
+  if (!update.trace_sha256.empty()) job.trace_sha256 = update.trace_sha256;
+  if (update.retry) ++job.retries;
+  if (update.store_failed) ++job.store_failures;
+  job.lost_runs = update.lost_runs;
+  if (begins && job.start_us == 0) job.start_us = now_us;
+  if (IsTerminal(job.state)) job.end_us = now_us;
+  if (IsTerminal(job.state)) LetGo(job, 0);
+  if (job.state == JobState::kQueued) LetGo(job, update.claimable_from_us);
+  return absl::OkStatus();
+}
+
+bool ApplyCancel(JobRecord& job, int64_t now_us) {
+  if (IsTerminal(job.state)) return false;
+  const bool at_once = job.state == JobState::kQueued && job.owner.empty();
+  // Who was to end it may have let it go meanwhile, by its death.
+  if (job.cancel_requested && !at_once) return false;
+  job.cancel_requested = true;
+  if (!at_once) return true;
+  job.state = JobState::kCancelled;
+  job.end_us = now_us;
+  ++job.owner_epoch;
+  LetGo(job, 0);
+  return true;
+}
+
+bool ApplyOverdue(JobRecord& job, const JobError& error, int64_t now_us) {
+  const bool held = !job.owner.empty() && job.owner_until_us > now_us;
+  const bool waits = !IsTerminal(job.state) && !held && !job.cancel_requested;
+  if (!waits || job.deadline_us > now_us) return false;
+  job.state = JobState::kFailed;
+  job.error = error;
+  job.end_us = now_us;
+  ++job.owner_epoch;
+  LetGo(job, 0);
+  return true;
+}
+
+absl::Status NotHeld(const Lease& lease) {
+  return absl::AbortedError(
+      absl::StrCat("job ", lease.job_id, " is not held in epoch ", lease.epoch));
+}
+
+absl::Status JobNotFound(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kJobNotFound,
+                   absl::StrCat("there is no job ", id), {{"job", id}});
+}
+
+absl::Status JobNotFinished(const std::string& id) {
+  return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kJobNotFinished,
+                   absl::StrCat("job ", id, " has not ended"), {{"job", id}});
+}
+
+absl::Status CachedResultGone(const std::string& id) {
+  return MakeError(absl::StatusCode::kNotFound, Reason::kBlobNotFound,
+                   absl::StrCat("the cached result for job ", id, " was deleted meanwhile"));
+}
+
+absl::Status RequestIdReused(const std::string& request_id) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestIdReused,
+                   absl::StrCat("request_id ", request_id, " was used for another job"),
+                   {{"request_id", request_id}});
+}
+
+absl::Status QueueFull(int64_t limit) {
+  return MakeError(absl::StatusCode::kResourceExhausted, Reason::kQueueFull,
+                   absl::StrCat("there are ", limit, " jobs already that have not ended"),
+                   {{"limit", absl::StrCat(limit)}, {rpc::kRetryAfterMs, "5000"}});
+}
+
+}  // namespace slicefarm::coordinator

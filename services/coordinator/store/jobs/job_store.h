@@ -1,0 +1,191 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/coordinator/store/jobs/job_record.h"
+
+namespace slicefarm::coordinator {
+
+struct NewJob {
+  std::string id;
+  std::string tenant;
+  std::string request_id;   ///< of the tenant's; empty: the call is not idempotent
+  std::string spec_digest;  ///< equal for equal requests
+  std::string spec;
+  std::map<std::string, std::string> labels;
+  Priority priority = Priority::kNormal;
+  int64_t deadline_us = kNoDeadlineUs;
+  std::vector<std::string> inputs;  ///< digests of the blobs that it needs
+  std::string settings_digest;
+  std::string action_digest;
+  std::string build_id;
+  std::string traceparent;
+  std::string webhook_url = {};  ///< to be told of its end (webhook_store.h); empty: none
+  int64_t max_open = INT64_MAX;  ///< jobs that the tenant may have waiting or running
+  /// Why no job is made; but one that an earlier call with the same request_id made is found.
+  absl::Status refusal = absl::OkStatus();
+};
+
+struct Created {
+  JobRecord job;
+  bool fresh = true;  ///< false: an earlier call with the same request_id made it
+
+  friend bool operator==(const Created&, const Created&) = default;
+};
+
+/// The right to write to a job: of the coordinator that claimed it last.
+struct Lease {
+  std::string job_id;
+  int64_t epoch = 0;
+
+  friend auto operator<=>(const Lease&, const Lease&) = default;
+};
+
+struct HeldJob {
+  Lease lease;
+  bool cancel_requested = false;
+
+  friend bool operator==(const HeldJob&, const HeldJob&) = default;
+};
+
+/// What the owner writes.
+struct JobUpdate {
+  JobState state = JobState::kRunning;
+  int32_t layers_total = 0;
+  int32_t layers_done = 0;
+  std::optional<JobError> error = {};
+  std::optional<JobResult> result = {};
+  /// With QUEUED: nobody claims it before.
+  int64_t claimable_from_us = 0;
+  bool retry = false;             ///< with QUEUED: because a run failed
+  bool store_failed = false;      ///< with QUEUED: because a store failed
+  int32_t lost_runs = 0;          ///< of the record, if this is the last that is heard of the run
+  std::string trace_sha256 = {};  ///< empty: what was there stays
+};
+
+/// Which jobs, in what order. All conditions hold at once; those at their standard hold for all.
+struct ListQuery {
+  std::string tenant = {};
+  bool all_tenants = false;  ///< whatever `tenant` says
+  std::vector<JobState> states = {};
+  std::map<std::string, std::string> labels = {};
+  std::optional<Priority> priority = {};
+  int64_t created_from_us = 0;
+  int64_t created_before_us = INT64_MAX;
+  bool oldest_first = false;
+  int64_t after_number = 0;  ///< what comes after this job in that order; 0: from the beginning
+  int32_t limit = 50;
+};
+
+/// A list ends with the job whose spec brings it to so many bytes of specs, whatever its limit.
+inline constexpr int64_t kListedSpecBytes = 8 << 20;
+
+/// Jobs of one kind that have not ended.
+struct OpenJobs {
+  JobState state = JobState::kQueued;
+  Priority priority = Priority::kNormal;
+  int64_t count = 0;
+  int64_t oldest_us = 0;  ///< when the one that has waited longest was created
+
+  friend bool operator==(const OpenJobs&, const OpenJobs&) = default;
+};
+
+/// How long a request_id is remembered, at most: it goes with its job.
+inline constexpr int64_t kRequestIdKeptUs = int64_t{7} * 24 * 3600 * 1'000'000;
+
+/// Jobs, their events, idempotency keys and the index of results. Whatever a call acknowledged is
+/// on disk. The clock is the caller's: `now_us`. Thread-safe; several coordinators may share one
+/// store.
+///
+/// Errors of all: STORE_FAILED; DISK_FULL; JOB_NOT_FOUND where a job is named; Aborted where a
+/// lease is, if the job was claimed by another since, or has ended: "you were fenced, drop it".
+class JobStore {
+ public:
+  virtual ~JobStore() = default;
+
+  /// Makes a QUEUED job and its first event. Errors: REQUEST_ID_REUSED if the request_id made
+  /// another job's spec; `job.refusal`; QUEUE_FULL if the tenant has `max_open` jobs that have not
+  /// ended.
+  virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
+
+  virtual absl::StatusOr<JobRecord> Get(const std::string& id) = 0;
+
+  virtual absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) = 0;
+
+  /// Gives a job that is QUEUED or RUNNING and that nobody holds to `owner` until `until_us`; none
+  /// if there is none. Passes over jobs whose action_digest is one of `busy`, and those of lower
+  /// priority than `at_least`. Tenants take turns,
+  /// those with fewer held jobs first; of a tenant's jobs those of higher priority come first, then
+  /// those with the earlier deadline, then the older ones. Errors: DATA_LOSS if what is kept of the
+  /// job cannot be read; it is passed over until `until_us`.
+  virtual absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                         int64_t until_us,
+                                                         const std::set<std::string>& busy = {},
+                                                         Priority at_least = Priority::kBulk) = 0;
+
+  /// Ends jobs that have not ended, that nobody holds or wants to be cancelled, and whose deadline
+  /// has passed, as FAILED with `error`; at most `limit`, in the order of their deadlines. Returns
+  /// those that it ended, also if it could not go on; an error says that it ended none.
+  virtual absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
+                                                            int32_t limit) = 0;
+
+  /// Writes what a held job is to the build that works on it, which may be another one than made
+  /// it, and has lost no run of it.
+  virtual absl::Status Adopt(const Lease& lease, const JobIdentity& identity) = 0;
+
+  /// Holds these claims at least until `until_us`, and tells which of them were still held. By
+  /// claim and not by owner, so that a job which its owner has given up runs out and is claimed
+  /// again. Never shortens a claim, so that a renewal that arrives after a later one does no harm.
+  virtual absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
+                                                     int64_t until_us) = 0;
+
+  /// Lets go of all jobs of `owner`: those of an earlier life, at the start.
+  virtual absl::Status Release(const std::string& owner) = 0;
+
+  /// Writes state and progress and appends an event. A state that may not follow is Internal. An
+  /// ended job and one that is QUEUED again are let go; one whose end was requested does not become
+  /// QUEUED but CANCELLED. A result that is not `cached` enters the
+  /// index; one that is must still be in it (NotFound, reason BLOB_NOT_FOUND, otherwise).
+  virtual absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
+                                           int64_t now_us) = 0;
+
+  /// A QUEUED job that nobody holds ends as CANCELLED at once; a held one is marked for its owner;
+  /// to an ended one nothing happens.
+  virtual absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) = 0;
+
+  /// Removes an ended job with its events and its request_id. Results of whose blobs no job is left
+  /// leave the index. Errors: JOB_NOT_FINISHED.
+  virtual absl::Status Delete(const std::string& id) = 0;
+
+  /// Events with a sequence above `after`, at most `limit`.
+  virtual absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
+                                                             int32_t limit) = 0;
+
+  /// What the same work came to before.
+  virtual absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) = 0;
+  virtual absl::Status ForgetResult(const std::string& action_digest) = 0;
+
+  /// Forgets request ids that are older than kRequestIdKeptUs.
+  virtual absl::Status ExpireRequestIds(int64_t now_us) = 0;
+
+  virtual absl::StatusOr<std::map<JobState, int64_t>> CountByState() = 0;
+
+  /// Those that have not ended, by state and priority; kinds of which there are none are left out.
+  virtual absl::StatusOr<std::vector<OpenJobs>> CountOpen() = 0;
+
+  /// Of these digests, those of inputs, results and traces of jobs among the tenant's blobs.
+  virtual absl::StatusOr<std::set<std::string>> Referenced(
+      const std::string& tenant, const std::set<std::string>& digests) = 0;
+
+  /// Jobs that ended before and whose receiver was told, if they have one (webhook_store.h); the
+  /// oldest first, at most `limit`.
+  virtual absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) = 0;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,889 @@
+// What every JobStore does. An implementation joins by an entry in kStores.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <barrier>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/from_environment_test.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/jobs/memory_job_store.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+#include "services/coordinator/store/store_place_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+using enum JobState;
+
+class SqlitePlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override {
+    auto store = OpenSqliteJobStore(directory_.path() + "/jobs.db");
+    EXPECT_TRUE(store.ok()) << store.status();
+    return *std::move(store);
+  }
+
+ private:
+  TempDirectory directory_;
+};
+
+class PostgresPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override {
+    auto database = PostgresDatabase::Open(database_);
+    EXPECT_TRUE(database.ok()) << database.status();
+    return std::make_unique<SqlJobStore>(*std::move(database));
+  }
+
+ private:
+  const std::string database_ = SharedPostgres().NewDatabase();
+};
+
+class MemoryPlace : public StorePlace<JobStore> {
+ public:
+  std::unique_ptr<JobStore> Open() override { return std::make_unique<MemoryJobStore>(jobs_); }
+
+ private:
+  MemoryJobs jobs_;
+};
+
+const std::vector<StoreKind<JobStore>> kStores = {
+    {"Memory", [] { return std::make_unique<MemoryPlace>(); }},
+    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+};
+
+NewJob JobOf(const std::string& id) {
+  NewJob job;
+  job.id = id;
+  job.spec = std::string("spec\0of ", 8) + id;
+  job.spec_digest = "spec-" + id;
+  job.labels = {{"order", "17"}};
+  job.settings_digest = "settings";
+  job.action_digest = "action-" + id;
+  job.inputs = {"mesh of " + id};
+  job.traceparent = "00-trace-" + id;
+  job.build_id = "build";
+  return job;
+}
+
+JobResult ResultOf(const std::string& gcode, const std::string& report) {
+  JobResult result;
+  result.gcode_sha256 = gcode;
+  result.gcode_size = 5;
+  result.report_sha256 = report;
+  result.print_time_s = 12.5;
+  result.layers = 3;
+  result.warnings = {"careful"};
+  return result;
+}
+
+/// Runs `work(0)` to `work(threads - 1)` at the same time.
+template <typename Work>
+void Race(int threads, const Work& work) {
+  std::vector<std::thread> racers;
+  for (int i = 0; i < threads; ++i) racers.emplace_back([&, i] { work(i); });
+  for (std::thread& racer : racers) racer.join();
+}
+
+class JobStoreTest : public testing::TestWithParam<StoreKind<JobStore>> {
+ protected:
+  void Make(const std::string& id) { ASSERT_TRUE(store_->Create(JobOf(id), ++now_).ok()); }
+
+  Lease Claim(const std::string& owner = "me") {
+    ++now_;
+    const auto job = store_->Claim(owner, now_, now_ + 1000);
+    EXPECT_TRUE(job.ok()) << job.status();
+    if (!job.ok() || !*job) return {};
+    return {(*job)->id, (*job)->owner_epoch};
+  }
+
+  absl::StatusOr<JobRecord> Update(const Lease& lease, JobState state) {
+    JobUpdate update;
+    update.state = state;
+    return store_->Update(lease, update, ++now_);
+  }
+
+  absl::StatusOr<JobRecord> Succeed(const Lease& lease, const JobResult& result) {
+    JobUpdate update;
+    update.state = kSucceeded;
+    update.result = result;
+    return store_->Update(lease, update, ++now_);
+  }
+
+  /// A job that succeeded.
+  void MakeDone(const std::string& id, const JobResult& result) {
+    Make(id);
+    const Lease lease = Claim();
+    ASSERT_EQ(lease.job_id, id);
+    ASSERT_TRUE(Succeed(lease, result).ok());
+  }
+
+  std::unique_ptr<StorePlace<JobStore>> place_ = GetParam().place();
+  std::unique_ptr<JobStore> store_ = place_->Open();
+  int64_t now_ = 1'000'000;
+};
+
+INSTANTIATE_TEST_SUITE_P(Stores, JobStoreTest, testing::ValuesIn(kStores),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(JobStoreTest, GivesBackWhatWasCreated) {
+  const auto created = store_->Create(JobOf("a"), 42);
+  ASSERT_TRUE(created.ok()) << created.status();
+  EXPECT_TRUE(created->fresh);
+  const auto job = store_->Get("a");
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(*job, created->job);
+  EXPECT_EQ(job->state, kQueued);
+  EXPECT_EQ(job->spec, JobOf("a").spec) << "with the zero in it";
+  EXPECT_EQ(job->labels, JobOf("a").labels);
+  EXPECT_EQ(job->action_digest, "action-a");
+  EXPECT_EQ(job->create_us, 42);
+  EXPECT_EQ(job->last_sequence, 1);
+}
+
+TEST_P(JobStoreTest, SurvivesBeingOpenedAgain) {
+  Make("a");
+  const auto before = store_->Get("a");
+  store_.reset();
+  store_ = place_->Open();
+  EXPECT_EQ(*store_->Get("a"), *before);
+}
+
+TEST_P(JobStoreTest, UnknownJobsAreNotFound) {
+  for (const absl::Status& status :
+       {store_->Get("x").status(), store_->RequestCancel("x", 1).status(), store_->Delete("x"),
+        store_->Events("x", 0, 9).status(), store_->Update({"x", 1}, {}, 1).status()}) {
+    EXPECT_EQ(DetailOf(status).reason, Reason::kJobNotFound) << status;
+  }
+}
+
+TEST_P(JobStoreTest, RequestIdMakesOneJob) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 1).ok());
+  NewJob again = JobOf("b");
+  again.request_id = "r";
+  again.spec_digest = first.spec_digest;
+  const auto second = store_->Create(again, 2);
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_FALSE(second->fresh);
+  EXPECT_EQ(second->job.id, "a");
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("b").status()));
+}
+
+TEST_P(JobStoreTest, RequestIdIsNotForAnotherJob) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 1).ok());
+  NewJob other = JobOf("b");
+  other.request_id = "r";
+  EXPECT_EQ(DetailOf(store_->Create(other, 2).status()).reason, Reason::kRequestIdReused);
+}
+
+TEST_P(JobStoreTest, RequestIdIsForgottenAfterItsTime) {
+  NewJob first = JobOf("a");
+  first.request_id = "r";
+  ASSERT_TRUE(store_->Create(first, 10).ok());
+  NewJob other = JobOf("b");
+  other.request_id = "r";
+  ASSERT_TRUE(store_->ExpireRequestIds(10 + kRequestIdKeptUs).ok());
+  EXPECT_FALSE(store_->Create(other, 2).ok());
+  ASSERT_TRUE(store_->ExpireRequestIds(11 + kRequestIdKeptUs).ok());
+  EXPECT_TRUE(store_->Create(other, 2).ok());
+}
+
+// 10,000 rounds on demand: SLICEFARM_RACE_ROUNDS.
+TEST_P(JobStoreTest, RequestIdRacedByManyMakesOneJob) {
+  constexpr int kThreads = 64;
+  const int64_t rounds = FromEnvironment("SLICEFARM_RACE_ROUNDS", 10);
+  std::vector<absl::StatusOr<Created>> created(kThreads, absl::UnknownError("not called"));
+  int64_t wrong = 0;
+  std::barrier start(kThreads);
+  std::barrier end(kThreads, [&]() noexcept {
+    int fresh = 0;
+    bool same = true;
+    for (const auto& call : created) {
+      same = same && call.ok() && created[0].ok() && call->job == created[0]->job;
+      fresh += call.ok() && call->fresh ? 1 : 0;
+    }
+    wrong += same && fresh == 1 ? 0 : 1;
+  });
+  Race(kThreads, [&](int thread) {
+    for (int64_t round = 0; round < rounds; ++round) {
+      NewJob job = JobOf(absl::StrCat("job-", round, "-", thread));
+      job.request_id = absl::StrCat("request-", round);
+      job.spec_digest = "same";
+      start.arrive_and_wait();
+      created[thread] = store_->Create(job, 1);
+      end.arrive_and_wait();
+    }
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_THAT(*store_->CountByState(), ElementsAre(Pair(kQueued, rounds)));
+}
+
+TEST_P(JobStoreTest, ListsNewestFirstAndByPages) {
+  for (const char* id : {"a", "b", "c", "d", "e"}) Make(id);
+  std::vector<std::string> ids;
+  ListQuery query{.states = {}, .after_number = 0, .limit = 2};
+  while (true) {
+    const auto page = store_->List(query);
+    ASSERT_TRUE(page.ok()) << page.status();
+    if (page->empty()) break;
+    for (const JobRecord& job : *page) ids.push_back(job.id);
+    query.after_number = page->back().number;
+    Make(absl::StrCat("new", ids.size()));  // does not disturb the pages that follow
+  }
+  EXPECT_THAT(ids, ElementsAre("e", "d", "c", "b", "a"));
+}
+
+TEST_P(JobStoreTest, ListsByState) {
+  MakeDone("done", ResultOf("g", "r"));
+  Make("waits");
+  Make("runs");
+  const auto list = [&](std::vector<JobState> states) {
+    std::vector<std::string> ids;
+    ListQuery query;
+    query.states = std::move(states);
+    const auto jobs = store_->List(query);
+    for (const JobRecord& job : *jobs) ids.push_back(job.id);
+    return ids;
+  };
+  EXPECT_THAT(list({kSucceeded}), ElementsAre("done"));
+  EXPECT_THAT(list({kQueued}), ElementsAre("runs", "waits"));
+  EXPECT_THAT(list({kSucceeded, kQueued}), SizeIs(3));
+  EXPECT_THAT(list({kFailed}), IsEmpty());
+  EXPECT_THAT(*store_->CountByState(), UnorderedElementsAre(Pair(kSucceeded, 1), Pair(kQueued, 2)));
+}
+
+TEST_P(JobStoreTest, CountsWhatIsOpenByPriority) {
+  EXPECT_THAT(*store_->CountOpen(), IsEmpty());
+  MakeDone("done", ResultOf("g", "r"));
+  const auto make = [&](const std::string& id, Priority priority) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    return store_->Create(job, ++now_)->job.create_us;
+  };
+  const int64_t runs_since = make("runs", Priority::kInteractive);
+  ASSERT_TRUE(Update(Claim(), kRunning).ok());
+  const int64_t bulk_since = make("old", Priority::kBulk);
+  make("younger", Priority::kBulk);
+  const int64_t normal_since = make("normal", Priority::kNormal);
+  EXPECT_THAT(*store_->CountOpen(),
+              UnorderedElementsAre(OpenJobs{kRunning, Priority::kInteractive, 1, runs_since},
+                                   OpenJobs{kQueued, Priority::kBulk, 2, bulk_since},
+                                   OpenJobs{kQueued, Priority::kNormal, 1, normal_since}));
+}
+
+TEST_P(JobStoreTest, ClaimsOldestFirstAndOnce) {
+  for (const char* id : {"a", "b", "c"}) Make(id);
+  const JobRecord first = **store_->Claim("me", 10, 100);
+  EXPECT_EQ(first.id, "a");
+  EXPECT_EQ(first.owner, "me");
+  EXPECT_EQ(first.owner_epoch, 1);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "b");
+  EXPECT_EQ((*store_->Claim("you", 10, 100))->id, "c");
+  EXPECT_EQ(*store_->Claim("you", 10, 100), std::nullopt);
+}
+
+TEST_P(JobStoreTest, ClaimsPassOverLowerPriorities) {
+  for (const auto& [id, priority] :
+       {std::pair{"bulk", Priority::kBulk}, {"normal", Priority::kNormal}}) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  }
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {}, Priority::kInteractive), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100, {}, Priority::kNormal))->id, "normal");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {}, Priority::kNormal), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "bulk");
+}
+
+TEST_P(JobStoreTest, ClaimsPassOverBusyWork) {
+  for (const char* id : {"a", "b", "c"}) Make(id);
+  EXPECT_EQ((*store_->Claim("me", 10, 100, {"action-a", "action-c"}))->id, "b");
+  EXPECT_EQ(*store_->Claim("me", 10, 100, {"action-a", "action-c"}), std::nullopt);
+  EXPECT_EQ((*store_->Claim("me", 10, 100))->id, "a");
+}
+
+TEST_P(JobStoreTest, AnotherBuildAdoptsAJobItHolds) {
+  Make("a");
+  const JobIdentity identity = {"settings 2", "action 2", "build 2"};
+  EXPECT_TRUE(absl::IsAborted(store_->Adopt({"a", 0}, identity))) << "nobody holds it";
+  const Lease lease = Claim();
+  ASSERT_TRUE(store_->Adopt(lease, identity).ok());
+  const JobRecord job = *store_->Get("a");
+  EXPECT_EQ(job.settings_digest, "settings 2");
+  EXPECT_EQ(job.build_id, "build 2");
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  EXPECT_TRUE(store_->FindResult("action 2")->has_value());
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value()) << "that is another build's";
+  EXPECT_TRUE(absl::IsAborted(store_->Adopt(lease, identity))) << "it has ended";
+}
+
+TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
+  const auto other = place_->Open();
+  constexpr int kJobs = 60;
+  for (int i = 0; i < kJobs; ++i) Make(absl::StrCat("job", i));
+  std::vector<std::string> claimed[2];
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 2; ++i) {
+    threads.emplace_back([&, i] {
+      JobStore& store = i == 0 ? *store_ : *other;
+      while (true) {
+        const auto job = store.Claim(absl::StrCat("owner", i), 10'000'000, 20'000'000);
+        if (!job.ok() || !*job) return;
+        claimed[i].push_back((*job)->id);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::set<std::string> all(claimed[0].begin(), claimed[0].end());
+  all.insert(claimed[1].begin(), claimed[1].end());
+  EXPECT_EQ(all.size(), static_cast<size_t>(kJobs));
+  EXPECT_EQ(claimed[0].size() + claimed[1].size(), static_cast<size_t>(kJobs)) << "none twice";
+}
+
+// 1000 jobs on demand: SLICEFARM_RACE_JOBS.
+TEST_P(JobStoreTest, ClaimsRacedByManyAreOneAnEpoch) {
+  constexpr int kThreads = 8;
+  const int64_t jobs = FromEnvironment("SLICEFARM_RACE_JOBS", 60);
+  for (int64_t i = 0; i < jobs; ++i) Make(absl::StrCat("job", i));
+  std::mutex mutex;
+  std::map<Lease, std::string> owners;  // of each claim
+  int64_t claims = 0;
+  std::atomic<int64_t> clock = 1'000'000'000;
+  /// Claims until there is nothing to claim, or as often as `limit`.
+  const auto claim = [&](int64_t lease_us, int64_t limit) {
+    Race(kThreads, [&](int thread) {
+      const std::string owner = absl::StrCat("owner", thread);
+      for (int64_t i = 0; i < limit; ++i) {
+        const int64_t now_us = clock++;
+        const auto job = store_->Claim(owner, now_us, now_us + lease_us);
+        ASSERT_TRUE(job.ok()) << job.status();
+        if (!*job) return;
+        std::lock_guard<std::mutex> lock(mutex);
+        owners.emplace(Lease{(*job)->id, (*job)->owner_epoch}, owner);
+        ++claims;
+      }
+    });
+  };
+  claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
+  EXPECT_EQ(claims, jobs);
+  EXPECT_EQ(std::ssize(owners), jobs);
+  clock += 1'000'000;  // all leases run out
+  claim(/*lease_us=*/1'000'000, /*limit=*/INT64_MAX);
+  EXPECT_EQ(claims, 2 * jobs);
+  clock += 1'000'000;
+  claim(/*lease_us=*/jobs / 2, /*limit=*/jobs / 4);  // they run out in the middle of the race
+  EXPECT_EQ(std::ssize(owners), claims) << "each epoch of a job was given to one claimer";
+  for (int64_t i = 0; i < jobs; ++i) {
+    const auto job = store_->Get(absl::StrCat("job", i));
+    ASSERT_TRUE(job.ok()) << job.status();
+    const auto last = owners.find({job->id, job->owner_epoch});
+    ASSERT_NE(last, owners.end());
+    EXPECT_EQ(last->second, job->owner);
+    EXPECT_FALSE(owners.contains({job->id, job->owner_epoch + 1}));
+  }
+}
+
+TEST_P(JobStoreTest, AnOwnerThatDoesNotRenewLosesItsJobs) {
+  Make("a");
+  const auto mine = store_->Claim("me", 10, 100);
+  EXPECT_EQ(*store_->Claim("you", 99, 200), std::nullopt);
+  const std::vector<Lease> leases = {{"a", (*mine)->owner_epoch}};
+  ASSERT_THAT(*store_->Renew(leases, 150), SizeIs(1));
+  EXPECT_EQ(*store_->Claim("you", 149, 200), std::nullopt);
+  const auto yours = store_->Claim("you", 150, 250);
+  ASSERT_NE(*yours, std::nullopt);
+  EXPECT_THAT(*store_->Renew(leases, 300), IsEmpty());
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 250);
+
+  const absl::Status fenced = Update({"a", (*mine)->owner_epoch}, kRunning).status();
+  EXPECT_TRUE(absl::IsAborted(fenced)) << fenced;
+  EXPECT_TRUE(Update({"a", (*yours)->owner_epoch}, kRunning).ok());
+}
+
+TEST_P(JobStoreTest, LostRunsAreKeptUntilAnotherBuildAdopts) {
+  Make("a");
+  const Lease lease = Claim();
+  const JobUpdate begins = {.state = kRunning, .lost_runs = 4};
+  ASSERT_TRUE(store_->Update(lease, begins, ++now_).ok());
+  ASSERT_TRUE(store_->Release("me").ok());
+  const Lease again = Claim();
+  EXPECT_EQ(store_->Get("a")->lost_runs, 4);
+  ASSERT_TRUE(store_->Adopt(again, {"settings", "action", "build 2"}).ok());
+  EXPECT_EQ(store_->Get("a")->lost_runs, 0);
+}
+
+TEST_P(JobStoreTest, WhatWaitsEndsAtItsDeadline) {
+  const auto make = [&](const std::string& id, int64_t deadline_us) {
+    NewJob job = JobOf(id);
+    job.deadline_us = deadline_us;
+    ASSERT_TRUE(store_->Create(job, 1).ok());
+  };
+  make("held", 50);
+  ASSERT_EQ((*store_->Claim("me", 10, 100))->id, "held");
+  make("died", 50);  // its owner did, before it began
+  ASSERT_EQ((*store_->Claim("gone", 10, 50))->id, "died");
+  make("died running", 50);
+  const auto ran = *store_->Claim("gone", 10, 40);
+  ASSERT_EQ(ran->id, "died running");
+  ASSERT_TRUE(store_->Update({ran->id, ran->owner_epoch}, {.state = kRunning}, 13).ok());
+  make("cancelled", 50);
+  ASSERT_EQ((*store_->Claim("you", 10, 100))->id, "cancelled");
+  ASSERT_TRUE(store_->RequestCancel("cancelled", 11).ok());
+  ASSERT_TRUE(store_->Release("you").ok());
+  make("later", 51);
+  make("second", 50);
+  make("first", 49);
+  make("without", kNoDeadlineUs);
+
+  const JobError error{absl::StatusCode::kDeadlineExceeded, "DEADLINE_EXCEEDED", "late", {}};
+  const auto ended = [&](int32_t limit) {
+    std::vector<std::string> ids;
+    const auto jobs = store_->EndOverdue(error, 50, limit);
+    for (const JobRecord& job : *jobs) ids.push_back(job.id);
+    return ids;
+  };
+  EXPECT_THAT(ended(1), ElementsAre("first"));
+  EXPECT_THAT(ended(10), ElementsAre("died", "died running", "second"));
+  EXPECT_THAT(ended(10), IsEmpty());
+  const JobRecord job = *store_->Get("second");
+  EXPECT_EQ(job.state, JobState::kFailed);
+  EXPECT_EQ(job.error, error);
+  EXPECT_EQ(job.end_us, 50);
+  EXPECT_EQ(store_->Events("second", 1, 10)->back().state, JobState::kFailed);
+  for (const char* id : {"held", "cancelled", "later", "without"}) {
+    EXPECT_EQ(store_->Get(id)->state, JobState::kQueued) << id;
+  }
+}
+
+TEST_P(JobStoreTest, ALateRenewalShortensNoClaim) {
+  Make("a");
+  ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
+  ASSERT_THAT(*store_->Renew({{"a", 1}}, 200), SizeIs(1));
+  EXPECT_THAT(*store_->Renew({{"a", 1}}, 150), SizeIs(1));
+  EXPECT_EQ(store_->Get("a")->owner_until_us, 200);
+}
+
+TEST_P(JobStoreTest, AJobThatItsOwnerGaveUpIsClaimedAgain) {
+  Make("given up");
+  Make("kept");
+  for (int i = 0; i < 2; ++i) ASSERT_NE(*store_->Claim("me", 10, 100), std::nullopt);
+  ASSERT_THAT(*store_->Renew({{"kept", 1}}, 200), SizeIs(1));
+  EXPECT_EQ((*store_->Claim("me", 100, 300))->id, "given up");
+  EXPECT_EQ(*store_->Claim("me", 100, 300), std::nullopt);
+  EXPECT_THAT(*store_->Renew({{"given up", 1}, {"kept", 1}}, 400), SizeIs(1)) << "of the old claim";
+}
+
+TEST_P(JobStoreTest, ReleasedJobsAreClaimedAgain) {
+  Make("a");
+  const Lease old = Claim("me");
+  ASSERT_TRUE(Update(old, kRunning).ok());
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_THAT(*store_->Renew({old}, now_ + 1000), IsEmpty());
+  EXPECT_TRUE(absl::IsAborted(Update(old, kRunning).status()));
+  const auto again = store_->Claim("me", now_, now_ + 10);
+  ASSERT_NE(*again, std::nullopt);
+  EXPECT_EQ((*again)->state, kRunning);
+  EXPECT_EQ((*again)->owner_epoch, old.epoch + 1);
+}
+
+TEST_P(JobStoreTest, UpdatesKeepTheTimes) {
+  Make("a");
+  const Lease lease = Claim();
+  const auto running = Update(lease, kRunning);
+  ASSERT_TRUE(running.ok()) << running.status();
+  const int64_t started = now_;
+  const auto done = Succeed(lease, ResultOf("g", "r"));
+  ASSERT_TRUE(done.ok()) << done.status();
+  EXPECT_EQ(done->start_us, started);
+  EXPECT_EQ(done->end_us, now_);
+  EXPECT_EQ(done->result, ResultOf("g", "r"));
+  EXPECT_EQ(done->owner, "");
+  EXPECT_EQ(*store_->Get("a"), *done);
+}
+
+TEST_P(JobStoreTest, FailuresAreKept) {
+  Make("a");
+  const Lease lease = Claim();
+  JobUpdate update{.state = kFailed};
+  update.error = JobErrorOf(MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshTruncated,
+                                      "ends \"early\"\n", {{"got", "7"}}));
+  ASSERT_TRUE(store_->Update(lease, update, 5).ok());
+  EXPECT_EQ(store_->Get("a")->error, update.error);
+}
+
+TEST_P(JobStoreTest, EndsOnce) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  for (const JobState state : {kQueued, kRunning, kSucceeded, kFailed, kCancelled}) {
+    EXPECT_TRUE(absl::IsAborted(Update(lease, state).status()));
+  }
+  EXPECT_EQ(store_->Get("a")->state, kSucceeded);
+}
+
+TEST_P(JobStoreTest, HandedBackJobsWaitAsLongAsTheyShould) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  JobUpdate update{.state = kQueued};
+  update.claimable_from_us = 5'000'000;
+  update.retry = true;
+  ASSERT_TRUE(store_->Update(lease, update, 2'000'000).ok());
+  EXPECT_THAT(*store_->Renew({lease}, 9'000'000), IsEmpty());
+  EXPECT_EQ(*store_->Claim("you", 4'999'999, 9'000'000), std::nullopt);
+  const auto again = store_->Claim("you", 5'000'000, 9'000'000);
+  ASSERT_NE(*again, std::nullopt);
+  EXPECT_EQ((*again)->retries, 1);
+}
+
+TEST_P(JobStoreTest, FailuresOfTheStoreAreCountedApart) {
+  Make("a");
+  JobUpdate update{.state = kQueued};
+  update.store_failed = true;
+  ASSERT_TRUE(store_->Update(Claim(), update, ++now_).ok());
+  ASSERT_TRUE(store_->Update(Claim(), update, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->store_failures, 2);
+  EXPECT_EQ(store_->Get("a")->retries, 0);
+}
+
+TEST_P(JobStoreTest, EventsTellTheStory) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(Update(lease, kRunning).ok());
+  JobUpdate progress{.state = kRunning, .layers_total = 9, .layers_done = 4};
+  ASSERT_TRUE(store_->Update(lease, progress, 77).ok());
+  ASSERT_TRUE(Succeed(lease, ResultOf("g", "r")).ok());
+  const auto events = store_->Events("a", 0, 100);
+  ASSERT_TRUE(events.ok()) << events.status();
+  ASSERT_THAT(*events, SizeIs(4));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(events->at(i).sequence, i + 1);
+  EXPECT_EQ(events->at(0).state, kQueued);
+  EXPECT_EQ(events->at(2), (JobEventRecord{3, 77, kRunning, 9, 4}));
+  EXPECT_EQ(events->at(3).state, kSucceeded);
+  EXPECT_THAT(*store_->Events("a", 3, 100), SizeIs(1));
+  EXPECT_THAT(*store_->Events("a", 0, 2), SizeIs(2));
+  EXPECT_THAT(*store_->Events("a", 4, 100), IsEmpty());
+}
+
+TEST_P(JobStoreTest, CancelOfAWaitingJobEndsIt) {
+  Make("a");
+  const auto job = store_->RequestCancel("a", 9);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->state, kCancelled);
+  EXPECT_EQ(job->end_us, 9);
+  EXPECT_EQ(*store_->Claim("me", 10, 20), std::nullopt);
+  EXPECT_EQ(store_->Events("a", 0, 9)->back().state, kCancelled);
+}
+
+TEST_P(JobStoreTest, CancelOfAHeldJobIsForItsOwner) {
+  Make("a");
+  const Lease lease = Claim();
+  EXPECT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  const auto held = store_->Renew({lease}, now_ + 1000);
+  ASSERT_THAT(*held, SizeIs(1));
+  EXPECT_TRUE(held->front().cancel_requested);
+  EXPECT_EQ(held->front().lease, lease);
+  ASSERT_TRUE(Update(lease, kCancelled).ok());
+  const int64_t sequence = store_->Get("a")->last_sequence;
+  EXPECT_EQ(store_->RequestCancel("a", 10)->last_sequence, sequence) << "nothing happens any more";
+}
+
+TEST_P(JobStoreTest, CancelOfAJobThatItsOwnerLeftEndsItThoughItWasAskedForBefore) {
+  Make("a");
+  Claim("me");
+  ASSERT_EQ(store_->RequestCancel("a", 9)->state, kQueued);
+  ASSERT_TRUE(store_->Release("me").ok());
+  EXPECT_EQ(store_->RequestCancel("a", 10)->state, kCancelled);
+}
+
+TEST_P(JobStoreTest, AJobThatIsToEndIsNotPutBack) {
+  Make("a");
+  const Lease lease = Claim();
+  ASSERT_TRUE(store_->RequestCancel("a", 9).ok());
+  ASSERT_TRUE(Update(lease, kQueued).ok());
+  EXPECT_EQ(store_->Get("a")->state, kCancelled);
+  EXPECT_EQ(store_->Get("a")->end_us, now_);
+  EXPECT_EQ(*store_->Claim("me", 10'000'000, 20'000'000), std::nullopt);
+}
+
+TEST_P(JobStoreTest, ARequestIdGoesWithItsJob) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, 1)->fresh);
+  ASSERT_TRUE(store_->RequestCancel("a", 2).ok());
+  ASSERT_TRUE(store_->Delete("a").ok());
+  const auto again = store_->Create(job, 3);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_TRUE(again->fresh);
+}
+
+TEST_P(JobStoreTest, DeleteIsForEndedJobs) {
+  Make("a");
+  EXPECT_EQ(DetailOf(store_->Delete("a")).reason, Reason::kJobNotFinished);
+  ASSERT_TRUE(store_->RequestCancel("a", 1).ok());
+  EXPECT_TRUE(store_->Delete("a").ok());
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("a").status()));
+}
+
+TEST_P(JobStoreTest, ResultsGoWithTheLastJobThatRefersToThem) {
+  MakeDone("a", ResultOf("gcode", "report-a"));
+  MakeDone("b", ResultOf("gcode", "report-b"));
+  const std::set<std::string> blobs = {"gcode", "report-a", "report-b", "mesh of a", "other"};
+  EXPECT_THAT(*store_->Referenced("", blobs),
+              ElementsAre("gcode", "mesh of a", "report-a", "report-b"));
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  EXPECT_TRUE(store_->FindResult("action-b")->has_value());
+  EXPECT_THAT(*store_->Referenced("", blobs), ElementsAre("gcode", "report-b"));
+  ASSERT_TRUE(store_->Delete("b").ok());
+  EXPECT_FALSE(store_->FindResult("action-b")->has_value());
+  EXPECT_THAT(*store_->Referenced("", blobs), IsEmpty());
+}
+
+TEST_P(JobStoreTest, WhatATenantRefersToKeepsNothingOfAnothers) {
+  const auto make_done = [&](const std::string& id, const std::string& tenant) {
+    NewJob job = JobOf(id);
+    job.tenant = tenant;
+    job.inputs = {"mesh"};
+    EXPECT_TRUE(store_->Create(job, ++now_).ok());
+    ++now_;
+    const auto claimed = *store_->Claim("me", now_, now_ + 100);
+    const Lease lease{claimed->id, claimed->owner_epoch};
+    EXPECT_TRUE(store_->Update(lease, {.state = JobState::kRunning}, ++now_).ok());
+    JobUpdate update{.state = JobState::kSucceeded, .result = ResultOf("gcode", "report")};
+    update.result->tenant = tenant;
+    EXPECT_TRUE(store_->Update(lease, update, ++now_).ok());
+  };
+  make_done("a", "tenant-a");
+  make_done("b", "tenant-b");
+  const std::set<std::string> blobs = {"mesh", "gcode", "report"};
+  EXPECT_THAT(*store_->Referenced("tenant-a", blobs), ElementsAre("gcode", "mesh", "report"));
+  EXPECT_THAT(*store_->Referenced("", blobs), IsEmpty());
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_THAT(*store_->Referenced("tenant-a", blobs), IsEmpty());
+  EXPECT_THAT(*store_->Referenced("tenant-b", blobs), ElementsAre("gcode", "mesh", "report"));
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  EXPECT_TRUE(store_->FindResult("action-b")->has_value());
+}
+
+TEST_P(JobStoreTest, ListsTheJobsOfATenantOrOfAll) {
+  for (const std::string tenant : {"", "a", "b"}) {
+    NewJob job = JobOf("of " + tenant);
+    job.tenant = tenant;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  EXPECT_EQ(store_->List({})->size(), 1u);
+  EXPECT_EQ(store_->List({.tenant = "a"})->at(0).id, "of a");
+  EXPECT_EQ(store_->List({.all_tenants = true})->size(), 3u);
+}
+
+TEST_P(JobStoreTest, ATraceIsKeptAndGrows) {
+  Make("a");
+  const Lease first = Claim();
+  ASSERT_TRUE(Update(first, kRunning).ok());
+  JobUpdate update;
+  update.state = kQueued;
+  update.trace_sha256 = "trace 1";
+  EXPECT_EQ(store_->Update(first, update, ++now_)->trace_sha256, "trace 1");
+  const Lease second = Claim();
+  EXPECT_EQ(Update(second, kRunning)->trace_sha256, "trace 1") << "it stays";
+  update.state = kFailed;
+  update.trace_sha256 = "trace 2";
+  ASSERT_TRUE(store_->Update(second, update, ++now_).ok());
+  EXPECT_EQ(store_->Get("a")->trace_sha256, "trace 2");
+  EXPECT_THAT(*store_->Referenced("", {"trace 1", "trace 2"}), ElementsAre("trace 2"));
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_THAT(*store_->Referenced("", {"trace 2"}), IsEmpty());
+}
+
+TEST_P(JobStoreTest, AListOfGreatJobsEndsEarly) {
+  NewJob job = JobOf("big");
+  job.spec = std::string(kListedSpecBytes / 2, 's');
+  for (const char* id : {"1", "2", "3"}) {
+    job.id = id;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  EXPECT_EQ(store_->List({.oldest_first = true})->size(), 2U);
+}
+
+TEST_P(JobStoreTest, ARefusalStandsBehindAnEarlierJob) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  job.id = "b";
+  job.refusal = absl::ResourceExhaustedError("no room");
+  EXPECT_EQ(store_->Create(job, ++now_)->job.id, "a");
+  job.request_id = "s";
+  EXPECT_TRUE(absl::IsResourceExhausted(store_->Create(job, ++now_).status()));
+  job.refusal = absl::OkStatus();
+  EXPECT_TRUE(store_->Create(job, ++now_)->fresh) << "what was refused took no request id";
+}
+
+TEST_P(JobStoreTest, TellsWhichJobsEndedLongAgo) {
+  MakeDone("a", ResultOf("g", "r"));
+  const int64_t between_us = ++now_;
+  MakeDone("b", ResultOf("g", "r"));
+  Make("c");
+  EXPECT_THAT(*store_->EndedBefore(between_us, 10), ElementsAre("a"));
+  EXPECT_THAT(*store_->EndedBefore(now_ + 1, 10), ElementsAre("a", "b"));
+  EXPECT_THAT(*store_->EndedBefore(now_ + 1, 1), ElementsAre("a"));
+}
+
+TEST_P(JobStoreTest, UrgentJobsComeFirst) {
+  const auto make = [&](const std::string& id, Priority priority, int64_t deadline_us) {
+    NewJob job = JobOf(id);
+    job.priority = priority;
+    job.deadline_us = deadline_us;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  };
+  make("bulk", Priority::kBulk, 50);
+  make("normal", Priority::kNormal, kNoDeadlineUs);
+  make("normal soon", Priority::kNormal, 1'000'000);
+  make("interactive", Priority::kInteractive, kNoDeadlineUs);
+  for (const char* id : {"interactive", "normal soon", "normal", "bulk"}) {
+    EXPECT_EQ(Claim().job_id, id);
+  }
+}
+
+TEST_P(JobStoreTest, TenantsTakeTurns) {
+  const auto make = [&](const std::string& tenant, int count) {
+    for (int i = 0; i < count; ++i) {
+      NewJob job = JobOf(absl::StrCat(tenant, i));
+      job.tenant = tenant;
+      ASSERT_TRUE(store_->Create(job, ++now_).ok());
+    }
+  };
+  make("many", 5);
+  make("few", 2);
+  make("one", 1);
+  std::vector<std::string> order;
+  for (int i = 0; i < 8; ++i) order.push_back(Claim().job_id);
+  EXPECT_THAT(order,
+              ElementsAre("few0", "many0", "one0", "few1", "many1", "many2", "many3", "many4"));
+}
+
+TEST_P(JobStoreTest, ATenantWhoseJobsAreDoneIsNotBehind) {
+  for (const char* id : {"a0", "a1", "b0", "b1"}) {
+    NewJob job = JobOf(id);
+    job.tenant = std::string(id, 1);
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  const Lease first = Claim();
+  EXPECT_EQ(first.job_id, "a0");
+  ASSERT_TRUE(Update(first, kRunning).ok());
+  ASSERT_TRUE(Succeed(first, ResultOf("g", "r")).ok());
+  EXPECT_EQ(Claim().job_id, "b0") << "whose turn was longer ago";
+  EXPECT_EQ(Claim().job_id, "a1") << "of which none is held";
+}
+
+TEST_P(JobStoreTest, ATenantsQueueIsBounded) {
+  NewJob job = JobOf("a");
+  job.max_open = 2;
+  for (const char* id : {"a", "b"}) {
+    job.id = id;
+    ASSERT_TRUE(store_->Create(job, ++now_).ok());
+  }
+  job.id = "c";
+  job.request_id = "again";
+  const absl::Status full = store_->Create(job, ++now_).status();
+  EXPECT_TRUE(absl::IsResourceExhausted(full));
+  EXPECT_EQ(DetailOf(full).reason, Reason::kQueueFull);
+  EXPECT_EQ(DetailOf(full).metadata["retry_after_ms"], "5000");
+  job.tenant = "another";
+  EXPECT_TRUE(store_->Create(job, ++now_).ok());
+  job.tenant = "";
+  ASSERT_TRUE(store_->RequestCancel("a", ++now_).ok());
+  EXPECT_TRUE(store_->Create([&] { return job.id = "d", job; }(), ++now_)->fresh)
+      << "the refused call has not used its request_id up";
+}
+
+TEST_P(JobStoreTest, RequestIdsBelongToATenant) {
+  NewJob job = JobOf("a");
+  job.request_id = "r";
+  ASSERT_TRUE(store_->Create(job, 1).ok());
+  job.id = "b";
+  job.tenant = "another";
+  EXPECT_TRUE(store_->Create(job, 2)->fresh);
+}
+
+TEST_P(JobStoreTest, ListsWhatIsAskedFor) {
+  const auto make = [&](const std::string& id, const std::string& tenant, Priority priority,
+                        std::map<std::string, std::string> labels) {
+    NewJob job = JobOf(id);
+    job.tenant = tenant;
+    job.priority = priority;
+    job.labels = std::move(labels);
+    ASSERT_TRUE(store_->Create(job, now_ += 10).ok());
+  };
+  make("a", "", Priority::kNormal, {{"order", "1"}, {"printer", "x"}});
+  make("b", "", Priority::kBulk, {{"order", "1"}});
+  make("c", "", Priority::kNormal, {{"order", "2"}, {"printer", "x"}});
+  make("d", "another", Priority::kNormal, {{"order", "1"}});
+  const auto ids = [&](const ListQuery& query) {
+    std::vector<std::string> found;
+    const auto jobs = store_->List(query);
+    EXPECT_TRUE(jobs.ok()) << jobs.status();
+    for (const JobRecord& job : *jobs) found.push_back(job.id);
+    return found;
+  };
+  EXPECT_THAT(ids({}), ElementsAre("c", "b", "a"));
+  EXPECT_THAT(ids({.oldest_first = true}), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(ids({.labels = {{"order", "1"}}}), ElementsAre("b", "a"));
+  EXPECT_THAT(ids({.labels = {{"order", "1"}, {"printer", "x"}}}), ElementsAre("a"));
+  EXPECT_THAT(ids({.labels = {{"order", "x"}}}), IsEmpty());
+  EXPECT_THAT(ids({.priority = Priority::kBulk}), ElementsAre("b"));
+  EXPECT_THAT(ids({.created_from_us = now_ - 25, .created_before_us = now_ - 10}),
+              ElementsAre("b"));
+  EXPECT_THAT(ids({.tenant = "another"}), ElementsAre("d"));
+  const int64_t b = store_->Get("b")->number;
+  EXPECT_THAT(ids({.oldest_first = true, .after_number = b}), ElementsAre("c"));
+  EXPECT_THAT(ids({.after_number = b}), ElementsAre("a"));
+}
+
+TEST_P(JobStoreTest, FindsResultsByContent) {
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+  MakeDone("a", ResultOf("g", "r"));
+  EXPECT_EQ(*store_->FindResult("action-a"), ResultOf("g", "r"));
+  ASSERT_TRUE(store_->ForgetResult("action-a").ok());
+  EXPECT_FALSE(store_->FindResult("action-a")->has_value());
+}
+
+TEST_P(JobStoreTest, ACachedResultMustStillBeThere) {
+  MakeDone("a", ResultOf("g", "r"));
+  NewJob same = JobOf("b");
+  same.action_digest = "action-a";
+  ASSERT_TRUE(store_->Create(same, 1).ok());
+  const Lease lease = Claim();
+  JobResult cached = ResultOf("g", "r");
+  cached.cached = true;
+
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_EQ(DetailOf(Succeed(lease, cached).status()).reason, Reason::kBlobNotFound);
+  EXPECT_EQ(store_->Get("b")->state, kQueued);
+  EXPECT_TRUE(Succeed(lease, ResultOf("g", "r")).ok()) << "computed anew, it may end";
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "services/coordinator/store/jobs/job_store.h"
+
+namespace slicefarm::coordinator {
+
+/// The state of a MemoryJobStore: what its openings share, as they would a database.
+class MemoryJobs {
+ public:
+  struct Entry {
+    JobRecord job;
+    std::vector<std::string> inputs;
+    std::vector<JobEventRecord> events;
+  };
+
+  /// By number, without a lock: for who looks on while nobody calls the store.
+  const std::map<int64_t, Entry>& entries() const { return entries_; }
+  /// nullptr: there is none.
+  const Entry* Find(const std::string& id) const;
+
+ private:
+  friend class MemoryJobStore;
+
+  struct Request {
+    std::string job_id;
+    std::string spec_digest;
+    int64_t create_us = 0;
+  };
+
+  std::mutex mutex_;
+  int64_t last_number_ = 0;
+  std::map<int64_t, Entry> entries_;
+  std::unordered_map<std::string, int64_t> numbers_;                 ///< by id
+  std::map<std::pair<std::string, std::string>, Request> requests_;  ///< by tenant and request id
+  std::map<std::string, int64_t> turns_;      ///< when a job of the tenant was claimed last
+  std::map<std::string, JobResult> results_;  ///< by action digest
+};
+
+/// JobStore that forgets everything with the process: for simulation and tests. Keeps the contract
+/// (job_store_contract_test.cc) by the same rules as the stores on disk, job_steps.h. No call fails
+/// but for the caller's fault.
+class MemoryJobStore : public JobStore {
+ public:
+  /// `jobs` outlives the store.
+  explicit MemoryJobStore(MemoryJobs& jobs) : jobs_(jobs) {}
+
+  absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<JobRecord> Get(const std::string& id) override;
+  absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
+  absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
+                                                 int64_t until_us,
+                                                 const std::set<std::string>& busy = {},
+                                                 Priority at_least = Priority::kBulk) override;
+  absl::StatusOr<std::vector<JobRecord>> EndOverdue(const JobError& error, int64_t now_us,
+                                                    int32_t limit) override;
+  absl::Status Adopt(const Lease& lease, const JobIdentity& identity) override;
+  absl::StatusOr<std::vector<HeldJob>> Renew(const std::vector<Lease>& leases,
+                                             int64_t until_us) override;
+  absl::Status Release(const std::string& owner) override;
+  absl::StatusOr<JobRecord> Update(const Lease& lease, const JobUpdate& update,
+                                   int64_t now_us) override;
+  absl::StatusOr<JobRecord> RequestCancel(const std::string& id, int64_t now_us) override;
+  absl::Status Delete(const std::string& id) override;
+  absl::StatusOr<std::vector<JobEventRecord>> Events(const std::string& id, int64_t after,
+                                                     int32_t limit) override;
+  absl::StatusOr<std::optional<JobResult>> FindResult(const std::string& action_digest) override;
+  absl::Status ForgetResult(const std::string& action_digest) override;
+  absl::Status ExpireRequestIds(int64_t now_us) override;
+  absl::StatusOr<std::map<JobState, int64_t>> CountByState() override;
+  absl::StatusOr<std::vector<OpenJobs>> CountOpen() override;
+  absl::StatusOr<std::set<std::string>> Referenced(const std::string& tenant,
+                                                   const std::set<std::string>& digests) override;
+  absl::StatusOr<std::vector<std::string>> EndedBefore(int64_t time_us, int32_t limit) override;
+
+ private:
+  using Entry = MemoryJobs::Entry;
+
+  Entry* Find(const std::string& id);
+  Entry* FindHeld(const Lease& lease);
+  absl::Status CheckQueue(const NewJob& job) const;
+  std::vector<std::string> Tenants(int64_t now_us) const;
+  JobRecord* Claimable(const std::string& tenant, int64_t now_us, const std::set<std::string>& busy,
+                       Priority at_least);
+  absl::Status IndexResult(const JobRecord& job);
+  bool IsArtifact(const std::string& tenant, const std::string& digest) const;
+  bool IsInput(const std::string& tenant, const std::string& digest) const;
+  void ForgetUnreferenced(const std::string& tenant, const std::string& digest);
+
+  MemoryJobs& jobs_;
+};
+
+}  // namespace slicefarm::coordinator

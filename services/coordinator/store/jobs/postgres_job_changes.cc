@@ -1,0 +1,60 @@
+#include "services/coordinator/store/jobs/postgres_job_changes.h"
+
+#include <libpq-fe.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <utility>
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr int kRetryMs = 1000;
+constexpr int kForever = -1;
+
+}  // namespace
+
+PostgresJobChanges::PostgresJobChanges(std::string conninfo, Listener listener)
+    : conninfo_(std::move(conninfo)),
+      listener_(std::move(listener)),
+      stop_(eventfd(0, EFD_CLOEXEC)),
+      thread_([this] { Run(); }) {}
+
+PostgresJobChanges::~PostgresJobChanges() {
+  stopping_ = true;
+  eventfd_write(stop_, 1);
+  thread_.join();
+  close(stop_);
+}
+
+void PostgresJobChanges::Run() {
+  while (!stopping_) {
+    const auto connection = PostgresConnection::Open(conninfo_);
+    if (connection.ok() && (*connection)->Execute("LISTEN slicefarm_jobs").ok()) {
+      listener_(std::nullopt);
+      Listen(**connection);
+    }
+    if (!stopping_) Wait(-1, kRetryMs);
+  }
+}
+
+/// Until the connection breaks.
+void PostgresJobChanges::Listen(PostgresConnection& connection) {
+  PGconn* const raw = connection.raw();
+  while (!stopping_ && PQconsumeInput(raw) == 1) {
+    while (PGnotify* const note = PQnotifies(raw)) {
+      if (const auto change = JobChangeFromText(note->extra)) listener_(change);
+      PQfreemem(note);
+    }
+    Wait(PQsocket(raw), kForever);
+  }
+}
+
+void PostgresJobChanges::Wait(int socket, int timeout_ms) const {
+  std::array<pollfd, 2> fds = {pollfd{stop_, POLLIN, 0}, pollfd{socket, POLLIN, 0}};
+  poll(fds.data(), fds.size(), timeout_ms);
+}
+
+}  // namespace slicefarm::coordinator

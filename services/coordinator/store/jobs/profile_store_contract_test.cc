@@ -1,0 +1,134 @@
+// What every ProfileStore does. An implementation joins by an entry in kStores.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/base/sha256.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/sql/postgres_database.h"
+#include "services/coordinator/store/jobs/profile_store.h"
+#include "services/coordinator/store/sql/shared_postgres_test.h"
+#include "services/coordinator/store/jobs/sql_profile_store.h"
+#include "services/coordinator/store/sql/sqlite_database.h"
+#include "services/coordinator/store/store_place_test.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+
+class SqlitePlace : public StorePlace<ProfileStore> {
+ public:
+  std::unique_ptr<ProfileStore> Open() override {
+    return std::make_unique<SqlProfileStore>(*SqliteDatabase::Open(directory_.path() + "/db"));
+  }
+
+ private:
+  TempDirectory directory_;
+};
+
+class PostgresPlace : public StorePlace<ProfileStore> {
+ public:
+  std::unique_ptr<ProfileStore> Open() override {
+    return std::make_unique<SqlProfileStore>(*PostgresDatabase::Open(database_));
+  }
+
+ private:
+  const std::string database_ = SharedPostgres().NewDatabase();
+};
+
+const std::vector<StoreKind<ProfileStore>> kStores = {
+    {"Sqlite", [] { return std::make_unique<SqlitePlace>(); }},
+    {"Postgres", [] { return std::make_unique<PostgresPlace>(); }},
+};
+
+class ProfileStoreTest : public testing::TestWithParam<StoreKind<ProfileStore>> {
+ protected:
+  ProfileRecord Put(const std::string& name, const std::string& settings,
+                    const std::string& tenant = "a") {
+    auto put = store_->Put({tenant, name, settings, Sha256Hex(settings)}, ++now_us_);
+    EXPECT_TRUE(put.ok()) << put.status();
+    return *std::move(put);
+  }
+
+  std::unique_ptr<StorePlace<ProfileStore>> place_ = GetParam().place();
+  std::unique_ptr<ProfileStore> store_ = place_->Open();
+  int64_t now_us_ = 1'000;
+};
+
+INSTANTIATE_TEST_SUITE_P(Stores, ProfileStoreTest, testing::ValuesIn(kStores),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(ProfileStoreTest, RevisionsStayAsTheyWere) {
+  const std::string bytes("some\0bytes", 10);
+  const ProfileRecord first = Put("mk4", bytes);
+  EXPECT_EQ(first, (ProfileRecord{"mk4", 1, bytes, Sha256Hex(bytes), 1'001}));
+  const ProfileRecord second = Put("mk4", "other");
+  EXPECT_EQ(second.revision, 2);
+  EXPECT_EQ(*store_->Get("a", "mk4", 1), first);
+  EXPECT_EQ(*store_->Get("a", "mk4", 2), second);
+  EXPECT_EQ(*store_->Get("a", "mk4", 0), second);
+  store_ = place_->Open();
+  EXPECT_EQ(*store_->Get("a", "mk4", 1), first);
+}
+
+TEST_P(ProfileStoreTest, TheSameSettingsAgainMakeNoRevision) {
+  const ProfileRecord first = Put("mk4", "same");
+  EXPECT_EQ(Put("mk4", "same"), first);
+  Put("mk4", "other");
+  EXPECT_EQ(Put("mk4", "same").revision, 3) << "it is not the newest any more";
+}
+
+TEST_P(ProfileStoreTest, WhatIsNotThereIsToldByName) {
+  Put("mk4", "settings");
+  for (const auto& [tenant, name, revision] :
+       {std::tuple{"a", "mk3", 0}, {"a", "mk4", 2}, {"b", "mk4", 0}, {"b", "mk4", 1}}) {
+    const absl::Status missing = store_->Get(tenant, name, revision).status();
+    EXPECT_TRUE(absl::IsNotFound(missing));
+    EXPECT_EQ(DetailOf(missing).reason, Reason::kProfileNotFound);
+    EXPECT_NE(missing.message().find(name), absl::string_view::npos);
+  }
+}
+
+TEST_P(ProfileStoreTest, ListsTheNewestOfEachByName) {
+  for (const char* name : {"c", "a", "b"}) Put(name, "1");
+  Put("b", "2");
+  Put("z", "1", "another tenant");
+  const auto name = [](const char* value) { return Field(&ProfileRecord::name, value); };
+  const auto all = *store_->List("a", "", 10);
+  EXPECT_THAT(all, ElementsAre(name("a"), name("b"), name("c")));
+  EXPECT_EQ(all[1].revision, 2);
+  EXPECT_EQ(all[1].settings, "");
+  EXPECT_THAT(*store_->List("a", "", 2), ElementsAre(name("a"), name("b")));
+  EXPECT_THAT(*store_->List("a", "b", 2), ElementsAre(name("c")));
+}
+
+TEST_P(ProfileStoreTest, RevisionsOfManyWritersAreAllThere) {
+  constexpr int kWriters = 4;
+  constexpr int kEach = 10;
+  std::vector<std::thread> writers;
+  for (int w = 0; w < kWriters; ++w) {
+    writers.emplace_back([&, w] {
+      for (int i = 0; i < kEach; ++i) {
+        const std::string text = std::to_string(w) + "." + std::to_string(i);
+        EXPECT_TRUE(store_->Put({"a", "mk4", text, text}, 1).ok());
+      }
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  std::set<std::string> seen;
+  for (int revision = 1; revision <= kWriters * kEach; ++revision)
+    seen.insert(store_->Get("a", "mk4", revision)->settings);
+  EXPECT_EQ(seen.size(), kWriters * kEach);
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

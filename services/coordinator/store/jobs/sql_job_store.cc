@@ -1,0 +1,431 @@
+#include "services/coordinator/store/jobs/sql_job_store.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/base/error.h"
+#include "services/coordinator/store/jobs/job_claims.h"
+#include "services/coordinator/store/jobs/job_listing.h"
+#include "services/coordinator/store/jobs/job_rows.h"
+#include "services/coordinator/store/jobs/job_steps.h"
+#include "services/coordinator/store/jobs/sql_webhook_store.h"
+#include "services/coordinator/store/sql/sqlite_database.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// The job that an earlier call with the same request id made, if there was one.
+absl::StatusOr<std::optional<JobRecord>> FindRequested(SqlConnection& db, const NewJob& job) {
+  SqlQuery query(db,
+                 "SELECT job_id, spec_digest FROM requests WHERE tenant = ? AND request_id = ?");
+  query.Bind(job.tenant, job.request_id);
+  if (!query.Next()) {
+    if (!query.status().ok()) return query.status();
+    return std::nullopt;
+  }
+  if (query.Text(1) != job.spec_digest) return RequestIdReused(job.request_id);
+  auto found = FindJob(db, query.Text(0));
+  if (absl::IsNotFound(found.status())) return std::nullopt;  // deleted since
+  if (!found.ok()) return found.status();
+  return *std::move(found);
+}
+
+/// False: another call with the same request id was faster.
+absl::StatusOr<bool> TakeRequestId(SqlConnection& db, const NewJob& job, int64_t now_us) {
+  if (job.request_id.empty()) return true;
+  SqlQuery take(db,
+                "INSERT INTO requests (tenant, request_id, job_id, spec_digest, create_us)"
+                " VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING RETURNING job_id");
+  take.Bind(job.tenant, job.request_id, job.id, job.spec_digest, now_us);
+  bool taken = false;
+  while (take.Next()) taken = true;
+  if (!take.status().ok()) return take.status();
+  return taken;
+}
+
+absl::Status CheckQueue(SqlConnection& db, const NewJob& job) {
+  if (job.max_open == INT64_MAX) return absl::OkStatus();
+  const std::string sql = absl::StrCat("SELECT 1 FROM jobs", db.dialect().Through("jobs_open"),
+                                       " WHERE tenant = ? AND " SLICEFARM_OPEN " LIMIT 1 OFFSET ?");
+  SqlQuery query(db, sql);
+  const bool full = query.Bind(job.tenant, job.max_open - 1).Next();
+  if (!query.status().ok()) return query.status();
+  return full ? QueueFull(job.max_open) : absl::OkStatus();
+}
+
+absl::Status InsertJob(SqlConnection& db, const NewJob& job, int64_t now_us) {
+  SqlQuery insert(db,
+                  "INSERT INTO jobs (id, tenant, state, priority, deadline_us, spec, labels,"
+                  " settings_digest, action_digest, build_id, traceparent, create_us)"
+                  " VALUES (?, ?, 'QUEUED', ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  insert.Bind(job.id, job.tenant, static_cast<int64_t>(job.priority), job.deadline_us,
+              Blob{job.spec}, ToJson(job.labels), job.settings_digest, job.action_digest,
+              job.build_id, job.traceparent, now_us);
+  return insert.Run();
+}
+
+/// What is looked up by its value.
+absl::Status InsertLists(SqlConnection& db, int64_t number, const NewJob& job) {
+  for (const auto& [key, value] : job.labels) {
+    SqlQuery label(db, "INSERT INTO labels (job, key, value) VALUES (?, ?, ?)");
+    if (absl::Status done = label.Bind(number, key, value).Run(); !done.ok()) return done;
+  }
+  for (const std::string& digest : job.inputs) {
+    SqlQuery input(db, "INSERT INTO inputs (job, digest) VALUES (?, ?) ON CONFLICT DO NOTHING");
+    if (absl::Status done = input.Bind(number, digest).Run(); !done.ok()) return done;
+  }
+  return absl::OkStatus();
+}
+
+/// What a result has to do with the index of results.
+absl::Status IndexResult(SqlConnection& db, const JobRecord& job) {
+  const JobResult& result = *job.result;
+  if (result.cached) {
+    // A quote, which has no G-code, may have taken the report of a print.
+    SqlQuery query(db,
+                   "SELECT 1 FROM results WHERE report_sha256 = ? AND tenant = ?"
+                   " AND (gcode_sha256 = ? OR '' = ?)");
+    query.Bind(result.report_sha256, result.tenant, result.gcode_sha256, result.gcode_sha256);
+    if (query.Next()) return absl::OkStatus();
+    return query.status().ok() ? CachedResultGone(job.id) : query.status();
+  }
+  SqlQuery insert(db,
+                  "INSERT INTO results (action_digest, result, tenant, gcode_sha256, report_sha256)"
+                  " VALUES (?, ?, ?, ?, ?) ON CONFLICT (action_digest) DO UPDATE SET"
+                  " result = excluded.result, tenant = excluded.tenant,"
+                  " gcode_sha256 = excluded.gcode_sha256, report_sha256 = excluded.report_sha256");
+  insert.Bind(job.action_digest, ToJson(result), result.tenant, result.gcode_sha256,
+              result.report_sha256);
+  return insert.Run();
+}
+
+/// Whether a job's result refers to this blob of the tenant.
+absl::StatusOr<bool> IsArtifact(SqlConnection& db, const std::string& tenant,
+                                const std::string& digest) {
+  SqlQuery query(db,
+                 "SELECT 1 WHERE EXISTS (SELECT 1 FROM jobs WHERE gcode_sha256 = ?"
+                 "  AND gcode_sha256 <> '' AND result_tenant = ?)"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE report_sha256 = ?"
+                 "  AND report_sha256 <> '' AND result_tenant = ?)"
+                 " OR EXISTS (SELECT 1 FROM jobs WHERE trace_sha256 = ?"
+                 "  AND trace_sha256 <> '' AND tenant = ?)");
+  const bool referenced = query.Bind(digest, tenant, digest, tenant, digest, tenant).Next();
+  if (!query.status().ok()) return query.status();
+  return referenced;
+}
+
+/// Results made of what no job refers to any more leave the index.
+absl::Status ForgetUnreferenced(SqlConnection& db, const std::string& tenant,
+                                const std::string& digest) {
+  if (digest.empty()) return absl::OkStatus();
+  const auto referenced = IsArtifact(db, tenant, digest);
+  if (!referenced.ok() || *referenced) return referenced.status();
+  SqlQuery forget(
+      db, "DELETE FROM results WHERE tenant = ? AND (gcode_sha256 = ? OR report_sha256 = ?)");
+  return forget.Bind(tenant, digest, digest).Run();
+}
+
+/// Does `work(connection)` as a transaction.
+template <typename Result, typename Work>
+absl::StatusOr<Result> InTransaction(SqlDatabase& database, const Work& work) {
+  const auto session = database.Write();
+  if (!session.ok()) return session.status();
+  SqlTransaction transaction(**session);
+  if (!transaction.status().ok()) return transaction.status();
+  absl::StatusOr<Result> result = work(**session);
+  if (!result.ok()) return result;
+  if (absl::Status done = transaction.Commit(); !done.ok()) return done;
+  return result;
+}
+
+/// Runs one statement.
+template <typename... Values>
+absl::Status RunOne(SqlDatabase& database, std::string_view sql, const Values&... values) {
+  const auto session = database.Write();
+  if (!session.ok()) return session.status();
+  return SqlQuery(**session, sql).Bind(values...).Run();
+}
+
+absl::StatusOr<Created> CreateIn(SqlConnection& db, const NewJob& job, int64_t now_us) {
+  const auto taken = TakeRequestId(db, job, now_us);
+  if (!taken.ok()) return taken.status();
+  if (!*taken) {
+    auto earlier = FindRequested(db, job);
+    if (!earlier.ok()) return earlier.status();
+    if (*earlier) return Created{**std::move(earlier), /*fresh=*/false};
+    return StoreAway("a job with the same request_id is being removed");
+  }
+  if (!job.refusal.ok()) return job.refusal;
+  if (absl::Status ok = CheckQueue(db, job); !ok.ok()) return ok;
+  if (absl::Status done = InsertJob(db, job, now_us); !done.ok()) return done;
+  auto record = FindJob(db, job.id);
+  if (!record.ok()) return record.status();
+  if (absl::Status done = InsertLists(db, record->number, job); !done.ok()) return done;
+  if (absl::Status done = InsertWebhook(db, record->number, job.webhook_url); !done.ok())
+    return done;
+  if (absl::Status done = WriteStep(db, *record, now_us); !done.ok()) return done;
+  return Created{*std::move(record), /*fresh=*/true};
+}
+
+absl::Status DeleteIn(SqlConnection& db, const std::string& id) {
+  const auto job = LockJob(db, id);
+  if (!job.ok()) return job.status();
+  if (!IsTerminal(job->state)) return JobNotFinished(id);
+  SqlQuery forget(db, "DELETE FROM requests WHERE job_id = ?");
+  if (absl::Status done = forget.Bind(id).Run(); !done.ok()) return done;
+  SqlQuery remove(db, "DELETE FROM jobs WHERE number = ?");
+  if (absl::Status done = remove.Bind(job->number).Run(); !done.ok()) return done;
+  if (!job->result) return absl::OkStatus();
+  for (const std::string& digest : {job->result->gcode_sha256, job->result->report_sha256}) {
+    absl::Status done = ForgetUnreferenced(db, job->result->tenant, digest);
+    if (!done.ok()) return done;
+  }
+  return absl::OkStatus();
+}
+
+/// Ids of jobs that wait and whose deadline has passed. Cost: reads the index of open jobs.
+absl::StatusOr<std::vector<std::string>> ListOverdue(SqlDatabase& database, int64_t now_us,
+                                                     int32_t limit) {
+  const auto session = database.Read();
+  if (!session.ok()) return session.status();
+  SqlConnection& db = **session;
+  const std::string sql =
+      absl::StrCat("SELECT id FROM jobs", db.dialect().Through("jobs_open"),
+                   " WHERE " SLICEFARM_OPEN
+                   " AND deadline_us <= ? AND (owner = '' OR owner_until_us <= ?)"
+                   " AND cancel_requested = 0"
+                   " ORDER BY deadline_us, number LIMIT ?");
+  SqlQuery query(db, sql);
+  query.Bind(now_us, now_us, limit);
+  std::vector<std::string> ids;
+  while (query.Next()) ids.push_back(query.Text(0));
+  if (!query.status().ok()) return query.status();
+  return ids;
+}
+
+/// None: another one is about to write to it, or has claimed, ended or deleted it since it was
+/// listed.
+absl::StatusOr<std::optional<JobRecord>> EndOverdueIn(SqlConnection& db, const std::string& id,
+                                                      const JobError& error, int64_t now_us) {
+  auto job = LockFreeJob(db, id);
+  if (DetailOf(job.status()).reason == Reason::kJobNotFound) return std::nullopt;
+  if (!job.ok()) return job.status();
+  if (!ApplyOverdue(*job, error, now_us)) return std::nullopt;
+  if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+  return *std::move(job);
+}
+
+}  // namespace
+
+absl::StatusOr<Created> SqlJobStore::Create(const NewJob& job, int64_t now_us) {
+  return InTransaction<Created>(*database_,
+                                [&](SqlConnection& db) { return CreateIn(db, job, now_us); });
+}
+
+absl::StatusOr<JobRecord> SqlJobStore::Get(const std::string& id) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return FindJob(**session, id);
+}
+
+absl::StatusOr<std::vector<JobRecord>> SqlJobStore::List(const ListQuery& query) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return ListJobs(**session, query);
+}
+
+absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& owner,
+                                                            int64_t now_us, int64_t until_us,
+                                                            const std::set<std::string>& busy,
+                                                            Priority at_least) {
+  const ClaimRequest request = {owner, now_us, until_us, busy, at_least};
+  // Most calls find nothing, and need no write.
+  {
+    const auto session = database_->Read();
+    if (!session.ok()) return session.status();
+    const auto any = AnyClaimable(**session, request);
+    if (!any.ok()) return any.status();
+    if (!*any) return std::nullopt;
+  }
+  const auto claimed = InTransaction<std::optional<std::string>>(
+      *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
+  if (!claimed.ok()) return claimed.status();
+  if (!*claimed) return std::nullopt;
+  // Read when it is held already, so that a row which cannot be read does not keep others waiting.
+  auto job = Get(**claimed);
+  if (!job.ok()) return job.status();
+  return *std::move(job);
+}
+
+absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& error,
+                                                               int64_t now_us, int32_t limit) {
+  const auto overdue = ListOverdue(*database_, now_us, limit);
+  if (!overdue.ok()) return overdue.status();
+  std::vector<JobRecord> ended;
+  for (const std::string& id : *overdue) {
+    auto job = InTransaction<std::optional<JobRecord>>(
+        *database_, [&](SqlConnection& db) { return EndOverdueIn(db, id, error, now_us); });
+    if (absl::IsDataLoss(job.status())) continue;  // whoever claims it tells of it
+    if (!job.ok() && ended.empty()) return job.status();
+    if (!job.ok()) break;
+    if (*job) ended.push_back(**std::move(job));
+  }
+  return ended;
+}
+
+absl::Status SqlJobStore::Adopt(const Lease& lease, const JobIdentity& identity) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  SqlQuery adopt(
+      **session,
+      "UPDATE jobs SET settings_digest = ?, action_digest = ?, build_id = ?, lost_runs = 0"
+      " WHERE id = ? AND owner_epoch = ? AND owner <> '' RETURNING id");
+  adopt.Bind(identity.settings_digest, identity.action_digest, identity.build_id, lease.job_id,
+             lease.epoch);
+  bool held = false;
+  while (adopt.Next()) held = true;  // to the end, where it is committed
+  if (!adopt.status().ok() || held) return adopt.status();
+  return NotHeld(lease);
+}
+
+absl::StatusOr<std::vector<HeldJob>> SqlJobStore::Renew(const std::vector<Lease>& leases,
+                                                        int64_t until_us) {
+  if (leases.empty()) return std::vector<HeldJob>();
+  return InTransaction<std::vector<HeldJob>>(
+      *database_, [&](SqlConnection& db) { return RenewLeases(db, leases, until_us); });
+}
+
+absl::Status SqlJobStore::Release(const std::string& owner) {
+  return RunOne(*database_,
+                "UPDATE jobs SET owner = '', owner_until_us = 0 WHERE owner = ? AND owner <> ''",
+                owner);
+}
+
+absl::StatusOr<JobRecord> SqlJobStore::Update(const Lease& lease, const JobUpdate& update,
+                                              int64_t now_us) {
+  return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
+    auto job = LockJob(db, lease.job_id);
+    if (!job.ok()) return job.status();
+    if (absl::Status done = ApplyUpdate(*job, lease, update, now_us); !done.ok()) return done;
+    if (job->result) {
+      if (absl::Status done = IndexResult(db, *job); !done.ok()) return done;
+    }
+    if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+    return job;
+  });
+}
+
+absl::StatusOr<JobRecord> SqlJobStore::RequestCancel(const std::string& id, int64_t now_us) {
+  return InTransaction<JobRecord>(*database_, [&](SqlConnection& db) -> absl::StatusOr<JobRecord> {
+    auto job = LockJob(db, id);
+    if (!job.ok() || !ApplyCancel(*job, now_us)) return job;
+    if (absl::Status done = WriteStep(db, *job, now_us); !done.ok()) return done;
+    return job;
+  });
+}
+
+absl::Status SqlJobStore::Delete(const std::string& id) {
+  return InTransaction<bool>(*database_,
+                             [&](SqlConnection& db) -> absl::StatusOr<bool> {
+                               if (absl::Status done = DeleteIn(db, id); !done.ok()) return done;
+                               return true;
+                             })
+      .status();
+}
+
+absl::StatusOr<std::vector<JobEventRecord>> SqlJobStore::Events(const std::string& id,
+                                                                int64_t after, int32_t limit) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  return ListEvents(**session, id, after, limit);
+}
+
+absl::StatusOr<std::optional<JobResult>> SqlJobStore::FindResult(const std::string& action_digest) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session, "SELECT result FROM results WHERE action_digest = ?");
+  query.Bind(action_digest);
+  if (!query.Next()) {
+    if (!query.status().ok()) return query.status();
+    return std::nullopt;
+  }
+  JobResult result;
+  if (absl::Status read = FromJson(query.Text(0), result); !read.ok()) return read;
+  return result;
+}
+
+absl::Status SqlJobStore::ForgetResult(const std::string& action_digest) {
+  return RunOne(*database_, "DELETE FROM results WHERE action_digest = ?", action_digest);
+}
+
+absl::Status SqlJobStore::ExpireRequestIds(int64_t now_us) {
+  return RunOne(*database_, "DELETE FROM requests WHERE create_us < ?", now_us - kRequestIdKeptUs);
+}
+
+absl::StatusOr<std::map<JobState, int64_t>> SqlJobStore::CountByState() {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session, "SELECT state, count(*) FROM jobs GROUP BY state");
+  std::map<JobState, int64_t> counts;
+  while (query.Next()) {
+    if (const auto state = JobStateFromName(query.Text(0))) counts[*state] = query.Int(1);
+  }
+  if (!query.status().ok()) return query.status();
+  return counts;
+}
+
+absl::StatusOr<std::vector<OpenJobs>> SqlJobStore::CountOpen() {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT state, priority, count(*), min(create_us) FROM jobs WHERE " SLICEFARM_OPEN
+                 " GROUP BY state, priority ORDER BY state, priority");
+  std::vector<OpenJobs> open;
+  while (query.Next()) {
+    if (const auto state = JobStateFromName(query.Text(0))) {
+      open.push_back({*state, static_cast<Priority>(query.Int(1)), query.Int(2), query.Int(3)});
+    }
+  }
+  if (!query.status().ok()) return query.status();
+  return open;
+}
+
+absl::StatusOr<std::set<std::string>> SqlJobStore::Referenced(
+    const std::string& tenant, const std::set<std::string>& digests) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  std::set<std::string> referenced;
+  for (const std::string& digest : digests) {
+    const auto artifact = IsArtifact(**session, tenant, digest);
+    if (!artifact.ok()) return artifact.status();
+    SqlQuery input(**session,
+                   "SELECT 1 FROM inputs JOIN jobs ON jobs.number = inputs.job"
+                   " WHERE inputs.digest = ? AND jobs.tenant = ? LIMIT 1");
+    if (*artifact || input.Bind(digest, tenant).Next()) referenced.insert(digest);
+    if (!input.status().ok()) return input.status();
+  }
+  return referenced;
+}
+
+absl::StatusOr<std::vector<std::string>> SqlJobStore::EndedBefore(int64_t time_us, int32_t limit) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT id FROM jobs WHERE end_us > 0 AND end_us < ?"
+                 " AND NOT EXISTS (SELECT 1 FROM webhooks WHERE job = number AND state = 'DUE')"
+                 " ORDER BY end_us LIMIT ?");
+  query.Bind(time_us, limit);
+  std::vector<std::string> ids;
+  while (query.Next()) ids.push_back(query.Text(0));
+  if (!query.status().ok()) return query.status();
+  return ids;
+}
+
+absl::StatusOr<std::unique_ptr<JobStore>> OpenSqliteJobStore(const std::string& path) {
+  auto database = SqliteDatabase::Open(path);
+  if (!database.ok()) return database.status();
+  return std::make_unique<SqlJobStore>(*std::move(database));
+}
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,106 @@
+#include "services/coordinator/store/jobs/sql_profile_store.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status NotFound(const std::string& name, int64_t revision) {
+  const std::string wanted = revision == 0 ? name : fmt::format("{}@{}", name, revision);
+  return MakeError(absl::StatusCode::kNotFound, Reason::kProfileNotFound,
+                   fmt::format("there is no profile {}", wanted), {{"profile", wanted}});
+}
+
+/// nullopt: there is none. `revision` 0: the newest.
+absl::StatusOr<std::optional<ProfileRecord>> Find(SqlConnection& db, const std::string& tenant,
+                                                  const std::string& name, int64_t revision) {
+  SqlQuery query(db,
+                 "SELECT revision, settings, settings_digest, create_us FROM profiles"
+                 " WHERE tenant = ? AND name = ? AND (revision = ? OR ? = 0)"
+                 " ORDER BY revision DESC LIMIT 1");
+  if (!query.Bind(tenant, name, revision, revision).Next()) {
+    if (!query.status().ok()) return query.status();
+    return std::nullopt;
+  }
+  return ProfileRecord{name, query.Int(0), query.Text(1), query.Text(2), query.Int(3)};
+}
+
+/// Revisions stay for ever, so there is an end to them.
+absl::Status CheckRoom(SqlConnection& db, const std::string& tenant) {
+  SqlQuery query(db, "SELECT count(*) FROM profiles WHERE tenant = ?");
+  const int64_t count = query.Bind(tenant).Next() ? query.Int(0) : 0;
+  if (!query.status().ok()) return query.status();
+  if (count < limits::kMaxProfileRevisions) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "revisions of profiles", limits::kMaxProfileRevisions,
+                    count + 1);
+}
+
+/// The revision as it came to be; nullopt: another call was faster.
+absl::StatusOr<std::optional<ProfileRecord>> Insert(SqlConnection& db, const NewProfile& profile,
+                                                    int64_t revision, int64_t now_us) {
+  SqlQuery insert(db,
+                  "INSERT INTO profiles (tenant, name, revision, settings, settings_digest,"
+                  " create_us) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING"
+                  " RETURNING revision");
+  insert.Bind(profile.tenant, profile.name, revision, Blob{profile.settings},
+              profile.settings_digest, now_us);
+  bool made = false;
+  while (insert.Next()) made = true;
+  if (!insert.status().ok()) return insert.status();
+  if (!made) return std::nullopt;
+  return ProfileRecord{profile.name, revision, profile.settings, profile.settings_digest, now_us};
+}
+
+}  // namespace
+
+absl::StatusOr<ProfileRecord> SqlProfileStore::Put(const NewProfile& profile, int64_t now_us) {
+  const auto session = database_->Write();
+  if (!session.ok()) return session.status();
+  while (true) {
+    auto newest = Find(**session, profile.tenant, profile.name, 0);
+    if (!newest.ok()) return newest.status();
+    if (*newest && (*newest)->settings_digest == profile.settings_digest)
+      return **std::move(newest);
+    if (absl::Status room = CheckRoom(**session, profile.tenant); !room.ok()) return room;
+    const int64_t revision = *newest ? (*newest)->revision + 1 : 1;
+    auto made = Insert(**session, profile, revision, now_us);
+    if (!made.ok()) return made.status();
+    if (*made) return **std::move(made);
+  }
+}
+
+absl::StatusOr<ProfileRecord> SqlProfileStore::Get(const std::string& tenant,
+                                                   const std::string& name, int64_t revision) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  auto found = Find(**session, tenant, name, revision);
+  if (!found.ok()) return found.status();
+  if (!*found) return NotFound(name, revision);
+  return **std::move(found);
+}
+
+absl::StatusOr<std::vector<ProfileRecord>> SqlProfileStore::List(const std::string& tenant,
+                                                                 const std::string& after,
+                                                                 int32_t limit) {
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  SqlQuery query(**session,
+                 "SELECT name, revision, settings_digest, create_us FROM profiles AS p"
+                 " WHERE tenant = ? AND name > ? AND revision = (SELECT MAX(revision) FROM profiles"
+                 " WHERE tenant = p.tenant AND name = p.name) ORDER BY name LIMIT ?");
+  query.Bind(tenant, after, limit);
+  std::vector<ProfileRecord> profiles;
+  while (query.Next()) {
+    profiles.push_back({query.Text(0), query.Int(1), "", query.Text(2), query.Int(3)});
+  }
+  if (!query.status().ok()) return query.status();
+  return profiles;
+}
+
+}  // namespace slicefarm::coordinator

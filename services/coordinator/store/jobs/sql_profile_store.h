@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/coordinator/store/jobs/profile_store.h"
+#include "services/coordinator/store/sql/sql.h"
+
+namespace slicefarm::coordinator {
+
+/// A ProfileStore in an SQL database that has the tables of `sqlite_schema` or `deploy/postgres`.
+class SqlProfileStore : public ProfileStore {
+ public:
+  explicit SqlProfileStore(std::shared_ptr<SqlDatabase> database)
+      : database_(std::move(database)) {}
+
+  absl::StatusOr<ProfileRecord> Put(const NewProfile& profile, int64_t now_us) override;
+  absl::StatusOr<ProfileRecord> Get(const std::string& tenant, const std::string& name,
+                                    int64_t revision) override;
+  absl::StatusOr<std::vector<ProfileRecord>> List(const std::string& tenant,
+                                                  const std::string& after, int32_t limit) override;
+
+ private:
+  const std::shared_ptr<SqlDatabase> database_;
+};
+
+}  // namespace slicefarm::coordinator

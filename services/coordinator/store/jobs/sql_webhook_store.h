@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/coordinator/store/sql/sql.h"
+#include "services/coordinator/store/jobs/webhook_store.h"
+
+namespace slicefarm::coordinator {
+
+/// A WebhookStore in the database of a SqlJobStore.
+class SqlWebhookStore : public WebhookStore {
+ public:
+  explicit SqlWebhookStore(std::shared_ptr<SqlDatabase> database)
+      : database_(std::move(database)) {}
+
+  absl::StatusOr<std::optional<DueWebhook>> Claim(int64_t now_us, int64_t until_us,
+                                                  const std::set<std::string>& busy = {}) override;
+  absl::Status Record(const std::string& job_id, const WebhookAttempt& attempt, WebhookState state,
+                      int64_t again_us) override;
+  absl::StatusOr<std::optional<WebhookRecord>> Get(const std::string& job_id) override;
+
+ private:
+  const std::shared_ptr<SqlDatabase> database_;
+};
+
+/// What SqlJobStore does with webhooks, in its transactions. `job`: JobRecord.number.
+absl::Status InsertWebhook(SqlConnection& db, int64_t job, const std::string& url);
+absl::Status MakeWebhookDue(SqlConnection& db, int64_t job, int64_t now_us);
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,266 @@
+#include "services/coordinator/store/sql/postgres_connection.h"
+
+#include <libpq-fe.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/strip.h"
+#include "common/base/error.h"
+#include "common/rpc/status_mapping.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+constexpr SqlDialect kDialect = {
+    .begin = "BEGIN",
+    .for_update = " FOR UPDATE",
+    .skip_locked = " FOR UPDATE SKIP LOCKED",
+    .notify = "SELECT pg_notify('slicefarm_jobs', ?)",
+    .names_indexes = false,
+};
+
+/// Later settings of a connection string win, so these are only what `conninfo` does not say.
+constexpr std::array<const char*, 8> kKeywords = {
+    "connect_timeout",
+    "keepalives_idle",
+    "keepalives_interval",
+    "keepalives_count",
+    "tcp_user_timeout",
+    "application_name",
+    "dbname",
+    nullptr,
+};
+
+/// How long a transaction may stand still between two statements: a coordinator that is stopped, or
+/// whose machine is gone, would keep its locks, and the others from claiming jobs.
+constexpr std::chrono::milliseconds kIdleLimit = std::chrono::seconds(5);
+constexpr std::string_view kIdleInTransaction = "25P03";
+
+using Clock = std::chrono::steady_clock;
+
+std::unique_ptr<pg_result, void (*)(pg_result*)> Own(pg_result* result) {
+  return {result, PQclear};
+}
+
+/// libpq ends what it says with a line end.
+std::string Message(const std::string& text) {
+  return absl::StrCat("PostgreSQL: ", absl::StripTrailingAsciiWhitespace(text));
+}
+
+absl::Status Away(const std::string& text) { return StoreAway(Message(text)); }
+
+/// SQLSTATE classes: https://www.postgresql.org/docs/15/errcodes-appendix.html
+absl::Status ErrorOf(pg_conn* connection, const pg_result* result) {
+  const ExecStatusType status = PQresultStatus(result);
+  if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) return absl::OkStatus();
+  const char* code = PQresultErrorField(result, PG_DIAG_SQLSTATE);
+  const std::string_view state = code == nullptr ? "" : code;
+  if (state == "53100") {
+    return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull,
+                     Message(PQresultErrorMessage(result)));
+  }
+  // Lost connections; transactions that the server gave up on (deadlock); no more connections; the
+  // server is being stopped or just starts.
+  const bool away = PQstatus(connection) != CONNECTION_OK || state == kIdleInTransaction ||
+                    state.starts_with("08") || state.starts_with("40") || state.starts_with("53") ||
+                    state.starts_with("57");
+  const char* text = PQresultErrorMessage(result);
+  if (*text == '\0') text = PQerrorMessage(connection);
+  if (away) return Away(text);
+  return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, Message(text));
+}
+
+/// Whether the socket can be read, or written if it `writes`, before `until`.
+bool IsReady(int socket, bool writes, Clock::time_point until) {
+  pollfd ready = {socket, static_cast<int16_t>(writes ? POLLIN | POLLOUT : POLLIN), 0};
+  while (true) {
+    int left_ms = -1;
+    if (until != Clock::time_point::max()) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+      left_ms = static_cast<int>(std::max<int64_t>(0, left.count()));
+    }
+    const int count = poll(&ready, 1, left_ms);
+    if (count >= 0 || errno != EINTR) return count != 0;
+  }
+}
+
+/// Sends what is to be sent and reads until there is a result, or the end of results, or the
+/// connection breaks. False: it took too long.
+bool Exchange(pg_conn* connection, Clock::time_point until) {
+  int unsent = PQflush(connection);
+  while (unsent > 0 || PQisBusy(connection) == 1) {
+    if (!IsReady(PQsocket(connection), unsent > 0, until)) return false;
+    if (PQconsumeInput(connection) == 0) return true;
+    if (unsent > 0) unsent = PQflush(connection);
+  }
+  return true;
+}
+
+/// `?` to `$1`, `$2`, ... No text in our statements has a question mark.
+std::string Numbered(std::string_view sql) {
+  std::string numbered;
+  int next = 1;
+  for (const char c : sql) {
+    if (c == '?') {
+      absl::StrAppend(&numbered, "$", next++);
+    } else {
+      numbered += c;
+    }
+  }
+  return numbered;
+}
+
+int64_t FromNetwork(const char* bytes, int length) {
+  uint64_t value = 0;
+  for (int i = 0; i < length; ++i) value = value << 8 | static_cast<uint8_t>(bytes[i]);
+  const int unused = 64 - 8 * length;
+  return length == 0 ? 0 : static_cast<int64_t>(value << unused) >> unused;
+}
+
+}  // namespace
+
+class PostgresStatement : public SqlStatement {
+ public:
+  /// `name`: of the prepared statement; empty: `sql` is not kept.
+  PostgresStatement(PostgresConnection& connection, std::string_view sql,
+                    absl::StatusOr<std::string> name)
+      : connection_(connection), status_(name.status()), result_(Own(nullptr)) {
+    if (name.ok()) name_ = *std::move(name);
+    if (name_.empty()) sql_ = Numbered(sql);
+  }
+
+  void Bind(int64_t value) override { Add(absl::StrCat(value), /*binary=*/false); }
+  void Bind(std::string_view value) override {
+    // libpq would take what stands before it, and so another text.
+    if (value.find('\0') != std::string_view::npos) {
+      status_.Update(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                               "a text has a NUL character"));
+    }
+    Add(std::string(value), /*binary=*/false);
+  }
+  void Bind(Blob value) override { Add(std::string(value.bytes), /*binary=*/true); }
+
+  bool Next() override {
+    if (!status_.ok()) return false;
+    if (row_ < 0) Run();
+    return status_.ok() && ++row_ < PQntuples(result_.get());
+  }
+  const absl::Status& status() const override { return status_; }
+
+  int64_t Int(int column) const override {
+    return FromNetwork(PQgetvalue(result_.get(), row_, column),
+                       PQgetlength(result_.get(), row_, column));
+  }
+  std::string Text(int column) const override {
+    return std::string(PQgetvalue(result_.get(), row_, column),
+                       PQgetlength(result_.get(), row_, column));
+  }
+
+ private:
+  void Add(std::string value, bool binary) {
+    values_.push_back(std::move(value));
+    formats_.push_back(binary ? 1 : 0);
+  }
+
+  void Run() {
+    std::vector<const char*> values;
+    std::vector<int> lengths;
+    for (const std::string& value : values_) {
+      values.push_back(value.c_str());
+      lengths.push_back(static_cast<int>(value.size()));
+    }
+    const int count = static_cast<int>(values.size());
+    auto answer = connection_.Answer(
+        name_.empty()
+            ? PQsendQueryParams(connection_.raw(), sql_.c_str(), count, nullptr, values.data(),
+                                lengths.data(), formats_.data(), /*resultFormat=*/1)
+            : PQsendQueryPrepared(connection_.raw(), name_.c_str(), count, values.data(),
+                                  lengths.data(), formats_.data(), /*resultFormat=*/1));
+    status_ = answer.status();
+    if (answer.ok()) result_ = *std::move(answer);
+  }
+
+  PostgresConnection& connection_;
+  std::string name_;
+  std::string sql_;
+  absl::Status status_;
+  std::vector<std::string> values_;
+  std::vector<int> formats_;
+  PostgresConnection::Result result_;
+  int row_ = -1;
+};
+
+absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
+    const std::string& conninfo, Limit limit) {
+  constexpr std::array<const char*, kKeywords.size()> kValues = {
+      "5", "5", "2", "3", "10000", "slicefarm", nullptr, nullptr};
+  std::array<const char*, kKeywords.size()> values = kValues;
+  values[kKeywords.size() - 2] = conninfo.c_str();
+  std::unique_ptr<PostgresConnection> connection(new PostgresConnection(
+      PQconnectdbParams(kKeywords.data(), values.data(), /*expand_dbname=*/1), limit));
+  if (!connection->alive()) return Away(PQerrorMessage(connection->connection_));
+  PQsetNoticeProcessor(
+      connection->connection_, [](void*, const char*) {}, nullptr);
+  PQsetnonblocking(connection->connection_, 1);
+  absl::Status ready = connection->Execute(
+      absl::StrCat("SET statement_timeout = ", limit.count(),
+                   "; SET idle_in_transaction_session_timeout = ", kIdleLimit.count()));
+  if (!ready.ok()) return ready;
+  return connection;
+}
+
+PostgresConnection::~PostgresConnection() { PQfinish(connection_); }
+
+const SqlDialect& PostgresConnection::dialect() const { return kDialect; }
+
+bool PostgresConnection::alive() const {
+  return !given_up_ && PQstatus(connection_) == CONNECTION_OK;
+}
+
+absl::Status PostgresConnection::Execute(const std::string& sql) {
+  return Answer(PQsendQuery(connection_, sql.c_str())).status();
+}
+
+std::unique_ptr<SqlStatement> PostgresConnection::Prepare(std::string_view sql) {
+  return std::make_unique<PostgresStatement>(*this, sql, Find(sql));
+}
+
+/// Empty: enough of them are kept.
+absl::StatusOr<std::string> PostgresConnection::Find(std::string_view sql) {
+  if (const auto found = prepared_.find(sql); found != prepared_.end()) return found->second;
+  if (prepared_.size() >= kMostPrepared) return std::string();
+  const std::string name = absl::StrCat("s", prepared_.size());
+  const auto answer =
+      Answer(PQsendPrepare(connection_, name.c_str(), Numbered(sql).c_str(), 0, nullptr));
+  if (!answer.ok()) return answer.status();
+  prepared_.emplace(sql, name);
+  return name;
+}
+
+/// The last result of what was `sent`, as libpq's functions that wait forever give it.
+absl::StatusOr<PostgresConnection::Result> PostgresConnection::Answer(int sent) {
+  const auto until =
+      limit_ == kNoLimit ? Clock::time_point::max() : Clock::now() + limit_ + limit_ / 6;
+  if (given_up_) return Away("the connection was given up");
+  Result last = Own(nullptr);
+  while (sent == 1) {
+    if (!Exchange(connection_, until)) {
+      given_up_ = true;  // an answer that comes now would be taken for the next one's
+      shutdown(PQsocket(connection_), SHUT_RDWR);
+      return Away(absl::StrCat("no answer within ", limit_.count(), " ms"));
+    }
+    Result next = Own(PQgetResult(connection_));
+    if (!next) break;
+    last = std::move(next);
+  }
+  if (absl::Status error = ErrorOf(connection_, last.get()); !error.ok()) return error;
+  return last;
+}
+
+}  // namespace slicefarm::coordinator

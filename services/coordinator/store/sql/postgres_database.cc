@@ -1,0 +1,65 @@
+#include "services/coordinator/store/sql/postgres_database.h"
+
+#include <chrono>
+#include <utility>
+
+#include "common/base/error.h"
+#include "services/coordinator/store/sql/postgres_schema.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+/// Less than a lease, so that those who renew one hear of it in time.
+constexpr std::chrono::seconds kPatience{5};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PostgresDatabase>> PostgresDatabase::Open(
+    const std::string& conninfo, int max_connections) {
+  // A new index of a farm's tables has no need to end in time.
+  const auto patient = PostgresConnection::Open(conninfo, PostgresConnection::kNoLimit);
+  if (!patient.ok()) return patient.status();
+  if (absl::Status ready = MigratePostgres(**patient); !ready.ok()) return ready;
+  return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo, max_connections));
+}
+
+absl::StatusOr<SqlSession> PostgresDatabase::Take() {
+  std::unique_ptr<PostgresConnection> connection;
+  {
+    std::unique_lock lock(mutex_);
+    if (!given_back_.wait_for(lock, kPatience, [this] { return free_ > 0; })) {
+      return StoreAway("PostgreSQL: all connections are busy");
+    }
+    --free_;
+    if (!idle_.empty()) {
+      connection = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!connection) {
+    auto opened = PostgresConnection::Open(conninfo_);
+    if (!opened.ok()) {
+      GiveBack(nullptr);
+      return opened.status();
+    }
+    connection = *std::move(opened);
+  }
+  return SqlSession(connection.release(), [this](SqlConnection* used) {
+    GiveBack(std::unique_ptr<PostgresConnection>(static_cast<PostgresConnection*>(used)));
+  });
+}
+
+/// When one broke, the server was away: so have the others.
+void PostgresDatabase::GiveBack(std::unique_ptr<PostgresConnection> connection) {
+  std::vector<std::unique_ptr<PostgresConnection>> broken;
+  std::lock_guard lock(mutex_);
+  if (connection && connection->alive()) {
+    idle_.push_back(std::move(connection));
+  } else {
+    broken.swap(idle_);
+  }
+  ++free_;
+  given_back_.notify_one();
+}
+
+}  // namespace slicefarm::coordinator

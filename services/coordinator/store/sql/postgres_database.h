@@ -1,0 +1,47 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "services/coordinator/store/sql/postgres_connection.h"
+
+namespace slicefarm::coordinator {
+
+/// A PostgreSQL database with a bounded number of connections. They are made when they are needed,
+/// and anew after the server was away.
+class PostgresDatabase : public SqlDatabase {
+ public:
+  static constexpr int kConnections = 8;
+
+  /// Brings the database to the present schema; several may do so at a time. Errors: STORE_FAILED
+  /// (FailedPrecondition if its schema is newer than this build).
+  static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
+                                                                int max_connections = kConnections);
+
+  /// As many connections again to the same database, for those whom these are not to keep waiting.
+  std::unique_ptr<PostgresDatabase> More() const {
+    return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo_, max_connections_));
+  }
+
+  absl::StatusOr<SqlSession> Read() override { return Take(); }
+  absl::StatusOr<SqlSession> Write() override { return Take(); }
+
+ private:
+  PostgresDatabase(std::string conninfo, int max_connections)
+      : conninfo_(std::move(conninfo)), max_connections_(max_connections), free_(max_connections) {}
+
+  absl::StatusOr<SqlSession> Take();
+  void GiveBack(std::unique_ptr<PostgresConnection> connection);
+
+  const std::string conninfo_;
+  const int max_connections_;
+  std::mutex mutex_;
+  std::condition_variable given_back_;
+  int free_;  ///< how many more may be taken
+  std::vector<std::unique_ptr<PostgresConnection>> idle_;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,131 @@
+#include "services/coordinator/store/sql/sqlite_database.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/jobs/job_claims.h"
+#include "services/coordinator/store/jobs/sql_job_store.h"
+#include "services/coordinator/store/sql/sqlite_connection.h"
+#include "services/coordinator/store/sql/sqlite_schema.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+TEST(SqliteDatabase, RefusesANewerSchema) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  ASSERT_TRUE((*SqliteConnection::Open(path))->Execute("PRAGMA user_version = 999").ok());
+  EXPECT_TRUE(absl::IsFailedPrecondition(SqliteDatabase::Open(path).status()));
+}
+
+TEST(SqliteDatabase, RefusesWhatIsNoDatabase) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  std::ofstream(path) << std::string(5000, 'x');
+  EXPECT_FALSE(SqliteDatabase::Open(path).ok());
+}
+
+TEST(SqliteSchema, MigratesOnce) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  EXPECT_TRUE(MigrateSqlite(*db).ok());
+  EXPECT_TRUE(MigrateSqlite(*db).ok());
+}
+
+/// What is asked all the time must not read all jobs, nor all of a tenant, nor all that wait.
+TEST(SqliteSchema, ClaimingUsesAnIndex) {
+  TempDirectory directory;
+  const auto db = *SqliteConnection::Open(directory.path() + "/jobs.db");
+  ASSERT_TRUE(MigrateSqlite(*db).ok());
+  for (const std::string& sql :
+       {TenantsSql(db->dialect()), ClaimableSql(db->dialect(), {"me", 1, 2, {"a", "b"}})}) {
+    SqlQuery plan(*db, absl::StrCat("EXPLAIN QUERY PLAN ", sql));
+    int reads = 0;
+    while (plan.Next()) {
+      const std::string step = plan.Text(3);
+      if (!absl::StartsWith(step, "SEARCH") && !absl::StartsWith(step, "SCAN")) continue;
+      if (absl::StrContains(step, "SCAN o")) continue;  // the list of tenants itself
+      ++reads;
+      EXPECT_THAT(step, testing::AnyOf(testing::HasSubstr("INDEX jobs_open"),
+                                       testing::HasSubstr("INDEX jobs_held"),
+                                       testing::HasSubstr("PRIMARY KEY")));
+    }
+    EXPECT_GT(reads, 0) << plan.status();
+  }
+}
+
+// A database of the first build, with a job in it.
+TEST(SqliteSchema, KeepsWhatOldDatabasesHold) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  {
+    const auto db = *SqliteConnection::Open(path);
+    ASSERT_TRUE(MigrateSqlite(*db, 3).ok());
+    ASSERT_TRUE(db->Execute("INSERT INTO jobs (id, state, spec, labels, settings_digest,"
+                            " action_digest, build_id, create_us) VALUES"
+                            " ('a', 'QUEUED', x'00', '{\"order\": \"17\"}', 's', 'c', 'b', 5);"
+                            "INSERT INTO requests VALUES ('r', 'a', 'd', 5);")
+                    .ok());
+  }
+  const auto store = *OpenSqliteJobStore(path);
+  EXPECT_EQ(store->List({.labels = {{"order", "17"}}})->size(), 1u);
+  EXPECT_EQ((*store->Claim("me", 10, 20))->id, "a");
+  NewJob again;
+  again.request_id = "r";
+  again.spec_digest = "d";
+  EXPECT_EQ(store->Create(again, 30)->job.id, "a");
+}
+
+// PostgreSQL shows each statement what was committed before it: a deletion may come in between two.
+TEST(SqlJobStore, ARequestWhoseJobIsBeingDeletedIsToBeMadeAgain) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  const auto store = *OpenSqliteJobStore(path);
+  NewJob job;
+  job.id = job.action_digest = "a";
+  job.request_id = "r";
+  ASSERT_TRUE(store->Create(job, 5).ok());
+  ASSERT_TRUE((*SqliteConnection::Open(path))->Execute("DELETE FROM jobs").ok());
+  const absl::Status again = store->Create(job, 6).status();
+  EXPECT_TRUE(absl::IsUnavailable(again)) << again;
+}
+
+TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
+  TempDirectory directory;
+  const std::string path = directory.path() + "/jobs.db";
+  const auto store = *OpenSqliteJobStore(path);
+  for (const std::string id : {"damaged", "whole"}) {
+    NewJob job;
+    job.id = job.action_digest = id;
+    job.deadline_us = 50;
+    ASSERT_TRUE(store->Create(job, 5).ok());
+  }
+  const auto db = *SqliteConnection::Open(path);
+  ASSERT_TRUE(db->Execute("UPDATE jobs SET labels = '{\"a' WHERE id = 'damaged'").ok());
+
+  EXPECT_TRUE(absl::IsDataLoss(store->Claim("me", 10, 20).status()));
+  EXPECT_EQ((*store->Claim("me", 10, 20))->id, "whole");
+  EXPECT_EQ(*store->Claim("me", 10, 20), std::nullopt);
+
+  const auto listed = store->List({});
+  ASSERT_TRUE(listed.ok()) << listed.status();
+  ASSERT_EQ(listed->size(), 2u);
+  EXPECT_FALSE(listed->front().error);
+  EXPECT_EQ(listed->back().id, "damaged");
+  EXPECT_EQ(listed->back().error->code, absl::StatusCode::kDataLoss);
+
+  const auto overdue = store->EndOverdue({}, 60, 9);
+  ASSERT_TRUE(overdue.ok()) << overdue.status();
+  ASSERT_EQ(overdue->size(), 1u);
+  EXPECT_EQ(overdue->front().id, "whole");
+
+  EXPECT_TRUE(absl::IsDataLoss(store->Claim("me", 60, 70).status()));
+}
+
+}  // namespace
+}  // namespace slicefarm::coordinator

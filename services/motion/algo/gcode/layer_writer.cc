@@ -1,0 +1,99 @@
+#include "services/motion/algo/gcode/layer_writer.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace slicefarm::motion {
+namespace {
+
+/// Along a path of varying width, changes below this are not worth a line.
+constexpr int32_t kWidthStepUm = 10;
+
+bool NeedsBridgeFan(Feature feature) {
+  return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
+}
+
+}  // namespace
+
+void WriteFan(int32_t percent, GcodeText& out) {
+  if (percent <= 0) {
+    out << "M107\n";
+    return;
+  }
+  out << "M106 S";
+  out.Integer(std::lround(std::min(percent, 100) * 2.55)) << '\n';
+}
+
+void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, GcodeText& out) {
+  for (size_t i = first; i < last; ++i) WriteMove(path.moves[i], out);
+}
+
+void LayerWriter::WriteMove(const Move& move, GcodeText& out) {
+  if (move.kind == MoveKind::kPrint) Describe(move, out);
+  SetAcceleration(move, out);
+  out << "G1";
+  if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {
+    out << " X";
+    out.Micrometers(move.x_um) << " Y";
+    out.Micrometers(move.y_um);
+  }
+  if (move.kind == MoveKind::kLift) {
+    out << " Z";
+    out.Micrometers(move.z_um);
+  }
+  if (move.filament != 0) {
+    out << " E";
+    out.Filament(move.filament);
+  }
+  FeedRate(move, out);
+  out << '\n';
+}
+
+void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
+  if (move.feed_rate == feed_rate_) return;
+  feed_rate_ = move.feed_rate;
+  out << " F";
+  out.Integer(move.feed_rate);
+}
+
+void LayerWriter::Describe(const Move& move, GcodeText& out) {
+  const auto type = static_cast<int32_t>(move.feature);
+  if (type != type_) {
+    type_ = type;
+    width_um_ = -1;
+    out << ";TYPE:" << FeatureName(move.feature) << '\n';
+    const int32_t fan =
+        NeedsBridgeFan(move.feature) ? state_.bridge_fan_percent : state_.fan_percent;
+    if (fan != fan_percent_) WriteFan(fan, out);
+    fan_percent_ = fan;
+  }
+  if (width_um_ == -1 || std::abs(move.width_um - width_um_) >= kWidthStepUm) {
+    width_um_ = move.width_um;
+    out << ";WIDTH:";
+    out.Real(static_cast<double>(move.width_um) / kUmPerMm, 3) << '\n';
+  }
+  if (move.height_um != height_um_) {
+    height_um_ = move.height_um;
+    out << ";HEIGHT:";
+    out.Real(static_cast<double>(move.height_um) / kUmPerMm, 3) << '\n';
+  }
+}
+
+void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
+  if (!accelerations_.told) return;
+  const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
+  const bool apart = flavor_ == GcodeFlavor::kMarlin2;
+  if (move.kind != MoveKind::kPrint && !(of_travel && accelerations_.told_travel && !apart)) return;
+  if (move.acceleration_mm_s2 == acceleration_) return;
+  const bool first = acceleration_ == -1;
+  acceleration_ = move.acceleration_mm_s2;
+  out << (apart ? "M204 P" : "M204 S");
+  out.Integer(std::lround(acceleration_));
+  if (apart && first && accelerations_.told_travel) {
+    out << " T";
+    out.Integer(std::lround(accelerations_.travel));
+  }
+  out << '\n';
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "common/model/motion_options.h"
+#include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// What the head of a layer has told already, and what its fan is to be.
+struct LayerState {
+  int32_t height_um = -1;
+  int32_t fan_percent = 0;         ///< told
+  int32_t bridge_fan_percent = 0;  ///< for bridges and overhangs
+};
+
+/// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
+/// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
+/// where they change.
+class LayerWriter {
+ public:
+  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)
+      : flavor_(flavor),
+        accelerations_(accelerations),
+        state_(state),
+        height_um_(state.height_um),
+        fan_percent_(state.fan_percent) {}
+
+  /// Appends the moves [first, last). May be called for one stretch after the other.
+  void Write(const Toolpath& path, size_t first, size_t last, GcodeText& out);
+
+  /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
+  /// that it sets stays as it is.
+  void Forget() {
+    feed_rate_ = -1;
+    acceleration_ = -1;
+  }
+
+ private:
+  void WriteMove(const Move& move, GcodeText& out);
+  void Describe(const Move& move, GcodeText& out);
+  void SetAcceleration(const Move& move, GcodeText& out);
+  void FeedRate(const Move& move, GcodeText& out);
+
+  GcodeFlavor flavor_;
+  Accelerations accelerations_;
+  LayerState state_;
+  // What has been told; -1: nothing.
+  int32_t feed_rate_ = -1;
+  int32_t type_ = -1;
+  int32_t width_um_ = -1;
+  int32_t height_um_;
+  int32_t fan_percent_;
+  float acceleration_ = -1;
+};
+
+/// `M106 S89`, or `M107` for 0.
+void WriteFan(int32_t percent, GcodeText& out);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,151 @@
+#include "services/motion/algo/gcode/layer_writer.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+Move Print(int32_t x_um, Feature feature, float acceleration = 1000) {
+  Move move;
+  move.kind = MoveKind::kPrint;
+  move.feature = feature;
+  move.x_um = x_um;
+  move.filament = 3'000;
+  move.feed_rate = 1'800;
+  move.width_um = 450;
+  move.height_um = 200;
+  move.acceleration_mm_s2 = acceleration;
+  return move;
+}
+
+Move Travel(int32_t x_um, float acceleration = 3000) {
+  Move move;
+  move.x_um = x_um;
+  move.feed_rate = 9'000;
+  move.acceleration_mm_s2 = acceleration;
+  return move;
+}
+
+std::string Written(const std::vector<Move>& moves, GcodeFlavor flavor = GcodeFlavor::kMarlin2,
+                    const Accelerations& accelerations = {}, const LayerState& state = {}) {
+  Toolpath path;
+  path.moves = moves;
+  GcodeText out;
+  LayerWriter(flavor, accelerations, state).Write(path, 0, moves.size(), out);
+  return out.Take();
+}
+
+TEST(WriteFan, InTheUnitsOfM106) {
+  GcodeText out;
+  WriteFan(0, out);
+  WriteFan(35, out);
+  WriteFan(100, out);
+  EXPECT_EQ(out.text(), "M107\nM106 S89\nM106 S255\n");
+}
+
+TEST(LayerWriter, TellsWhatChanges) {
+  Move wide = Print(3'000, Feature::kPerimeter);
+  wide.width_um = 600;
+  Move wider = Print(4'000, Feature::kPerimeter);
+  wider.width_um = 605;
+  Move thick = Print(5'000, Feature::kPerimeter);
+  thick.width_um = 605;
+  thick.height_um = 300;
+  EXPECT_EQ(Written({Print(1'000, Feature::kExternalPerimeter), Print(2'000, Feature::kPerimeter),
+                     wide, wider, thick}),
+            ";TYPE:External perimeter\n;WIDTH:0.45\n;HEIGHT:0.2\nG1 X1 Y0 E.03 F1800\n"
+            ";TYPE:Perimeter\n;WIDTH:0.45\nG1 X2 Y0 E.03\n"
+            ";WIDTH:0.6\nG1 X3 Y0 E.03\nG1 X4 Y0 E.03\n;HEIGHT:0.3\nG1 X5 Y0 E.03\n");
+}
+
+TEST(LayerWriter, MovesOfEachKind) {
+  Move lift = Travel(0);
+  lift.kind = MoveKind::kLift;
+  lift.z_um = 700;
+  Move retract = Travel(0);
+  retract.kind = MoveKind::kRetract;
+  retract.filament = -80'000;
+  retract.feed_rate = 2'100;
+  EXPECT_EQ(Written({retract, lift, Travel(-12'345)}),
+            "G1 E-.8 F2100\nG1 Z.7 F9000\nG1 X-12.345 Y0\n");
+}
+
+TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
+  Toolpath path;
+  path.moves = {Travel(1'000), Travel(2'000), Travel(3'000)};
+  GcodeText out;
+  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {});
+  writer.Write(path, 0, 1, out);
+  writer.Write(path, 1, 2, out);
+  writer.Forget();
+  writer.Write(path, 2, 3, out);
+  EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0\nG1 X3 Y0 F9000\n");
+}
+
+// The text between them, a profile's layer_gcode, may hold an M204 of its own.
+TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
+  Toolpath path;
+  path.moves = {Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)};
+  Accelerations accelerations;
+  accelerations.told = accelerations.told_travel = true;
+  accelerations.travel = 3'000;
+  GcodeText out;
+  LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
+  writer.Write(path, 0, 1, out);
+  writer.Forget();
+  writer.Write(path, 1, 2, out);
+  EXPECT_EQ(out.text(),
+            ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000 T3000\nG1 X1 Y0 E.03 F1800\n"
+            "M204 P1000 T3000\nG1 X2 Y0 E.03 F1800\n");
+}
+
+TEST(LayerWriter, FanForBridges) {
+  const std::string text =
+      Written({Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kBridgeInfill),
+               Print(3'000, Feature::kOverhangPerimeter), Print(4'000, Feature::kPerimeter)},
+              GcodeFlavor::kMarlin2, {}, {200, 35, 100});
+  EXPECT_EQ(text,
+            ";TYPE:Perimeter\n;WIDTH:0.45\nG1 X1 Y0 E.03 F1800\n"
+            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\nG1 X2 Y0 E.03\n"
+            ";TYPE:Overhang perimeter\n;WIDTH:0.45\nG1 X3 Y0 E.03\n"
+            ";TYPE:Perimeter\nM106 S89\n;WIDTH:0.45\nG1 X4 Y0 E.03\n");
+}
+
+TEST(LayerWriter, FanIsOnFromTheStartOfABridge) {
+  EXPECT_NE(
+      Written({Print(1'000, Feature::kBridgeInfill)}, GcodeFlavor::kMarlin2, {}, {200, 35, 100})
+          .find("M106 S255"),
+      std::string::npos);
+}
+
+std::string AccelerationsOnly(GcodeFlavor flavor, const Accelerations& accelerations) {
+  const std::string text =
+      Written({Travel(0), Print(1'000, Feature::kPerimeter), Travel(2'000),
+               Print(3'000, Feature::kPerimeter), Print(4'000, Feature::kTopSolidInfill, 500)},
+              flavor, accelerations);
+  std::string lines;
+  for (size_t at = text.find("M204"); at != std::string::npos; at = text.find("M204", at + 1)) {
+    lines += text.substr(at, text.find('\n', at) - at) + ";";
+  }
+  return lines;
+}
+
+TEST(LayerWriter, AccelerationsByFlavour) {
+  Accelerations untold;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, untold), "");
+  Accelerations told;
+  told.told = true;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, told), "M204 P1000;M204 P500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, told), "M204 S1000;M204 S500;");
+  Accelerations travel = told;
+  travel.told_travel = true;
+  travel.travel = 3000;
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, travel), "M204 P1000 T3000;M204 P500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, travel),
+            "M204 S3000;M204 S1000;M204 S3000;M204 S1000;M204 S500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlinLegacy, travel),
+            AccelerationsOnly(GcodeFlavor::kKlipper, travel));
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

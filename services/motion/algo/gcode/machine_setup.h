@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include "common/model/motion_options.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+
+namespace slicefarm::motion {
+
+/// Writes the machine's limits, if the settings ask for it (machine_limits_usage = emit_to_gcode):
+/// M201, M203, M204 and M205 for Marlin, SET_VELOCITY_LIMIT for Klipper. Limits of 0 are left as
+/// they are.
+void WriteMachineLimits(const MotionOptions& options, GcodeText& out);
+
+/// `M104 S210`; nothing for 0, which leaves the temperature as it is.
+void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out);
+
+/// Writes the start G-code, already filled in, and heats up around it: the bed before, the nozzle
+/// begun before and waited for after; but leaves to the start G-code what it does by itself.
+/// Source: PrusaSlicer.
+void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out);
+
+/// Whether some line of `gcode` is one of the commands, such as "M104".
+bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,48 @@
+#include "services/motion/algo/toolpath/accelerations.h"
+
+#include <algorithm>
+
+namespace slicefarm::motion {
+namespace {
+
+/// Where neither settings nor machine limits say anything.
+constexpr double kDefaultMmS2 = 1000;
+
+double FirstSet(std::initializer_list<double> values) {
+  for (const double value : values) {
+    if (value > 0) return value;
+  }
+  return kDefaultMmS2;
+}
+
+}  // namespace
+
+Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index) {
+  const MachineLimits& limits = options.limits;
+  Accelerations result;
+  result.told = options.default_acceleration_mm_s2 > 0;
+  result.told_travel = result.told && options.travel_acceleration_mm_s2 > 0;
+  for (size_t i = 0; i < result.print.size(); ++i) {
+    double asked = limits.max_acceleration_extruding_mm_s2;
+    if (result.told) {
+      asked = FirstSet({options.acceleration_mm_s2[i], options.default_acceleration_mm_s2});
+      if (layer_index == 0 && options.first_layer_acceleration_mm_s2 > 0) {
+        asked = options.first_layer_acceleration_mm_s2;
+      }
+      if (limits.emit_to_gcode && limits.max_acceleration_extruding_mm_s2 > 0) {
+        asked = std::min(asked, limits.max_acceleration_extruding_mm_s2);
+      }
+    }
+    result.print[i] = FirstSet({asked});
+  }
+  if (result.told_travel) {
+    result.travel = options.travel_acceleration_mm_s2;
+  } else if (options.flavor == GcodeFlavor::kMarlin2) {
+    result.travel =
+        FirstSet({limits.max_acceleration_travel_mm_s2, limits.max_acceleration_extruding_mm_s2});
+  }
+  result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
+  return result;
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,77 @@
+#include "services/motion/algo/toolpath/accelerations.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+MotionOptions Options() {
+  MotionOptions options;
+  options.limits.max_acceleration_extruding_mm_s2 = 1500;
+  options.limits.max_acceleration_travel_mm_s2 = 3000;
+  options.limits.max_acceleration_retracting_mm_s2 = 1200;
+  return options;
+}
+
+TEST(Accelerations, LeftToTheFirmware) {
+  MotionOptions options = Options();
+  options.acceleration_mm_s2[0] = 500;  // without default_acceleration, of no effect
+  const Accelerations a = AccelerationsFor(options, 3);
+  EXPECT_FALSE(a.told);
+  EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 1500);
+  EXPECT_EQ(a.travel, 3000);
+  EXPECT_EQ(a.retract, 1200);
+}
+
+TEST(Accelerations, FeaturesThenDefault) {
+  MotionOptions options = Options();
+  options.default_acceleration_mm_s2 = 1000;
+  options.acceleration_mm_s2[static_cast<size_t>(Feature::kExternalPerimeter)] = 500;
+  const Accelerations a = AccelerationsFor(options, 3);
+  EXPECT_TRUE(a.told);
+  EXPECT_FALSE(a.told_travel);
+  EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 500);
+  EXPECT_EQ(a.Print(Feature::kInternalInfill), 1000);
+}
+
+TEST(Accelerations, FirstLayer) {
+  MotionOptions options = Options();
+  options.default_acceleration_mm_s2 = 1000;
+  options.first_layer_acceleration_mm_s2 = 300;
+  EXPECT_EQ(AccelerationsFor(options, 0).Print(Feature::kPerimeter), 300);
+  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 1000);
+}
+
+TEST(Accelerations, TravelApartOnlyInMarlin2) {
+  for (const GcodeFlavor flavor : {GcodeFlavor::kMarlinLegacy, GcodeFlavor::kKlipper}) {
+    MotionOptions options = Options();
+    options.flavor = flavor;
+    options.default_acceleration_mm_s2 = 1000;
+    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 700) << "as the path before";
+    options.travel_acceleration_mm_s2 = 2000;
+    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 2000);
+    EXPECT_TRUE(AccelerationsFor(options, 1).told_travel);
+  }
+}
+
+TEST(Accelerations, LimitsThatAreEmittedHold) {
+  MotionOptions options = Options();
+  options.default_acceleration_mm_s2 = 9000;
+  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 9000);
+  options.limits.emit_to_gcode = true;
+  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 1500);
+}
+
+TEST(Accelerations, NeverZero) {
+  MotionOptions options;
+  options.limits.max_acceleration_extruding_mm_s2 = 0;
+  options.limits.max_acceleration_travel_mm_s2 = 0;
+  options.limits.max_acceleration_retracting_mm_s2 = 0;
+  const Accelerations a = AccelerationsFor(options, 1);
+  EXPECT_GT(a.Print(Feature::kPerimeter), 0);
+  EXPECT_GT(a.travel, 0);
+  EXPECT_GT(a.retract, 0);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

@@ -1,0 +1,94 @@
+#include "services/motion/algo/toolpath/cooling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "services/motion/algo/toolpath/print_speed.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr int kMaxTrials = 12;
+/// The layer's time may miss the wanted one by this share.
+constexpr double kTolerance = 0.002;
+
+double Sum(std::span<const double> times) {
+  double sum = 0;
+  for (const double time : times) sum += time;
+  return sum;
+}
+
+/// Sets the beads' feed rates to `share` of the full ones.
+void SetSpeeds(const std::vector<int32_t>& full, double share, int32_t least, Toolpath& path) {
+  for (size_t i = 0; i < full.size(); ++i) {
+    Move& move = path.moves[i];
+    if (move.kind != MoveKind::kPrint) continue;
+    const auto slowed = static_cast<int32_t>(std::lround(full[i] * share));
+    move.feed_rate = std::max(slowed, std::min(least, full[i]));
+  }
+}
+
+int32_t FastestBead(const Toolpath& path) {
+  int32_t fastest = 0;
+  for (const Move& move : path.moves) {
+    if (move.kind == MoveKind::kPrint) fastest = std::max(fastest, move.feed_rate);
+  }
+  return fastest;
+}
+
+std::vector<int32_t> FeedRates(const Toolpath& path) {
+  std::vector<int32_t> rates;
+  rates.reserve(path.moves.size());
+  for (const Move& move : path.moves) rates.push_back(move.feed_rate);
+  return rates;
+}
+
+}  // namespace
+
+std::span<const double> SlowDown(const CoolingOptions& cooling, LayerTiming& timing,
+                                 Toolpath& path) {
+  std::span<const double> times = timing.Times(path);
+  const double full_time = Sum(times);
+  const double wanted = cooling.slowdown_below_layer_time_s;
+  if (!cooling.enabled || full_time >= wanted || full_time <= 0) return times;
+  const std::vector<int32_t> full = FeedRates(path);
+  const int32_t least = FeedRate(cooling.min_print_speed_mm_s);
+  // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it
+  // honest.
+  double low = 0;
+  double high = 1;
+  double share = full_time / wanted;
+  for (int i = 0; i < kMaxTrials; ++i) {
+    SetSpeeds(full, share, least, path);
+    times = timing.Times(path);
+    const double time = Sum(times);
+    if (std::abs(time - wanted) <= kTolerance * wanted) break;
+    if (time < wanted && FastestBead(path) <= least) break;
+    (time > wanted ? low : high) = share;
+    const double next = share * time / wanted;
+    share = next > low && next < high ? next : (low + high) / 2;
+  }
+  return times;
+}
+
+int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s) {
+  if (layer_index < cooling.disable_fan_first_layers) return 0;
+  const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
+  if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
+  if (layer_time_s <= cooling.slowdown_below_layer_time_s) return cooling.max_fan_percent;
+  const double share = (cooling.fan_below_layer_time_s - layer_time_s) /
+                       (cooling.fan_below_layer_time_s - cooling.slowdown_below_layer_time_s);
+  const double percent =
+      cooling.min_fan_percent + share * (cooling.max_fan_percent - cooling.min_fan_percent);
+  return static_cast<int32_t>(std::lround(percent));
+}
+
+int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent) {
+  if (layer_index < cooling.disable_fan_first_layers || cooling.bridge_fan_percent <= 0) {
+    return fan_percent;
+  }
+  return std::max(fan_percent, cooling.bridge_fan_percent);
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "common/model/motion_options.h"
+#include "services/motion/algo/toolpath/layer_timing.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// Slows the beads of a layer down, all by the same share, until it takes slowdown_below_layer_time
+/// as the planner reckons, accelerations included; but none below min_print_speed. Travels keep
+/// their speed. Gives the times of the moves as they are now, valid as long as those of `timing`.
+/// Cost: O(moves) if the layer is slow enough, else about ten times as much.
+std::span<const double> SlowDown(const CoolingOptions& cooling, LayerTiming& timing,
+                                 Toolpath& path);
+
+/// Fan in percent for a layer that takes `layer_time_s`: off for the first layers; else between the
+/// settings' bounds, the more the shorter the layer.
+int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
+
+/// The same for bridges and overhangs.
+int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent);
+
+}  // namespace slicefarm::motion

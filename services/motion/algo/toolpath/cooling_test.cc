@@ -1,0 +1,132 @@
+#include "services/motion/algo/toolpath/cooling.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/toolpath_builder.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// `count` squares of 15 mm a side, 40 mm apart.
+Toolpath Squares(int count) {
+  static const MotionOptions options;
+  ToolpathBuilder builder(options, {2, 600'000, 200'000});
+  for (int i = 0; i < count; ++i) {
+    Path path;
+    path.feature = Feature::kExternalPerimeter;
+    path.closed = true;
+    const Coord x = i * 40 * kNmPerMm;
+    const Coord side = 15 * kNmPerMm;
+    path.points = {{x, 0}, {x + side, 0}, {x + side, side}, {x, side}};
+    path.widths_nm = {450'000};
+    builder.Add(path);
+  }
+  return builder.Finish();
+}
+
+double Sum(std::span<const double> times) {
+  return std::accumulate(times.begin(), times.end(), 0.0);
+}
+
+double Time(const Toolpath& path) {
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  return Sum(timing.Times(path));
+}
+
+/// Slows `path` down and gives the time it takes then.
+double Slowed(const CoolingOptions& cooling, Toolpath& path) {
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  return Sum(SlowDown(cooling, timing, path));
+}
+
+TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
+  CoolingOptions cooling;
+  cooling.min_print_speed_mm_s = 1;
+  for (const double wanted : {3.0, 5.0, 20.0}) {
+    cooling.slowdown_below_layer_time_s = wanted;
+    Toolpath path = Squares(1);
+    ASSERT_LT(Time(path), wanted);
+    const double time = Slowed(cooling, path);
+    EXPECT_NEAR(time, wanted, 0.003 * wanted);
+    EXPECT_DOUBLE_EQ(Time(path), time);
+  }
+}
+
+TEST(SlowDown, LongLayersAndSwitchedOffCoolingStayAsTheyAre) {
+  CoolingOptions cooling;
+  Toolpath path = Squares(20);
+  const Toolpath before = path;
+  EXPECT_DOUBLE_EQ(Slowed(cooling, path), Time(before));
+  EXPECT_EQ(path.moves, before.moves);
+  cooling.enabled = false;
+  Toolpath small = Squares(1);
+  Slowed(cooling, small);
+  EXPECT_EQ(small.moves, Squares(1).moves);
+}
+
+TEST(SlowDown, NotBelowTheLeastSpeed) {
+  CoolingOptions cooling;
+  cooling.slowdown_below_layer_time_s = 1'000;
+  cooling.min_print_speed_mm_s = 12;
+  Toolpath path = Squares(1);
+  EXPECT_LT(Slowed(cooling, path), 1'000);
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::kPrint) continue;
+    EXPECT_EQ(move.feed_rate, FeedRate(12));
+  }
+}
+
+TEST(SlowDown, BeadsThatAreSlowerAlreadyAreNotSpedUp) {
+  CoolingOptions cooling;
+  cooling.slowdown_below_layer_time_s = 1'000;
+  cooling.min_print_speed_mm_s = 50;  // above the squares' 30
+  Toolpath path = Squares(1);
+  Slowed(cooling, path);
+  EXPECT_EQ(path.moves, Squares(1).moves);
+}
+
+TEST(SlowDown, TravelsKeepTheirSpeed) {
+  CoolingOptions cooling;
+  cooling.slowdown_below_layer_time_s = 60;
+  Toolpath path = Squares(2);
+  const Toolpath before = path;
+  Slowed(cooling, path);
+  for (size_t i = 0; i < path.moves.size(); ++i) {
+    if (path.moves[i].kind == MoveKind::kPrint) continue;
+    EXPECT_EQ(path.moves[i], before.moves[i]);
+  }
+}
+
+TEST(SlowDown, EmptyLayer) {
+  Toolpath path;
+  EXPECT_EQ(Slowed({}, path), 0);
+}
+
+TEST(FanPercent, GoesWithTheLayersTime) {
+  CoolingOptions cooling;  // 35..100 %, 5..60 s
+  EXPECT_EQ(FanPercent(cooling, 0, 3), 0) << "first layers";
+  EXPECT_EQ(FanPercent(cooling, 1, 3), 100);
+  EXPECT_EQ(FanPercent(cooling, 1, 5), 100);
+  EXPECT_EQ(FanPercent(cooling, 1, 32.5), 68);
+  EXPECT_EQ(FanPercent(cooling, 1, 60), 35);
+  cooling.fan_always_on = false;
+  EXPECT_EQ(FanPercent(cooling, 1, 61), 0);
+  EXPECT_EQ(FanPercent(cooling, 1, 3), 100);
+  cooling.fan_always_on = true;
+  cooling.enabled = false;
+  EXPECT_EQ(FanPercent(cooling, 1, 3), 35);
+}
+
+TEST(BridgeFanPercent, IsNoLessThanTheFan) {
+  CoolingOptions cooling;
+  EXPECT_EQ(BridgeFanPercent(cooling, 1, 35), 100);
+  EXPECT_EQ(BridgeFanPercent(cooling, 0, 0), 0);
+  cooling.bridge_fan_percent = 20;
+  EXPECT_EQ(BridgeFanPercent(cooling, 1, 35), 35);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/model/layer.h"
+#include "common/model/motion_options.h"
+#include "services/motion/algo/kinematics/planner.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// The time that a layer's moves take, by the planner of the firmware. The approach to the layer is
+/// left out: where it begins is not known.
+class LayerTiming {
+ public:
+  LayerTiming(GcodeFlavor flavor, const MachineLimits& limits) : planner_(flavor, limits) {}
+
+  /// Time in s of each move of `path`, 0 for the approach; valid until the next call. Cost:
+  /// O(moves).
+  std::span<const double> Times(const Toolpath& path);
+
+ private:
+  void PlanRun(const Toolpath& path, size_t first, size_t last);
+
+  Planner planner_;
+  std::vector<KinematicMove> run_;
+  std::vector<double> times_;
+};
+
+/// Adds times up: those of beads by feature, all others as travel.
+void AddTimes(const Toolpath& path, std::span<const double> times, ProgramStats& stats);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,70 @@
+#include "services/motion/algo/toolpath/layer_timing.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "services/motion/algo/kinematics/trapezoid.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// Up by 0.2, over to x = 100 from anywhere, unretract, print 100 mm back, retract.
+Toolpath Sample() {
+  Toolpath path;
+  path.start_z_um = 200;
+  Move move;
+  move.acceleration_mm_s2 = 3000;
+  move.z_um = 400;
+  move.kind = MoveKind::kLift;
+  move.feed_rate = 600;
+  path.moves.push_back(move);
+  move.kind = MoveKind::kTravel;
+  move.x_um = 100'000;
+  move.feed_rate = 6'000;
+  path.approach = 1;
+  path.moves.push_back(move);
+  move.kind = MoveKind::kRestart;
+  move.filament = 80'000;
+  path.moves.push_back(move);
+  move.kind = MoveKind::kPrint;
+  move.feature = Feature::kSolidInfill;
+  move.x_um = 0;
+  move.filament = 300'000;
+  path.moves.push_back(move);
+  move.kind = MoveKind::kRetract;
+  move.filament = -80'000;
+  path.moves.push_back(move);
+  return path;
+}
+
+TEST(LayerTiming, MovesFromRestToRest) {
+  MachineLimits limits;
+  limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
+  LayerTiming timing(GcodeFlavor::kKlipper, limits);
+  const auto times = timing.Times(Sample());
+  ASSERT_EQ(times.size(), 5);
+  EXPECT_NEAR(times[0], RestToRest(0.2, 10, 500), 1e-9);
+  EXPECT_EQ(times[1], 0) << "the approach is not known";
+  EXPECT_NEAR(times[3], RestToRest(100, 100, 3000), 1e-9) << "the toolhead stops at retractions";
+  EXPECT_EQ(times[2], times[4]);
+}
+
+TEST(LayerTiming, NothingToDo) {
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  EXPECT_TRUE(timing.Times({}).empty());
+}
+
+TEST(AddTimes, ByFeatureAndTravel) {
+  const Toolpath path = Sample();
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  const auto times = timing.Times(path);
+  ProgramStats stats;
+  AddTimes(path, times, stats);
+  EXPECT_EQ(stats.features[static_cast<size_t>(Feature::kSolidInfill)].time_s, times[3]);
+  EXPECT_DOUBLE_EQ(stats.travel_time_s, times[0] + times[2] + times[4]);
+  EXPECT_DOUBLE_EQ(stats.TimeS(), std::accumulate(times.begin(), times.end(), 0.0));
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

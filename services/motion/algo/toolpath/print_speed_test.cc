@@ -1,0 +1,83 @@
+#include "services/motion/algo/toolpath/print_speed.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+MotionOptions Options() {
+  MotionOptions options;
+  options.speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
+  options.small_perimeter_speed_mm_s = 15;
+  options.first_layer_speed_mm_s = 25;
+  options.max_print_speed_mm_s = 77;
+  return options;
+}
+
+Path OfFeature(Feature feature, bool closed = false) {
+  Path path;
+  path.feature = feature;
+  path.closed = closed;
+  return path;
+}
+
+TEST(PrintSpeeds, ByFeature) {
+  const MotionOptions options = Options();
+  const PrintSpeeds speeds(options, 1);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kExternalPerimeter), 100), 40);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kInternalInfill), 1), 80);
+}
+
+TEST(PrintSpeeds, SmallLoops) {
+  const MotionOptions options = Options();
+  const PrintSpeeds speeds(options, 1);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.8), 15);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.9), 60);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, false), 10), 60);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kGapFill, true), 10), 20);
+}
+
+TEST(PrintSpeeds, FirstLayer) {
+  MotionOptions options = Options();
+  EXPECT_EQ(PrintSpeeds(options, 0).Of(OfFeature(Feature::kPerimeter), 100), 25);
+  options.first_layer_speed_mm_s = 0;
+  options.first_layer_speed_ratio = 0.5;
+  EXPECT_EQ(PrintSpeeds(options, 0).Of(OfFeature(Feature::kPerimeter), 100), 30);
+}
+
+TEST(PrintSpeeds, OwnSpeedAndDefaults) {
+  MotionOptions options = Options();
+  Path path = OfFeature(Feature::kPerimeter);
+  path.speed_mm_s = 33;
+  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 33);
+  path.speed_mm_s = 0;
+  options.speed_mm_s = {};
+  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 77);
+  options.max_print_speed_mm_s = 0;
+  EXPECT_GT(PrintSpeeds(options, 1).Of(path, 100), 0);
+}
+
+TEST(PrintSpeeds, VolumePerSecond) {
+  MotionOptions options = Options();
+  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(60, 0.1), 60);
+  options.max_volumetric_speed_mm3_s = 4;
+  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(60, 0.1), 40);
+  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(30, 0.1), 30);
+}
+
+TEST(TravelSpeed, OfZFallsBackToTheMachine) {
+  MotionOptions options = Options();
+  options.limits.max_feedrate_mm_s[2] = 12;
+  EXPECT_EQ(TravelSpeedZ(options), 12);
+  options.travel_speed_z_mm_s = 5;
+  EXPECT_EQ(TravelSpeedZ(options), 5);
+}
+
+TEST(FeedRate, IsWholeAndPositive) {
+  EXPECT_EQ(FeedRate(35), 2'100);
+  EXPECT_EQ(FeedRate(0), 1);
+  EXPECT_EQ(FeedRate(1e300), 1'000'000);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

@@ -1,0 +1,164 @@
+#include "services/motion/algo/toolpath/toolpath_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/geometry/measure.h"
+#include "common/model/bead_section.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// Of one move, in 1e-5 mm: more than any printer can do.
+constexpr int64_t kMostFilament = 1'000'000'000;
+
+int32_t Units(double filament_mm) {
+  return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
+}
+
+}  // namespace
+
+ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame)
+    : options_(options),
+      speeds_(options, frame.index),
+      accelerations_(AccelerationsFor(options, frame.index)),
+      filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
+                         options.filament_diameter_mm),
+      layer_height_nm_(frame.height_nm) {
+  const RetractionOptions& retraction = options.retraction;
+  const Coord offset_nm = FromMm(options.z_offset_mm);
+  z_um_ = ToUm(frame.print_z_nm + offset_nm);
+  retract_units_ = Units(retraction.length_mm);
+  restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
+  lift_um_ = retract_units_ > 0 ? ToUm(FromMm(retraction.lift_mm)) : 0;
+  path_.start_z_um = ToUm(frame.print_z_nm - frame.height_nm + offset_nm);
+  at_.z_um = path_.start_z_um;
+}
+
+void ToolpathBuilder::Add(const Path& path) {
+  const double length_mm = ToMm(PathLength(path));
+  print_acceleration_ = accelerations_.Print(path.feature);
+  at_.feature = path.feature;
+  at_.height_um = ToUm(path.height_nm > 0 ? path.height_nm : layer_height_nm_);
+  const int64_t filament_before = filament_;
+  GoTo(StartOf(path));
+  if (retracted_) Restart();
+  PrintSegments(path, speeds_.Of(path, length_mm));
+  Count(path, length_mm, filament_ - filament_before);
+}
+
+Toolpath ToolpathBuilder::Finish() {
+  if (!path_.moves.empty()) Retract();
+  return std::move(path_);
+}
+
+ToolpathBuilder::Bead ToolpathBuilder::BeadOf(const Path& path, Coord width_nm,
+                                              double speed_mm_s) const {
+  const Coord height_nm = path.height_nm > 0 ? path.height_nm : layer_height_nm_;
+  const double section_mm2 =
+      SectionMm2(width_nm, height_nm) * path.flow * options_.extrusion_multiplier;
+  return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
+          FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
+}
+
+void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
+  Bead bead = BeadOf(path, path.widths_nm.front(), speed_mm_s);
+  const size_t count = path.points.size();
+  for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
+    const size_t to = i < count ? i : 0;
+    const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
+    if (width_nm != bead.width_nm) bead = BeadOf(path, width_nm, speed_mm_s);
+    PrintTo(path.points[i - 1], path.points[to], bead);
+  }
+}
+
+void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
+  owed_ += ToMm(Distance(from, to)) * bead.filament_per_mm;
+  const int32_t x_um = ToUm(to.x);
+  const int32_t y_um = ToUm(to.y);
+  if (x_um == at_.x_um && y_um == at_.y_um) return;
+  at_.x_um = x_um;
+  at_.y_um = y_um;
+  // Without filament it would pass for a travel.
+  at_.filament = static_cast<int32_t>(std::clamp<int64_t>(std::lround(owed_), 1, kMostFilament));
+  owed_ -= at_.filament;
+  filament_ += at_.filament;
+  at_.feed_rate = bead.feed_rate;
+  at_.width_um = ToUm(bead.width_nm);
+  Push(MoveKind::kPrint, print_acceleration_);
+}
+
+void ToolpathBuilder::GoTo(Point to) {
+  const int32_t x_um = ToUm(to.x);
+  const int32_t y_um = ToUm(to.y);
+  if (path_.approach == Toolpath::kNone) {
+    MoveZ(z_um_ + lift_um_);
+    path_.approach = path_.moves.size();
+    Travel(x_um, y_um);
+    return;
+  }
+  if (x_um == at_.x_um && y_um == at_.y_um) return;
+  const double way_mm = std::hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
+  if (way_mm >= options_.retraction.min_travel_mm) {
+    Retract();
+    if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
+  }
+  stats_.travel_mm += way_mm;
+  Travel(x_um, y_um);
+}
+
+void ToolpathBuilder::Travel(int32_t x_um, int32_t y_um) {
+  at_.x_um = x_um;
+  at_.y_um = y_um;
+  at_.filament = 0;
+  at_.feed_rate = FeedRate(TravelSpeed(options_));
+  Push(MoveKind::kTravel, accelerations_.Travel(print_acceleration_));
+  ++stats_.travels;
+}
+
+void ToolpathBuilder::MoveZ(int32_t z_um) {
+  if (at_.z_um == z_um) return;
+  at_.z_um = z_um;
+  at_.filament = 0;
+  at_.feed_rate = FeedRate(TravelSpeedZ(options_));
+  Push(MoveKind::kLift, accelerations_.Travel(print_acceleration_));
+}
+
+void ToolpathBuilder::Retract() {
+  if (retracted_ || retract_units_ == 0) return;
+  retracted_ = true;
+  at_.filament = -retract_units_;
+  at_.feed_rate = FeedRate(options_.retraction.speed_mm_s);
+  Push(MoveKind::kRetract, accelerations_.retract);
+  ++stats_.retractions;
+}
+
+void ToolpathBuilder::Restart() {
+  MoveZ(z_um_);
+  retracted_ = false;
+  if (restart_units_ == 0) return;
+  at_.filament = restart_units_;
+  at_.feed_rate = FeedRate(options_.retraction.restart_speed_mm_s);
+  filament_ += restart_units_ - retract_units_;
+  Push(MoveKind::kRestart, accelerations_.retract);
+}
+
+void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
+  at_.kind = kind;
+  at_.acceleration_mm_s2 = static_cast<float>(acceleration_mm_s2);
+  path_.moves.push_back(at_);
+}
+
+void ToolpathBuilder::Count(const Path& path, double length_mm, int64_t filament) {
+  FeatureUse& use = stats_.features[static_cast<size_t>(path.feature)];
+  const double filament_mm = static_cast<double>(filament) / kFilamentUnitsPerMm;
+  use.length_mm += length_mm;
+  use.filament_mm += filament_mm;
+  use.volume_mm3 += filament_mm * filament_area_mm2_;
+  const Coord reach = *std::max_element(path.widths_nm.begin(), path.widths_nm.end()) / 2;
+  stats_.bounds.Add(Bounds(path.points).Grown(reach));
+}
+
+}  // namespace slicefarm::motion

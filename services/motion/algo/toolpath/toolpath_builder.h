@@ -1,0 +1,69 @@
+#pragma once
+
+#include "common/model/layer.h"
+#include "common/model/motion_options.h"
+#include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
+/// their filament.
+///
+/// Filament is that of the bead's section (SectionMm2) times flow and extrusion multiplier; a path
+/// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
+/// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
+/// their filament is not.
+class ToolpathBuilder {
+ public:
+  /// `options` must outlive the builder.
+  ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame);
+
+  void Add(const Path& path);
+
+  /// Retracts, and hands over what was added. To be called once.
+  Toolpath Finish();
+
+  /// Of what was added: lengths, volumes, travels, retractions and bounds; no times.
+  const ProgramStats& stats() const { return stats_; }
+
+ private:
+  /// What the segments of one width have in common.
+  struct Bead {
+    Coord width_nm = 0;
+    double filament_per_mm = 0;  ///< in 1e-5 mm
+    int32_t feed_rate = 0;
+  };
+
+  Bead BeadOf(const Path& path, Coord width_nm, double speed_mm_s) const;
+  void GoTo(Point to);
+  void PrintSegments(const Path& path, double speed_mm_s);
+  void PrintTo(Point from, Point to, const Bead& bead);
+  void Travel(int32_t x_um, int32_t y_um);
+  void Retract();
+  void Restart();
+  void MoveZ(int32_t z_um);
+  void Push(MoveKind kind, double acceleration_mm_s2);
+  void Count(const Path& path, double length_mm, int64_t filament);
+
+  const MotionOptions& options_;
+  PrintSpeeds speeds_;
+  Accelerations accelerations_;
+  double filament_area_mm2_;
+  Coord layer_height_nm_;
+  int32_t z_um_;
+  int32_t lift_um_;
+  int32_t retract_units_;
+  int32_t restart_units_;
+
+  Toolpath path_;
+  Move at_;                        ///< where the nozzle is, and what the next move inherits
+  double print_acceleration_ = 0;  ///< of the path being printed
+  bool retracted_ = true;
+  double owed_ = 0;       ///< filament that rounding left, in 1e-5 mm
+  int64_t filament_ = 0;  ///< printed in all, in 1e-5 mm
+  ProgramStats stats_;
+};
+
+}  // namespace slicefarm::motion

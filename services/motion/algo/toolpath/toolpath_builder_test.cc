@@ -1,0 +1,211 @@
+#include "services/motion/algo/toolpath/toolpath_builder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "common/model/bead_section.h"
+#include "common/model/paths_test.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+
+namespace slicefarm::motion {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr LayerFrame kFrame{1, 400'000, 200'000};
+
+Path Line(std::string_view points, std::vector<Coord> widths_nm = {450'000}) {
+  Path path = MakePathOrDie(points);
+  path.widths_nm = std::move(widths_nm);
+  return path;
+}
+
+struct Built {
+  Toolpath path;
+  ProgramStats stats;
+};
+
+Built Build(const std::vector<Path>& paths, const MotionOptions& options = {},
+            const LayerFrame& frame = kFrame) {
+  ToolpathBuilder builder(options, frame);
+  for (const Path& path : paths) builder.Add(path);
+  Toolpath toolpath = builder.Finish();
+  return {std::move(toolpath), builder.stats()};
+}
+
+std::vector<MoveKind> Kinds(const Toolpath& path) {
+  std::vector<MoveKind> kinds;
+  for (const Move& move : path.moves) kinds.push_back(move.kind);
+  return kinds;
+}
+
+int64_t Printed(const Toolpath& path) {
+  int64_t units = 0;
+  for (const Move& move : path.moves) units += move.kind == MoveKind::kPrint ? move.filament : 0;
+  return units;
+}
+
+double FilamentArea(const MotionOptions& options) {
+  return std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
+}
+
+TEST(ToolpathBuilder, NothingToPrint) {
+  EXPECT_TRUE(Build({}).path.moves.empty());
+  EXPECT_EQ(Build({}).path.approach, Toolpath::kNone);
+}
+
+TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
+  const Built built = Build({Line("(10 10, 20 10)")});
+  EXPECT_THAT(Kinds(built.path), ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kRestart,
+                                             MoveKind::kPrint, MoveKind::kRetract));
+  EXPECT_EQ(built.path.approach, 1);
+  EXPECT_EQ(built.path.start_z_um, 200);
+  EXPECT_EQ(built.path.moves[0].z_um, 400);
+  EXPECT_EQ(built.path.moves[2].filament, 80'000);
+  EXPECT_EQ(built.path.moves[4].filament, -80'000);
+  EXPECT_EQ(built.stats.travels, 1);
+  EXPECT_EQ(built.stats.retractions, 1);
+  EXPECT_EQ(built.stats.travel_mm, 0);
+}
+
+TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
+  MotionOptions options;
+  options.extrusion_multiplier = 0.95;
+  Path line = Line("(0 0, 30 40)");
+  line.flow = 1.1;
+  const Built built = Build({line}, options);
+  const double volume = 50 * SectionMm2(450'000, 200'000) * 1.1 * 0.95;
+  EXPECT_NEAR(static_cast<double>(Printed(built.path)), volume / FilamentArea(options) * 1e5, 0.5);
+  const FeatureUse& use = built.stats.features[static_cast<size_t>(Feature::kPerimeter)];
+  EXPECT_NEAR(use.volume_mm3, volume, 3e-5);
+  EXPECT_DOUBLE_EQ(use.length_mm, 50);
+}
+
+TEST(ToolpathBuilder, SumIsExactOverManySmallSegments) {
+  std::mt19937 random(3);
+  Path path;
+  Point at{0, 0};
+  for (int i = 0; i < 5'000; ++i) {
+    path.points.push_back(at);
+    path.widths_nm.push_back(300'000 + static_cast<Coord>(random() % 300'000));
+    // Some segments round to nothing.
+    at = at + Point{static_cast<Coord>(random() % 30'000), static_cast<Coord>(random() % 900)};
+  }
+  const MotionOptions options;
+  double volume = 0;
+  for (size_t i = 1; i < path.points.size(); ++i) {
+    volume += ToMm(Distance(path.points[i - 1], path.points[i])) *
+              SectionMm2((path.widths_nm[i - 1] + path.widths_nm[i]) / 2, kFrame.height_nm);
+  }
+  const Built built = Build({path}, options);
+  EXPECT_NEAR(static_cast<double>(Printed(built.path)), volume / FilamentArea(options) * 1e5, 1);
+  for (size_t i = 0; i < built.path.moves.size(); ++i) {
+    const Move& move = built.path.moves[i];
+    if (move.kind != MoveKind::kPrint) continue;
+    EXPECT_GT(move.filament, 0);
+    const Move& before = built.path.moves[i - 1];
+    EXPECT_TRUE(move.x_um != before.x_um || move.y_um != before.y_um);
+  }
+}
+
+TEST(ToolpathBuilder, LoopsCloseWhereTheyStart) {
+  Path loop = Line("(0 0, 10 0, 10 10, 0 10)");
+  loop.closed = true;
+  const Built built = Build({loop});
+  const Move& last = built.path.moves[built.path.moves.size() - 2];
+  EXPECT_EQ(last.kind, MoveKind::kPrint);
+  EXPECT_EQ(last.x_um, 0);
+  EXPECT_EQ(last.y_um, 0);
+  EXPECT_DOUBLE_EQ(built.stats.ExtrudedMm(), 40);
+}
+
+TEST(ToolpathBuilder, ShortTravelsDoNotRetract) {
+  const Built built = Build({Line("(0 0, 10 0)"), Line("(10 1.9, 0 1.9)"), Line("(0 4, 10 4)")});
+  EXPECT_EQ(built.stats.retractions, 2);  // before the third, and at the end
+  EXPECT_EQ(built.stats.travels, 3);
+  EXPECT_NEAR(built.stats.travel_mm, 1.9 + 2.1, 1e-9);
+}
+
+TEST(ToolpathBuilder, NoTravelWherePathsMeet) {
+  const Built built = Build({Line("(0 0, 10 0)"), Line("(10 0, 10 10)")});
+  EXPECT_EQ(built.stats.travels, 1);
+  EXPECT_EQ(built.stats.retractions, 1);
+}
+
+TEST(ToolpathBuilder, LiftsAroundTravels) {
+  MotionOptions options;
+  options.retraction.lift_mm = 0.3;
+  const Built built = Build({Line("(0 0, 10 0)"), Line("(50 0, 60 0)")}, options);
+  EXPECT_THAT(
+      Kinds(built.path),
+      ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kLift, MoveKind::kRestart,
+                  MoveKind::kPrint, MoveKind::kRetract, MoveKind::kLift, MoveKind::kTravel,
+                  MoveKind::kLift, MoveKind::kRestart, MoveKind::kPrint, MoveKind::kRetract));
+  EXPECT_EQ(built.path.moves[0].z_um, 700);
+  EXPECT_EQ(built.path.moves[2].z_um, 400);
+}
+
+TEST(ToolpathBuilder, WithoutRetractionNothingIsPulledOrLifted) {
+  MotionOptions options;
+  options.retraction.length_mm = 0;
+  options.retraction.lift_mm = 0.3;
+  const Built built = Build({Line("(0 0, 10 0)"), Line("(50 0, 60 0)")}, options);
+  EXPECT_THAT(Kinds(built.path), ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kPrint,
+                                             MoveKind::kTravel, MoveKind::kPrint));
+}
+
+TEST(ToolpathBuilder, ExtraOnRestartIsPrinted) {
+  MotionOptions options;
+  options.retraction.restart_extra_mm = 0.05;
+  const Built with = Build({Line("(0 0, 10 0)")}, options);
+  const Built without = Build({Line("(0 0, 10 0)")});
+  EXPECT_EQ(with.path.moves[2].filament, 85'000);
+  EXPECT_NEAR(with.stats.FilamentMm() - without.stats.FilamentMm(), 0.05, 1e-9);
+}
+
+TEST(ToolpathBuilder, ZOffsetShiftsEverything) {
+  MotionOptions options;
+  options.z_offset_mm = -0.05;
+  EXPECT_EQ(Build({Line("(0 0, 10 0)")}, options).path.moves[0].z_um, 350);
+}
+
+TEST(ToolpathBuilder, OwnHeightAndWidthAreToldPerMove) {
+  Path path = Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000});
+  path.height_nm = 150'000;
+  const Built built = Build({path});
+  EXPECT_EQ(built.path.moves[3].width_um, 450);
+  EXPECT_EQ(built.path.moves[4].width_um, 550);
+  EXPECT_EQ(built.path.moves[4].height_um, 150);
+}
+
+TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
+  MotionOptions options;
+  options.max_volumetric_speed_mm3_s = 2;
+  const Built built = Build({Line("(0 0, 10 0, 20 0)", {400'000, 400'000, 800'000})}, options);
+  const Move& narrow = built.path.moves[3];
+  const Move& wide = built.path.moves[4];
+  EXPECT_LT(wide.feed_rate, narrow.feed_rate);
+  for (const Move& move : {narrow, wide}) {
+    const double mm3_s = move.filament / 1e5 * FilamentArea(options) / 10 * move.feed_rate / 60;
+    EXPECT_NEAR(mm3_s, 2, 0.01);
+  }
+}
+
+TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
+  const Built built = Build({Line("(10 20, 30 25)", {400'000, 600'000})});
+  EXPECT_EQ(built.stats.bounds, (Box{{FromMm(9.7), FromMm(19.7)}, {FromMm(30.3), FromMm(25.3)}}));
+}
+
+TEST(ToolpathBuilder, AnAbsurdSegmentDoesNotOverflow) {
+  Path path = Line("(-2000 0, 2000 0)", {90'000'000});
+  path.height_nm = 90'000'000;
+  path.flow = 1000;
+  const Built built = Build({path});
+  EXPECT_GT(built.path.moves[3].filament, 0);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "services/slicing/algo/mesh_io/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/weld.h"
+
+namespace slicefarm::slicing {
+
+/// What keeps a number from being a coordinate.
+enum class CoordinateFault { kNone, kNotFinite, kBeyondLimit };
+
+/// Both STL readers' way from corners to a RawMesh: checks, welds, collects.
+class MeshBuilder {
+ public:
+  MeshBuilder(size_t expected_triangles, double coordinate_limit)
+      : welder_(expected_triangles / 2 + 1), limit_(coordinate_limit) {
+    mesh_.triangles.reserve(expected_triangles);
+  }
+
+  CoordinateFault Check(const Position& p) const {
+    if (std::abs(p.x) <= limit_ && std::abs(p.y) <= limit_ && std::abs(p.z) <= limit_)
+      return CoordinateFault::kNone;
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)
+               ? CoordinateFault::kBeyondLimit
+               : CoordinateFault::kNotFinite;
+  }
+
+  /// REQUIRES: all three pass Check.
+  void Add(const std::array<Position, 3>& corners) {
+    mesh_.triangles.push_back({Weld(corners[0]), Weld(corners[1]), Weld(corners[2])});
+  }
+
+  size_t triangles() const { return mesh_.triangles.size(); }
+
+  RawMesh Take() && {
+    mesh_.positions = std::move(welder_).TakePoints();
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Adding zero makes -0 and +0 the same bits.
+  uint32_t Weld(const Position& p) { return welder_.Add({p.x + 0.0, p.y + 0.0, p.z + 0.0}); }
+
+  Welder<Position> welder_;
+  RawMesh mesh_;
+  double limit_;
+};
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,118 @@
+#include "services/slicing/algo/placement/build_volume.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "absl/strings/escaping.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "services/slicing/algo/placement/footprint.h"
+#include "services/slicing/algo/placement/placement.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+std::string SizeText(const Box& box) {
+  return fmt::format("{:.3f} x {:.3f} mm", ToMm(static_cast<double>(box.max.x - box.min.x)),
+                     ToMm(static_cast<double>(box.max.y - box.min.y)));
+}
+
+std::string Quoted(std::string_view name) {
+  return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
+}
+
+/// What the mesh's outlines lie in once they are grown by `grow_nm`.
+Polygon HullOf(const IndexedMesh& mesh, Coord grow_nm) {
+  Polygon hull = Footprint(mesh);
+  if (grow_nm == 0) return hull;
+  const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);
+  return grown.empty() ? hull : grown[0].outer;
+}
+
+double DistanceToRing(Point p, const Polygon& ring) {
+  double nearest = DistanceToSegment(p, ring.back(), ring.front());
+  for (size_t i = 1; i < ring.size(); ++i)
+    nearest = std::min(nearest, DistanceToSegment(p, ring[i - 1], ring[i]));
+  return nearest;
+}
+
+/// How far the farthest of `points`, moved by `shift`, lies outside of the bed; 0 if all lie
+/// within.
+double ExcessNm(const Polygon& points, Point shift, const Polygon& bed) {
+  double excess = 0;
+  for (const Point p : points)
+    if (Locate(p + shift, bed) == Side::kOutside)
+      excess = std::max(excess, DistanceToRing(p + shift, bed));
+  return excess;
+}
+
+absl::Status BedError(std::string_view name, const Box& part, const Polygon& bed, double excess) {
+  const Box bed_box = Bounds(bed);
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+                   fmt::format("{} reaches {:.3f} mm beyond the edge of the bed (part {}, bed {})",
+                               Quoted(name), ToMm(excess), SizeText(part), SizeText(bed_box)),
+                   {{"object", std::string(name)},
+                    {"excess_mm", fmt::format("{:.3f}", ToMm(excess))},
+                    {"limit", SizeText(bed_box)},
+                    {"got", SizeText(part)}});
+}
+
+absl::Status HeightError(std::string_view name, Coord height, Coord limit) {
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
+      fmt::format("{} is {:.3f} mm high, {:.3f} mm more than max_print_height", Quoted(name),
+                  ToMm(static_cast<double>(height)), ToMm(static_cast<double>(height - limit))),
+      {{"object", std::string(name)},
+       {"excess_mm", fmt::format("{:.3f}", ToMm(static_cast<double>(height - limit)))},
+       {"limit", fmt::format("{:.3f} mm", ToMm(static_cast<double>(limit)))},
+       {"got", fmt::format("{:.3f} mm", ToMm(static_cast<double>(height)))}});
+}
+
+bool InRange(const Box& box, Point center) {
+  return std::max({box.max.x + center.x, box.max.y + center.y, -(box.min.x + center.x),
+                   -(box.min.y + center.y)}) <= limits::kMaxCoord;
+}
+
+absl::Status CentersError(std::string_view name) {
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kOutOfRange,
+      fmt::format("{} is placed farther out than {:.3f} mm", Quoted(name), ToMm(limits::kMaxCoord)),
+      {{"object", std::string(name)}, {"limit", fmt::format("{:.3f}", ToMm(limits::kMaxCoord))}});
+}
+
+}  // namespace
+
+Point BedCenter(const Polygon& bed) {
+  if (bed.empty()) return {};
+  const Box box = Bounds(bed);
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
+                              const std::vector<Point>& centers, const SlicingOptions& options) {
+  const Extent extent = ExtentOf(mesh);
+  const Coord grow = std::max<Coord>(0, options.xy_compensation_nm);
+  const Box box{{extent.min.x - grow, extent.min.y - grow},
+                {extent.max.x + grow, extent.max.y + grow}};
+  const Polygon corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  if (options.max_print_height_nm > 0 && extent.max.z > options.max_print_height_nm)
+    return HeightError(name, extent.max.z, options.max_print_height_nm);
+  Polygon hull;  // sorted out only when a box does not fit
+  for (const Point center : centers) {
+    // Far centres would overflow the sums.
+    constexpr Coord kFar = 2 * limits::kMaxCoord;
+    const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
+    if (!near || !InRange(box, center)) return CentersError(name);
+    if (options.bed.size() < 3 || ExcessNm(corners, center, options.bed) == 0) continue;
+    if (hull.empty()) hull = HullOf(mesh, grow);
+    const double excess = ExcessNm(hull, center, options.bed);
+    if (excess > 0) return BedError(name, box, options.bed, excess);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,91 @@
+#include "services/slicing/algo/placement/build_volume.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/placement/placement.h"
+#include "services/slicing/algo/placement/rotation.h"
+#include "services/slicing/algo/sample_meshes_test.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+constexpr Coord kMm = kNmPerMm;
+
+IndexedMesh Box(double x, double y, double z) {
+  return *PlaceMesh(BoxMesh({0, 0, 0}, {x, y, z}), {});
+}
+
+SlicingOptions Bed(double x, double y, double height = 0) {
+  SlicingOptions options;
+  options.bed = {{0, 0}, {FromMm(x), 0}, {FromMm(x), FromMm(y)}, {0, FromMm(y)}};
+  options.max_print_height_nm = FromMm(height);
+  return options;
+}
+
+TEST(BedCenter, IsTheMiddleOfTheBox) {
+  EXPECT_EQ(BedCenter(Bed(250, 210).bed), (Point{125 * kMm, 105 * kMm}));
+  EXPECT_EQ(BedCenter({{-100, -80}, {100, -80}, {0, 90}}), (Point{0, 5}));
+  EXPECT_EQ(BedCenter({}), (Point{0, 0}));
+}
+
+TEST(CheckBuildVolume, AcceptsExactFits) {
+  EXPECT_TRUE(
+      CheckBuildVolume(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
+}
+
+TEST(CheckBuildVolume, CountsWhatOutlinesAreGrownBy) {
+  SlicingOptions options = Bed(100, 50, 30);
+  const std::vector<Point> centre = {{50 * kMm, 25 * kMm}};
+  options.xy_compensation_nm = 2 * kMm;
+  EXPECT_TRUE(CheckBuildVolume(Box(96, 46, 30), "a", centre, options).ok());
+  const ErrorDetail detail = DetailOf(CheckBuildVolume(Box(98, 46, 30), "a", centre, options));
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  options.xy_compensation_nm = -2 * kMm;
+  EXPECT_FALSE(CheckBuildVolume(Box(102, 46, 30), "a", centre, options).ok());
+}
+
+TEST(CheckBuildVolume, SaysHowFarAPartReachesOut) {
+  const absl::Status status = CheckBuildVolume(
+      Box(100, 50, 30), "a\n.stl", {{50 * kMm, 25 * kMm}, {53 * kMm, 25 * kMm}}, Bed(100, 50));
+  const ErrorDetail detail = DetailOf(status);
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  EXPECT_EQ(detail.metadata.at("excess_mm"), "3.000");
+  EXPECT_EQ(detail.metadata.at("got"), "100.000 x 50.000 mm");
+  EXPECT_EQ(status.message().find('\n'), absl::string_view::npos);
+}
+
+TEST(CheckBuildVolume, SaysHowMuchTooHighAPartIs) {
+  const ErrorDetail detail =
+      DetailOf(CheckBuildVolume(Box(10, 10, 30.5), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)));
+  EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
+  EXPECT_EQ(detail.metadata.at("excess_mm"), "0.500");
+}
+
+TEST(CheckBuildVolume, ARoundPartFitsARoundBedThatItsBoxDoesNot) {
+  Polygon round;
+  for (int i = 0; i < 64; ++i) {
+    const auto [sine, cosine] = SineCosineDegrees(360.0 * i / 64);
+    round.push_back({FromMm(42 * cosine), FromMm(42 * sine)});
+  }
+  SlicingOptions options;
+  options.bed = round;
+  const IndexedMesh torus = *PlaceMesh(TorusMesh({}), {});
+  EXPECT_TRUE(CheckBuildVolume(torus, "ring", {{0, 0}}, options).ok());
+  EXPECT_FALSE(CheckBuildVolume(torus, "ring", {{5 * kMm, 0}}, options).ok());
+  EXPECT_FALSE(CheckBuildVolume(Box(80, 80, 20), "box", {{0, 0}}, options).ok());
+}
+
+TEST(CheckBuildVolume, NoBedIsNoLimitButTheNumbersAre) {
+  SlicingOptions options;
+  options.bed = {};
+  EXPECT_TRUE(CheckBuildVolume(Box(1000, 1000, 10), "a", {{0, 0}}, options).ok());
+  for (const Point center :
+       {Point{2'099 * kMm, 0}, Point{0, -2'099 * kMm}, Point{INT64_MAX, INT64_MIN}}) {
+    const absl::Status status = CheckBuildVolume(Box(10, 10, 10), "a", {center}, options);
+    EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing

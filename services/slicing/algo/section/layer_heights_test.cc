@@ -1,0 +1,65 @@
+#include "services/slicing/algo/section/layer_heights.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "common/base/error.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+SlicingOptions Heights(Coord first, Coord layer) {
+  SlicingOptions options;
+  options.first_layer_height_nm = first;
+  options.layer_height_nm = layer;
+  return options;
+}
+
+TEST(LayerPlanes, CutsInTheMiddle) {
+  const auto planes = LayerPlanes(1'000, Heights(300, 200));
+  ASSERT_TRUE(planes.ok());
+  ASSERT_EQ(planes->size(), 4u);
+  const std::vector<Coord> z = {150, 400, 600, 800}, top = {300, 500, 700, 900};
+  for (int32_t k = 0; k < 4; ++k) {
+    EXPECT_EQ((*planes)[k].frame, (LayerFrame{k, top[k], k == 0 ? 300 : 200}));
+    EXPECT_EQ((*planes)[k].z_nm, z[k]);
+  }
+}
+
+struct Case {
+  Coord top, first, layer;
+  size_t want;
+};
+
+TEST(LayerPlanes, TheLastMiddleLiesBelowTheTop) {
+  const std::vector<Case> cases = {{48'000'000, 200'000, 200'000, 240},
+                                   {1'000, 200, 200, 5},
+                                   {1'099, 200, 200, 5},
+                                   {1'100, 200, 200, 5},
+                                   {1'101, 200, 200, 6},
+                                   {101, 200, 200, 1},
+                                   {1, 1, 1, 1},
+                                   {10, 3, 3, 3}};
+  for (const Case& c : cases) {
+    const auto planes = LayerPlanes(c.top, Heights(c.first, c.layer));
+    ASSERT_TRUE(planes.ok());
+    EXPECT_EQ(planes->size(), c.want) << c.top;
+    EXPECT_LT(planes->back().z_nm, c.top);
+    EXPECT_GE(planes->back().z_nm + c.layer, c.top);
+  }
+}
+
+TEST(LayerPlanes, RefusesWhatCannotBe) {
+  const auto reason = [](Coord top, Coord first, Coord layer) {
+    return DetailOf(LayerPlanes(top, Heights(first, layer)).status()).reason;
+  };
+  EXPECT_EQ(reason(1'000, 0, 200), Reason::kSettingOutOfRange);
+  EXPECT_EQ(reason(1'000, 200, -1), Reason::kSettingOutOfRange);
+  EXPECT_EQ(reason(100, 200, 200), Reason::kNothingToPrint);
+  EXPECT_EQ(reason(0, 200, 200), Reason::kNothingToPrint);
+  EXPECT_EQ(reason(2'000'000'000, 200, 200), Reason::kMeshTooLarge);
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing

@@ -1,0 +1,76 @@
+#include "services/slicing/algo/section/regions.h"
+
+#include <optional>
+#include <utility>
+
+#include "common/geometry/offset.h"
+#include "common/geometry/ring_cleaning.h"
+#include "common/geometry/simplify.h"
+#include "services/slicing/algo/section/loop_nesting.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+Polygon SimplifiedLoop(const Polygon& loop, Coord resolution_nm) {
+  return CleanedRing(resolution_nm > 0 ? SimplifyRing(loop, resolution_nm) : loop);
+}
+
+MultiPolygon Cleaned(const MultiPolygon& region) {
+  MultiPolygon clean;
+  clean.reserve(region.size());
+  for (const PolygonWithHoles& island : region) {
+    PolygonWithHoles kept{CleanedRing(island.outer), {}};
+    if (kept.outer.empty()) continue;
+    for (const Polygon& hole : island.holes) {
+      Polygon ring = CleanedRing(hole);
+      if (!ring.empty()) kept.holes.push_back(std::move(ring));
+    }
+    clean.push_back(std::move(kept));
+  }
+  Canonicalize(clean);
+  return clean;
+}
+
+/// Each island by itself: what is in a hole of one does not belong to it.
+MultiPolygon WithWiderHoles(const MultiPolygon& region, Coord by_nm) {
+  MultiPolygon parts;
+  for (const PolygonWithHoles& island : region) {
+    MultiPolygon holes;
+    for (const Polygon& hole : island.holes)
+      holes.push_back({Polygon(hole.rbegin(), hole.rend()), {}});
+    const MultiPolygon part = Difference({{island.outer, {}}}, Offset(holes, by_nm));
+    parts.insert(parts.end(), part.begin(), part.end());
+  }
+  // A hole that shrinks may close over the island in it.
+  return by_nm < 0 ? Union(Rings(parts), FillRule::kNonZero) : parts;
+}
+
+}  // namespace
+
+MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord resolution_nm) {
+  std::vector<Polygon> simple;
+  simple.reserve(loops.size());
+  for (const Polygon& loop : loops) {
+    Polygon ring = SimplifiedLoop(loop, resolution_nm);
+    if (!ring.empty()) simple.push_back(std::move(ring));
+  }
+  if (std::optional<MultiPolygon> nested = NestSimpleLoops(simple, rule)) return *std::move(nested);
+  return Cleaned(Union(simple, rule));
+}
+
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options) {
+  return {.closing_radius_nm = closed_mesh ? 0 : options.closing_radius_nm,
+          .grow_nm = options.xy_compensation_nm - (layer == 0 ? options.elephant_foot_nm : 0),
+          .widen_holes_nm = options.hole_compensation_nm};
+}
+
+MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm) {
+  if (edits == RegionEdits{} || region.empty()) return region;
+  if (edits.closing_radius_nm > 0)
+    region = OffsetTwice(region, edits.closing_radius_nm, -edits.closing_radius_nm);
+  region = Offset(region, edits.grow_nm);
+  if (edits.widen_holes_nm != 0) region = WithWiderHoles(region, edits.widen_holes_nm);
+  return RegionOf(Rings(region), FillRule::kNonZero, resolution_nm);
+}
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,227 @@
+#include "services/slicing/algo/thumbnail/thumbnail.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/thumbnail/png_image.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+constexpr int32_t kMaxSizePx = 2048;
+constexpr double kMarginOfSize = 0.04;
+constexpr double kHalfSample = 0.5;
+constexpr size_t kTrianglesPerPoll = 1 << 16;
+constexpr std::array<double, 3> kColor = {237, 122, 44};
+
+constexpr double kInverseRoot2 = 0.70710678118654752;
+constexpr double kInverseRoot6 = 0.40824829046386302;
+constexpr double kInverseRoot3 = 0.57735026918962576;
+
+struct Vector {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+/// Right, up and towards the viewer, in the picture's axes.
+Vector ToView(const Vertex& v, Point center) {
+  const double x = static_cast<double>(v.x + center.x), y = static_cast<double>(v.y + center.y),
+               z = static_cast<double>(v.z);
+  return {(x + y) * kInverseRoot2, (y - x + 2 * z) * kInverseRoot6, (x - y + z) * kInverseRoot3};
+}
+
+/// Where in the buffer a view position falls, in samples: x to the right, y down, z towards the
+/// viewer.
+struct Frame {
+  double scale = 0;
+  double left = 0;
+  double top = 0;
+
+  Vector ToBuffer(const Vector& view) const {
+    return {(view.x - left) * scale, (top - view.y) * scale, view.z * scale};
+  }
+};
+
+/// A linear function of the picture's plane, relative to a corner.
+struct Slope {
+  double x = 0;
+  double y = 0;
+  double at_corner = 0;
+};
+
+/// A triangle as seen: what lies in it, how near, how bright.
+struct Facet {
+  Vector a, ab, ac;
+  double area;  ///< twice; the screen's y runs down, so what faces the viewer is below zero
+
+  Facet(const Vector& a, const Vector& b, const Vector& c)
+      : a(a),
+        ab{b.x - a.x, b.y - a.y, b.z - a.z},
+        ac{c.x - a.x, c.y - a.y, c.z - a.z},
+        area(ab.x * ac.y - ab.y * ac.x) {}
+
+  /// Of the corners a, b, c; all three are above zero inside.
+  std::array<Slope, 3> Weights() const {
+    const Slope b{ac.y / area, -ac.x / area, 0}, c{-ab.y / area, ab.x / area, 0};
+    return {Slope{-b.x - c.x, -b.y - c.y, 1}, b, c};
+  }
+
+  /// Some light from everywhere, more from above the viewer's left shoulder. Both sides shine.
+  uint8_t Shade() const {
+    const double nx = ab.y * ac.z - ab.z * ac.y, ny = ab.z * ac.x - ab.x * ac.z, nz = area;
+    const double towards = nz < 0 ? -1 : 1;
+    const double light =
+        towards * (-0.32 * nx - 0.64 * ny + 0.70 * nz) / std::sqrt(nx * nx + ny * ny + nz * nz);
+    return static_cast<uint8_t>(255 * std::clamp(0.35 + 0.65 * light, 0.15, 1.0));
+  }
+};
+
+/// Samples have their centres at halves. For values from 0 on, this is the first sample at or after
+/// `low`, and one past the last sample before `high`.
+int32_t SampleFrom(double low) { return static_cast<int32_t>(low + kHalfSample); }
+
+/// A picture with `fine` times more samples on either axis.
+class DepthBuffer {
+ public:
+  DepthBuffer(int32_t width, int32_t height)
+      : width_(width),
+        height_(height),
+        depth_(static_cast<size_t>(width) * height, kNothing),
+        shade_(depth_.size(), 0) {}
+
+  /// Fills the samples whose centres lie in the facet and nearer than what is there. REQUIRES: the
+  /// facet lies within the buffer.
+  void Draw(const Vector& a, const Vector& b, const Vector& c, bool from_behind) {
+    const double left = std::min({a.x, b.x, c.x}), right = std::max({a.x, b.x, c.x});
+    const int32_t top = SampleFrom(std::min({a.y, b.y, c.y}));
+    const int32_t bottom = std::min(SampleFrom(std::max({a.y, b.y, c.y})), height_);
+    if (SampleFrom(left) == SampleFrom(right) || top >= bottom) return;
+    const Facet facet(a, b, c);
+    if (facet.area == 0 || (facet.area > 0 && !from_behind)) return;
+    const std::array<Slope, 3> weights = facet.Weights();
+    const Slope depth{weights[1].x * facet.ab.z + weights[2].x * facet.ac.z,
+                      weights[1].y * facet.ab.z + weights[2].y * facet.ac.z, a.z};
+    const uint8_t shade = facet.Shade();
+    for (int32_t y = top; y < bottom; ++y) {
+      const double dy = y + 0.5 - a.y;
+      double from = left, to = right;
+      for (const Slope& weight : weights) {
+        const double zero = a.x - (weight.at_corner + weight.y * dy) / weight.x;
+        if (weight.x > 0) from = std::max(from, zero);
+        if (weight.x < 0) to = std::min(to, zero);
+      }
+      if (from < to)
+        DrawRow(y, SampleFrom(from), SampleFrom(to),
+                {depth.x, 0, a.z + depth.y * dy - depth.x * a.x}, shade);
+    }
+  }
+
+  /// The mean of fine x fine samples; what no face covers is transparent.
+  Rgba Pixel(int32_t x, int32_t y, int32_t fine) const {
+    int32_t covered = 0, shade = 0;
+    for (int32_t j = 0; j < fine; ++j) {
+      const size_t row = static_cast<size_t>(y * fine + j) * width_ + static_cast<size_t>(x) * fine;
+      for (size_t at = row; at < row + fine; ++at) {
+        if (depth_[at] == kNothing) continue;
+        ++covered;
+        shade += shade_[at];
+      }
+    }
+    if (covered == 0) return {0, 0, 0, 0};
+    Rgba pixel;
+    for (int i = 0; i < 3; ++i)
+      pixel[i] = static_cast<uint8_t>(std::lround(kColor[i] * shade / (255.0 * covered)));
+    pixel[3] = static_cast<uint8_t>((255 * covered + fine * fine / 2) / (fine * fine));
+    return pixel;
+  }
+
+ private:
+  static constexpr float kNothing = -HUGE_VALF;
+
+  /// Samples [from, to) of row y; `depth` at x = 0.
+  void DrawRow(int32_t y, int32_t from, int32_t to, const Slope& depth, uint8_t shade) {
+    size_t at = static_cast<size_t>(y) * width_ + from;
+    for (int32_t x = from; x < std::min(to, width_); ++x, ++at)
+      Put(at, static_cast<float>(depth.at_corner + depth.x * (x + 0.5)), shade);
+  }
+
+  void Put(size_t at, float depth, uint8_t shade) {
+    if (depth < depth_[at] || (depth == depth_[at] && shade <= shade_[at])) return;
+    depth_[at] = depth;
+    shade_[at] = shade;
+  }
+
+  int32_t width_;
+  int32_t height_;
+  std::vector<float> depth_;
+  std::vector<uint8_t> shade_;
+};
+
+Frame FitFrame(std::span<const SceneObject> scene, int32_t width, int32_t height) {
+  Vector low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
+  for (const SceneObject& object : scene) {
+    for (const Vertex& vertex : object.mesh->vertices) {
+      const Vector view = ToView(vertex, object.center);
+      low.x = std::min(low.x, view.x), low.y = std::min(low.y, view.y);
+      high.x = std::max(high.x, view.x), high.y = std::max(high.y, view.y);
+    }
+  }
+  const double margin = 1 + 2 * kMarginOfSize;
+  const double across = std::max(high.x - low.x, 1.0) * margin;
+  const double along = std::max(high.y - low.y, 1.0) * margin;
+  const double scale = std::min(width / across, height / along);
+  return {scale, (low.x + high.x - width / scale) / 2, (low.y + high.y + height / scale) / 2};
+}
+
+absl::Status DrawObject(const SceneObject& object, const Frame& frame, DepthBuffer& buffer,
+                        const CancelToken& cancel) {
+  std::vector<Vector> corners;
+  corners.reserve(object.mesh->vertices.size());
+  for (const Vertex& vertex : object.mesh->vertices)
+    corners.push_back(frame.ToBuffer(ToView(vertex, object.center)));
+  size_t count = 0;
+  for (const auto& t : object.mesh->triangles) {
+    if (++count % kTrianglesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
+    buffer.Draw(corners[t[0]], corners[t[1]], corners[t[2]], !object.solid);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status SizeError(const std::array<int32_t, 2>& size_px) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("thumbnails: {} x {} is not within 1 x 1 and {} x {}", size_px[0],
+                               size_px[1], kMaxSizePx, kMaxSizePx),
+                   {{"setting", "thumbnails"},
+                    {"limit", std::to_string(kMaxSizePx)},
+                    {"got", fmt::format("{}x{}", size_px[0], size_px[1])}});
+}
+
+}  // namespace
+
+absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneObject> scene,
+                                          const std::array<int32_t, 2>& size_px,
+                                          const CancelToken& cancel) {
+  const auto [width, height] = size_px;
+  if (std::min(width, height) < 1 || std::max(width, height) > kMaxSizePx)
+    return SizeError(size_px);
+  const int32_t fine = std::max(width, height) <= 128 ? 4 : 2;
+  const Frame frame = FitFrame(scene, width * fine, height * fine);
+  DepthBuffer buffer(width * fine, height * fine);
+  for (const SceneObject& object : scene)
+    if (absl::Status status = DrawObject(object, frame, buffer, cancel); !status.ok())
+      return status;
+  std::vector<Rgba> pixels;
+  pixels.reserve(static_cast<size_t>(width) * height);
+  for (int32_t y = 0; y < height; ++y)
+    for (int32_t x = 0; x < width; ++x) pixels.push_back(buffer.Pixel(x, y, fine));
+  absl::StatusOr<std::string> png = EncodePng(pixels, width, height);
+  if (!png.ok()) return png.status();
+  return Thumbnail{width, height, *std::move(png)};
+}
+
+}  // namespace slicefarm::slicing

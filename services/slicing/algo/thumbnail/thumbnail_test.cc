@@ -1,0 +1,94 @@
+#include "services/slicing/algo/thumbnail/thumbnail.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <vector>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/placement/placement.h"
+#include "services/slicing/algo/thumbnail/png_image.h"
+#include "services/slicing/algo/sample_meshes_test.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_TRUE(png_image_begin_read_from_memory(&image, thumbnail.png.data(), thumbnail.png.size()));
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<Rgba> pixels(size_t{image.width} * image.height);
+  EXPECT_TRUE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
+  return pixels;
+}
+
+Thumbnail Render(const std::vector<SceneObject>& scene, std::array<int32_t, 2> size) {
+  const auto thumbnail = RenderThumbnail(scene, size, {});
+  EXPECT_TRUE(thumbnail.ok()) << thumbnail.status();
+  return *thumbnail;
+}
+
+double CoveredShare(const std::vector<Rgba>& pixels) {
+  double opacity = 0;
+  for (const Rgba& pixel : pixels) opacity += pixel[3] / 255.0;
+  return opacity / static_cast<double>(pixels.size());
+}
+
+TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
+  const std::vector<Rgba> pixels = Pixels(Render({{&cube, {}, true}}, {100, 100}));
+  // A regular hexagon as high as the picture less its margin: 3 sqrt(3) / 8 of the square.
+  EXPECT_NEAR(CoveredShare(pixels), 0.6495 / (1.08 * 1.08), 0.01);
+  EXPECT_EQ(pixels[0], (Rgba{0, 0, 0, 0}));
+  const Rgba top = pixels[25 * 100 + 50], left = pixels[65 * 100 + 30],
+             right = pixels[65 * 100 + 70];
+  EXPECT_GT(top[0], left[0]);
+  EXPECT_GT(left[0], right[0]);
+  EXPECT_EQ(top[3], 255);
+}
+
+TEST(RenderThumbnail, SolidObjectsLookTheSameWithoutTheirBacks) {
+  const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}), {});
+  const std::vector<Rgba> solid = Pixels(Render({{&torus, {}, true}}, {64, 64}));
+  const std::vector<Rgba> open = Pixels(Render({{&torus, {}, false}}, {64, 64}));
+  EXPECT_NEAR(CoveredShare(solid), CoveredShare(open), 0.002);
+}
+
+TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
+  const RawMesh raw = Joined(TorusMesh({}), BoxMesh({0, 0, 0}, {25, 25, 25}));
+  const IndexedMesh mesh = *PlaceMesh(raw, {}), shuffled = *PlaceMesh(Shuffled(raw, 5), {});
+  const SceneObject object{&mesh, {}, false};
+  IndexedMesh reordered = mesh;
+  std::reverse(reordered.triangles.begin(), reordered.triangles.end());
+  EXPECT_EQ(Render({object}, {300, 300}).png, Render({{&reordered, {}, false}}, {300, 300}).png);
+  EXPECT_NEAR(CoveredShare(Pixels(Render({{&shuffled, {}, false}}, {300, 300}))),
+              CoveredShare(Pixels(Render({object}, {300, 300}))), 1e-4);
+}
+
+TEST(RenderThumbnail, FitsAllObjectsIn) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
+  const std::vector<SceneObject> scene = {{&cube, {}, true}, {&cube, {100 * kNmPerMm, 0}, true}};
+  const std::vector<Rgba> pixels = Pixels(Render(scene, {60, 40}));
+  bool left = false, right = false;
+  for (size_t at = 0; at < pixels.size(); ++at) {
+    if (pixels[at][3] == 0) continue;
+    (at % 60 < 30 ? left : right) = true;
+  }
+  EXPECT_TRUE(left && right);
+  EXPECT_LT(CoveredShare(pixels), 0.2);
+}
+
+TEST(RenderThumbnail, RefusesSenselessSizes) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
+  const SceneObject object{&cube, {}, true};
+  for (const std::array<int32_t, 2>& size : {std::array{0, 10}, {10, -1}, {2049, 10}}) {
+    const auto thumbnail = RenderThumbnail({&object, 1}, size, {});
+    EXPECT_EQ(DetailOf(thumbnail.status()).reason, Reason::kSettingOutOfRange);
+  }
+  Render({object}, {1, 1});
+  Render({object}, {7, 2048});
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing

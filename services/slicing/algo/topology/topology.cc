@@ -1,0 +1,109 @@
+#include "services/slicing/algo/topology/topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/topology/edge_fans.h"
+#include "services/slicing/algo/topology/face_orientation.h"
+#include "services/slicing/algo/topology/mesh_measure.h"
+#include "services/slicing/algo/placement/placement.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+/// Returns how many were dropped.
+int64_t DropCollapsedFaces(std::vector<Triangle>& triangles) {
+  return static_cast<int64_t>(std::erase_if(
+      triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
+}
+
+/// Sets of faces. Source: Galler and Fischer 1964, with paths halved; a root is the least face of
+/// its set.
+class FaceSets {
+ public:
+  explicit FaceSets(size_t faces) : parent_(faces), count_(static_cast<int64_t>(faces)) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  void Join(uint32_t a, uint32_t b) {
+    a = Root(a), b = Root(b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --count_;
+  }
+
+  int64_t count() const { return count_; }
+
+ private:
+  uint32_t Root(uint32_t face) {
+    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
+    return face;
+  }
+
+  std::vector<uint32_t> parent_;
+  int64_t count_;
+};
+
+int64_t CountBodies(const EdgeTable& table) {
+  FaceSets sets(table.twins.size() / 3);
+  for (uint32_t h = 0; h < table.twins.size(); ++h)
+    if (table.twins[h] < h) sets.Join(FaceOf(h), FaceOf(table.twins[h]));
+  for (int64_t fan = 0; fan < table.fan_count(); ++fan)
+    for (uint32_t i = table.fan_starts[fan] + 1; i < table.fan_starts[fan + 1]; ++i)
+      sets.Join(FaceOf(table.fans[i - 1]), FaceOf(table.fans[i]));
+  return sets.count();
+}
+
+}  // namespace
+
+absl::StatusOr<ConnectedMesh> Connect(IndexedMesh mesh, const CancelToken& cancel) {
+  ConnectedMesh connected;
+  connected.triangles = static_cast<int64_t>(mesh.triangles.size());
+  connected.degenerate_faces = DropCollapsedFaces(mesh.triangles);
+  if (mesh.triangles.empty())
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
+                     "all triangles of the mesh are degenerate; are the units right?");
+  connected.degenerate_faces +=
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                    [&](const Triangle& t) { return HasNoArea(mesh, t); });
+  if (cancel.Cancelled()) return cancel.Check();
+  EdgeTable table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
+  if (cancel.Cancelled()) return cancel.Check();
+  connected.open_edges = table.open_edges;
+  connected.non_manifold_edges = table.fan_count();
+  connected.bodies = CountBodies(table);
+  connected.flipped_faces = OrientFaces(mesh, table);
+  PairFans(mesh, table);
+  connected.twins = std::move(table.twins);
+  connected.closed =
+      std::find(connected.twins.begin(), connected.twins.end(), kNoTwin) == connected.twins.end();
+  connected.mesh = std::move(mesh);
+  return connected;
+}
+
+EdgeCounts CountEdges(std::vector<Triangle> triangles, size_t vertex_count) {
+  DropCollapsedFaces(triangles);
+  const EdgeTable table = BuildEdgeTable(triangles, vertex_count);
+  return {table.open_edges, table.fan_count()};
+}
+
+MeshReport ReportOf(const ConnectedMesh& mesh, Point shift) {
+  MeshReport report;
+  report.triangles = mesh.triangles;
+  report.vertices = static_cast<int64_t>(mesh.mesh.vertices.size());
+  report.bodies = mesh.bodies;
+  report.open_edges = mesh.open_edges;
+  report.non_manifold_edges = mesh.non_manifold_edges;
+  report.flipped_faces = mesh.flipped_faces;
+  report.degenerate_faces = mesh.degenerate_faces;
+  report.volume_mm3 = VolumeMm3(mesh.mesh);
+  const auto [min, max] = ExtentOf(mesh.mesh);
+  const auto mm = [](Coord nm) { return ToMm(static_cast<double>(nm)); };
+  report.min_mm = {mm(min.x + shift.x), mm(min.y + shift.y), mm(min.z)};
+  report.max_mm = {mm(max.x + shift.x), mm(max.y + shift.y), mm(max.z)};
+  return report;
+}
+
+}  // namespace slicefarm::slicing
