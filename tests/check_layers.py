@@ -19,7 +19,7 @@ LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
-    ("config", r"common/config/", PURE | {"config"}, f"{WIRE}|{GRPC}"),
+    ("config", r"common/config/", PURE | {"config", "stage"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),

@@ -29,6 +29,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kSettingUnknown, "SETTING_UNKNOWN"},
     {Reason::kSettingMalformed, "SETTING_MALFORMED"},
     {Reason::kSettingOutOfRange, "SETTING_OUT_OF_RANGE"},
+    {Reason::kSettingMisplaced, "SETTING_MISPLACED"},
     {Reason::kRequestMalformed, "REQUEST_MALFORMED"},
     {Reason::kRequestIdReused, "REQUEST_ID_REUSED"},
     {Reason::kRequestTooLarge, "REQUEST_TOO_LARGE"},

@@ -30,6 +30,7 @@ enum class Reason {
   kSettingUnknown,
   kSettingMalformed,
   kSettingOutOfRange,
+  kSettingMisplaced,
   kRequestMalformed,
   kRequestIdReused,
   kRequestTooLarge,

@@ -58,19 +58,19 @@ std::string ReadCorpus(const std::string& name) {
 }
 
 double SpeedOf(const JobSettings& settings, Feature feature) {
-  return settings.motion.speed_mm_s[static_cast<int>(feature)];
+  return settings.motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
 }
 
 TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   const JobSettings s = Job({});
-  EXPECT_EQ(s.slicing.layer_height_nm, 300'000);
+  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 300'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
-  EXPECT_EQ(s.beading.inner_width_nm, 450'000);
-  EXPECT_EQ(s.infill.top_width_nm, 400'000);
-  EXPECT_EQ(s.beading.first_layer_width_nm, 700'000);
-  EXPECT_EQ(s.infill.top_solid_layers, 3);
-  EXPECT_DOUBLE_EQ(s.infill.density, 0.2);
-  EXPECT_DOUBLE_EQ(s.infill.angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(s.beading[0].inner_width_nm, 450'000);
+  EXPECT_EQ(s.infill[0].top_width_nm, 400'000);
+  EXPECT_EQ(s.beading[0].first_layer_width_nm, 700'000);
+  EXPECT_EQ(s.infill[0].top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(s.infill[0].density, 0.2);
+  EXPECT_DOUBLE_EQ(s.infill[0].angle_rad, std::numbers::pi / 4);
   EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
   EXPECT_EQ(s.motion.limits.max_feedrate_mm_s[0], 500);
   EXPECT_EQ(s.motion.temperature_c, 200);
@@ -83,11 +83,11 @@ TEST(Resolve, ReadsThePeersProfile) {
   const ResolvedSettings resolved = ResolveOrDie(*given);
   const JobSettings& s = resolved.settings;
 
-  EXPECT_EQ(s.slicing.layer_height_nm, 200'000);
+  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 200'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 200'000);
   EXPECT_EQ(PrintBedShape(s.slicing.bed), "0x0,250x0,250x210,0x210");
   EXPECT_EQ(s.slicing.max_print_height_nm, 210'000'000);
-  EXPECT_EQ(s.slicing.elephant_foot_nm, 0);
+  EXPECT_EQ(s.slicing.objects[0].elephant_foot_nm, 0);
   const BeadingOptions walls = {.perimeters = 3,
                                 .external_width_nm = 450'000,
                                 .inner_width_nm = 450'000,
@@ -399,7 +399,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"new_in_3_0", "1"}, {"layer_height", "0.2"}}, Source::kProfile));
   EXPECT_THAT(resolved.no_effect, ElementsAre("new_in_3_0 = 1: unknown"));
-  EXPECT_EQ(resolved.settings.slicing.layer_height_nm, 200'000);
+  EXPECT_EQ(resolved.settings.slicing.objects[0].layer_height_nm, 200'000);
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
@@ -431,8 +431,8 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"fill_pattern", "gyroid"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
       Source::kProfile));
-  EXPECT_EQ(resolved.settings.infill.pattern, SparsePattern::kGrid);
-  EXPECT_EQ(resolved.settings.ordering.seam, SeamPosition::kNearest);
+  EXPECT_EQ(resolved.settings.infill[0].pattern, SparsePattern::kGrid);
+  EXPECT_EQ(resolved.settings.planning.objects[0].seam, SeamPosition::kNearest);
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("fill_pattern = gyroid: not supported yet: grid is used",
@@ -485,7 +485,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
-  EXPECT_DOUBLE_EQ(resolved.settings.infill.density, 0.004);
+  EXPECT_DOUBLE_EQ(resolved.settings.infill[0].density, 0.004);
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());

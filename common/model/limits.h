@@ -19,6 +19,7 @@ inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 inline constexpr int64_t kMaxPointsPerMesh =
     200'000'000;                               ///< over all layers, before simplification
 inline constexpr int64_t kMaxObjects = 1'000;  ///< copies included
+inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;

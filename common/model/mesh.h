@@ -18,17 +18,6 @@ struct MeshFile {
   std::string bytes;
 };
 
-/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this
-/// order; the result drops onto z = 0 with the middle of its bounding box over each of `centers`.
-struct Placement {
-  double unit_mm = 1.0;                     ///< mm per unit of the file
-  std::array<double, 3> scale = {1, 1, 1};  ///< > 0
-  std::array<double, 3> rotate_deg = {0, 0, 0};
-  std::vector<Point> centers = {};  ///< one per copy; empty: one copy at the middle of the bed
-
-  friend bool operator==(const Placement&, const Placement&) = default;
-};
-
 struct Vertex {
   Coord x = 0;
   Coord y = 0;

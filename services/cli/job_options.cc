@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "common/config/ini.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/placement.h"
 #include "common/base/text.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/files.h"
@@ -80,6 +83,111 @@ std::string PartName(std::string_view file) {
   return ReplaceControls(rpc::ToUtf8(file, limits::kMaxNameBytes), '?');
 }
 
+std::string NameOf(const std::string& path) {
+  return PartName(std::string_view(path).substr(path.rfind('/') + 1));  // npos + 1: the whole
+}
+
+absl::StatusOr<Placement> PlacementOf(const JobOptions& options) {
+  Placement placement;
+  placement.unit_mm = UnitOf(options.units);
+  const auto scale = ScaleOf(options.scale);
+  if (!scale.ok()) return scale.status();
+  placement.scale = *scale;
+  placement.rotate_deg = {0, 0, options.rotate_z_deg};
+  if (!std::isfinite(options.rotate_z_deg)) return Malformed("--rotate-z: not a number");
+  if (!options.rotate.empty()) {
+    const auto angles = Numbers("--rotate", options.rotate, 3);
+    if (!angles.ok()) return angles.status();
+    placement.rotate_deg = {(*angles)[0], (*angles)[1], (*angles)[2]};
+  }
+  for (const std::string& text : options.centers) {
+    const auto center = Numbers("--center", text, 2);
+    if (!center.ok()) return center.status();
+    const double limit = ToMm(limits::kMaxCoord);
+    if (std::abs((*center)[0]) > limit || std::abs((*center)[1]) > limit) {
+      return Malformed(fmt::format("--center {}: more than {} mm from the origin", text, limit));
+    }
+    placement.centers.push_back({FromMm((*center)[0]), FromMm((*center)[1])});
+  }
+  return placement;
+}
+
+absl::StatusOr<MeshFile> ReadModel(const std::string& path) {
+  auto bytes = ReadFile(path, limits::kMaxMeshBytes);
+  if (!bytes.ok()) {
+    const ErrorDetail detail = DetailOf(bytes.status());
+    if (detail.reason != Reason::kRequestTooLarge) return bytes.status();
+    return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
+                     std::string(bytes.status().message()), detail.metadata);
+  }
+  return MeshFile{.name = NameOf(path), .bytes = *std::move(bytes)};
+}
+
+/// What is said of one model on the command line: `MODEL=...`, MODEL by path or by name.
+struct OfModel {
+  std::string model;
+  std::string what;
+};
+
+OfModel TakeApart(const std::string& text, char separator, const JobOptions& options) {
+  // A path may hold the separator: the longest model that fits is meant.
+  OfModel best;
+  for (const std::string& path : options.models) {
+    for (const std::string& model : {path, NameOf(path)}) {
+      if (!text.starts_with(model + separator) || model.size() <= best.model.size()) continue;
+      best = {model, text.substr(model.size() + 1)};
+    }
+  }
+  return best;
+}
+
+bool Names(const OfModel& of, const std::string& path) {
+  return of.model == path || of.model == NameOf(path);
+}
+
+absl::StatusOr<int> CountOf(const std::string& text, const OfModel& of) {
+  const auto count = ToNumber(Trim(of.what));
+  if (of.model.empty() || !count || *count != std::floor(*count) || *count < 1 ||
+      *count > limits::kMaxObjects) {
+    return Malformed(fmt::format("--copies {}: MODEL=N is needed, with one of the models and a "
+                                 "number from 1 to {}",
+                                 text, limits::kMaxObjects));
+  }
+  return static_cast<int>(*count);
+}
+
+/// 0: none are asked for.
+absl::StatusOr<int> CopiesOf(const JobOptions& options, const std::string& path) {
+  int copies = 0;
+  for (const std::string& text : options.copies) {
+    const OfModel of = TakeApart(text, '=', options);
+    const auto count = CountOf(text, of);
+    if (!count.ok()) return count.status();
+    if (!options.centers.empty()) return Malformed("--copies and --center exclude each other");
+    if (Names(of, path)) copies = *count;
+  }
+  return copies;
+}
+
+absl::StatusOr<std::vector<Setting>> SettingsOf(const JobOptions& options,
+                                                const std::string& path) {
+  std::vector<Setting> settings;
+  for (const std::string& text : options.object_sets) {
+    const OfModel of = TakeApart(text, ':', options);
+    if (of.model.empty()) {
+      return Malformed(fmt::format("--object-set {}: MODEL:key=value is needed, with one of the "
+                                   "models",
+                                   text));
+    }
+    if (!Names(of, path)) continue;
+    const auto setting = ParseSet(of.what);
+    if (!setting.ok()) return setting.status();
+    if (absl::Status ok = CheckText(*setting); !ok.ok()) return ok;
+    settings.push_back(*setting);
+  }
+  return settings;
+}
+
 }  // namespace
 
 void AddSettingOptions(CLI::App& app, SettingOptions& options) {
@@ -94,8 +202,17 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
 }
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
-  app.add_option("MODEL", options.model, "STL (binary or ASCII) or OBJ file")->required();
+  app.add_option("MODEL", options.models,
+                 "STL (binary or ASCII) or OBJ file; several: a plate of them")
+      ->required();
   AddSettingOptions(app, options);
+  app.add_option("--copies", options.copies, "How often a model is printed; may be repeated")
+      ->type_name("MODEL=N")
+      ->allow_extra_args(false);
+  app.add_option("--object-set", options.object_sets,
+                 "A setting of one model alone; may be repeated")
+      ->type_name("MODEL:KEY=VALUE")
+      ->allow_extra_args(false);
   app.add_option("--units", options.units, "What a unit of the model means")
       ->check(CLI::IsMember({"mm", "cm", "m", "inch"}))
       ->capture_default_str();
@@ -136,42 +253,35 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
   return settings;
 }
 
-absl::StatusOr<Placement> GivenPlacement(const JobOptions& options) {
-  Placement placement;
-  placement.unit_mm = UnitOf(options.units);
-  const auto scale = ScaleOf(options.scale);
-  if (!scale.ok()) return scale.status();
-  placement.scale = *scale;
-  placement.rotate_deg = {0, 0, options.rotate_z_deg};
-  if (!std::isfinite(options.rotate_z_deg)) return Malformed("--rotate-z: not a number");
-  if (!options.rotate.empty()) {
-    const auto angles = Numbers("--rotate", options.rotate, 3);
-    if (!angles.ok()) return angles.status();
-    placement.rotate_deg = {(*angles)[0], (*angles)[1], (*angles)[2]};
-  }
-  for (const std::string& text : options.centers) {
-    const auto center = Numbers("--center", text, 2);
-    if (!center.ok()) return center.status();
-    const double limit = ToMm(limits::kMaxCoord);
-    if (std::abs((*center)[0]) > limit || std::abs((*center)[1]) > limit) {
-      return Malformed(fmt::format("--center {}: more than {} mm from the origin", text, limit));
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
+  GivenModels given;
+  const auto placement = PlacementOf(options);
+  if (!placement.ok()) return placement.status();
+  if (absl::Status ok = CheckPlacement(*placement); !ok.ok()) return ok;
+  std::map<std::string, int32_t> files;  // by path
+  for (const std::string& path : options.models) {
+    const auto [file, is_new] = files.try_emplace(path, static_cast<int32_t>(given.files.size()));
+    if (is_new) {
+      auto read = ReadModel(path);
+      if (!read.ok()) return read.status();
+      given.files.push_back(*std::move(read));
     }
-    placement.centers.push_back({FromMm((*center)[0]), FromMm((*center)[1])});
+    const auto copies = CopiesOf(options, path);
+    if (!copies.ok()) return copies.status();
+    auto settings = SettingsOf(options, path);
+    if (!settings.ok()) return settings.status();
+    given.objects.push_back({NameOf(path), file->second, *placement, *copies, *std::move(settings)});
   }
-  return placement;
+  return given;
 }
 
-absl::StatusOr<MeshFile> ReadModel(const JobOptions& options) {
-  auto bytes = ReadFile(options.model, limits::kMaxMeshBytes);
-  if (!bytes.ok()) {
-    const ErrorDetail detail = DetailOf(bytes.status());
-    if (detail.reason != Reason::kRequestTooLarge) return bytes.status();
-    return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
-                     std::string(bytes.status().message()), detail.metadata);
+std::vector<SceneObject> SceneOf(const GivenModels& given) {
+  std::vector<SceneObject> scene;
+  for (const GivenObject& object : given.objects) {
+    scene.push_back(ObjectOfFile(object.name, object.file, object.placement, object.copies));
+    scene.back().settings = object.settings;
   }
-  const size_t slash = options.model.rfind('/');  // npos + 1: the whole
-  return MeshFile{.name = PartName(std::string_view(options.model).substr(slash + 1)),
-                  .bytes = *std::move(bytes)};
+  return scene;
 }
 
 }  // namespace slicefarm::cli

@@ -23,7 +23,8 @@ absl::StatusOr<ObjectRequest> ObjectFromProto(const v1::Object& proto) {
   if (!format.ok()) return format.status();
   auto placement = slicefarm::FromProto(proto.placement());
   if (!placement.ok()) return Within("placement", placement.status());
-  return ObjectRequest{proto.mesh_sha256(), proto.name(), *format, *std::move(placement)};
+  return ObjectRequest{proto.mesh_sha256(),   proto.name(),   *format,
+                       *std::move(placement), proto.copies(), SettingsFromProto(proto.settings())};
 }
 
 absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {

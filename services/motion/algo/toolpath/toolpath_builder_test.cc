@@ -30,7 +30,7 @@ struct Built {
 
 Built Build(const std::vector<Path>& paths, const MotionOptions& options = {},
             const LayerFrame& frame = kFrame) {
-  ToolpathBuilder builder(options, frame);
+  ToolpathBuilder builder(options, frame, frame.height_nm);
   for (const Path& path : paths) builder.Add(path);
   Toolpath toolpath = builder.Finish();
   return {std::move(toolpath), builder.stats()};

@@ -8,6 +8,11 @@
 namespace slicefarm::slicing {
 namespace {
 
+Polygon HullOf(const IndexedMesh& mesh) {
+  const IndexedMesh* const meshes[] = {&mesh};
+  return Footprint(meshes);
+}
+
 using testing::ElementsAre;
 
 Point At(double x_mm, double y_mm) { return {FromMm(x_mm), FromMm(y_mm)}; }

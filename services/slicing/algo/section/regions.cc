@@ -58,7 +58,7 @@ MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord re
   return Cleaned(Union(simple, rule));
 }
 
-RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options) {
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options) {
   return {.closing_radius_nm = closed_mesh ? 0 : options.closing_radius_nm,
           .grow_nm = options.xy_compensation_nm - (layer == 0 ? options.elephant_foot_nm : 0),
           .widen_holes_nm = options.hole_compensation_nm};

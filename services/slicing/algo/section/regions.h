@@ -29,7 +29,7 @@ struct RegionEdits {
 /// The edits for layer `layer` of a mesh that is closed or not: xy_size_compensation grows, on the
 /// first layer less elefant_foot_compensation; xy_hole_compensation widens holes;
 /// slice_closing_radius works on meshes that are not closed manifolds only.
-RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options);
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options);
 
 /// Offsets have mitred corners. Free of cost if there is nothing to edit.
 MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm);

@@ -87,7 +87,7 @@ TEST(RegionOf, ScrapsVanish) {
 }
 
 TEST(EditsFor, NamesWhatEachSettingDoes) {
-  SlicingOptions options;
+  ObjectSlicingOptions options;
   options.closing_radius_nm = 49'000;
   options.xy_compensation_nm = 100'000;
   options.hole_compensation_nm = 20'000;
