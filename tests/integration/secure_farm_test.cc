@@ -94,8 +94,9 @@ class SecureFarmTest : public testing::Test {
   }
 
   Arguments CoordinatorFlags(const rpc::TlsFiles& files, const Arguments& more) const {
-    return Arguments{"--state-dir", state_.path(),     "--slicing", slicing_.address(),
-                     "--motion",    motion_.address(), "--tenants", tenants_file_} +
+    return Arguments{"--state-dir", state_.path(),       "--slicing", slicing_.address(),
+                     "--planning",  planning_.address(), "--motion",  motion_.address(),
+                     "--tenants",   tenants_file_} +
            TlsFlags(files) + more;
   }
 
@@ -139,6 +140,7 @@ class SecureFarmTest : public testing::Test {
   rpc::TlsFiles tenant_b_;
   rpc::TlsFiles nobody_;
   SecureServer slicing_{certs_, "slicefarm-slicing", "stage/slicing"};
+  SecureServer planning_{certs_, "slicefarm-planning", "stage/planning"};
   SecureServer motion_{certs_, "slicefarm-motion", "stage/motion"};
   std::optional<SecureServer> worker_;
   std::optional<ServerProcess> coordinator_;
@@ -155,9 +157,9 @@ TEST_F(SecureFarmTest, WorkersAndSplitStagesGiveTheSameBytes) {
   const SecureServer ordering(certs_, "slicefarm-ordering", "stage/ordering");
   const ServerProcess split(
       "slicefarm-coordinator",
-      Arguments{"--state-dir", other_state.path(), "--slicing", slicing_.address(), "--motion",
-                motion_.address(), "--beading", beading.address(), "--infill", infill.address(),
-                "--ordering", ordering.address()} +
+      Arguments{"--state-dir", other_state.path(), "--slicing", slicing_.address(), "--planning",
+                planning_.address(), "--motion", motion_.address(), "--beading", beading.address(),
+                "--infill", infill.address(), "--ordering", ordering.address()} +
           TlsFlags(certs_.Make("coordinator")));
   Client other(split.address, tenant_b_);
   EXPECT_EQ(Print(other, mesh_), fused);
@@ -199,9 +201,11 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   rpc::TlsFiles forged = others.Make("tenant/a");
   forged.ca = tenant_a_.ca;
   EXPECT_EQ(List(TlsFlags(forged)).code, 5);
-  const Outcome stage = Run("list", slicing_.address(), TlsFlags(tenant_a_));
-  EXPECT_EQ(stage.code, 2);
-  EXPECT_EQ(stage.error, "spiffe://slicefarm/tenant/a may not call /slicefarm.v1.Jobs/ListJobs");
+  for (const SecureServer* service : {&slicing_, &planning_}) {
+    const Outcome stage = Run("list", service->address(), TlsFlags(tenant_a_));
+    EXPECT_EQ(stage.code, 2);
+    EXPECT_EQ(stage.error, "spiffe://slicefarm/tenant/a may not call /slicefarm.v1.Jobs/ListJobs");
+  }
 }
 
 // Past what the command line looks at itself.
@@ -377,11 +381,11 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
 
 TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   const rpc::TlsFiles files = certs_.Make("coordinator");
+  const Arguments nowhere = {"--state-dir", state_.path(),  "--slicing", "127.0.0.1:1",
+                             "--planning",  "127.0.0.1:1", "--motion",  "127.0.0.1:1",
+                             "--workers",   "127.0.0.1:1"};
   const auto refusal = [&](const Arguments& arguments, const std::string& line) {
-    ChildProcess process("slicefarm-coordinator",
-                         Arguments{"--state-dir", state_.path(), "--slicing", "127.0.0.1:1",
-                                   "--motion", "127.0.0.1:1", "--workers", "127.0.0.1:1"} +
-                             arguments,
+    ChildProcess process("slicefarm-coordinator", nowhere + arguments,
                          ChildProcess::Stderr::kWithStdout);
     EXPECT_NE(process.AwaitLine(line), "") << line;
     EXPECT_NE(process.Wait(), 0);
@@ -393,11 +397,7 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   refusal({"--tenants", directory_.path() + "/none.json"}, "--tenants: File does not exist");
 
   const auto fails = [&](const Arguments& arguments) {
-    return ChildProcess("slicefarm-coordinator",
-                        Arguments{"--state-dir", state_.path(), "--slicing", "127.0.0.1:1",
-                                  "--motion", "127.0.0.1:1", "--workers", "127.0.0.1:1"} +
-                            arguments)
-        .Wait();
+    return ChildProcess("slicefarm-coordinator", nowhere + arguments).Wait();
   };
   EXPECT_EQ(fails(TlsFlags(certs_.Make("coordinator", 0))), 1);
   WriteTenants(R"({"tenants": {"a": {"quota": 1}}})");

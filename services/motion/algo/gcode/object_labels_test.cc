@@ -57,8 +57,9 @@ TEST(ObjectLabels, NamesCannotBringCommandsAlong) {
     for (const ObjectLabels labels : {ObjectLabels::kComments, ObjectLabels::kFirmware}) {
       const std::string label = LabelOf(bad, 0, Options(labels, flavor));
       EXPECT_EQ(label.find('\n'), std::string::npos);
-      if (flavor == GcodeFlavor::kKlipper && labels == ObjectLabels::kFirmware)
+      if (flavor == GcodeFlavor::kKlipper && labels == ObjectLabels::kFirmware) {
         EXPECT_EQ(label.find_first_of(" ;'\"={}"), std::string::npos) << label;
+      }
     }
   }
 }
