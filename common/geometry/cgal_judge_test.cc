@@ -23,8 +23,6 @@ enum Group { kGot, kA, kB, kGroups };
 /// How many edges more run from left to right than the other way, by the regions they belong to.
 struct Windings {
   std::array<int, kGroups> by = {};
-
-  friend bool operator==(const Windings&, const Windings&) = default;
 };
 Windings Sum(const Windings& a, const Windings& b, int sign = 1) {
   Windings sum = a;
