@@ -2,12 +2,26 @@
 
 #include <utility>
 
+#include "common/base/error.h"
 #include "services/slicing/algo/placement/build_volume.h"
 #include "services/slicing/algo/placement/placement.h"
 
 namespace slicefarm::slicing {
 
 namespace {
+
+/// What a file with several meshes has besides is not placed yet. Takes the file's bytes.
+absl::StatusOr<RawMesh> ReadFirstMesh(MeshFile& file, const MeshSource& source,
+                                      double coordinate_limit, const CancelToken& cancel) {
+  absl::StatusOr<MeshFileContents> contents = source.Read(
+      std::move(file.bytes), file.format, coordinate_limit, ReadDepth::kMeshes, cancel);
+  if (!contents.ok()) return contents.status();
+  RawMesh& first = contents->meshes.front();
+  if (first.triangles.empty())
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
+                     "the file's first mesh has no triangles");
+  return std::move(first);
+}
 
 /// The report is about the file, where points a fraction of a nanometre apart are two points;
 /// rounding welds them for the slicing.
@@ -24,8 +38,7 @@ absl::StatusOr<PreparedMesh> PrepareMesh(MeshFile file, const MeshSource& source
                                          const Placement& placement, const SlicingOptions& options,
                                          const CancelToken& cancel) {
   if (absl::Status status = CheckPlacement(placement); !status.ok()) return status;
-  absl::StatusOr<RawMesh> raw =
-      source.Read(std::move(file.bytes), file.format, CoordinateLimit(placement), cancel);
+  absl::StatusOr<RawMesh> raw = ReadFirstMesh(file, source, CoordinateLimit(placement), cancel);
   if (!raw.ok()) return raw.status();
   absl::StatusOr<IndexedMesh> placed = PlaceMesh(*raw, placement);
   if (!placed.ok()) return placed.status();
