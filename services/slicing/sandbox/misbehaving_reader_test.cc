@@ -81,8 +81,7 @@ MeshFileContents Alone(const RawMesh& mesh) {
 /// Announces a mesh and says nothing of it.
 [[noreturn]] void SayMeshHead(const MeshHead& mesh) {
   const std::string project = EncodeProject(Alone({}).project);
-  const AnswerHead head = {
-      .build_id = ThisBuild(), .project_bytes = project.size(), .meshes = 1};
+  const AnswerHead head = {.build_id = ThisBuild(), .project_bytes = project.size(), .meshes = 1};
   std::string all(reinterpret_cast<const char*>(&head), sizeof head);
   all += project;
   all.append(reinterpret_cast<const char*>(&mesh), sizeof mesh);
@@ -171,7 +170,8 @@ const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() 
       {"swell", Swell},
       {"multiply", Multiply},
       {"withhold", Withhold},
-      {"refer beyond", [] { return Misplace([](Project& p) { p.objects[0].parts[0].mesh.mesh = 1; }); }},
+      {"refer beyond",
+       [] { return Misplace([](Project& p) { p.objects[0].parts[0].mesh.mesh = 1; }); }},
       {"say no role",
        [] {
          return Misplace(

@@ -31,15 +31,16 @@ bool IsName(std::string_view text) {
 bool AreSettings(const std::vector<Setting>& settings) {
   return AtMost(settings, limits::kMaxSettings) &&
          std::all_of(settings.begin(), settings.end(), [](const Setting& setting) {
-           return !setting.key.empty() && IsName(setting.key) && setting.source <= Source::kRequest &&
+           return !setting.key.empty() && IsName(setting.key) &&
+                  setting.source <= Source::kRequest &&
                   IsText(setting.value, limits::kMaxSettingBytes);
          });
 }
 
 /// Plates may be taken off, and components come together.
 bool IsTransform(const Transform& transform) {
-  constexpr double kMost = 2 * limits::kMaxTransformEntry + limits::kMaxMeshCoordinateMm * 1.2 *
-                                                                limits::kMaxProjectPlates;
+  constexpr double kMost = 2 * limits::kMaxTransformEntry +
+                           limits::kMaxMeshCoordinateMm * 1.2 * limits::kMaxProjectPlates;
   return std::all_of(transform.reshaped().begin(), transform.reshaped().end(),
                      [](double entry) { return std::abs(entry) <= kMost; });
 }

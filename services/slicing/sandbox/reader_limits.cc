@@ -23,9 +23,9 @@ constexpr int64_t kMemoryPerArchiveByte = 80;
 constexpr int64_t kTextBytesPerCpuS = 40 * kMib;
 
 ReaderLimits ArchiveLimits(int64_t file_bytes) {
-  const int64_t text_bytes = std::min(
-      limits::kFreeExpandedBytes + limits::kMaxCompressionRatio * file_bytes,
-      limits::kMaxExpandedArchiveBytes);
+  const int64_t text_bytes =
+      std::min(limits::kFreeExpandedBytes + limits::kMaxCompressionRatio * file_bytes,
+               limits::kMaxExpandedArchiveBytes);
   const int64_t for_contents = std::min(kMemoryPerArchiveByte * file_bytes, kMostMemory);
   return {.memory_bytes = kProgramBytes + file_bytes + kBaseArchiveMemory + for_contents,
           .cpu_s = kBaseCpuS + text_bytes / kTextBytesPerCpuS};

@@ -149,8 +149,9 @@ absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit) {
 absl::StatusOr<Project> CheckedProject(std::string_view encoded, std::span<const RawMesh> meshes,
                                        ReadDepth depth) {
   absl::StatusOr<Project> project = DecodeProject(encoded);
-  if (!project.ok()) return Nonsense(std::string_view(project.status().message().data(),
-                                                      project.status().message().size()));
+  if (!project.ok())
+    return Nonsense(
+        std::string_view(project.status().message().data(), project.status().message().size()));
   std::vector<int64_t> triangles;
   for (const RawMesh& mesh : meshes)
     triangles.push_back(static_cast<int64_t>(mesh.triangles.size()));

@@ -134,8 +134,7 @@ absl::Status SandboxedMeshSource::Probe() const {
 }
 
 absl::StatusOr<MeshFileContents> SandboxedMeshSource::Read(std::string bytes, MeshFormat format,
-                                                           double coordinate_limit,
-                                                           ReadDepth depth,
+                                                           double coordinate_limit, ReadDepth depth,
                                                            const CancelToken& cancel) const {
   const Request asked = RequestOf(bytes, depth);
   const ReaderLimits limits = options_.limits(bytes);

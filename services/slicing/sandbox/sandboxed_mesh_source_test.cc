@@ -177,9 +177,10 @@ TEST(SandboxedMeshSource, TimeIsBounded) {
 }
 
 TEST(SandboxedMeshSource, NoAnswerIsBelievedUnchecked) {
-  for (const std::string deed : {"babble", "break", "boast", "wrap", "swell", "multiply",
-                                 "withhold", "refer beyond", "say no role", "say no text",
-                                 "invent", "ramble", "excuse", "overreach", "say nan", "say infinity", "say far", "be another"}) {
+  for (const std::string deed :
+       {"babble", "break", "boast", "wrap", "swell", "multiply", "withhold", "refer beyond",
+        "say no role", "say no text", "invent", "ramble", "excuse", "overreach", "say nan",
+        "say infinity", "say far", "be another"}) {
     const absl::Status status = Do(TakenOver(), deed + std::string(100, ' '));
     const bool of_another_build = deed == "babble" || deed == "be another";
     EXPECT_EQ(ReasonOf(status),

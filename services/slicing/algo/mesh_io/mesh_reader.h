@@ -12,11 +12,12 @@ namespace slicefarm::slicing {
 
 /// What `bytes` look like: binary STL if the length is the one its count of triangles asks for,
 /// whatever the header says; ASCII STL if it starts with `solid` and has a facet or an end; PLY and
-/// 3MF (any ZIP archive) by their first bytes; OBJ if its first statement is one of OBJ's; else a binary STL of the wrong length, unless it bears the
-/// mark of some other format.
+/// 3MF (any ZIP archive) by their first bytes; OBJ if its first statement is one of OBJ's; else a
+/// binary STL of the wrong length, unless it bears the mark of some other format.
 MeshFormat DetectFormat(std::string_view bytes);
 
-/// Reads a file of any format that has one mesh (STL, OBJ, PLY), and welds corners at exactly the same place.
+/// Reads a file of any format that has one mesh (STL, OBJ, PLY), and welds corners at exactly the
+/// same place.
 ///
 /// `format`: what the file is said to be; kUnknown: told from the content.
 /// `coordinate_limit`: the largest absolute coordinate accepted, in the units of the file.

@@ -62,8 +62,7 @@ TEST(ReadMesh, SaysWhatIsWrong) {
 
 TEST(ReadMeshFile, MakesAProjectOfOneMesh) {
   for (const std::string& bytes : {ToBinaryStl(Box()), ToObj(Box())}) {
-    const auto all =
-        ReadMeshFile(bytes, MeshFormat::kUnknown, 10'000, ReadDepth::kMeshes, {});
+    const auto all = ReadMeshFile(bytes, MeshFormat::kUnknown, 10'000, ReadDepth::kMeshes, {});
     ASSERT_TRUE(all.ok()) << all.status();
     ASSERT_EQ(all->meshes.size(), 1u);
     EXPECT_EQ(all->meshes[0].triangles.size(), 12u);

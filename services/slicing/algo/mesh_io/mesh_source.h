@@ -16,8 +16,8 @@ class MeshSource {
  public:
   virtual ~MeshSource() = default;
 
-  /// Reads as ReadMeshFile does, whose errors it passes on; may add some of its own. Takes the bytes by
-  /// value and frees them as early as it can. Safe to call from many threads.
+  /// Reads as ReadMeshFile does, whose errors it passes on; may add some of its own. Takes the
+  /// bytes by value and frees them as early as it can. Safe to call from many threads.
   virtual absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
                                                 double coordinate_limit, ReadDepth depth,
                                                 const CancelToken& cancel) const = 0;

@@ -13,8 +13,8 @@ namespace {
 /// What a file with several meshes has besides is not placed yet. Takes the file's bytes.
 absl::StatusOr<RawMesh> ReadFirstMesh(MeshFile& file, const MeshSource& source,
                                       double coordinate_limit, const CancelToken& cancel) {
-  absl::StatusOr<MeshFileContents> contents = source.Read(
-      std::move(file.bytes), file.format, coordinate_limit, ReadDepth::kMeshes, cancel);
+  absl::StatusOr<MeshFileContents> contents =
+      source.Read(std::move(file.bytes), file.format, coordinate_limit, ReadDepth::kMeshes, cancel);
   if (!contents.ok()) return contents.status();
   RawMesh& first = contents->meshes.front();
   if (first.triangles.empty())

@@ -73,12 +73,11 @@ absl::Status CheckName(std::string_view name) {
 absl::Status CheckRatio(std::string_view part, int64_t expanded, int64_t packed) {
   const int64_t most = limits::kFreeExpandedBytes + limits::kMaxCompressionRatio * packed;
   if (expanded <= most) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
-                   fmt::format("{} says it expands from {} to {} bytes; at most {} times is accepted",
-                               Quoted(part), packed, expanded, limits::kMaxCompressionRatio),
-                   {{"limit", std::to_string(most)},
-                    {"got", std::to_string(expanded)},
-                    {"part", Quoted(part)}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
+      fmt::format("{} says it expands from {} to {} bytes; at most {} times is accepted",
+                  Quoted(part), packed, expanded, limits::kMaxCompressionRatio),
+      {{"limit", std::to_string(most)}, {"got", std::to_string(expanded)}, {"part", Quoted(part)}});
 }
 
 absl::Status CheckEntry(const zip_stat_t& stat, int64_t file_bytes) {
@@ -161,10 +160,10 @@ absl::Status Archive::List(int64_t file_bytes) {
     entries_.push_back(std::move(entry));
   }
   std::sort(by_key_.begin(), by_key_.end());
-  const auto twice = std::adjacent_find(by_key_.begin(), by_key_.end(),
-                                        [](const auto& a, const auto& b) { return a.first == b.first; });
-  if (twice != by_key_.end())
-    return PartError(twice->first, "is in the archive twice");
+  const auto twice =
+      std::adjacent_find(by_key_.begin(), by_key_.end(),
+                         [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != by_key_.end()) return PartError(twice->first, "is in the archive twice");
   if (expanded > limits::kMaxExpandedArchiveBytes)
     return LimitError(Reason::kMeshTooLarge, "bytes of the archive, expanded",
                       limits::kMaxExpandedArchiveBytes, expanded);
@@ -180,8 +179,7 @@ const ArchiveEntry* Archive::Find(std::string_view name) const {
 
 absl::StatusOr<EntryStream> Archive::Stream(const ArchiveEntry& entry) const {
   zip_file_t* file = zip_fopen_index(zip_.get(), entry.index, 0);
-  if (file == nullptr)
-    return ZipError(entry.name, zip_error_code_zip(zip_get_error(zip_.get())));
+  if (file == nullptr) return ZipError(entry.name, zip_error_code_zip(zip_get_error(zip_.get())));
   return EntryStream(file, entry.name, entry.bytes);
 }
 

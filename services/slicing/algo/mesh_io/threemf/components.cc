@@ -52,9 +52,9 @@ absl::Status ComponentTree::Visit(const ObjectKey& key, int64_t depth) {
 absl::StatusOr<std::vector<FlatPart>> ComponentTree::Flatten(const ObjectKey& key) const {
   const ObjectResource& object = package_->At(key);
   if (At(key).meshes > limits::kMaxParts)
-    return PlacedAt({package_->files[key.file].part, object.line},
-                    LimitError(Reason::kMeshTooLarge, "parts of an object", limits::kMaxParts,
-                               At(key).meshes));
+    return PlacedAt(
+        {package_->files[key.file].part, object.line},
+        LimitError(Reason::kMeshTooLarge, "parts of an object", limits::kMaxParts, At(key).meshes));
   std::vector<FlatPart> parts;
   FlatPart from;
   from.component = object.id;

@@ -40,7 +40,7 @@ class ComponentTree {
       size_t index = 0;  ///< of ObjectResource::components
     };
     std::vector<Use> components;  ///< those that have meshes
-    int64_t meshes = 0;  ///< of all levels; no more than limits::kMaxParts + 1
+    int64_t meshes = 0;           ///< of all levels; no more than limits::kMaxParts + 1
     int64_t height = -1;
     bool entered = false;
   };

@@ -35,12 +35,12 @@ constexpr std::array<RoleName, 10> kRoles = {{{"ModelPart", PartRole::kSolid},
 
 /// What slicers note for themselves: no settings.
 constexpr std::array<std::string_view, 24> kNotes = {
-    "matrix",           "source_file",      "source_object_id",   "source_volume_id",
-    "source_offset_x",  "source_offset_y",  "source_offset_z",    "source_in_inches",
-    "source_in_meters", "thumbnail_file",   "top_file",           "thumbnail_no_light_file",
-    "pick_file",        "gcode_file",       "pattern_file",       "pattern_bbox_file",
-    "identify_id",      "module",           "mesh_shared",        "source_is_builtin_volume",
-    "from_other_file",  "text_info",        "filament_map_mode",  "filament_maps"};
+    "matrix",           "source_file",     "source_object_id",  "source_volume_id",
+    "source_offset_x",  "source_offset_y", "source_offset_z",   "source_in_inches",
+    "source_in_meters", "thumbnail_file",  "top_file",          "thumbnail_no_light_file",
+    "pick_file",        "gcode_file",      "pattern_file",      "pattern_bbox_file",
+    "identify_id",      "module",          "mesh_shared",       "source_is_builtin_volume",
+    "from_other_file",  "text_info",       "filament_map_mode", "filament_maps"};
 
 absl::StatusOr<int64_t> NumberOf(std::optional<std::string_view> text, std::string_view name) {
   int64_t number = 0;
@@ -118,8 +118,8 @@ class ModelSettingsHandler : public XmlHandler {
   }
 
   static absl::Status Role(std::string_view name, PartSettings& part) {
-    const auto* const known = std::find_if(kRoles.begin(), kRoles.end(),
-                                           [name](const RoleName& each) { return each.name == name; });
+    const auto* const known = std::find_if(
+        kRoles.begin(), kRoles.end(), [name](const RoleName& each) { return each.name == name; });
     if (known == kRoles.end())
       return Malformed(fmt::format("a part of unknown type `{}`", CleanName(name)));
     part.role = known->role;
@@ -216,9 +216,8 @@ class ModelSettingsHandler : public XmlHandler {
 }  // namespace
 
 const ObjectSettings* ModelSettings::Of(ResourceId object) const {
-  const auto found = std::find_if(objects.begin(), objects.end(), [object](const auto& each) {
-    return each.object == object;
-  });
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [object](const auto& each) { return each.object == object; });
   return found == objects.end() ? nullptr : &*found;
 }
 

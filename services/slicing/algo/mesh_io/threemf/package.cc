@@ -103,11 +103,10 @@ class PackageReader {
 absl::StatusOr<ObjectKey> Package::Resolve(const ObjectUse& use, size_t file) const {
   size_t in = file;
   if (use.path != files[file].part)
-    in = static_cast<size_t>(std::find_if(files.begin(), files.end(),
-                                          [&](const ModelFile& each) {
-                                            return each.part == use.path;
-                                          }) -
-                             files.begin());
+    in = static_cast<size_t>(
+        std::find_if(files.begin(), files.end(),
+                     [&](const ModelFile& each) { return each.part == use.path; }) -
+        files.begin());
   if (in < files.size()) {
     const auto found = files[in].by_id.find(use.object);
     if (found != files[in].by_id.end()) return ObjectKey{in, found->second};

@@ -34,8 +34,8 @@ struct Package {
   absl::StatusOr<ObjectKey> Resolve(const ObjectUse& use, size_t file) const;
 };
 
-/// Errors: those of ReadModelFile; MESH_FORMAT_UNKNOWN for an archive that is no 3MF; MESH_MALFORMED
-/// for a path to a file that is not there.
+/// Errors: those of ReadModelFile; MESH_FORMAT_UNKNOWN for an archive that is no 3MF;
+/// MESH_MALFORMED for a path to a file that is not there.
 absl::StatusOr<Package> ReadPackage(const Archive& archive, MeshReading reading,
                                     const CancelToken& cancel);
 

@@ -48,8 +48,7 @@ absl::StatusOr<ProjectSettings> ReadOrcaSettings(std::string_view text, const st
   // A list within a list is no setting, and may be nested a million times.
   const auto is_flat = [](int depth, json::parse_event_t, const json&) { return depth <= 2; };
   const json all = json::parse(text.begin(), text.end(), is_flat, /*allow_exceptions=*/false);
-  if (!all.is_object())
-    return PlacedAt({part, 1}, Malformed("the settings are not a JSON object"));
+  if (!all.is_object()) return PlacedAt({part, 1}, Malformed("the settings are not a JSON object"));
   ProjectSettings project;
   for (const auto& [key, value] : all.items()) {
     absl::Status status = Add(key, TextOf(value), project);

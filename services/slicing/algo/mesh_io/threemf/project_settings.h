@@ -9,8 +9,8 @@
 
 namespace slicefarm::slicing::threemf {
 
-/// The settings of a whole project as text of a config.ini, in the order of the file; of JSON, by key. Lists of
-/// Bambu Studio's and OrcaSlicer's stay JSON: `["220","230"]`.
+/// The settings of a whole project as text of a config.ini, in the order of the file; of JSON, by
+/// key. Lists of Bambu Studio's and OrcaSlicer's stay JSON: `["220","230"]`.
 struct ProjectSettings {
   std::vector<Setting> settings;
   bool has_scripts = false;  ///< post_process, which is never read

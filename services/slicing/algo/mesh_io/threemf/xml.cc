@@ -69,8 +69,7 @@ struct XmlParser::Callbacks {
 
   static void Text(void* data, const char* text, int size) {
     XmlParser& parser = Of(data);
-    if (parser.failed_.ok())
-      parser.Fail(parser.handler_.Text({text, static_cast<size_t>(size)}));
+    if (parser.failed_.ok()) parser.Fail(parser.handler_.Text({text, static_cast<size_t>(size)}));
   }
 
   static void Doctype(void* data, const char*, const char*, const char*, int) {
@@ -104,8 +103,8 @@ absl::Status XmlParser::Feed(std::string_view text, bool last) {
     // What was not understood yet begins where the last event was.
     const int64_t pending = fed_ - XML_GetCurrentByteIndex(parser_.get());
     if (pending > limits::kMaxXmlTagBytes + static_cast<int64_t>(kMaxPieceBytes))
-      return Placed(LimitError(Reason::kMeshMalformed, "bytes of a tag", limits::kMaxXmlTagBytes,
-                               pending));
+      return Placed(
+          LimitError(Reason::kMeshMalformed, "bytes of a tag", limits::kMaxXmlTagBytes, pending));
   } while (!text.empty());
   return absl::OkStatus();
 }
