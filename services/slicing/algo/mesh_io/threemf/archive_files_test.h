@@ -49,11 +49,14 @@ inline std::string Zipped(const Files& files, const ZipOptions& options = {}) {
   return all;
 }
 
-/// All places where `from` stands, which are as long.
-inline std::string Replaced(std::string text, std::string_view from, std::string_view to) {
-  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
+/// With `to` in all places where `from` stands.
+inline std::string Replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string replaced;
+  for (size_t at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
+    replaced.append(text.substr(0, at)).append(to);
+    text.remove_prefix(at + from.size());
+  }
+  return replaced.append(text);
 }
 
 inline std::string MeshXml(const RawMesh& mesh) {

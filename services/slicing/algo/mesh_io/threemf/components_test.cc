@@ -38,8 +38,10 @@ ObjectUse Use(ResourceId object, double x = 0) {
 }
 
 TEST(ComponentTree, FlattensWithAllTransforms) {
-  const Package package = PackageOf(
-      {{}, {{Use(1, 1), Use(1, 2)}}, {{Use(2, 10), Use(1, 100), Use(4)}}, {.components = {}, .empty = true}});
+  const Package package = PackageOf({{},
+                                     {{Use(1, 1), Use(1, 2)}},
+                                     {{Use(2, 10), Use(1, 100), Use(4)}},
+                                     {.components = {}, .empty = true}});
   const auto tree = ComponentTree::Make(package);
   ASSERT_TRUE(tree.ok()) << tree.status();
   const auto parts = tree->Flatten({0, 2});

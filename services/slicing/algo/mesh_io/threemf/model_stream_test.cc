@@ -80,7 +80,7 @@ TEST(ReadModelFile, TakesNoElementOutOfAComment) {
 TEST(ReadModelFile, NamesTheLine) {
   std::string mesh = MeshXml(Large());
   const size_t at = mesh.find("<vertex", mesh.size() / 4);
-  mesh.replace(at, 11, "<vertex x=\"nan\" w");
+  mesh.replace(at, 11, "<vertex x=\"nan\" w=\"");
   const std::string text = ModelOf(mesh);
   const auto lines = std::count(text.begin(), text.begin() + text.find("nan"), '\n') + 1;
   const auto model = Read(text);

@@ -46,7 +46,11 @@ absl::StatusOr<ProjectSettings> ReadPrusaSettings(std::string_view text, const s
 
 absl::StatusOr<ProjectSettings> ReadOrcaSettings(std::string_view text, const std::string& part) {
   // A list within a list is no setting, and may be nested a million times.
-  const auto is_flat = [](int depth, json::parse_event_t, const json&) { return depth <= 2; };
+  const auto is_flat = [](int depth, json::parse_event_t event, const json&) {
+    const bool begins =
+        event == json::parse_event_t::array_start || event == json::parse_event_t::object_start;
+    return depth <= (begins ? 1 : 2);
+  };
   const json all = json::parse(text.begin(), text.end(), is_flat, /*allow_exceptions=*/false);
   if (!all.is_object()) return PlacedAt({part, 1}, Malformed("the settings are not a JSON object"));
   ProjectSettings project;
