@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/base/text.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "common/base/error.h"
 
 namespace slicefarm::slicing::threemf {

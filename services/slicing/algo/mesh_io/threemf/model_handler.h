@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
 #include "services/slicing/algo/mesh_io/threemf/model_file.h"
 #include "services/slicing/algo/mesh_io/threemf/xml.h"

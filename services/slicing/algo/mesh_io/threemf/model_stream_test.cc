@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
 

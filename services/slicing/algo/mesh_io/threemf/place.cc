@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "common/base/error.h"
 
 namespace slicefarm::slicing::threemf {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "common/base/error.h"
 
 namespace slicefarm::slicing::threemf {

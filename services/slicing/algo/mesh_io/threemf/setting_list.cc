@@ -1,5 +1,7 @@
 #include "services/slicing/algo/mesh_io/threemf/setting_list.h"
 
+#include <utility>
+
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/threemf/names.h"

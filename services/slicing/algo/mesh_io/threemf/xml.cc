@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <new>
+#include <utility>
 
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/threemf/place.h"
