@@ -45,7 +45,8 @@ TEST(ReadMesh, SaysWhatIsWrong) {
   const std::vector<Case> cases = {
       {"Empty", "", unknown, Reason::kMeshEmpty},
       {"Word", "hello", unknown, Reason::kMeshFormatUnknown},
-      {"Zip", "PK\x03\x04" + std::string(100, 'x'), unknown, Reason::kMeshFormatUnknown},
+      {"Gltf", "glTF" + std::string(100, 'x'), unknown, Reason::kMeshFormatUnknown},
+      {"PlyWithoutEnd", "ply\nformat ascii 1.0\n", unknown, Reason::kMeshTruncated},
       {"Png", "\x89PNG" + std::string(100, 'x'), unknown, Reason::kMeshFormatUnknown},
       {"TruncatedBinary", binary.substr(0, 300), unknown, Reason::kMeshTruncated},
       {"NoTriangles", no_triangles, unknown, Reason::kMeshEmpty},
@@ -59,6 +60,27 @@ TEST(ReadMesh, SaysWhatIsWrong) {
     ASSERT_FALSE(mesh.ok()) << c.name;
     EXPECT_EQ(DetailOf(mesh.status()).reason, c.want) << c.name << mesh.status();
     EXPECT_EQ(mesh.status().code(), absl::StatusCode::kInvalidArgument) << c.name;
+  }
+}
+
+TEST(ReadMeshFile, MakesAProjectOfOneMesh) {
+  for (const std::string& bytes : {ToBinaryStl(Box()), ToObj(Box())}) {
+    const auto all = ReadMeshFile(bytes, MeshFormat::kUnknown, 10'000, ReadDepth::kMeshes, {});
+    ASSERT_TRUE(all.ok()) << all.status();
+    ASSERT_EQ(all->meshes.size(), 1u);
+    EXPECT_EQ(all->meshes[0].triangles.size(), 12u);
+    ASSERT_EQ(all->project.objects.size(), 1u);
+    const SceneObject& object = all->project.objects[0];
+    ASSERT_EQ(object.parts.size(), 1u);
+    EXPECT_EQ(object.parts[0].mesh, MeshRef());
+    ASSERT_EQ(object.instances.size(), 1u);
+    EXPECT_FALSE(object.instances[0].placed);
+    EXPECT_EQ(object.instances[0].to_plate, Transform(Transform::Identity()));
+    const auto structure =
+        ReadMeshFile(bytes, MeshFormat::kUnknown, 10'000, ReadDepth::kStructure, {});
+    ASSERT_TRUE(structure.ok()) << structure.status();
+    EXPECT_TRUE(structure->meshes.empty());
+    EXPECT_EQ(structure->project, all->project);
   }
 }
 

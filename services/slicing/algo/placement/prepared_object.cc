@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/mesh_part.h"
 #include "services/slicing/algo/placement/build_volume.h"
 #include "services/slicing/algo/placement/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
@@ -21,7 +22,11 @@ constexpr Coord kUm = 1'000;
 Coord ToWholeUm(Coord nm) { return (nm >= 0 ? nm + kUm / 2 : nm - kUm / 2) / kUm * kUm; }
 Point ToWholeUm(Point p) { return {ToWholeUm(p.x), ToWholeUm(p.y)}; }
 
-/// The meshes of the files, each freed after its last use.
+absl::Status Malformed(std::string_view message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+/// The meshes of the files, each file's freed after their last use.
 class Meshes {
  public:
   Meshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
@@ -33,32 +38,31 @@ class Meshes {
         if (Has(part.mesh)) ++uses_[static_cast<size_t>(part.mesh.file)];
   }
 
-  bool Has(const MeshRef& ref) const { return 0 <= ref.file && ref.file < std::ssize(files_); }
-
-  /// REQUIRES: Has(ref).
   absl::StatusOr<RawMesh> Take(const MeshRef& ref) {
+    if (!Has(ref)) return Malformed("a part refers to a file that is not there");
     const auto file = static_cast<size_t>(ref.file);
     if (!meshes_[file]) {
       auto read = source_.Read(std::exchange(files_[file].bytes, {}), files_[file].format,
-                               limits::kMaxMeshCoordinateMm, cancel_);
+                               limits::kMaxMeshCoordinateMm, ReadDepth::kMeshes, cancel_);
       if (!read.ok()) return read.status();
-      meshes_[file] = *std::move(read);
+      meshes_[file] = std::move(read->meshes);
     }
-    if (--uses_[file] == 0) return *std::exchange(meshes_[file], std::nullopt);
-    return *meshes_[file];
+    if (ref.mesh < 0 || ref.mesh >= std::ssize(*meshes_[file]))
+      return Malformed("a part refers to a mesh that is not in its file");
+    absl::StatusOr<RawMesh> part = MeshPart((*meshes_[file])[static_cast<size_t>(ref.mesh)], ref);
+    if (--uses_[file] == 0) meshes_[file].reset();
+    return part;
   }
 
  private:
+  bool Has(const MeshRef& ref) const { return 0 <= ref.file && ref.file < std::ssize(files_); }
+
   std::vector<MeshFile> files_;
-  std::vector<std::optional<RawMesh>> meshes_;
+  std::vector<std::optional<std::vector<RawMesh>>> meshes_;
   std::vector<int> uses_;  ///< to come, by file
   const MeshSource& source_;
   const CancelToken& cancel_;
 };
-
-absl::Status Malformed(std::string_view message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
 
 /// A part's triangles in nm, and the edges as the file has them where rounding welds corners.
 struct PlacedPart {
@@ -119,7 +123,6 @@ class Preparation {
   absl::StatusOr<std::vector<PlacedPart>> PlaceParts(const ObjectInput& input) {
     std::vector<PlacedPart> parts;
     for (const PartInput& part : input.parts) {
-      if (!meshes_.Has(part.mesh)) return Malformed("a part refers to a file that is not there");
       absl::StatusOr<RawMesh> raw = meshes_.Take(part.mesh);
       if (!raw.ok()) return raw.status();
       absl::StatusOr<PlacedPart> placed = Place(*raw, Combined(input.to_plate, part.to_object));
@@ -195,7 +198,6 @@ absl::Status CheckObject(const ObjectInput& object) {
   for (const PartInput& part : object.parts) {
     if (part.regions.size() != object.ranges.size() + 1)
       return Malformed("a part does not name a row of settings for each range of heights");
-    if (part.mesh.mesh != 0) return Malformed("a part refers to a mesh that is not there");
   }
   return absl::OkStatus();
 }
