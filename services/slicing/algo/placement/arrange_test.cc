@@ -302,7 +302,7 @@ TEST(Arrange, KeepsItsPromisesOnAThousandRandomPlates) {
   for (int round = 0; round < 1000; ++round) {
     SCOPED_TRACE(round);
     std::vector<ArrangeItem> items;
-    while (items.size() < 1 + random() % 12) {
+    while (items.size() < 1 + random() % 8) {
       const ArrangeItem item = {.footprint = RandomFootprint(random)};
       items.insert(items.end(), 1 + random() % 3, item);
     }

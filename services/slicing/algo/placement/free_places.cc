@@ -52,7 +52,11 @@ FreePlaces::FreePlaces(const Polygon& bed, const Polygon& hull, Point target) : 
 
 bool FreePlaces::InBed(Point t) const {
   return std::all_of(limits_.begin(), limits_.end(), [t](const Limit& limit) {
-    return Orientation({0, 0}, limit.along, limit.corner + t - limit.from) >= 0;
+    const Point at = limit.corner + t - limit.from;
+    // Within 2^33 nm a double is wrong by less than this many nm^2.
+    constexpr double kDoubt = 1 << 14;
+    const double cross = Cross(limit.along, at);
+    return cross > kDoubt || (cross > -kDoubt && Orientation({0, 0}, limit.along, at) >= 0);
   });
 }
 
@@ -60,9 +64,12 @@ bool FreePlaces::Allowed(Point t) const {
   if (t.x < bed_box_.min.x || t.x > bed_box_.max.x || t.y < bed_box_.min.y || t.y > bed_box_.max.y)
     return false;
   const std::vector<uint32_t>& near = cells_[CellOf(t.x, t.y)];
-  return InBed(t) && std::none_of(near.begin(), near.end(), [&](uint32_t i) {
-           return BoxHolds(obstacles_[i].box, t) && StrictlyInside(t, obstacles_[i].ring);
-         });
+  return std::none_of(near.begin(), near.end(),
+                      [&](uint32_t i) {
+                        return BoxHolds(obstacles_[i].box, t) &&
+                               StrictlyInside(t, obstacles_[i].ring);
+                      }) &&
+         InBed(t);
 }
 
 size_t FreePlaces::CellOf(Coord x, Coord y) const {
