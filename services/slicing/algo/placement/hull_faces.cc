@@ -18,7 +18,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr size_t kExact = 20'000;
-constexpr size_t kMostPoints = 24'000;  ///< beside the selection
+constexpr size_t kMostPoints = 12'000;  ///< beside the selection
 constexpr int kBins = 32;               ///< along each edge of the cube of directions
 constexpr double kReach = 20'000;       ///< nm
 

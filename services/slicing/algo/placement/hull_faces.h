@@ -23,7 +23,7 @@ struct SpaceHull {
 /// faces may be tilted by that much.
 ///
 /// Shapes: a flat set has the faces of both sides, a line or a point has no faces.
-/// Cost:   O(n), and a hull of at most 30,000 points: 0.1 s for a million triangles.
+/// Cost:   O(n), and a hull of at most 20,000 points: 0.2 s for a million triangles.
 /// Source: CGAL's quickhull (C. B. Barber et al., "The Quickhull Algorithm for Convex Hulls", ACM
 ///         TOMS 22 (1996)), with exact predicates. Only the .cc includes CGAL.
 SpaceHull HullOf(std::span<const Vertex> vertices);

@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -22,7 +23,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kContactMm = 0.05;
-constexpr double kMostCandidates = 40;
+constexpr double kDoubtDeg = 0.1;  ///< faces just at the angle differ by rounding
+constexpr size_t kMostCandidates = 40;
+constexpr double kSame = 1e-6;  ///< square of an angle of 0.06 degrees
 constexpr double kHeightWeight = 0.25;
 constexpr double kContactWeight = 0.25;
 
@@ -34,7 +37,7 @@ struct Body {
   SpaceHull hull;
   Vector3d mass = Vector3d::Zero();  ///< centre of
   double hull_mm2 = 0;
-  double diagonal_mm = 0;
+  double size_mm = 0;  ///< the root of the hull's area
 };
 
 Vector3d CenterOfMass(const IndexedMesh& mesh, const Body& body) {
@@ -50,7 +53,7 @@ Vector3d CenterOfMass(const IndexedMesh& mesh, const Body& body) {
     area += body.area[i];
     by_area += body.area[i] * sum / 3;
   }
-  const double least = 1e-6 * area * body.diagonal_mm;
+  const double least = 1e-6 * area * body.size_mm;
   return origin + (volume > least ? Vector3d(by_volume / volume) : Vector3d(by_area / area));
 }
 
@@ -68,23 +71,27 @@ Body MakeBody(const IndexedMesh& mesh) {
   return body;
 }
 
-/// Vertices that no triangle uses are no part of the object.
-std::vector<Vertex> UsedVertices(const IndexedMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
+/// The mesh without vertices that no triangle uses: they are no part of the object.
+IndexedMesh Compacted(const IndexedMesh& mesh) {
+  std::vector<uint32_t> index(mesh.vertices.size(), UINT32_MAX);
   for (const auto& triangle : mesh.triangles)
-    for (const uint32_t v : triangle) used[v] = true;
-  std::vector<Vertex> vertices;
-  for (size_t i = 0; i < used.size(); ++i)
-    if (used[i]) vertices.push_back(mesh.vertices[i]);
-  return vertices;
+    for (const uint32_t v : triangle) index[v] = 0;
+  IndexedMesh compact;
+  for (size_t i = 0; i < index.size(); ++i) {
+    if (index[i] == UINT32_MAX) continue;
+    index[i] = static_cast<uint32_t>(compact.vertices.size());
+    compact.vertices.push_back(mesh.vertices[i]);
+  }
+  compact.triangles = mesh.triangles;
+  for (auto& triangle : compact.triangles)
+    for (uint32_t& v : triangle) v = index[v];
+  return compact;
 }
 
 void Measure(const IndexedMesh& mesh, Body& body) {
-  body.hull = HullOf(UsedVertices(mesh));
+  body.hull = HullOf(mesh.vertices);
   for (const SpaceHull::Face& face : body.hull.faces) body.hull_mm2 += face.area_mm2;
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& corner : body.hull.corners) box.extend(corner);
-  body.diagonal_mm = box.diagonal().norm();
+  body.size_mm = std::sqrt(body.hull_mm2);
   body.mass = CenterOfMass(mesh, body);
 }
 
@@ -142,12 +149,14 @@ std::vector<Matrix3d> Candidates(const Body& body) {
   std::vector<Vector3d> normals = of_hull.Largest(kMostCandidates / 2);
   for (const Vector3d& normal : of_mesh.Largest(kMostCandidates / 2)) {
     const bool known = std::any_of(normals.begin(), normals.end(), [&](const Vector3d& other) {
-      return (normal - other).squaredNorm() < 1e-12;
+      return (normal - other).squaredNorm() < kSame;
     });
     if (!known) normals.push_back(normal);
   }
-  std::vector<Matrix3d> rotations;
-  for (const Vector3d& normal : normals) rotations.push_back(TurnedDown(normal));
+  std::vector<Matrix3d> rotations = {Matrix3d::Identity()};
+  for (const Vector3d& normal : normals)
+    if (Matrix3d rotation = TurnedDown(normal); rotation != rotations[0])
+      rotations.push_back(std::move(rotation));
   return rotations;
 }
 
@@ -160,7 +169,7 @@ struct Stand {
   double top = 0;
 };
 
-Stand StandOf(const IndexedMesh& mesh, const Body& body, const Matrix3d& rotation) {
+Stand StandOf(const Body& body, const Matrix3d& rotation) {
   const Vector3d up = rotation.row(2);
   double bottom = std::numeric_limits<double>::infinity(), top = -bottom;
   for (const Vector3d& corner : body.hull.corners) {
@@ -172,9 +181,8 @@ Stand StandOf(const IndexedMesh& mesh, const Body& body, const Matrix3d& rotatio
   stand.height.reserve(body.vertices.size());
   for (const Vector3d& v : body.vertices) stand.height.push_back(up.dot(v) - bottom);
   std::vector<Point> touching;
-  for (const auto& triangle : mesh.triangles)
-    for (const uint32_t v : triangle)
-      if (stand.height[v] <= kContactMm) touching.push_back(OnBed(rotation * body.vertices[v]));
+  for (size_t v = 0; v < body.vertices.size(); ++v)
+    if (stand.height[v] <= kContactMm) touching.push_back(OnBed(rotation * body.vertices[v]));
   stand.base = ConvexHull(std::move(touching));
   return stand;
 }
@@ -182,7 +190,7 @@ Stand StandOf(const IndexedMesh& mesh, const Body& body, const Matrix3d& rotatio
 void AddFaces(const IndexedMesh& mesh, const Body& body, const Stand& stand,
               const OrientationOptions& options, PrintOrientation& result) {
   const Vector3d up = result.rotation.row(2);
-  const double steep = SineCosineDegrees(options.overhang_deg).cosine;
+  const double steep = SineCosineDegrees(std::max(0.0, options.overhang_deg - kDoubtDeg)).cosine;
   for (size_t i = 0; i < body.area.size(); ++i) {
     const double down = -up.dot(body.across[i]);
     if (down <= 0) continue;
@@ -190,58 +198,77 @@ void AddFaces(const IndexedMesh& mesh, const Body& body, const Stand& stand,
     const double highest = std::max({stand.height[a], stand.height[b], stand.height[c]});
     if (highest <= kContactMm)
       result.contact_mm2 += down;
-    else if (down > steep * body.area[i] * (1 + 1e-9))
+    else if (down > steep * body.area[i])
       result.overhang_mm2 += down;
   }
 }
 
-PrintOrientation Judged(const IndexedMesh& mesh, const Body& body, const Matrix3d& rotation,
-                        const OrientationOptions& options) {
+/// All but what faces say, which costs most.
+PrintOrientation Measured(const Body& body, const Stand& stand, const Matrix3d& rotation) {
   PrintOrientation result;
   result.rotation = rotation;
-  const Stand stand = StandOf(mesh, body, rotation);
   result.height_mm = stand.top;
   result.stable = StrictlyInside(OnBed(rotation * body.mass), stand.base);
   std::vector<Point> seen;
   for (const Vector3d& corner : body.hull.corners) seen.push_back(OnBed(rotation * corner));
   result.footprint_mm2 = SignedArea(ConvexHull(std::move(seen))) / kNmPerMm / kNmPerMm;
+  return result;
+}
+
+PrintOrientation Judged(const IndexedMesh& mesh, const Body& body, const Stand& stand,
+                        PrintOrientation result, const OrientationOptions& options) {
   AddFaces(mesh, body, stand, options, result);
   result.score = (result.overhang_mm2 - kContactWeight * result.contact_mm2) / body.hull_mm2 +
-                 kHeightWeight * result.height_mm / body.diagonal_mm + (result.stable ? 0 : 1);
+                 kHeightWeight * result.height_mm / body.size_mm + (result.stable ? 0 : 1);
   return result;
+}
+
+absl::Status CheckOptions(const OrientationOptions& options) {
+  if (options.overhang_deg >= 0 && options.overhang_deg <= 90) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "the overhang's angle must be from 0 to 90 degrees",
+                   {{"setting", "overhang_deg"}});
+}
+
+/// Best first, each once: the present orientation comes twice if it lies on a face.
+std::vector<PrintOrientation> Ranked(std::vector<PrintOrientation> all, size_t count) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.score < b.score; });
+  std::vector<PrintOrientation> ranked;
+  for (const PrintOrientation& next : all) {
+    const bool known = std::any_of(ranked.begin(), ranked.end(), [&](const auto& other) {
+      return (next.rotation - other.rotation).squaredNorm() < kSame;
+    });
+    if (!known && ranked.size() < count) ranked.push_back(next);
+  }
+  return ranked;
 }
 
 }  // namespace
 
-absl::StatusOr<OrientationSuggestion> SuggestOrientation(const IndexedMesh& mesh,
+absl::StatusOr<OrientationSuggestion> SuggestOrientation(const IndexedMesh& given,
                                                          const OrientationOptions& options,
                                                          const CancelToken& cancel) {
-  if (!(options.overhang_deg >= 0 && options.overhang_deg <= 90))
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     "the overhang's angle must be from 0 to 90 degrees",
-                     {{"setting", "overhang_deg"}});
+  if (absl::Status status = CheckOptions(options); !status.ok()) return status;
+  const IndexedMesh mesh = Compacted(given);
   Body body = MakeBody(mesh);
   if (std::all_of(body.area.begin(), body.area.end(), [](double area) { return area == 0; }))
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                      "no triangle has an area");
   Measure(mesh, body);
   OrientationSuggestion suggestion;
-  suggestion.current = Judged(mesh, body, Matrix3d::Identity(), options);
+  std::vector<PrintOrientation> stable;
   for (const Matrix3d& rotation : Candidates(body)) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    PrintOrientation candidate = Judged(mesh, body, rotation, options);
-    if (candidate.stable) suggestion.best.push_back(std::move(candidate));
+    const Stand stand = StandOf(body, rotation);
+    PrintOrientation candidate = Measured(body, stand, rotation);
+    const bool current = rotation == Matrix3d::Identity();
+    if (!candidate.stable && !current) continue;
+    candidate = Judged(mesh, body, stand, std::move(candidate), options);
+    if (candidate.stable) stable.push_back(candidate);
+    if (current) suggestion.current = std::move(candidate);
   }
-  if (suggestion.current.stable) suggestion.best.push_back(suggestion.current);
-  std::stable_sort(suggestion.best.begin(), suggestion.best.end(),
-                   [](const auto& a, const auto& b) { return a.score < b.score; });
-  // The present orientation comes twice if it lies on a face.
-  const auto same = [](const PrintOrientation& a, const PrintOrientation& b) {
-    return (a.rotation - b.rotation).squaredNorm() < 1e-12;
-  };
-  suggestion.best.erase(std::unique(suggestion.best.begin(), suggestion.best.end(), same),
-                        suggestion.best.end());
-  if (suggestion.best.size() > options.suggestions) suggestion.best.resize(options.suggestions);
+  suggestion.best = Ranked(std::move(stable), options.suggestions);
   return suggestion;
 }
 
