@@ -161,6 +161,18 @@ void GiveWay(std::vector<Work>& works, size_t i, Coord line_width_nm) {
   for (const PolygonWithHoles& sliver : slivers) GiveBack(sliver, works, before, free);
 }
 
+/// Takes off what rounding has left: crumbs of pieces, and overlaps with parts.
+MultiPolygon Finished(MultiPolygon brim, const std::vector<Work>& works, Coord line_width_nm) {
+  const Box box = Bounds(brim);
+  for (const Work& work : works) {
+    if (box.Intersects(work.keep_out_box)) brim = Difference(brim, work.keep_out);
+  }
+  std::erase_if(brim, [&](const PolygonWithHoles& piece) {
+    return Offset({piece}, kGlueNm - line_width_nm / 4).empty();
+  });
+  return brim;
+}
+
 }  // namespace
 
 std::vector<MultiPolygon> BrimRegions(std::span<const BrimObject> objects, const Polygon& bed) {
@@ -173,9 +185,10 @@ std::vector<MultiPolygon> BrimRegions(std::span<const BrimObject> objects, const
     works[i].brim = Candidate(objects, works, i, bed);
     works[i].brim_box = Bounds(works[i].brim);
   }
-  std::vector<MultiPolygon> regions;
   for (size_t i = 0; i < objects.size(); ++i) GiveWay(works, i, objects[i].options.line_width_nm);
-  for (Work& work : works) regions.push_back(std::move(work.brim));
+  std::vector<MultiPolygon> regions;
+  for (size_t i = 0; i < objects.size(); ++i)
+    regions.push_back(Finished(works[i].brim, works, objects[i].options.line_width_nm));
   return regions;
 }
 
