@@ -15,7 +15,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr Coord kSampleNm = 150'000;       // along thin places, to begin with
+constexpr Coord kSampleNm = 100'000;       // along thin places, to begin with
 constexpr Coord kFinestSampleNm = 10'000;  // where the shrinkage changes at once
 constexpr double kToleranceNm = 500;       // of the shrinkage between samples
 constexpr double kSlope = 0.5;             // of the shrinkage along an outline
@@ -23,7 +23,7 @@ constexpr double kCosOfCorner = 0.5;       // an outline that turns by 60 degree
 constexpr double kOverlapNm = 50;          // of strips with what they must not leave a crack to
 constexpr Coord kCrumbNm = 50'000;         // tips that come off may be twice as wide
 constexpr double kArcToleranceNm = 2'500;
-constexpr Coord kSearchNm = 1'000;  // of the largest shrinkage
+constexpr Coord kSearchNm = 100;  // of the largest shrinkage
 
 /// How far the outline moves at a place of an edge.
 struct Sample {
@@ -234,7 +234,7 @@ class Shrinkage {
 /// The largest part of the compensation that leaves the island's widest place min_width wide.
 Coord LargestShrinkage(const MultiPolygon& island, Coord compensation_nm, Coord min_width_nm) {
   const auto leaves = [&](Coord shrinkage_nm) {
-    return !Offset(island, -(shrinkage_nm + min_width_nm / 2)).empty();
+    return !Offset(island, -(shrinkage_nm + min_width_nm / 2), {.join = Join::kRound}).empty();
   };
   if (leaves(compensation_nm)) return compensation_nm;
   if (!leaves(0)) return 0;

@@ -65,6 +65,10 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
 /// or its reflex ends, with the cosine of the angle between the sides that it touches.
 template <typename Visit>
 void ForEachDisc(Point p, Direction n, const OutlineEdge& edge, Visit visit) {
+  if (p == edge.from || p == edge.to) {  // no disc fits into a corner, any into a reflex one
+    if (!(p == edge.from ? edge.reflex_from : edge.reflex_to)) visit(0.0, -Dot(n, edge.inward));
+    return;
+  }
   const Direction to_from = Between(p, edge.from);
   // The disc that touches the edge's line: its centre is as far from p as from the line.
   const double height = -Dot(to_from, edge.inward);
@@ -170,7 +174,7 @@ double LocalWidth::At(const OutlineEdge& edge, Point p, std::span<const int32_t>
   auto width = static_cast<double>(limit_nm_);
   const auto narrow = [&](double diameter, double cosine) {
     const double share = (cosine - angles_.begin_cos) / (angles_.full_cos - angles_.begin_cos);
-    if (share > 0) width = std::min(width, diameter / std::min(share, 1.0));
+    if (share > 0.01) width = std::min(width, diameter / std::min(share, 1.0));
   };
   for (const int32_t i : opposite) {
     ForEachNormal(edge, p, edges_[i],

@@ -45,7 +45,9 @@ TEST(LocalWidth, OfKnownShapes) {
       {"DoorOtherPost", door, "(15 5.3, 0 0)", 0.6},
       {"Room", door, "(5 0, 0 0)", 3},
       // 2 t tan(half angle), t along the side.
-      {"Wedge", wedge, "(10 1, 0 0)", 2 * std::sqrt(101) * 0.099020},
+      {"Wedge", wedge, "(10 1, 0 0)", 2 * std::sqrt(101) * 0.1},
+      {"WedgeTip", wedge, "(0 0, 1 1)", 0},
+      {"ReflexCorner", "(0 0, 4 0, 4 -9, 30 -9, 30 9, 0 9)", "(4 0, 1 1)", 3},
       {"WideAngle", "(0 0, 20 -20, 20 20)", "(0.5 0.5, 0 0)", 3},
   };
   for (const Case& c : cases) {
