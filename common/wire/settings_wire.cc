@@ -75,10 +75,12 @@ absl::Status Check(const v1::SlicingOptions& proto) {
   absl::Status status = CheckComplete(proto);
   status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()},
                                {"first_layer_height_nm", proto.first_layer_height_nm()}}));
-  status.Update(CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
-                                  {"max_gap_nm", proto.max_gap_nm()},
-                                  {"resolution_nm", proto.resolution_nm()},
-                                  {"max_print_height_nm", proto.max_print_height_nm()}}));
+  status.Update(
+      CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"max_gap_nm", proto.max_gap_nm()},
+                        {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()},
+                        {"resolution_nm", proto.resolution_nm()},
+                        {"max_print_height_nm", proto.max_print_height_nm()}}));
   status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
                               {"hole_compensation_nm", proto.hole_compensation_nm()},
                               {"elephant_foot_nm", proto.elephant_foot_nm()}},
@@ -146,6 +148,7 @@ absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
   proto->set_xy_compensation_nm(options.xy_compensation_nm);
   proto->set_hole_compensation_nm(options.hole_compensation_nm);
   proto->set_elephant_foot_nm(options.elephant_foot_nm);
+  proto->set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
   proto->set_resolution_nm(options.resolution_nm);
   proto->set_max_print_height_nm(options.max_print_height_nm);
   for (const auto& [width, height] : options.thumbnails_px) {
@@ -170,6 +173,7 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
   options.xy_compensation_nm = proto.xy_compensation_nm();
   options.hole_compensation_nm = proto.hole_compensation_nm();
   options.elephant_foot_nm = proto.elephant_foot_nm();
+  options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
   options.resolution_nm = proto.resolution_nm();
   options.bed = *std::move(bed);
   options.max_print_height_nm = proto.max_print_height_nm();
