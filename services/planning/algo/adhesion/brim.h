@@ -49,7 +49,7 @@ struct BrimObject {
 /// - Nothing lies outside of `bed`; an empty one is no limit.
 ///
 /// Shapes: objects may touch or overlap. Units: nm, in plate coordinates; distances are exact to
-/// 0.003 mm, joins round. Errors: none; negative width or separation count as 0.
+/// 0.008 mm, joins round. Errors: none; negative width or separation count as 0.
 /// Cost: O(n log n) an object and its neighbours.
 /// Source: measured, PrusaSlicer 2.5.0, box, frame, and frame with a pin in it: the brim starts at
 /// brim_separation from the compensated outline, floor(width / spacing) lines, the outermost

@@ -61,7 +61,7 @@ struct Raft {
 ///   other base       width / (width + base_spacing)
 ///   interface        1                                + 90 degrees
 ///
-/// Units: nm, in plate coordinates; joins are round, distances exact to 0.003 mm.
+/// Units: nm, in plate coordinates; joins are round, distances exact to 0.008 mm.
 /// Errors: none; no layers if there is nothing to carry, or none are asked for.
 /// Cost: three offsets.
 /// Source: measured, PrusaSlicer 2.5.0, raft_layers 1, 2, 3, 4, 5, 6; first_layer_height 0.2, 0.3,
