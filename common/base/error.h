@@ -26,6 +26,7 @@ enum class Reason {
   kOutOfRange,
   kOutOfBuildVolume,
   kNothingToPrint,
+  kObjectsCollide,
   // Settings and requests.
   kSettingUnknown,
   kSettingMalformed,

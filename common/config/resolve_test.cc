@@ -68,6 +68,7 @@ TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   EXPECT_EQ(s.beading[0].inner_width_nm, 450'000);
   EXPECT_EQ(s.infill[0].top_width_nm, 400'000);
   EXPECT_EQ(s.beading[0].first_layer_width_nm, 700'000);
+  EXPECT_EQ(s.slicing.objects[0].elephant_foot_min_width_nm, 700'000 + 624'889);
   EXPECT_EQ(s.infill[0].top_solid_layers, 3);
   EXPECT_DOUBLE_EQ(s.infill[0].density, 0.2);
   EXPECT_DOUBLE_EQ(s.infill[0].angle_rad, std::numbers::pi / 4);

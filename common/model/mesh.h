@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-enum class MeshFormat { kUnknown, kStl, kObj };
+enum class MeshFormat { kUnknown, kStl, kObj, kPly, k3mf };
 
 /// The bytes of a mesh file as they came.
 struct MeshFile {

@@ -2,19 +2,10 @@
 
 #include <cmath>
 
+#include "common/base/portable_math.h"
+
 namespace slicefarm {
 namespace {
-
-/// Taylor series by Horner's rule; 10 terms leave less than 1e-18 for |x| <= pi / 4.
-SineCosine Series(double x) {
-  const double square = x * x;
-  double sine = 1, cosine = 1;
-  for (int k = 20; k >= 2; k -= 2) {
-    cosine = 1 - square / (k * (k - 1)) * cosine;
-    sine = 1 - square / (k * (k + 1)) * sine;
-  }
-  return {x * sine, cosine};
-}
 
 Eigen::Matrix3d Rows(const std::array<std::array<double, 3>, 3>& rows) {
   Eigen::Matrix3d matrix;
@@ -29,7 +20,8 @@ SineCosine SineCosineDegrees(double degrees) {
   constexpr double kRadiansPerDegree = 0.017453292519943295;
   const double turn = std::fmod(degrees, 360.0);
   const double quarters = std::round(turn / 90.0);
-  const auto [sine, cosine] = Series((turn - 90.0 * quarters) * kRadiansPerDegree);
+  const double rest = (turn - 90.0 * quarters) * kRadiansPerDegree;
+  const double sine = Sin(rest), cosine = Cos(rest);
   switch ((static_cast<int>(quarters) + 8) % 4) {
     case 0:
       return {sine, cosine};

@@ -10,8 +10,8 @@ struct SineCosine {
   double cosine = 1;
 };
 
-/// Sine and cosine of an angle in degrees, within 2e-16, exact for multiples of 90. Only + - * /
-/// and fmod are used, so the bits do not depend on the machine or its libm. REQUIRES: finite.
+/// Sine and cosine of an angle in degrees, within 2e-16, exact for multiples of 90; the same bits
+/// on every machine (see portable_math.h). REQUIRES: finite.
 SineCosine SineCosineDegrees(double degrees);
 
 /// Rotation about x, then y, then z: Rz Ry Rx.

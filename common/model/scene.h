@@ -95,10 +95,17 @@ struct ProjectPlate {
   bool operator==(const ProjectPlate&) const = default;
 };
 
+/// Whose names and values the settings of a project have.
+enum class SettingsDialect : uint8_t {
+  kPrusa,  ///< PrusaSlicer's own, and those of no slicer
+  kOrca,   ///< OrcaSlicer's and Bambu Studio's
+};
+
 /// What a project file (3MF) says besides its triangles. Settings are text as the file has them,
-/// under PrusaSlicer's names where there is one.
+/// under the names of its dialect.
 struct Project {
   std::string application;        ///< "PrusaSlicer-2.9.2", as the file says
+  SettingsDialect dialect = SettingsDialect::kPrusa;
   std::vector<Setting> settings;  ///< of the whole project
   std::vector<SceneObject> objects;
   std::vector<ProjectPlate> plates;  ///< empty: all objects lie on one

@@ -21,6 +21,8 @@ struct ObjectSlicingOptions {
   Coord xy_compensation_nm = 0;    ///< xy_size_compensation: grows the outlines, holes shrink
   Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: grows the holes, besides
   Coord elephant_foot_nm = 0;      ///< elefant_foot_compensation: shrinks the first layer
+  /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
+  Coord elephant_foot_min_width_nm = 757'000;
 
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };

@@ -75,7 +75,9 @@ absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
 absl::Status Check(const v1::ObjectSlicingOptions& proto) {
   absl::Status status = CheckComplete(proto);
   status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
-  status.Update(CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()}}));
+  status.Update(
+      CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()}}));
   status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
                               {"hole_compensation_nm", proto.hole_compensation_nm()},
                               {"elephant_foot_nm", proto.elephant_foot_nm()}},
@@ -150,6 +152,7 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   proto.set_xy_compensation_nm(options.xy_compensation_nm);
   proto.set_hole_compensation_nm(options.hole_compensation_nm);
   proto.set_elephant_foot_nm(options.elephant_foot_nm);
+  proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
   return proto;
 }
 
@@ -162,6 +165,7 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.xy_compensation_nm = proto.xy_compensation_nm();
   options.hole_compensation_nm = proto.hole_compensation_nm();
   options.elephant_foot_nm = proto.elephant_foot_nm();
+  options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
   return options;
 }
 

@@ -29,7 +29,8 @@ v1::JobSettings Proto(const JobSettings& settings) {
 SlicingOptions DistinctSlicing() {
   SlicingOptions options;
   auto& [layer_height, first_layer_height, fill_rule, closing_radius, max_gap, xy_compensation,
-         hole_compensation, elephant_foot, resolution, bed, max_print_height, thumbnails] = options;
+         hole_compensation, elephant_foot, elephant_foot_min_width, resolution, bed,
+         max_print_height, thumbnails] = options;
   layer_height = 101;
   first_layer_height = 102;
   fill_rule = FillRule::kPositive;
@@ -38,6 +39,7 @@ SlicingOptions DistinctSlicing() {
   xy_compensation = -106;
   hole_compensation = -107;
   elephant_foot = -108;
+  elephant_foot_min_width = 113;
   resolution = 109;
   bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
   max_print_height = 111;
@@ -220,6 +222,7 @@ constexpr char kDistinct[] = R"pb(
     xy_compensation_nm: -106
     hole_compensation_nm: -107
     elephant_foot_nm: -108
+    elephant_foot_min_width_nm: 113
     resolution_nm: 109
     bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
     max_print_height_nm: 111

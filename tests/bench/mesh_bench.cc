@@ -68,7 +68,8 @@ bool MeasureFile(const std::string& name, const std::string& bytes) {
     const std::string prefix = name + (sandboxed ? "_sandboxed" : "_direct");
     const auto reader = source();
     sound &= Measure(prefix + "_read", bytes, [&](std::string file) {
-      return reader->Read(std::move(file), MeshFormat::kStl, 1e4, {}).ok();
+      return reader->Read(std::move(file), MeshFormat::kStl, 1e4, slicing::ReadDepth::kMeshes, {})
+          .ok();
     });
     const auto stage = slicing::MakeLocalSlicing(source());
     sound &= Measure(prefix + "_slice", bytes, [&](std::string file) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::coordinator {
@@ -23,8 +24,8 @@ struct LayerShape {
 };
 
 bool IsSharp(Point before, Point at, Point after) {
-  const double in = std::atan2(ToMm(at.y - before.y), ToMm(at.x - before.x));
-  const double out = std::atan2(ToMm(after.y - at.y), ToMm(after.x - at.x));
+  const double in = Atan2(ToMm(at.y - before.y), ToMm(at.x - before.x));
+  const double out = Atan2(ToMm(after.y - at.y), ToMm(after.x - at.x));
   return std::abs(std::remainder(out - in, 2 * std::numbers::pi)) > kSharpTurnRad;
 }
 

@@ -1,9 +1,9 @@
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
@@ -98,7 +98,7 @@ void ToolpathBuilder::GoTo(Point to) {
     return;
   }
   if (x_um == at_.x_um && y_um == at_.y_um) return;
-  const double way_mm = std::hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
+  const double way_mm = Hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
   if (way_mm >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "common/base/portable_math.h"
+
 namespace slicefarm::planning {
 namespace {
 
@@ -87,7 +89,7 @@ double SeamPenaltyMm(const Polygon& ring, size_t vertex) {
   const size_t n = ring.size();
   const Point in = ring[vertex] - ArmEnd(ring, vertex, n - 1);
   const Point out = ArmEnd(ring, vertex, 1) - ring[vertex];
-  const double turn = std::atan2(Cross(in, out), Dot(in, out));  // > 0: a corner of the solid
+  const double turn = Atan2(Cross(in, out), Dot(in, out));  // > 0: a corner of the solid
   const double sharpness = std::min(std::abs(turn) / kSharpRad, 1.0);
   const double corner_mm = turn < 0 ? kInnerCornerMm : kOuterCornerMm;
   return kStraightMm + (corner_mm - kStraightMm) * sharpness;

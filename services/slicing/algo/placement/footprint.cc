@@ -5,32 +5,12 @@
 #include <utility>
 
 #include "common/geometry/boolean.h"
+#include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/predicates.h"
 
 namespace slicefarm::slicing {
 namespace {
-
-/// Andrew's monotone chain.
-Polygon ConvexHull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  Polygon hull;
-  const auto add_chain = [&hull](auto begin, auto end) {
-    const size_t base = hull.size();
-    for (auto it = begin; it != end; ++it) {
-      while (hull.size() >= base + 2 && Orientation(hull.end()[-2], hull.back(), *it) <= 0)
-        hull.pop_back();
-      hull.push_back(*it);
-    }
-    hull.pop_back();
-  };
-  if (points.size() < 3) return points;
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
-}
 
 using Octagon = std::array<Point, 8>;
 

@@ -7,21 +7,21 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
-#include "common/geometry/moved.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/mesh_part.h"
 #include "services/slicing/algo/placement/build_volume.h"
+#include "services/slicing/algo/placement/copy_places.h"
 #include "services/slicing/algo/placement/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
 
 namespace slicefarm::slicing {
 namespace {
 
-constexpr Coord kUm = 1'000;
+absl::Status Malformed(std::string_view message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
 
-Coord ToWholeUm(Coord nm) { return (nm >= 0 ? nm + kUm / 2 : nm - kUm / 2) / kUm * kUm; }
-Point ToWholeUm(Point p) { return {ToWholeUm(p.x), ToWholeUm(p.y)}; }
-
-/// The meshes of the files, each freed after its last use.
+/// The meshes of the files, each file's freed after their last use.
 class Meshes {
  public:
   Meshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
@@ -33,32 +33,31 @@ class Meshes {
         if (Has(part.mesh)) ++uses_[static_cast<size_t>(part.mesh.file)];
   }
 
-  bool Has(const MeshRef& ref) const { return 0 <= ref.file && ref.file < std::ssize(files_); }
-
-  /// REQUIRES: Has(ref).
   absl::StatusOr<RawMesh> Take(const MeshRef& ref) {
+    if (!Has(ref)) return Malformed("a part refers to a file that is not there");
     const auto file = static_cast<size_t>(ref.file);
     if (!meshes_[file]) {
       auto read = source_.Read(std::exchange(files_[file].bytes, {}), files_[file].format,
-                               limits::kMaxMeshCoordinateMm, cancel_);
+                               limits::kMaxMeshCoordinateMm, ReadDepth::kMeshes, cancel_);
       if (!read.ok()) return read.status();
-      meshes_[file] = *std::move(read);
+      meshes_[file] = std::move(read->meshes);
     }
-    if (--uses_[file] == 0) return *std::exchange(meshes_[file], std::nullopt);
-    return *meshes_[file];
+    if (ref.mesh < 0 || ref.mesh >= std::ssize(*meshes_[file]))
+      return Malformed("a part refers to a mesh that is not in its file");
+    absl::StatusOr<RawMesh> part = MeshPart((*meshes_[file])[static_cast<size_t>(ref.mesh)], ref);
+    if (--uses_[file] == 0) meshes_[file].reset();
+    return part;
   }
 
  private:
+  bool Has(const MeshRef& ref) const { return 0 <= ref.file && ref.file < std::ssize(files_); }
+
   std::vector<MeshFile> files_;
-  std::vector<std::optional<RawMesh>> meshes_;
+  std::vector<std::optional<std::vector<RawMesh>>> meshes_;
   std::vector<int> uses_;  ///< to come, by file
   const MeshSource& source_;
   const CancelToken& cancel_;
 };
-
-absl::Status Malformed(std::string_view message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
 
 /// A part's triangles in nm, and the edges as the file has them where rounding welds corners.
 struct PlacedPart {
@@ -77,107 +76,86 @@ absl::StatusOr<PlacedPart> Place(const RawMesh& raw, const Transform& transform)
   return part;
 }
 
-Point ShiftOf(const CopyInput& copy, const Vertex& to_origin, Point bed_center) {
-  switch (copy.place) {
-    case CopyInput::Place::kMiddleAt:
-      return ToWholeUm(copy.at);
-    case CopyInput::Place::kOriginAt:
-      return ToWholeUm(Point{copy.at.x - to_origin.x, copy.at.y - to_origin.y});
-    default:
-      return ToWholeUm(bed_center);
-  }
+/// An object in nm around its own origin, before its copies have places.
+struct PlacedObject {
+  std::vector<PlacedPart> parts;
+  Vertex to_origin;    ///< what was added to all vertices
+  Extent extent;       ///< of all parts
+  Coord top_nm = 0;    ///< of the solid ones
+  Polygon footprint;
+};
+
+Extent SolidExtent(const ObjectInput& input, const std::vector<PlacedPart>& parts) {
+  Extent extent;
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (input.parts[i].role == PartRole::kSolid) extent.Add(ExtentOf(parts[i].mesh));
+  return extent;
 }
 
-/// Prepares one object after the other.
-class Preparation {
- public:
-  Preparation(Meshes& meshes, const SlicingOptions& options, const CancelToken& cancel)
-      : meshes_(meshes), options_(options), cancel_(cancel) {}
+Polygon SolidFootprint(const ObjectInput& input, const std::vector<PlacedPart>& parts) {
+  std::vector<const IndexedMesh*> solid;
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (input.parts[i].role == PartRole::kSolid) solid.push_back(&parts[i].mesh);
+  return Footprint(solid);
+}
 
-  absl::StatusOr<PreparedObject> Prepare(const ObjectInput& input,
-                                         const ObjectSlicingOptions& slicing) {
-    PreparedObject object;
-    object.name = input.name;
-    object.ranges = input.ranges;
-    absl::StatusOr<std::vector<PlacedPart>> parts = PlaceParts(input);
-    if (!parts.ok()) return parts.status();
-    const Extent placed = SolidExtent(input, *parts);
-    const Vertex to_origin = ToOrigin(placed, FromMm(input.sunk_mm));
-    for (PlacedPart& part : *parts) MoveBy(part.mesh, to_origin);
-    if (absl::Status fits = Fit(input, *parts, to_origin, slicing, object); !fits.ok()) return fits;
-    for (size_t i = 0; i < parts->size(); ++i) {
-      absl::StatusOr<PreparedPart> part =
-          Connected(input.parts[i], std::move((*parts)[i]), object.shifts.front());
-      if (!part.ok()) return part.status();
-      if (part->report.name.empty()) part->report.name = input.name;
-      object.parts.push_back(*std::move(part));
-    }
-    return object;
+absl::StatusOr<PlacedObject> PlaceParts(const ObjectInput& input, Meshes& meshes) {
+  PlacedObject object;
+  for (const PartInput& part : input.parts) {
+    absl::StatusOr<RawMesh> raw = meshes.Take(part.mesh);
+    if (!raw.ok()) return raw.status();
+    absl::StatusOr<PlacedPart> placed = Place(*raw, Combined(input.to_plate, part.to_object));
+    if (!placed.ok()) return placed.status();
+    object.parts.push_back(*std::move(placed));
   }
-
- private:
-  absl::StatusOr<std::vector<PlacedPart>> PlaceParts(const ObjectInput& input) {
-    std::vector<PlacedPart> parts;
-    for (const PartInput& part : input.parts) {
-      if (!meshes_.Has(part.mesh)) return Malformed("a part refers to a file that is not there");
-      absl::StatusOr<RawMesh> raw = meshes_.Take(part.mesh);
-      if (!raw.ok()) return raw.status();
-      absl::StatusOr<PlacedPart> placed = Place(*raw, Combined(input.to_plate, part.to_object));
-      if (!placed.ok()) return placed.status();
-      parts.push_back(*std::move(placed));
-    }
-    return parts;
+  object.to_origin = ToOrigin(SolidExtent(input, object.parts), FromMm(input.sunk_mm));
+  for (PlacedPart& part : object.parts) {
+    MoveBy(part.mesh, object.to_origin);
+    object.extent.Add(ExtentOf(part.mesh));
   }
+  if (absl::Status reach = CheckReach(object.extent); !reach.ok()) return reach;
+  object.top_nm = SolidExtent(input, object.parts).max.z;
+  object.footprint = SolidFootprint(input, object.parts);
+  return object;
+}
 
-  static Extent SolidExtent(const ObjectInput& input, const std::vector<PlacedPart>& parts) {
-    Extent extent;
-    for (size_t i = 0; i < parts.size(); ++i)
-      if (input.parts[i].role == PartRole::kSolid) extent.Add(ExtentOf(parts[i].mesh));
-    return extent;
+absl::StatusOr<PreparedPart> Connected(const PartInput& input, PlacedPart placed, Point shift,
+                                       const CancelToken& cancel) {
+  absl::StatusOr<ConnectedMesh> connected = Connect(std::move(placed.mesh), cancel);
+  if (!connected.ok()) return connected.status();
+  PreparedPart part{*std::move(connected), input, {}};
+  part.report = ReportOf(part.connected, shift);
+  part.report.name = input.name;
+  if (placed.edges_of_file) {
+    part.report.vertices = placed.vertices_of_file;
+    part.report.open_edges = placed.edges_of_file->open;
+    part.report.non_manifold_edges = placed.edges_of_file->non_manifold;
   }
+  return part;
+}
 
-  /// Finds the copies' places and checks that the object fits there.
-  absl::Status Fit(const ObjectInput& input, const std::vector<PlacedPart>& parts,
-                   const Vertex& to_origin, const ObjectSlicingOptions& slicing,
-                   PreparedObject& object) const {
-    Extent extent;
-    for (const PlacedPart& part : parts) extent.Add(ExtentOf(part.mesh));
-    if (absl::Status reach = CheckReach(extent); !reach.ok()) return reach;
-    std::vector<const IndexedMesh*> solid;
-    for (size_t i = 0; i < parts.size(); ++i)
-      if (input.parts[i].role == PartRole::kSolid) solid.push_back(&parts[i].mesh);
-    object.top_nm = SolidExtent(input, parts).max.z;
-    object.footprint = Footprint(solid);
-    const Point bed_center = BedCenter(options_.bed);
-    for (const CopyInput& copy : input.copies)
-      object.shifts.push_back(ShiftOf(copy, to_origin, bed_center));
-    return CheckBuildVolume({object.footprint, object.top_nm, slicing.xy_compensation_nm},
-                            input.name, object.shifts, options_);
+absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject placed,
+                                        std::vector<Point> shifts, const CancelToken& cancel) {
+  PreparedObject object;
+  object.name = input.name;
+  object.ranges = input.ranges;
+  object.top_nm = placed.top_nm;
+  object.footprint = std::move(placed.footprint);
+  object.shifts = std::move(shifts);
+  for (size_t i = 0; i < placed.parts.size(); ++i) {
+    absl::StatusOr<PreparedPart> part =
+        Connected(input.parts[i], std::move(placed.parts[i]), object.shifts.front(), cancel);
+    if (!part.ok()) return part.status();
+    if (part->report.name.empty()) part->report.name = input.name;
+    object.parts.push_back(*std::move(part));
   }
-
-  absl::StatusOr<PreparedPart> Connected(const PartInput& input, PlacedPart placed, Point shift) {
-    absl::StatusOr<ConnectedMesh> connected = Connect(std::move(placed.mesh), cancel_);
-    if (!connected.ok()) return connected.status();
-    PreparedPart part{*std::move(connected), input, {}};
-    part.report = ReportOf(part.connected, shift);
-    part.report.name = input.name;
-    if (placed.edges_of_file) {
-      part.report.vertices = placed.vertices_of_file;
-      part.report.open_edges = placed.edges_of_file->open;
-      part.report.non_manifold_edges = placed.edges_of_file->non_manifold;
-    }
-    return part;
-  }
-
-  Meshes& meshes_;
-  const SlicingOptions& options_;
-  const CancelToken& cancel_;
-};
+  return object;
+}
 
 /// The error with its object in front, where there are several to look at.
 absl::Status OfObject(const std::vector<ObjectInput>& objects, size_t index,
                       const absl::Status& status) {
-  if (objects.size() == 1 || absl::IsCancelled(status)) return status;
+  if (status.ok() || objects.size() == 1 || absl::IsCancelled(status)) return status;
   ErrorDetail detail = DetailOf(status);
   detail.metadata["object"] = absl::StrCat(index);
   // The name is the user's and may hold anything.
@@ -185,6 +163,38 @@ absl::Status OfObject(const std::vector<ObjectInput>& objects, size_t index,
   return MakeError(status.code(), detail.reason,
                    absl::StrCat("object ", index, " (\"", name, "\"): ", status.message()),
                    std::move(detail.metadata));
+}
+
+bool IsFree(const ObjectInput& object) {
+  return std::ranges::any_of(object.copies, [](const CopyInput& copy) {
+    return copy.place == CopyInput::Place::kAnywhere;
+  });
+}
+
+/// Finds the copies' places, and checks that each object fits there.
+absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<ObjectInput>& inputs,
+                                                         const std::vector<PlacedObject>& placed,
+                                                         const SlicingOptions& options,
+                                                         const CancelToken& cancel) {
+  const auto check = [&](size_t i, const std::vector<Point>& at) {
+    return OfObject(inputs, i,
+                    CheckBuildVolume({placed[i].footprint, placed[i].top_nm,
+                                      options.objects[i].xy_compensation_nm},
+                                     inputs[i].name, at, options));
+  };
+  std::vector<ObjectToPlace> objects;
+  for (size_t i = 0; i < inputs.size(); ++i) {
+    // What does not fit by itself is told with its size.
+    if (absl::Status ok = check(i, {BedCenter(options.bed)}); !ok.ok() && IsFree(inputs[i]))
+      return ok;
+    const Vertex& moved = placed[i].to_origin;
+    objects.push_back({placed[i].footprint, {-moved.x, -moved.y}, inputs[i].copies});
+  }
+  auto places = PlaceCopies(objects, options, cancel);
+  if (!places.ok()) return places.status();
+  for (size_t i = 0; i < inputs.size(); ++i)
+    if (absl::Status ok = check(i, (*places)[i]); !ok.ok()) return ok;
+  return places;
 }
 
 absl::Status CheckObject(const ObjectInput& object) {
@@ -195,7 +205,6 @@ absl::Status CheckObject(const ObjectInput& object) {
   for (const PartInput& part : object.parts) {
     if (part.regions.size() != object.ranges.size() + 1)
       return Malformed("a part does not name a row of settings for each range of heights");
-    if (part.mesh.mesh != 0) return Malformed("a part refers to a mesh that is not there");
   }
   return absl::OkStatus();
 }
@@ -223,13 +232,22 @@ absl::StatusOr<std::vector<PreparedObject>> PrepareObjects(SliceInput input,
                                                            const SlicingOptions& options,
                                                            const CancelToken& cancel) {
   if (absl::Status ok = CheckInput(input, options); !ok.ok()) return ok;
-  Meshes meshes(std::move(input.files), input.objects, source, cancel);
-  Preparation preparation(meshes, options, cancel);
+  const std::vector<ObjectInput>& inputs = input.objects;
+  Meshes meshes(std::move(input.files), inputs, source, cancel);
+  std::vector<PlacedObject> placed;
+  for (const ObjectInput& object : inputs) {
+    absl::StatusOr<PlacedObject> one = PlaceParts(object, meshes);
+    if (!one.ok()) return OfObject(inputs, placed.size(), one.status());
+    placed.push_back(*std::move(one));
+  }
+  absl::StatusOr<std::vector<std::vector<Point>>> shifts =
+      ShiftsOf(inputs, placed, options, cancel);
+  if (!shifts.ok()) return shifts.status();
   std::vector<PreparedObject> objects;
-  for (size_t i = 0; i < input.objects.size(); ++i) {
+  for (size_t i = 0; i < inputs.size(); ++i) {
     absl::StatusOr<PreparedObject> object =
-        preparation.Prepare(input.objects[i], options.objects[i]);
-    if (!object.ok()) return OfObject(input.objects, i, object.status());
+        Prepared(inputs[i], std::move(placed[i]), std::move((*shifts)[i]), cancel);
+    if (!object.ok()) return OfObject(inputs, i, object.status());
     objects.push_back(*std::move(object));
   }
   return objects;

@@ -111,6 +111,26 @@ TEST(PrepareObjects, CopiesStandWhereTheyAreTold) {
                                                  Point{120 * kMm, 130 * kMm}));
 }
 
+TEST(PrepareObjects, ObjectsWithoutPlacesStandApart) {
+  const auto objects = Prepare({ToBinaryStl(BoxMesh({0, 0, 0}, {50, 50, 9}))},
+                               {ObjectOf(0), ObjectOf(0), ObjectOf(0)});
+  ASSERT_TRUE(objects.ok()) << objects.status();
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const Point apart = objects->at(i).shifts[0] - objects->at(j).shifts[0];
+      EXPECT_GE(std::max(std::abs(apart.x), std::abs(apart.y)), 56 * kMm) << i << " " << j;
+    }
+  }
+}
+
+TEST(PrepareObjects, WhatIsTooLargeByItselfIsToldWithItsSize) {
+  const auto status = Prepare({ToBinaryStl(BoxMesh({0, 0, 0}, {400, 50, 9}))},
+                              {ObjectOf(0), ObjectOf(0)})
+                          .status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
+  EXPECT_TRUE(DetailOf(status).metadata.contains("excess_mm"));
+}
+
 TEST(PrepareObjects, SinksWhatReachesBelowTheBed) {
   ObjectInput object = ObjectOf(0);
   object.sunk_mm = 4;

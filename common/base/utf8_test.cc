@@ -1,8 +1,8 @@
-#include "common/rpc/utf8.h"
+#include "common/base/utf8.h"
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::rpc {
+namespace slicefarm {
 namespace {
 
 struct Case {
@@ -42,4 +42,4 @@ TEST(Utf8Limit, CutsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm

@@ -1,9 +1,9 @@
-#include "common/rpc/utf8.h"
+#include "common/base/utf8.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace slicefarm::rpc {
+namespace slicefarm {
 namespace {
 
 /// Length of the sequence that begins with `first`; 0 if none does. Two-byte forms of ASCII and
@@ -62,4 +62,4 @@ bool IsUtf8(std::string_view text) {
   return true;
 }
 
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm
