@@ -130,12 +130,12 @@ TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
   const ResolvedPlate plate =
       PlateOrDie({{"seam_position", "rear"}},
                  {ObjectNamed("a", {{"layer_height", "0.1"}}),
-                  ObjectNamed("b", {{"layer_height", "0.3"}, {"seam_position", "random"}})});
+                  ObjectNamed("b", {{"layer_height", "0.3"}, {"seam_position", "nearest"}})});
   ASSERT_THAT(plate.settings.slicing.objects, SizeIs(2));
   EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 100'000);
   EXPECT_EQ(plate.settings.slicing.objects[1].layer_height_nm, 300'000);
-  EXPECT_EQ(plate.settings.planning.objects[0].seam_position, SeamPosition::kRear);
-  EXPECT_EQ(plate.settings.planning.objects[1].seam_position, SeamPosition::kRandom);
+  EXPECT_EQ(plate.settings.planning.objects[0].seam, SeamPosition::kRear);
+  EXPECT_EQ(plate.settings.planning.objects[1].seam, SeamPosition::kNearest);
 }
 
 TEST(ResolvePlate, CopiesOfAnObjectAreOneObject) {
@@ -176,12 +176,12 @@ TEST(ResolvePlate, AnUnprintableCopyIsLeftOut) {
   object.instances[0].printable = false;
   EXPECT_THAT(PlateOrDie({}, {object}).objects[0].copies, SizeIs(1));
   object.instances[1].printable = false;
-  EXPECT_EQ(ReasonOf(Refusal({}, {object})), Reason::kNothingToPrint);
+  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kNothingToPrint);
 }
 
 TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
   const absl::Status refusal = Refusal({}, {ObjectNamed("box \"1\"", {{"temperature", "200"}})});
-  EXPECT_EQ(ReasonOf(refusal), Reason::kSettingMisplaced);
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMisplaced);
   EXPECT_THAT(std::string(refusal.message()),
               HasSubstr("temperature is a setting of the job and cannot be given to an object"));
   EXPECT_THAT(DetailOf(refusal).metadata, Contains(Pair("setting", "temperature")));
@@ -191,7 +191,7 @@ TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
 TEST(ResolvePlate, ASettingOfTheObjectIsMisplacedInAPart) {
   SceneObject object = ObjectNamed("box");
   object.parts[0].settings = Settings({{"layer_height", "0.1"}});
-  EXPECT_EQ(ReasonOf(Refusal({}, {object})), Reason::kSettingMisplaced);
+  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kSettingMisplaced);
 }
 
 // Project files carry what their program wrote; that is told, and no reason to refuse the job.
@@ -205,12 +205,12 @@ TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
 TEST(ResolvePlate, AnErrorSaysWhichObject) {
   const absl::Status refusal =
       Refusal({}, {ObjectNamed("good"), ObjectNamed("bad", {{"fill_density", "many"}})});
-  EXPECT_EQ(ReasonOf(refusal), Reason::kSettingMalformed);
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMalformed);
   EXPECT_THAT(std::string(refusal.message()), HasSubstr("object \"bad\""));
 }
 
 TEST(ResolvePlate, AnUnknownSettingOfAnObjectIsRefused) {
-  EXPECT_EQ(ReasonOf(Refusal({}, {ObjectNamed("box", {{"fill_densty", "10%"}})})),
+  EXPECT_EQ(DetailOf(Refusal({}, {ObjectNamed("box", {{"fill_densty", "10%"}})})).reason,
             Reason::kSettingUnknown);
 }
 
@@ -218,7 +218,7 @@ TEST(ResolvePlate, ARangeMustBeOne) {
   for (const auto& [from, to] : {std::pair{5.0, 5.0}, {7.0, 5.0}, {-1.0, 5.0}, {0.0, 1e9}}) {
     SceneObject object = ObjectNamed("box");
     object.ranges.push_back({from, to, {}});
-    EXPECT_EQ(ReasonOf(Refusal({}, {object})), Reason::kRequestMalformed) << from << " " << to;
+    EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kRequestMalformed) << from << " " << to;
   }
 }
 
@@ -227,7 +227,7 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
   for (int i = 0; i <= limits::kMaxRegionSettings; ++i)
     objects.push_back(ObjectNamed("box", {{"top_infill_extrusion_width",
                                            std::to_string(0.3 + i * 0.0001)}}));
-  EXPECT_EQ(ReasonOf(Refusal({}, objects)), Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(Refusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
   EXPECT_TRUE(ResolvePlate({}, objects).ok());
 }

@@ -94,9 +94,9 @@ TEST(Resolve, ReadsThePeersProfile) {
                                 .inner_width_nm = 450'000,
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
-  EXPECT_EQ(s.beading, walls);
+  EXPECT_EQ(s.beading[0], walls);
   const InfillOptions infill = {.angle_rad = std::numbers::pi / 4};  // the rest is the model's
-  EXPECT_EQ(s.infill, infill);
+  EXPECT_EQ(s.infill[0], infill);
   EXPECT_EQ(s.ordering, OrderingOptions{});
 
   const MotionOptions& m = s.motion;
@@ -110,8 +110,8 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_FALSE(m.limits.emit_to_gcode);
   // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt and
   // support 60.
-  EXPECT_THAT(m.speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
-  EXPECT_EQ(m.small_perimeter_speed_mm_s, 40);
+  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
+  EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
   EXPECT_EQ(m.first_layer_speed_ratio, 1);
@@ -152,7 +152,7 @@ TEST(Resolve, TakesAWholeProfile) {
   // documentation.
   JobSettings ours = Job({});
   ours.motion.filament_density_g_cm3 = 0;
-  ours.infill.overlap_nm = 112'500;
+  ours.infill[0].overlap_nm = 112'500;
   ours.slicing.thumbnails_px.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, LetsLaterSettingsWin) {
-  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading.perimeters, 4);
+  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading[0].perimeters, 4);
 }
 
 // The text is the settings: it resolves to them, and to itself.

@@ -60,7 +60,7 @@ struct Motion : MotionStage {
                                                     const MotionOptions&) const override {
     called = true;
     std::vector<LayerProgram> programs(layers.size());
-    for (LayerProgram& program : programs) program.index = static_cast<int32_t>(facts.copies.size());
+    for (LayerProgram& program : programs) program.frame.index = static_cast<int32_t>(facts.copies.size());
     return programs;
   }
   absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,
@@ -112,7 +112,7 @@ TEST_F(LayerChainTest, EachStageIsGivenWhatItWorksFrom) {
   const auto result = Run({8, 11}, {0, 20});
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_EQ(result->programs.size(), 3u);
-  EXPECT_EQ(result->programs[0].index, 3);  // the facts came through
+  EXPECT_EQ(result->programs[0].frame.index, 3);  // the facts came through
   EXPECT_EQ(ordering_.plan_count, 3u);
   EXPECT_EQ(ordering_.copy_count, 3u);
 }
@@ -134,14 +134,14 @@ TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
 
 TEST_F(LayerChainTest, AHaloTooSmallIsRefused) {
   const auto result = Run({8, 11}, {8, 11});
-  EXPECT_EQ(ReasonOf(result.status()), Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(result.status()).reason, Reason::kRequestMalformed);
   EXPECT_FALSE(motion_.called);
 }
 
 TEST_F(LayerChainTest, AStagesErrorEndsTheChain) {
   infill_.fails = true;
   const auto result = Run({8, 11}, {0, 20});
-  EXPECT_EQ(ReasonOf(result.status()), Reason::kInternal);
+  EXPECT_EQ(DetailOf(result.status()).reason, Reason::kInternal);
   EXPECT_FALSE(motion_.called);
 }
 

@@ -141,10 +141,10 @@ TEST(CheckHalo, WhatWithHaloGivesIsEnough) {
 TEST(CheckHalo, ALayerTooFewIsRefused) {
   const std::vector<SlicedLayer> layers = OutOfStep();
   const LayerRange all = WithHalo(layers, {14, 15}, 2);
-  EXPECT_EQ(ReasonOf(CheckHalo(Cut(layers, {all.first + 1, all.last}), {14, 15}, 2)),
+  EXPECT_EQ(DetailOf(CheckHalo(Cut(layers, {all.first + 1, all.last}), {14, 15}, 2)).reason,
             Reason::kRequestMalformed);
   const absl::Status above = CheckHalo(Cut(layers, {all.first, all.last - 1}), {14, 15}, 2);
-  EXPECT_EQ(ReasonOf(above), Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(above).reason, Reason::kRequestMalformed);
   EXPECT_THAT(std::string(above.message()), testing::HasSubstr("layer 6 of object 1"));
 }
 

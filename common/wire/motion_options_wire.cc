@@ -21,6 +21,7 @@ static_assert(v1::GcodeFlavor_MAX == kFlavors);
 static_assert(v1::OBJECT_LABELS_NONE == static_cast<int>(ObjectLabels::kNone) + 1);
 static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComments) + 1);
 static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
+static_assert(v1::ObjectLabels_MAX == v1::OBJECT_LABELS_FIRMWARE);
 
 template <size_t N>
 void Put(const std::array<double, N>& values, RepeatedField<double>* proto) {

@@ -60,11 +60,11 @@ double UnitOf(const std::string& name) {
   return 1;
 }
 
-absl::StatusOr<config::Setting> ParseSet(const std::string& text) {
+absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text) {
   const size_t equals = text.find('=');
   const std::string key(Trim(std::string_view(text).substr(0, equals)));
   if (equals == std::string::npos || key.empty()) {
-    return Malformed(fmt::format("--set {}: key=value is needed", text));
+    return Malformed(fmt::format("{} {}: key=value is needed", option, text));
   }
   return config::Setting{key, text.substr(equals + 1), config::Source::kRequest};
 }
@@ -180,7 +180,7 @@ absl::StatusOr<std::vector<Setting>> SettingsOf(const JobOptions& options,
                                    text));
     }
     if (!Names(of, path)) continue;
-    const auto setting = ParseSet(of.what);
+    const auto setting = ParseSet("--object-set", of.what);
     if (!setting.ok()) return setting.status();
     if (absl::Status ok = CheckText(*setting); !ok.ok()) return ok;
     settings.push_back(*setting);
@@ -203,7 +203,7 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
 
 void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("MODEL", options.models,
-                 "STL (binary or ASCII) or OBJ file; several: a plate of them")
+                 "STL (binary or ASCII), OBJ or PLY file; several: a plate of them")
       ->required();
   AddSettingOptions(app, options);
   app.add_option("--copies", options.copies, "How often a model is printed; may be repeated")
@@ -243,7 +243,7 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
     settings.insert(settings.end(), read->begin(), read->end());
   }
   for (const std::string& text : options.sets) {
-    auto setting = ParseSet(text);
+    auto setting = ParseSet("--set", text);
     if (!setting.ok()) return setting.status();
     settings.push_back(*std::move(setting));
   }

@@ -9,9 +9,11 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/base/error.h"
@@ -329,10 +331,17 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
   StartCoordinator();
   Client client(coordinator_->address, tenant_a_);
   ASSERT_TRUE(client.Upload(mesh_).ok());
-  const auto gcode_of = [&](const std::string& name) {
+  const auto gcode_of = [&](const std::string& name, bool labelled = false) {
     v1::CreateJobRequest request = Client::RequestFor(mesh_);
     request.mutable_spec()->mutable_objects(0)->set_name(name);
-    request.set_request_id(name);
+    request.set_request_id(name + (labelled ? " labelled" : ""));
+    for (const auto& [key, value] :
+         {std::pair{"gcode_flavor", "klipper"}, std::pair{"gcode_label_objects", "firmware"}}) {
+      if (!labelled) break;
+      v1::Setting& setting = *request.mutable_spec()->add_settings();
+      setting.set_key(key);
+      setting.set_value(value);
+    }
     (*request.mutable_labels())[name] = name;
     const auto job = client.Create(request);
     EXPECT_TRUE(job.ok()) << job.status();
@@ -348,6 +357,11 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     }
     return commands;
   };
+  // Labels tell the firmware the object's name: as one word, whatever it was.
+  const auto labelled = [&](const std::string& name) {
+    static const std::regex kName("NAME=\\S+");
+    return std::regex_replace(commands_of(gcode_of(name, true)), kName, "NAME=");
+  };
   const auto files = [&] {
     size_t count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_.path())) {
@@ -356,12 +370,15 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     return count;
   };
   const std::string plain = commands_of(gcode_of("part"));
+  const std::string plain_labelled = labelled("part");
+  EXPECT_THAT(plain_labelled, testing::HasSubstr("\nEXCLUDE_OBJECT_START NAME=\n"));
   const size_t before = files();
   for (const std::string& name :
        {"../../" + std::filesystem::path(directory_.path()).filename().string() + "/owned",
         directory_.path() + "/owned", std::string("\"]}; M112 {if 1}%s$(reboot)`'\\n\\r")}) {
     const std::string gcode = gcode_of(name);
     EXPECT_EQ(commands_of(gcode), plain) << name;
+    EXPECT_EQ(labelled(name), plain_labelled) << name;
   }
   EXPECT_EQ(files(), before);
   for (const std::string& name :

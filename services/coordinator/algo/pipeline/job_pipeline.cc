@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/geometry/boolean.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
@@ -42,6 +43,14 @@ std::vector<RangeTask> MakeTasks(const PlannedJob& job, const JobSettings& setti
   return tasks;
 }
 
+/// The regions of a plate lie apart, each in its own place.
+MultiPolygon WholeOf(const std::vector<Region>& regions) {
+  MultiPolygon all;
+  for (const Region& region : regions)
+    all.insert(all.end(), region.outlines.begin(), region.outlines.end());
+  return Union(all, {});
+}
+
 /// Puts what planning adds to the plate where the stages look for it: regions among the sections of
 /// their layer, finished paths into its plan.
 absl::Status AddToPlate(PlannedJob& job) {
@@ -57,6 +66,7 @@ absl::Status AddToPlate(PlannedJob& job) {
     plate.object = kPlate;
     plate.height_nm = addition.height_nm;
     plate.regions = std::move(addition.regions);
+    if (plate.regions.size() > 1) plate.whole = WholeOf(plate.regions);
     std::vector<ObjectSection>& sections = job.layers[layer].sections;
     sections.insert(sections.begin(), std::move(plate));
   }
@@ -77,19 +87,20 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
 }
 
 absl::Status CheckPrograms(const std::vector<RangeResult>& results, size_t layer_count) {
-  size_t next = 0;
+  int32_t next = 0;
+  int32_t pass = -1;
   for (const RangeResult& result : results) {
     for (const LayerProgram& program : result.programs) {
-      const auto index = static_cast<size_t>(program.frame.index);
-      if (index + 1 == next) continue;  // another pass of the layer before
-      if (index != next) {
+      const int32_t index = program.frame.index;
+      const bool next_pass = index == next - 1 && program.pass > pass;
+      if (index != next && !next_pass)
         return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                          absl::StrCat("layer ", next, " came back as ", index));
-      }
-      ++next;
+      next = index + 1;
+      pass = program.pass;
     }
   }
-  if (next == layer_count) return absl::OkStatus();
+  if (next == static_cast<int32_t>(layer_count)) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                    absl::StrCat(next, " of ", layer_count, " layers came back"));
 }

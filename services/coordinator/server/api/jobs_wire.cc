@@ -220,6 +220,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
   for (const JobRecord& job : jobs) {
     v1::Job listed = ToProto(job);
     listed.mutable_spec()->clear_settings();
+    for (v1::Object& object : *listed.mutable_spec()->mutable_objects()) object.clear_settings();
     bytes += listed.ByteSizeLong();
     if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
     *response.add_jobs() = std::move(listed);

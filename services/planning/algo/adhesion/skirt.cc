@@ -39,7 +39,6 @@ void AppendOuterPoints(const MultiPolygon& polygons, std::vector<Point>& points)
 Path SkirtLoop(Polygon ring, const SkirtOptions& options) {
   Path path;
   path.feature = Feature::kSkirt;
-  path.object = -1;
   path.closed = true;
   path.points = std::move(ring);
   path.widths_nm = {options.width_nm};

@@ -46,15 +46,15 @@ TEST(MeshPart, ToTheEnd) {
 }
 
 TEST(MeshPart, NoTriangleIsNoPart) {
-  EXPECT_EQ(ReasonOf(MeshPart(Strip(), Triangles(1, 0)).status()), Reason::kMeshEmpty);
-  EXPECT_EQ(ReasonOf(MeshPart(Strip(), Triangles(3, -1)).status()), Reason::kMeshEmpty);
-  EXPECT_EQ(ReasonOf(MeshPart({}, {}).status()), Reason::kMeshEmpty);
+  EXPECT_EQ(DetailOf(MeshPart(Strip(), Triangles(1, 0)).status()).reason, Reason::kMeshEmpty);
+  EXPECT_EQ(DetailOf(MeshPart(Strip(), Triangles(3, -1)).status()).reason, Reason::kMeshEmpty);
+  EXPECT_EQ(DetailOf(MeshPart({}, {}).status()).reason, Reason::kMeshEmpty);
 }
 
 TEST(MeshPart, TrianglesThatAreNotThere) {
   for (const MeshRef& ref : {Triangles(-1, 1), Triangles(0, 4), Triangles(2, 2), Triangles(4, -1),
                              Triangles(0, -2), Triangles(1, INT64_MAX), Triangles(INT64_MAX, 1)})
-    EXPECT_EQ(ReasonOf(MeshPart(Strip(), ref).status()), Reason::kRequestMalformed)
+    EXPECT_EQ(DetailOf(MeshPart(Strip(), ref).status()).reason, Reason::kRequestMalformed)
         << ref.first_triangle << " " << ref.triangle_count;
 }
 

@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/mesh_part.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/placement/build_volume.h"
 #include "services/slicing/algo/placement/copy_places.h"
 #include "services/slicing/algo/placement/footprint.h"
@@ -19,6 +20,16 @@ namespace {
 
 absl::Status Malformed(std::string_view message) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+/// A project says how its meshes are turned, scaled and combined: to print one as it lies in the
+/// file would be wrong.
+absl::Status CheckNoProject(const MeshFile& file) {
+  const MeshFormat format =
+      file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
+  if (format != MeshFormat::k3mf) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
+                   "3MF projects are not sliced yet; export the part as STL, OBJ or PLY");
 }
 
 /// The meshes of the files, each file's freed after their last use.
@@ -37,6 +48,7 @@ class Meshes {
     if (!Has(ref)) return Malformed("a part refers to a file that is not there");
     const auto file = static_cast<size_t>(ref.file);
     if (!meshes_[file]) {
+      if (absl::Status ok = CheckNoProject(files_[file]); !ok.ok()) return ok;
       auto read = source_.Read(std::exchange(files_[file].bytes, {}), files_[file].format,
                                limits::kMaxMeshCoordinateMm, ReadDepth::kMeshes, cancel_);
       if (!read.ok()) return read.status();

@@ -77,6 +77,12 @@ TEST(PrepareObjects, PassesTheErrorsOn) {
             Reason::kMeshEmpty);
 }
 
+TEST(PrepareObjects, RefusesProjects) {
+  const auto status = Prepare(std::string("PK\3\4 and more"), {}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshFormatUnknown);
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("3MF projects"));
+}
+
 TEST(PrepareObjects, NamesTheObjectOfSeveral) {
   const std::string box = ToBinaryStl(BoxMesh({0, 0, 0}, {10, 20, 30}));
   const auto status = Prepare({box, "solid\n"}, {ObjectOf(0), ObjectOf(1)}).status();
