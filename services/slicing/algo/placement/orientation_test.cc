@@ -21,7 +21,7 @@ namespace {
 IndexedMesh Placed(const RawMesh& raw, std::array<double, 3> rotate_deg = {0, 0, 0}) {
   Placement placement;
   placement.rotate_deg = rotate_deg;
-  return *PlaceMesh(raw, placement);
+  return *PlaceMesh(raw, TransformOf(placement));
 }
 
 OrientationSuggestion SuggestOrDie(const IndexedMesh& mesh) {
