@@ -84,6 +84,11 @@ LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32
 
 absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo) {
   const int32_t sent_from = layers.empty() ? 0 : layers.front().frame.index;
+  if (range.first < sent_from || range.size() < 0 ||
+      int64_t{range.last} - sent_from > std::ssize(layers))
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("layers [{}, {}) did not all come", range.first, range.last),
+                     {{"field", "layer"}});
   const auto in_range = layers.subspan(static_cast<size_t>(range.first - sent_from),
                                        static_cast<size_t>(range.size()));
   const ObjectLayers there(layers);

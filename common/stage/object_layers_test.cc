@@ -138,6 +138,14 @@ TEST(CheckHalo, WhatWithHaloGivesIsEnough) {
   }
 }
 
+TEST(CheckHalo, ARangeThatIsNotThereIsRefused) {
+  const std::vector<SlicedLayer> layers = OutOfStep();
+  for (const LayerRange range : {LayerRange{29, 31}, LayerRange{30, 40}, LayerRange{-1, 3}})
+    EXPECT_EQ(DetailOf(CheckHalo(layers, range, 1)).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(CheckHalo(Cut(layers, {5, 9}), {4, 6}, 0)).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(CheckHalo({}, {0, 1}, 0)).reason, Reason::kRequestMalformed);
+}
+
 TEST(CheckHalo, ALayerTooFewIsRefused) {
   const std::vector<SlicedLayer> layers = OutOfStep();
   const LayerRange all = WithHalo(layers, {14, 15}, 2);

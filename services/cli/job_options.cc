@@ -223,11 +223,13 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("--rotate", options.rotate, "Turn about x, then y, then z")
       ->type_name("X,Y,Z")
       ->excludes(rotate_z);
-  app.add_option("--center", options.centers,
-                 "Where the middle of the part lies, mm; repeated: a copy at each. Default: the "
-                 "middle of the bed")
-      ->type_name("X,Y")
-      ->allow_extra_args(false);
+  auto* center = app.add_option("--center", options.centers,
+                                "Where the middle of the part lies, mm; repeated: a copy at each. "
+                                "Default: the middle of the bed; several parts: arranged")
+                     ->type_name("X,Y")
+                     ->allow_extra_args(false);
+  app.add_flag("--arrange", options.arrange, "Find places for all parts and copies, as without --center")
+      ->excludes(center);
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
