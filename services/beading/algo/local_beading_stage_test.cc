@@ -84,20 +84,26 @@ TEST(LocalBeading, FirstLayerHasItsOwnWidth) {
   EXPECT_EQ((*walled)[1].sections[0].islands[0].walls[0].widths_nm[0], 450'000);
 }
 
-/// A wedge that leans: its middle is a close call, which adjacent layers decide together.
-std::vector<SlicedLayer> Wedges(int count) {
+/// Strips whose width wavers from layer to layer around one at which a bead more begins to fit:
+/// what adjacent layers decide together.
+std::vector<SlicedLayer> Strips(int count) {
   std::vector<MultiPolygon> outlines;
   for (int i = 0; i < count; ++i) {
-    const Coord wide = 1'850'000 + 7'000 * (i * 37 % 11);
-    const Coord long_end = 30'000'000 + 150'000 * i;
-    outlines.push_back({{{{0, 0}, {long_end, -wide}, {long_end, wide}}, {}}});
+    MultiPolygon strips;
+    for (Coord k = 0; k < 20; ++k) {
+      const Coord half = 400'000 + 20'000 * k + (i % 2 == 0 ? 15'000 : -15'000);
+      const Coord y = 5'000'000 * k;
+      strips.push_back({{{0, y - half}, {20'000'000, y - half}, {20'000'000, y + half}, {0, y + half}},
+                        {}});
+    }
+    outlines.push_back(std::move(strips));
   }
   return Layers(outlines);
 }
 
 // Each range is cut out with its halo, as a job's ranges are, and nothing else is there.
 TEST(LocalBeading, RangesDoNotMatter) {
-  const auto layers = Wedges(12);
+  const auto layers = Strips(12);
   const auto all = Bead(layers, {0, 12});
   ASSERT_TRUE(all.ok()) << all.status();
   for (const int size : {1, 2, 5}) {
@@ -116,7 +122,7 @@ TEST(LocalBeading, RangesDoNotMatter) {
 
 // What the test above would not see if the neighbours made no difference.
 TEST(LocalBeading, WallsLookAtTheLayersAround) {
-  const auto layers = Wedges(12);
+  const auto layers = Strips(12);
   const auto all = Bead(layers, {0, 12});
   int others = 0;
   for (int i = 0; i < 12; ++i) {

@@ -88,7 +88,9 @@ TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
   section.regions.resize(1);
   section.regions[0].role = Role::kBrim;
   section.whole = {};
-  for (const Path& wall : Walled(section, {{}}).islands[0].walls) {
+  const auto walled = Walled(section, {{}});
+  ASSERT_FALSE(walled.islands.empty());
+  for (const Path& wall : walled.islands[0].walls) {
     EXPECT_EQ(wall.feature, Feature::kSkirt);
     EXPECT_EQ(wall.ring, -1);
   }
