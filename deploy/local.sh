@@ -100,6 +100,7 @@ up() {
     pools+=("--$3" "$(IFS=,; echo "${addresses[*]}")")
   }
   replicas slicing 1 slicing
+  replicas planning 1 planning
   if [[ "$mode" == fused ]]; then
     replicas motion 1 motion
     replicas worker "$workers" workers

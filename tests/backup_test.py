@@ -170,8 +170,8 @@ def main():
     kind = sys.argv[1]
     work = pathlib.Path(tempfile.mkdtemp(prefix="slicefarm-backup-"))
     os.chmod(work, 0o755)  # PostgreSQL's user has to come through
-    servers = {name: Server(name) for name in ("slicing", "motion", "worker")}
-    stages = ["--slicing", servers["slicing"].address, "--motion", servers["motion"].address,
+    servers = {name: Server(name) for name in ("slicing", "planning", "motion", "worker")}
+    stages = ["--slicing", servers["slicing"].address, "--planning", servers["planning"].address, "--motion", servers["motion"].address,
               "--workers", servers["worker"].address]
     if "--tenants" in sys.argv:
         entry = {"sha256": hashlib.sha256(TOKEN.encode()).hexdigest(), "scopes": ["submit", "read"]}

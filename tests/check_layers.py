@@ -19,7 +19,7 @@ LAYERS = [
     ("base", r"common/base/", {"base"}, f"{WIRE}|{GRPC}"),
     ("geometry", r"common/geometry/", {"base", "geometry"}, f"{WIRE}|{GRPC}"),
     ("model", r"common/model/", PURE, f"{WIRE}|{GRPC}"),
-    ("config", r"common/config/", PURE | {"config"}, f"{WIRE}|{GRPC}"),
+    ("config", r"common/config/", PURE | {"config", "stage"}, f"{WIRE}|{GRPC}"),
     ("stage", r"common/stage/", PURE | {"stage"}, f"{WIRE}|{GRPC}"),
     ("wire", r"common/wire/", PURE | {"stage", "wire"}, r"\.grpc\.pb\.h$|^grpc"),
     ("rpc", r"common/rpc/", PURE | {"rpc"}, r"slicefarm/v1/(?!error_details).*\.pb\.h$"),
@@ -36,6 +36,15 @@ LAYERS = [
 COMPOSITION_ROOTS = {"worker", "cli"}
 CLIPPER = re.compile(r"^(polyclipping/)?clipper")  # only inside common/geometry
 IMPURE = re.compile(r"\b(getenv|std::cout|std::cerr|printf|exit|rand|system_clock|steady_clock)\s*[\(:<]")
+# libm's results depend on the CPU (FMA or not), those of common/base/portable_math.h do not.
+LIBM = re.compile(
+    r"\bstd::(LIBM)[fl]?\b|(?<![\w.>:])(?:::)?(LIBM)[fl]?\s*\(".replace(
+        "LIBM",
+        "a?(?:sin|cos|tan)h?|atan2|sincos|hypot|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|erfc?|[lt]gamma|polar",
+    )
+)
+LIBM_FREE = {"base", "geometry", "model", "config", "stage", "algo"}
+NO_GCODE = {"load"}  # services that make none
 MAX_LINES, MAX_TEST_LINES = 500, 1000
 TEST_FILE = re.compile(r"_test\.(cc|h)$")  # as in cmake/build_info.cmake
 TEST_ONLY = re.compile(r"^(gtest|gmock)/|_test\.h$")
@@ -85,6 +94,10 @@ def check(root, file):
             # A literal for tests may die; nothing else in pure code may touch the world.
             if "OrDie" not in text:
                 yield f"{path}:{text[: m.start()].count(chr(10)) + 1}: {m.group(1)} in pure code"
+    if layer in LIBM_FREE and service not in NO_GCODE and not is_test:
+        for number, line in enumerate(text.splitlines(), 1):
+            if m := LIBM.search(line.split("//")[0]):
+                yield f"{path}:{number}: {m.group(1) or m.group(2)} of libm; use common/base/portable_math.h"
     if layer in ("algo", "geometry", "run") and path.endswith(".cc") and not is_test:
         if not file.with_name(file.stem + "_test.cc").exists():
             yield f"{path}: no {file.stem}_test.cc beside it"

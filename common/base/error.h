@@ -26,10 +26,12 @@ enum class Reason {
   kOutOfRange,
   kOutOfBuildVolume,
   kNothingToPrint,
+  kObjectsCollide,
   // Settings and requests.
   kSettingUnknown,
   kSettingMalformed,
   kSettingOutOfRange,
+  kSettingMisplaced,
   kRequestMalformed,
   kRequestIdReused,
   kRequestTooLarge,

@@ -37,11 +37,6 @@ TEST(SpanLog, IsBounded) {
   EXPECT_EQ(log.dropped(), 3);
 }
 
-TEST(SpanLog, NobodyNeedsOne) {
-  ScopedSpan span(nullptr, "nowhere");
-  span.Set("key", "value");
-}
-
 TEST(SpanLog, TakesSpansFromManyThreads) {
   SpanLog log(0, 1000);
   std::vector<std::thread> threads;

@@ -19,7 +19,7 @@ TEST(TraceContext, IsReadFromAHeader) {
 }
 
 TEST(TraceContext, OnlyTheSampledFlagIsPassedOn) {
-  const std::string given = std::string("00-") + kTrace + "-" + kSpan;
+  const std::string given = kGiven.substr(0, kGiven.size() - 3);
   EXPECT_EQ(Traceparent(*ParseTraceparent(given + "-00")), given + "-00");
   EXPECT_EQ(Traceparent(*ParseTraceparent(given + "-ff")), given + "-01");
   EXPECT_EQ(Traceparent(*ParseTraceparent(given + "-02")), given + "-00");

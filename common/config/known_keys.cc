@@ -112,7 +112,7 @@ constexpr Group kGroups[] = {
      "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
      "filament_unload_time filament_unloading_* first_layer_infill_speed "
-     "first_layer_speed_over_raft fuzzy_skin_* gcode_label_objects gcode_resolution "
+     "first_layer_speed_over_raft fuzzy_skin_* gcode_resolution "
      "high_current_on_filament_swap idle_temperature infill_anchor infill_anchor_max "
      "interlocking_* ironing_* max_layer_height "
      "min_layer_height min_skirt_length mmu_* multimaterial_purging nozzle_high_flow "

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "common/config/settings_table.h"
 #include "common/config/suggest.h"
 #include "common/base/error.h"
+#include "common/model/bead_section.h"
 #include "common/model/limits.h"
 #include "common/base/text.h"
 
@@ -213,6 +215,14 @@ absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) 
                     limits::kMaxSettingBytes, size);
 }
 
+/// What elefant_foot_compensation leaves of thin places: room for the first layer's outer wall and
+/// its neighbour, as PrusaSlicer has it.
+void TakeFootWidth(JobSettings& settings) {
+  const Coord width_nm = settings.beading[0].first_layer_width_nm;
+  const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
+  settings.slicing.objects[0].elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
@@ -234,6 +244,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
       if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
     }
   }
+  TakeFootWidth(result.settings);
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
   }

@@ -58,19 +58,20 @@ std::string ReadCorpus(const std::string& name) {
 }
 
 double SpeedOf(const JobSettings& settings, Feature feature) {
-  return settings.motion.speed_mm_s[static_cast<int>(feature)];
+  return settings.motion.speeds[0].speed_mm_s[static_cast<int>(feature)];
 }
 
 TEST(Resolve, GivesPrusaSlicersStandardsForNothing) {
   const JobSettings s = Job({});
-  EXPECT_EQ(s.slicing.layer_height_nm, 300'000);
+  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 300'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 350'000);
-  EXPECT_EQ(s.beading.inner_width_nm, 450'000);
-  EXPECT_EQ(s.infill.top_width_nm, 400'000);
-  EXPECT_EQ(s.beading.first_layer_width_nm, 700'000);
-  EXPECT_EQ(s.infill.top_solid_layers, 3);
-  EXPECT_DOUBLE_EQ(s.infill.density, 0.2);
-  EXPECT_DOUBLE_EQ(s.infill.angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(s.beading[0].inner_width_nm, 450'000);
+  EXPECT_EQ(s.infill[0].top_width_nm, 400'000);
+  EXPECT_EQ(s.beading[0].first_layer_width_nm, 700'000);
+  EXPECT_EQ(s.slicing.objects[0].elephant_foot_min_width_nm, 700'000 + 624'889);
+  EXPECT_EQ(s.infill[0].top_solid_layers, 3);
+  EXPECT_DOUBLE_EQ(s.infill[0].density, 0.2);
+  EXPECT_DOUBLE_EQ(s.infill[0].angle_rad, std::numbers::pi / 4);
   EXPECT_EQ(SpeedOf(s, Feature::kExternalPerimeter), 30);
   EXPECT_EQ(s.motion.limits.max_feedrate_mm_s[0], 500);
   EXPECT_EQ(s.motion.temperature_c, 200);
@@ -83,19 +84,19 @@ TEST(Resolve, ReadsThePeersProfile) {
   const ResolvedSettings resolved = ResolveOrDie(*given);
   const JobSettings& s = resolved.settings;
 
-  EXPECT_EQ(s.slicing.layer_height_nm, 200'000);
+  EXPECT_EQ(s.slicing.objects[0].layer_height_nm, 200'000);
   EXPECT_EQ(s.slicing.first_layer_height_nm, 200'000);
   EXPECT_EQ(PrintBedShape(s.slicing.bed), "0x0,250x0,250x210,0x210");
   EXPECT_EQ(s.slicing.max_print_height_nm, 210'000'000);
-  EXPECT_EQ(s.slicing.elephant_foot_nm, 0);
+  EXPECT_EQ(s.slicing.objects[0].elephant_foot_nm, 0);
   const BeadingOptions walls = {.perimeters = 3,
                                 .external_width_nm = 450'000,
                                 .inner_width_nm = 450'000,
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
-  EXPECT_EQ(s.beading, walls);
+  EXPECT_EQ(s.beading[0], walls);
   const InfillOptions infill = {.angle_rad = std::numbers::pi / 4};  // the rest is the model's
-  EXPECT_EQ(s.infill, infill);
+  EXPECT_EQ(s.infill[0], infill);
   EXPECT_EQ(s.ordering, OrderingOptions{});
 
   const MotionOptions& m = s.motion;
@@ -109,8 +110,8 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_FALSE(m.limits.emit_to_gcode);
   // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt and
   // support 60.
-  EXPECT_THAT(m.speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
-  EXPECT_EQ(m.small_perimeter_speed_mm_s, 40);
+  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
+  EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
   EXPECT_EQ(m.first_layer_speed_ratio, 1);
@@ -151,7 +152,7 @@ TEST(Resolve, TakesAWholeProfile) {
   // documentation.
   JobSettings ours = Job({});
   ours.motion.filament_density_g_cm3 = 0;
-  ours.infill.overlap_nm = 112'500;
+  ours.infill[0].overlap_nm = 112'500;
   ours.slicing.thumbnails_px.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
@@ -330,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(Resolve, LetsLaterSettingsWin) {
-  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading.perimeters, 4);
+  EXPECT_EQ(Job({{"perimeters", "2"}, {"perimeters", "4"}}).beading[0].perimeters, 4);
 }
 
 // The text is the settings: it resolves to them, and to itself.
@@ -399,7 +400,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"new_in_3_0", "1"}, {"layer_height", "0.2"}}, Source::kProfile));
   EXPECT_THAT(resolved.no_effect, ElementsAre("new_in_3_0 = 1: unknown"));
-  EXPECT_EQ(resolved.settings.slicing.layer_height_nm, 200'000);
+  EXPECT_EQ(resolved.settings.slicing.objects[0].layer_height_nm, 200'000);
 }
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
@@ -431,8 +432,8 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
       {{"fill_pattern", "gyroid"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
       Source::kProfile));
-  EXPECT_EQ(resolved.settings.infill.pattern, SparsePattern::kGrid);
-  EXPECT_EQ(resolved.settings.ordering.seam, SeamPosition::kNearest);
+  EXPECT_EQ(resolved.settings.infill[0].pattern, SparsePattern::kGrid);
+  EXPECT_EQ(resolved.settings.planning.objects[0].seam, SeamPosition::kNearest);
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("fill_pattern = gyroid: not supported yet: grid is used",
@@ -485,7 +486,7 @@ TEST(Resolve, ReportsRepetitionsWithinOneSourceOnly) {
 
 TEST(Resolve, WarnsOfADensityThatLacksItsPercentSign) {
   const ResolvedSettings resolved = ResolveOrDie(Settings({{"fill_density", "0.4"}}));
-  EXPECT_DOUBLE_EQ(resolved.settings.infill.density, 0.004);
+  EXPECT_DOUBLE_EQ(resolved.settings.infill[0].density, 0.004);
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("for 40% write the percent sign")));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "40"}})).warnings, IsEmpty());
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_density", "0.4%"}})).warnings, IsEmpty());

@@ -41,7 +41,14 @@ enum class List {
   kPerMode,      ///< normal and silent mode of the machine
 };
 
-/// Where a value lives in JobSettings.
+/// The narrowest place where a setting may be given; wider ones are fine as well.
+enum class Scope {
+  kJob,     ///< one value for all
+  kObject,  ///< an object may have its own
+  kRegion,  ///< so may a part, a modifier and a range of heights
+};
+
+/// Where a value lives in JobSettings: in the first row of its tables.
 struct Field {
   void (*set)(JobSettings&, const Value&) = nullptr;
   Value (*get)(const JobSettings&) = nullptr;
@@ -62,6 +69,7 @@ struct SettingSpec {
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
   List list = List::kNone;
+  Scope scope = Scope::kJob;
   Field field = {};  ///< none: it works through other settings only (derive.h)
   Field also = {};   ///< a second place for the same value
 };
@@ -113,7 +121,7 @@ Value Load(const T& member, double divisor) {
 
 /// The field that `member` names, which takes its type's own conversion: Coord from mm,
 /// enumerations by number.
-///     Bind([](auto& s) -> auto& { return s.slicing.layer_height_nm; })
+///     Bind([](auto& s) -> auto& { return s.slicing.objects[0].layer_height_nm; })
 template <Scale kScale = Scale::kSame, class Member>
 Field Bind(Member) {
   static_assert(std::is_empty_v<Member>, "the lambda must not capture");

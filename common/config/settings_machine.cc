@@ -108,6 +108,7 @@ std::vector<SettingSpec> Retraction() {
 
 std::vector<SettingSpec> Machine() {
   const auto flavor = [](GcodeFlavor f) { return static_cast<int>(f); };
+  const auto labels = [](ObjectLabels l) { return static_cast<int>(l); };
   constexpr std::string_view kAsMarlin = "not supported yet: marlin2 is used";
   return {
       {.key = "gcode_flavor",
@@ -162,6 +163,16 @@ std::vector<SettingSpec> Machine() {
        .standard = "0",
        .doc = "Tells the printer before each layer how much is done (M73)",
        .field = Bind([](auto& s) -> auto& { return s.motion.progress; })},
+      {.key = "gcode_label_objects",
+       .kind = Kind::kChoice,
+       .standard = "disabled",
+       .doc = "Whether the G-code says which copy it prints, so that a printer can give up one",
+       .choices = {{"disabled", labels(ObjectLabels::kNone)},
+                   {"octoprint", labels(ObjectLabels::kComments)},
+                   {"firmware", labels(ObjectLabels::kFirmware)},
+                   {"0", labels(ObjectLabels::kNone)},
+                   {"1", labels(ObjectLabels::kComments)}},
+       .field = Bind([](auto& s) -> auto& { return s.motion.labels; })},
       {.key = "printer_model",
        .kind = Kind::kText,
        .doc = "Name of the printer, for printer hosts",

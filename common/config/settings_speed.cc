@@ -8,7 +8,7 @@ constexpr double kMaxAcceleration = 1e6;
 
 template <Feature kFeature>
 Field SpeedOf() {
-  return Bind([](auto& s) -> auto& { return s.motion.speed_mm_s[static_cast<int>(kFeature)]; });
+  return Bind([](auto& s) -> auto& { return s.motion.speeds[0].speed_mm_s[static_cast<int>(kFeature)]; });
 }
 
 template <Feature kFeature>
@@ -77,7 +77,7 @@ std::vector<SettingSpec> Speeds() {
                     SpeedOf<Feature::kExternalPerimeter>()),
       RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
                     "Speed of loops of radius below 6.5 mm; 0: max_print_speed",
-                    Bind([](auto& s) -> auto& { return s.motion.small_perimeter_speed_mm_s; })),
+                    Bind([](auto& s) -> auto& { return s.motion.speeds[0].small_perimeter_speed_mm_s; })),
       Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
             SpeedOf<Feature::kInternalInfill>()),
       RelativeSpeed("solid_infill_speed", "20", "infill_speed",

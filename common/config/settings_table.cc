@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "common/config/setting_scope.h"
 #include "common/config/settings_sections.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
@@ -19,7 +20,10 @@ std::vector<SettingSpec> MakeTable() {
   std::vector<SettingSpec> table;
   for (const auto& section : {LayerSettings, WallSettings, InfillSettings, SpeedSettings,
                               FilamentSettings, MachineSettings}) {
-    for (SettingSpec& spec : section()) table.push_back(std::move(spec));
+    for (SettingSpec& spec : section()) {
+      spec.scope = ScopeOf(spec.key);
+      table.push_back(std::move(spec));
+    }
   }
   std::sort(table.begin(), table.end(),
             [](const SettingSpec& a, const SettingSpec& b) { return a.key < b.key; });

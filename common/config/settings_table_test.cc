@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ bool IsNumeric(const SettingSpec& spec) {
          spec.kind == Kind::kNumberOrPercent;
 }
 
+/// Old profiles have other names for the same value; the first one is printed.
+bool IsOtherSpelling(const Choice& choice, const SettingSpec& spec) {
+  return std::ranges::any_of(spec.choices, [&](const Choice& other) {
+    return &other < &choice && other.note.empty() && other.value == choice.value;
+  });
+}
+
 /// Values of the setting that differ from each other, as a config.ini writes them.
 std::vector<std::string> Samples(const SettingSpec& spec) {
   switch (spec.kind) {
@@ -29,7 +37,7 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
     case Kind::kChoice: {
       std::vector<std::string> names;
       for (const Choice& choice : spec.choices) {
-        if (choice.note.empty()) names.emplace_back(choice.name);
+        if (choice.note.empty() && !IsOtherSpelling(choice, spec)) names.emplace_back(choice.name);
       }
       return names;
     }

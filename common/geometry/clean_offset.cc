@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/arrangement.h"
 #include "common/geometry/by_island.h"
 #include "common/geometry/measure.h"
@@ -108,8 +109,8 @@ class RingOffset {
     if (straightness < 1e-9) return false;  // turns back on itself
     const bool closing = turn_sign_ * Cross(e.direction, f.direction) > 0;
     if (!closing && straightness < kSharpest) {
-      const double turn = std::acos(std::max(-1.0, straightness - 1));
-      const double reach = std::abs(left_) * std::tan(turn / 4);
+      const double turn = Acos(std::max(-1.0, straightness - 1));
+      const double reach = std::abs(left_) * Tan(turn / 4);
       e.end = corner + left_ * e.Normal() + reach * e.direction;
       f.start = corner + left_ * f.Normal() - reach * f.direction;
     } else {
@@ -216,7 +217,7 @@ Polygon SweptCurve(const Polygon& ring, double distance) {
       append(f.from, {});
       append(f.from, to_f);
     } else if (!convex && straightness < kSharpest) {
-      const double cut = distance * std::tan(std::acos(std::max(-1.0, cosine)) / 4);
+      const double cut = distance * Tan(Acos(std::max(-1.0, cosine)) / 4);
       append(f.from, to_e + cut * e.direction);
       append(f.from, to_f - cut * f.direction);
     } else {

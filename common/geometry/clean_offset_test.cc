@@ -7,8 +7,8 @@
 #include <random>
 
 #include "common/geometry/boolean.h"
+#include "common/geometry/clipper_oracle_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm {
@@ -20,9 +20,6 @@ MultiPolygon P(std::string_view text) {
   return polygons;
 }
 double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
-double Apart(const MultiPolygon& a, const MultiPolygon& b) {
-  return Mm2(Difference(a, b)) + Mm2(Difference(b, a));
-}
 
 TEST(CleanOffset, Squares) {
   const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
@@ -69,7 +66,7 @@ TEST(Erode, SplitsAndSwallows) {
   const auto eroded = TryErode(dumbbell[0], FromMm(0.7));
   ASSERT_TRUE(eroded.has_value());
   EXPECT_EQ(eroded->size(), 2u);
-  EXPECT_LT(Apart(*eroded, Offset(dumbbell, FromMm(-0.7))), 1e-5);
+  EXPECT_LT(Apart(*eroded, ClipperOffset(dumbbell, FromMm(-0.7))), 1e-5);
   // Far more than the inscribed circle: nothing, and no ghost of a ring turned inside out.
   for (const double mm : {2.3, 3.1, 5.3, 11.7})
     EXPECT_TRUE(FastOffset(dumbbell, FromMm(-mm)).empty()) << mm;
@@ -90,15 +87,16 @@ Polygon Blob(std::mt19937& random, bool fine) {
   return ring;
 }
 
-// The proof of the pudding: whatever the shape and the distance, the same region as Offset's.
-TEST(FastOffset, EqualsOffset) {
+// The proof of the pudding: whatever the shape and the distance, the same region as Clipper's.
+TEST(FastOffset, EqualsClippers) {
   std::mt19937 random(11);
   int eroded = 0, clean = 0;
   for (int i = 0; i < 200; ++i) {
     const MultiPolygon region =
         Union(std::vector<Polygon>{Blob(random, i % 3 == 0)}, FillRule::kPositive);
     for (const double mm : {-0.1, -0.4, -1.1, -2.3, -4.0, -9.0, 0.2, 0.7}) {
-      const MultiPolygon want = Offset(region, FromMm(mm)), got = FastOffset(region, FromMm(mm));
+      const MultiPolygon want = ClipperOffset(region, FromMm(mm)),
+                         got = FastOffset(region, FromMm(mm));
       double perimeter = 0;
       for (const Polygon& ring : Rings(want)) perimeter += Perimeter(ring) / kNmPerMm;
       EXPECT_LT(Apart(got, want), 1e-5 * (1 + perimeter)) << i << " " << mm;

@@ -35,9 +35,9 @@ void AppendRings(const MultiPolygon& polygons, ClipperLib::Paths& paths) {
   ForEachRing(polygons, [&](const Polygon& ring) { paths.push_back(ToPath(ring)); });
 }
 
-MultiPolygon FromTree(const ClipperLib::PolyTree& tree) {
+MultiPolygon FromTree(const ClipperLib::PolyNode& root) {
   MultiPolygon polygons;
-  AppendIslands(tree, polygons);
+  AppendIslands(root, polygons);
   Canonicalize(polygons);
   return polygons;
 }

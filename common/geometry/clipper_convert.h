@@ -12,7 +12,7 @@ ClipperLib::Path ToPath(const std::vector<Point>& points);
 std::vector<Point> FromPath(const ClipperLib::Path& path);
 void AppendRings(const MultiPolygon& polygons, ClipperLib::Paths& paths);
 
-/// Islands of a tree that Clipper filled, in canonical form.
-MultiPolygon FromTree(const ClipperLib::PolyTree& tree);
+/// Islands below a node of a tree that Clipper filled, in canonical form.
+MultiPolygon FromTree(const ClipperLib::PolyNode& root);
 
 }  // namespace slicefarm::internal

@@ -2,6 +2,7 @@
 
 #include "common/geometry/by_island.h"
 #include "common/geometry/clipper_convert.h"
+#include "common/geometry/offset_curve.h"
 
 namespace slicefarm {
 namespace {
@@ -32,23 +33,40 @@ ClipperLib::EndType ToClipper(Cap cap) {
   return ClipperLib::etOpenButt;
 }
 
-ClipperOffset MakeOffset(const OffsetOptions& options) {
-  return ClipperOffset(options.miter_limit, static_cast<double>(options.arc_tolerance_nm));
+/// What `curves` wind around a positive number of times.
+MultiPolygon Outside(const ClipperLib::Paths& curves) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(curves, ClipperLib::ptSubject, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+  return internal::FromTree(tree);
 }
 
-MultiPolygon Execute(ClipperOffset& offset, Coord distance_nm) {
+/// The same, as the holes of its complement in a frame: Clipper is the more robust there for curves
+/// of rings that shrink (as ClipperOffset does it).
+MultiPolygon Inside(const ClipperLib::Paths& curves) {
+  constexpr ClipperLib::cInt kMargin = 10;
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(curves, ClipperLib::ptSubject, true);
+  const ClipperLib::IntRect box = clipper.GetBounds();
+  const auto left = box.left - kMargin, right = box.right + kMargin;
+  const auto top = box.top - kMargin, bottom = box.bottom + kMargin;
+  const ClipperLib::Path frame = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+  clipper.AddPath(frame, ClipperLib::ptSubject, true);
+  clipper.ReverseSolution(true);
   ClipperLib::PolyTree tree;
-  offset.Execute(tree, static_cast<double>(distance_nm));
-  return internal::FromTree(tree);
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNegative, ClipperLib::pftNegative);
+  return tree.ChildCount() == 1 ? internal::FromTree(*tree.Childs[0]) : MultiPolygon();
 }
 
 MultiPolygon OffsetTogether(const MultiPolygon& polygons, Coord distance_nm,
                             const OffsetOptions& options) {
-  ClipperOffset offset = MakeOffset(options);
-  ClipperLib::Paths paths;
-  internal::AppendRings(polygons, paths);
-  offset.AddPaths(paths, ToClipper(options.join), ClipperLib::etClosedPolygon);
-  return Execute(offset, distance_nm);
+  ClipperLib::Paths curves;
+  ForEachRing(polygons, [&](const Polygon& ring) {
+    curves.push_back(
+        internal::ToPath(internal::OffsetCurve(ring, static_cast<double>(distance_nm), options)));
+  });
+  return distance_nm > 0 ? Outside(curves) : Inside(curves);
 }
 
 }  // namespace
@@ -68,10 +86,13 @@ MultiPolygon OffsetTwice(const MultiPolygon& polygons, Coord first_nm, Coord sec
 
 MultiPolygon OffsetLines(std::span<const Polyline> lines, Coord distance_nm, Cap cap,
                          const OffsetOptions& options) {
-  ClipperOffset offset = MakeOffset(options);
+  // ClipperOffset calls libm: not for an output path.
+  ClipperOffset offset(options.miter_limit, static_cast<double>(options.arc_tolerance_nm));
   for (const Polyline& line : lines)
     offset.AddPath(internal::ToPath(line), ToClipper(options.join), ToClipper(cap));
-  return Execute(offset, distance_nm);
+  ClipperLib::PolyTree tree;
+  offset.Execute(tree, static_cast<double>(distance_nm));
+  return internal::FromTree(tree);
 }
 
 }  // namespace slicefarm

@@ -32,6 +32,8 @@ struct BeadingOptions {
   Coord min_bead_width_nm = 340'000;        ///< min_bead_width
   Coord max_bead_width_nm = 800'000;        ///< max_bead_width
   bool lock_outer_width = false;            ///< lock_outer_width
+  /// Regions of an object that are equal in this get their walls together, as if they were one.
+  int32_t wall_class = 0;
 
   friend bool operator==(const BeadingOptions&, const BeadingOptions&) = default;
 };

@@ -18,6 +18,10 @@ LayerRange LayerRange::Grown(int32_t by, int32_t layer_count) const {
   return {std::max(0, first - by), std::min(layer_count, last + by)};
 }
 
+const MultiPolygon& OutlineOf(const ObjectSection& section) {
+  return section.regions.size() == 1 ? section.regions.front().outlines : section.whole;
+}
+
 void FeatureUse::Add(const FeatureUse& other) {
   time_s += other.time_s;
   length_mm += other.length_mm;

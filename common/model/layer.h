@@ -8,6 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/path.h"
+#include "common/model/region.h"
 
 namespace slicefarm {
 
@@ -15,12 +16,11 @@ namespace slicefarm {
 ///   SlicedLayer -> beading -> WalledLayer -> infill -> FilledLayer -> ordering -> OrderedLayer ->
 ///   motion -> LayerProgram
 
-/// Where a layer lies, and what all stages after the one that finds it out pass on.
+/// Where a layer lies.
 struct LayerFrame {
   int32_t index = 0;
   Coord print_z_nm = 0;  ///< height of the nozzle: the layer's top
-  Coord height_nm = 0;
-  int32_t plain_islands = 0;  ///< that got walls of constant width, as others could not be made
+  Coord height_nm = 0;   ///< from the top of the layer below
 
   friend bool operator==(const LayerFrame&, const LayerFrame&) = default;
 };
@@ -38,34 +38,66 @@ struct LayerRange {
   friend bool operator==(const LayerRange&, const LayerRange&) = default;
 };
 
-/// The section of one object (one copy) in one layer.
+/// The object of sections that lie in plate coordinates: what planning adds around all objects.
+inline constexpr int32_t kPlate = -1;
+
+/// The section of one object in one layer, around the object's own origin. Copies are not sections:
+/// ordering puts them in their places.
 struct ObjectSection {
   int32_t object = 0;
-  MultiPolygon outlines;
+  int32_t layer = 0;        ///< of the object's own layers: 0 is its lowest
+  int32_t layer_count = 1;  ///< how many layers the object has
+  Coord height_nm = 0;      ///< of this object's layer
+  std::vector<Region> regions;  ///< disjoint
+  /// The outlines of all regions together; empty where there is one region at most. See OutlineOf.
+  MultiPolygon whole;
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };
 
+/// What the section covers. Rings are numbered through: by island, outer ring before holes.
+const MultiPolygon& OutlineOf(const ObjectSection& section);
+
+/// One object has one region in each of its layers, and a section in each, be it empty.
 struct SlicedLayer {
   LayerFrame frame;
-  std::vector<ObjectSection> objects;  ///< by ascending object, those without outlines left out
+  std::vector<ObjectSection> sections;  ///< by ascending object; kPlate first
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };
 
-/// One island with its walls, and what is left for the infill: the region that the infill's beads
-/// may cover, edge to edge, less any overlap with the walls (which is the infill's option).
+/// What is left for the infill of one region: the area that the infill's beads may cover, edge to
+/// edge, less any overlap with the walls (which is the infill's option).
+struct FillArea {
+  Role role = Role::kPart;
+  int32_t settings = 0;
+  int32_t tool = 0;
+  MultiPolygon area;
+
+  friend bool operator==(const FillArea&, const FillArea&) = default;
+};
+
+/// One island with its walls.
 struct WalledIsland {
-  int32_t object = 0;
   std::vector<Path> walls;  ///< walls and gap fill, in no particular order
-  MultiPolygon fill_area;
+  std::vector<FillArea> fill_areas;
 
   friend bool operator==(const WalledIsland&, const WalledIsland&) = default;
 };
 
+struct WalledSection {
+  int32_t object = 0;
+  int32_t layer = 0;
+  Coord height_nm = 0;
+  std::vector<WalledIsland> islands;
+
+  friend bool operator==(const WalledSection&, const WalledSection&) = default;
+};
+
 struct WalledLayer {
   LayerFrame frame;
-  std::vector<WalledIsland> islands;
+  std::vector<WalledSection> sections;
+  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
 
   friend bool operator==(const WalledLayer&, const WalledLayer&) = default;
 };
@@ -79,34 +111,53 @@ struct FillGroup {
 };
 
 struct FilledIsland {
-  int32_t object = 0;
   std::vector<Path> walls;
   std::vector<FillGroup> fills;
 
   friend bool operator==(const FilledIsland&, const FilledIsland&) = default;
 };
 
+struct FilledSection {
+  int32_t object = 0;
+  int32_t layer = 0;
+  Coord height_nm = 0;
+  std::vector<FilledIsland> islands;
+
+  friend bool operator==(const FilledSection&, const FilledSection&) = default;
+};
+
 struct FilledLayer {
   LayerFrame frame;
-  std::vector<FilledIsland> islands;
+  std::vector<FilledSection> sections;
 
   friend bool operator==(const FilledLayer&, const FilledLayer&) = default;
 };
 
-/// What is decided for a layer from the outlines of the whole job, before the fan-out, so that
-/// layers are independent afterwards.
-struct LayerPlan {
-  Point entry;               ///< start the layer near here
-  std::vector<Point> seams;  ///< start each loop near one of these; empty: near the nozzle
+/// Paths of one object (or of the plate) in the order and direction of printing, around the
+/// object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
+struct PathBlock {
+  int32_t object = 0;
+  int32_t layer = 0;
+  Coord height_nm = 0;
+  std::vector<Path> paths;
 
-  friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
+  friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };
 
-/// Paths in the order and direction of printing. A closed path starts (and ends) at its first
-/// point.
+/// A copy of a block on the plate.
+struct BlockVisit {
+  int32_t block = 0;  ///< index into OrderedLayer::blocks
+  int32_t copy = -1;  ///< index into the job's copies; -1: of the plate
+  int32_t pass = 0;   ///< of the copy
+  Point shift;        ///< from the object's origin to the copy's place
+
+  friend bool operator==(const BlockVisit&, const BlockVisit&) = default;
+};
+
 struct OrderedLayer {
   LayerFrame frame;
-  std::vector<Path> paths;
+  std::vector<PathBlock> blocks;
+  std::vector<BlockVisit> visits;  ///< in the order of printing
 
   friend bool operator==(const OrderedLayer&, const OrderedLayer&) = default;
 };
@@ -138,10 +189,11 @@ struct ProgramStats {
   friend bool operator==(const ProgramStats&, const ProgramStats&) = default;
 };
 
-/// The G-code of one layer. It starts and ends in the canonical state: filament retracted, relative
+/// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament retracted, relative
 /// extrusion, absolute coordinates; so layers are joined by concatenation.
 struct LayerProgram {
   LayerFrame frame;
+  int32_t pass = 0;  ///< see Copy::pass
   std::string gcode;
   Point entry;  ///< of the first path; the program's first move goes there from anywhere
   Point exit;

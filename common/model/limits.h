@@ -12,6 +12,22 @@ inline constexpr int64_t kMaxTriangles = 20'000'000;
 inline constexpr int64_t kMaxMeshBytes = 2'000'000'000;
 inline constexpr int64_t kMaxAsciiLineBytes = 1024;
 inline constexpr int64_t kMaxFaceVertices = 1024;  ///< of one OBJ face
+// Of a project file (3MF), which is an archive of files:
+inline constexpr int64_t kMaxExpandedArchiveBytes = int64_t{2} << 30;
+inline constexpr int64_t kMaxCompressionRatio = 200;
+/// A file in the archive may be this large whatever its ratio: blanks compress a thousandfold.
+inline constexpr int64_t kFreeExpandedBytes = 1 << 20;
+inline constexpr int64_t kMaxArchiveEntries = 1'000;
+inline constexpr int64_t kMaxMetadataBytes = 16 << 20;  ///< of one file of settings in it
+inline constexpr int64_t kMaxXmlDepth = 64;
+inline constexpr int64_t kMaxXmlTagBytes = 1 << 20;
+inline constexpr int64_t kMaxComponentsDepth = 32;
+inline constexpr int64_t kMaxFileResources = 100'000;  ///< objects and components of all its models
+inline constexpr int64_t kMaxParts = 10'000;           ///< of all objects on the plates
+inline constexpr int64_t kMaxHeightRanges = 1'000;     ///< of one object
+inline constexpr int64_t kMaxProjectPlates = 1'000;
+inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< names and settings together
+inline constexpr double kMaxTransformEntry = 1e6;  ///< a scale, or mm: plates lie side by side
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
 inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
 inline constexpr int64_t kMaxLayers = 20'000;
@@ -19,6 +35,7 @@ inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 inline constexpr int64_t kMaxPointsPerMesh =
     200'000'000;                               ///< over all layers, before simplification
 inline constexpr int64_t kMaxObjects = 1'000;  ///< copies included
+inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int64_t kMaxLinesPerFill = 200'000;
 inline constexpr int32_t kMaxThumbnails = 8;

@@ -9,24 +9,13 @@
 
 namespace slicefarm {
 
-enum class MeshFormat { kUnknown, kStl, kObj };
+enum class MeshFormat { kUnknown, kStl, kObj, kPly, k3mf };
 
 /// The bytes of a mesh file as they came.
 struct MeshFile {
   std::string name;                          ///< what the user calls it; never used as a path
   MeshFormat format = MeshFormat::kUnknown;  ///< kUnknown: told from the content
   std::string bytes;
-};
-
-/// How an object comes to lie on the bed: units, then scale, then rotation about x, y, z in this
-/// order; the result drops onto z = 0 with the middle of its bounding box over each of `centers`.
-struct Placement {
-  double unit_mm = 1.0;                     ///< mm per unit of the file
-  std::array<double, 3> scale = {1, 1, 1};  ///< > 0
-  std::array<double, 3> rotate_deg = {0, 0, 0};
-  std::vector<Point> centers = {};  ///< one per copy; empty: one copy at the middle of the bed
-
-  friend bool operator==(const Placement&, const Placement&) = default;
 };
 
 struct Vertex {

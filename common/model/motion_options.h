@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/geometry/point.h"
 #include "common/model/path.h"
@@ -54,15 +55,29 @@ struct CoolingOptions {
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };
 
+/// How fast the beads of one region are printed.
+struct RegionSpeeds {
+  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80,
+                                                  20, 15, 60, 60, 60};  ///< by Feature
+  double small_perimeter_speed_mm_s = 15;  ///< small_perimeter_speed: loops of radius below 6.5 mm
+
+  friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;
+};
+
+/// gcode_label_objects: how the G-code says which copy it prints.
+enum class ObjectLabels : uint8_t {
+  kNone,      ///< disabled
+  kComments,  ///< octoprint
+  kFirmware,  ///< firmware: EXCLUDE_OBJECT_START, M486
+};
+
 struct MotionOptions {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< gcode_flavor
   MachineLimits limits;
   RetractionOptions retraction;
   CoolingOptions cooling;
 
-  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80,
-                                                  20, 15, 60, 60, 60};  ///< by Feature
-  double small_perimeter_speed_mm_s = 15;  ///< small_perimeter_speed: loops of radius below 6.5 mm
+  std::vector<RegionSpeeds> speeds = {{}};  ///< by region
   double travel_speed_mm_s = 130;          ///< travel_speed
   double travel_speed_z_mm_s = 0;          ///< travel_speed_z; 0: the machine's z limit
   double first_layer_speed_mm_s = 30;      ///< first_layer_speed; 0: as above
@@ -100,8 +115,7 @@ struct MotionOptions {
   std::string layer_gcode;         ///< layer_gcode
   /// The settings that these two name, as `key = value` lines.
   std::string layer_settings;
-  /// Layers of the whole job, which these two may name; 0: not known.
-  int32_t layer_count = 0;
+  ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

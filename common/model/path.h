@@ -27,20 +27,18 @@ inline constexpr int kFeatureCount = 10;
 /// "External perimeter", "Perimeter", ... as PrusaSlicer's previewers read them.
 std::string_view FeatureName(Feature feature);
 
-/// A bead to lay down: a line with a width at each point.
+/// A bead to lay down: a line with a width at each point, as high as its layer.
 /// Along an edge the width goes from one point's to the next one's; where two points in a row are
 /// equal it steps. INVARIANT: points.size() >= 2; widths_nm.size() is 1 (the same everywhere) or
 /// points.size().
 struct Path {
   Feature feature = Feature::kPerimeter;
-  int32_t object = 0;
+  int32_t settings = 0;    ///< index into the job's tables of region settings
   int32_t inset = 0;       ///< of walls: 0 is the outermost
+  int32_t ring = -1;       ///< of closed walls of inset 0: the outline's ring that it follows
   bool closed = false;     ///< the last point joins the first, which is not repeated
   bool reversible = true;  ///< may be printed backwards
-  int32_t tool = 0;
-  Coord height_nm = 0;    ///< 0: the layer's
-  double speed_mm_s = 0;  ///< 0: as the feature's setting says
-  double flow = 1;        ///< times the volume of the bead's section
+  int32_t tool = 0;        ///< 0: others are refused until tools exist
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
 

@@ -3,14 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "common/model/job_facts.h"
 #include "common/model/layer.h"
 #include "common/model/mesh.h"
 
 namespace slicefarm {
 
-/// What the frame of a finished program tells about a layer.
+/// What the frame of a finished program tells about a layer (of a pass).
 struct LayerSummary {
   LayerFrame frame;
+  int32_t pass = 0;
   Point entry;
   Point exit;
   double time_s = 0;
@@ -19,12 +21,20 @@ struct LayerSummary {
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };
 
+/// A copy of an object, for those who read G-code.
+struct CopySummary {
+  CopyName name;
+  Polygon footprint;  ///< convex hull on the plate
+
+  friend bool operator==(const CopySummary&, const CopySummary&) = default;
+};
+
 /// What motion needs to write what stands before and after the layers.
 struct ProgramSummary {
-  std::vector<LayerSummary> layers;
+  std::vector<LayerSummary> layers;  ///< in the order of printing: by pass, then bottom up
   ProgramStats total;  ///< sum over the layers
   std::vector<Thumbnail> thumbnails;
-  std::vector<std::string> object_names;
+  std::vector<CopySummary> copies;
   /// The effective settings, `key = value`, one a line: the tail of the file quotes them for those
   /// who read G-code.
   std::string settings_text;

@@ -1,18 +1,16 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "common/geometry/point.h"
 #include "common/model/mesh.h"
+#include "common/model/placement.h"
 #include "common/model/setting.h"
+#include "common/model/transform.h"
 
 namespace slicefarm {
-
-/// An affine map of millimetres to millimetres: a 3x3 matrix, and a shift in the last column.
-using Transform = Eigen::Matrix<double, 3, 4>;
 
 /// One of the meshes of a file, or some of its triangles. STL, OBJ and PLY files have one mesh.
 struct MeshRef {
@@ -59,6 +57,8 @@ struct Instance {
   bool printable = true;
   /// Whether to_plate's x and y say where it stands; else it is to be arranged.
   bool placed = true;
+  /// They say where the middle of the object's box stands, and not the object's origin.
+  bool by_middle = false;
 
   bool operator==(const Instance&) const = default;
 };
@@ -73,6 +73,11 @@ struct SceneObject {
 
   bool operator==(const SceneObject&) const = default;
 };
+
+/// An object of one part, the whole of a file with one mesh: a copy at each of the placement's
+/// centers, or `copies` (one at least) wherever there is room.
+SceneObject ObjectOfFile(const std::string& name, int32_t file, const Placement& placement,
+                         int32_t copies);
 
 /// One plate of a project, with indices into Project::objects.
 struct ProjectPlate {
@@ -90,10 +95,17 @@ struct ProjectPlate {
   bool operator==(const ProjectPlate&) const = default;
 };
 
+/// Whose names and values the settings of a project have.
+enum class SettingsDialect : uint8_t {
+  kPrusa,  ///< PrusaSlicer's own, and those of no slicer
+  kOrca,   ///< OrcaSlicer's and Bambu Studio's
+};
+
 /// What a project file (3MF) says besides its triangles. Settings are text as the file has them,
-/// under PrusaSlicer's names where there is one.
+/// under the names of its dialect.
 struct Project {
   std::string application;        ///< "PrusaSlicer-2.9.2", as the file says
+  SettingsDialect dialect = SettingsDialect::kPrusa;
   std::vector<Setting> settings;  ///< of the whole project
   std::vector<SceneObject> objects;
   std::vector<ProjectPlate> plates;  ///< empty: all objects lie on one

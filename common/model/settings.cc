@@ -5,12 +5,17 @@
 namespace slicefarm {
 
 int32_t HaloLayers(const JobSettings& settings) {
-  return std::max({settings.infill.top_solid_layers, settings.infill.bottom_solid_layers,
-                   BeadingHaloLayers(settings)});
+  int32_t halo = BeadingHaloLayers(settings);
+  for (const InfillOptions& infill : settings.infill)
+    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers});
+  return halo;
 }
 
 int32_t BeadingHaloLayers(const JobSettings& settings) {
-  return settings.beading.generator == WallGenerator::kArachne ? kBeadingHaloLayers : 0;
+  const bool arachne = std::ranges::any_of(settings.beading, [](const BeadingOptions& beading) {
+    return beading.generator == WallGenerator::kArachne;
+  });
+  return arachne ? kBeadingHaloLayers : 0;
 }
 
 }  // namespace slicefarm

@@ -1,26 +1,32 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "common/model/beading_options.h"
 #include "common/model/infill_options.h"
 #include "common/model/motion_options.h"
 #include "common/model/ordering_options.h"
+#include "common/model/planning_options.h"
 #include "common/model/slicing_options.h"
 
 namespace slicefarm {
 
 /// What a job is to be made with: one struct a stage, complete and validated (common/config does
-/// both at the edge).
+/// both at the edge). What regions have of their own stands in tables with a row for each: Region
+/// and Path name the row. INVARIANT: all tables of regions are equally long, and not empty.
 struct JobSettings {
   SlicingOptions slicing;
-  BeadingOptions beading;
-  InfillOptions infill;
+  PlanningOptions planning;
+  std::vector<BeadingOptions> beading = {{}};  ///< by region
+  std::vector<InfillOptions> infill = {{}};    ///< by region
   OrderingOptions ordering;
   MotionOptions motion;
 
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };
 
-/// Neighbours on each side that a layer's result depends on.
+/// How many of an object's own layers on each side a layer's result depends on.
 int32_t HaloLayers(const JobSettings& settings);
 
 /// Of those, how many the walls depend on.

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/model/job_facts.h"
+#include "common/model/job_plan.h"
 #include "common/model/layer.h"
 #include "common/model/mesh.h"
 #include "common/model/program_summary.h"
+#include "common/model/scene.h"
 #include "common/model/settings.h"
 #include "common/base/trace_context.h"
 
@@ -24,7 +28,7 @@ class SpanLog;
 /// All stages are pure: same input, same output; safe to call from many threads; safe to call
 /// again. Errors: what Reason lists; Cancelled as soon as `call.cancel` asks for it.
 
-/// Who is to be served where jobs share what there is.
+/// Tenant and priority, for fair sharing.
 struct Claimant {
   std::string tenant;
   int priority = 0;  ///< greater ones first, among the tenant's own
@@ -39,16 +43,78 @@ struct StageCall {
   SpanLog* spans = nullptr;  ///< notes what is done when, in this process; null: nobody asks
 };
 
+/// A part of an object as slicing sees it: its settings are rows of the job's tables by now.
+struct PartInput {
+  std::string name;
+  MeshRef mesh;
+  PartRole role = PartRole::kSolid;
+  Transform to_object = Transform::Identity();
+  /// Of solid parts: the row of the part's region; one for each of ObjectInput::ranges, then that
+  /// of all other heights.
+  std::vector<int32_t> regions = {0};
+  /// Of modifiers: what row a region has inside of it, where it has the first one outside.
+  std::map<int32_t, int32_t> changes = {};
+
+  bool operator==(const PartInput&) const = default;
+};
+
+/// Heights of an object, above its bottom, with a layer height of their own.
+struct RangeInput {
+  Coord from_nm = 0;
+  Coord to_nm = 0;
+  Coord layer_height_nm = 0;
+
+  friend bool operator==(const RangeInput&, const RangeInput&) = default;
+};
+
+/// Where a copy stands.
+struct CopyInput {
+  enum class Place : uint8_t {
+    kAnywhere,  ///< to be arranged; alone on the plate: in the middle of the bed
+    kMiddleAt,  ///< the middle of the object's box is over `at`
+    kOriginAt,  ///< the object's origin is over `at`
+  };
+  Place place = Place::kAnywhere;
+  Point at;
+
+  friend bool operator==(const CopyInput&, const CopyInput&) = default;
+};
+
+/// An object and its copies, which are all alike.
+struct ObjectInput {
+  std::string name;
+  std::vector<PartInput> parts;
+  std::vector<RangeInput> ranges;
+  std::vector<CopyInput> copies = {{}};
+  /// Put before each part's to_object. Afterwards the object is lowered or raised until it stands on
+  /// the bed.
+  Transform to_plate = Transform::Identity();
+  /// How far below the bed the object reaches, mm; what is below is not printed.
+  double sunk_mm = 0;
+
+  bool operator==(const ObjectInput&) const = default;
+};
+
 struct SliceInput {
   std::vector<MeshFile> files;
-  std::vector<Placement> placements;  ///< one a file
+  std::vector<ObjectInput> objects;
+};
+
+/// A copy as it stands on the plate.
+struct PlacedCopy {
+  int32_t object = 0;
+  Point shift;        ///< from the object's origin; whole micrometres
+  Polygon footprint;  ///< the object's convex hull at its place; no points: no area
+
+  friend bool operator==(const PlacedCopy&, const PlacedCopy&) = default;
 };
 
 /// Layers bottom up without gaps (a layer may be empty), and what was found on the way.
 struct SlicedJob {
   std::vector<SlicedLayer> layers;
-  std::vector<std::string> object_names;  ///< by object: copies count, and share their file's name
-  std::vector<MeshReport> meshes;         ///< one a file
+  std::vector<std::string> object_names;  ///< by object
+  std::vector<PlacedCopy> copies;         ///< by object, then as in the input
+  std::vector<MeshReport> meshes;         ///< one a part, by object
   std::vector<Thumbnail> thumbnails;
 };
 
@@ -60,47 +126,63 @@ class SlicingStage {
                                           const SlicingOptions& options) const = 0;
 };
 
+/// What planning looks at.
+struct SlicedOutlines {
+  std::span<const SlicedLayer> layers;
+  std::span<const PlacedCopy> copies;
+};
+
+class PlanningStage {
+ public:
+  virtual ~PlanningStage() = default;
+  virtual absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
+                                       const PlanningOptions& options) const = 0;
+};
+
 /// A stretch of consecutive layers of a job: the layers to work on and their halo.
 struct Neighbourhood {
   LayerRange range;                     ///< to work on
-  int32_t layer_count = 0;              ///< of the whole job: beyond it is air
-  std::span<const SlicedLayer> layers;  ///< range.Grown(halo, layer_count), in order
+  std::span<const SlicedLayer> layers;  ///< consecutive, the range among them
 };
 
-/// Results are in order, one for each layer of the range.
+/// Results are in order, one for each layer of the range. What stages are told of regions is by row
+/// of the job's tables.
 class BeadingStage {
  public:
   virtual ~BeadingStage() = default;
-  virtual absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
-                                                        const Neighbourhood& neighbourhood,
-                                                        const BeadingOptions& options) const = 0;
+  virtual absl::StatusOr<std::vector<WalledLayer>> Bead(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      std::span<const BeadingOptions> regions) const = 0;
 };
 
 class InfillStage {
  public:
   virtual ~InfillStage() = default;
   /// `walled`: the layers of neighbourhood.range.
-  virtual absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
-                                                        std::vector<WalledLayer> walled,
-                                                        const Neighbourhood& neighbourhood,
-                                                        const InfillOptions& options) const = 0;
+  virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
+      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
+      std::span<const InfillOptions> regions) const = 0;
 };
 
 class OrderingStage {
  public:
   virtual ~OrderingStage() = default;
-  /// `plans`: one a layer.
+  /// `plans`: one a layer. `copies`: of the whole job.
   virtual absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                           std::vector<FilledLayer> layers,
                                                           std::span<const LayerPlan> plans,
+                                                          std::span<const Copy> copies,
                                                           const OrderingOptions& options) const = 0;
 };
 
 class MotionStage {
  public:
   virtual ~MotionStage() = default;
+  /// By layer, then pass: a layer has a program for each pass that prints something in it, and one
+  /// at least.
   virtual absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                             std::vector<OrderedLayer> layers,
+                                                            const JobFacts& facts,
                                                             const MotionOptions& options) const = 0;
   virtual absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
                                              const MotionOptions& options) const = 0;
@@ -109,6 +191,7 @@ class MotionStage {
 /// What each stage took, in seconds of wall time as the caller sees it.
 struct StageTimes {
   double slicing_s = 0;
+  double planning_s = 0;
   double beading_s = 0;
   double infill_s = 0;
   double ordering_s = 0;
@@ -120,14 +203,24 @@ struct StageTimes {
 /// A range of a job, with everything its layers depend on.
 struct RangeTask {
   LayerRange range;
-  int32_t layer_count = 0;
   std::span<const SlicedLayer> layers;  ///< the range and its halo
   std::span<const LayerPlan> plans;     ///< one for each layer of the range
+  std::span<const Copy> copies;         ///< of the whole job
+  const JobFacts* facts = nullptr;
   const JobSettings* settings = nullptr;
+};
+
+/// What a stage could not do as it was asked to, in one layer.
+struct LayerWarning {
+  int32_t layer = 0;
+  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
+
+  friend bool operator==(const LayerWarning&, const LayerWarning&) = default;
 };
 
 struct RangeResult {
   std::vector<LayerProgram> programs;
+  std::vector<LayerWarning> warnings;
   StageTimes times;
 };
 

@@ -7,6 +7,7 @@
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/path_wire.h"
+#include "common/wire/region_wire.h"
 #include "common/wire/repeated_wire.h"
 
 namespace slicefarm {
@@ -14,45 +15,138 @@ namespace {
 
 bool IsHeight(Coord nm) { return 0 < nm && nm <= limits::kMaxCoord; }
 
-absl::Status CheckObject(int32_t object) {
-  if (0 <= object && object < limits::kMaxObjects) return absl::OkStatus();
-  return Malformed("object", "is not the index of an object");
+/// What all sections have in common.
+template <typename Section, typename Proto>
+void PlaceToProto(const Section& section, Proto* proto) {
+  proto->set_object(section.object);
+  proto->set_layer(section.layer);
+  proto->set_height_nm(section.height_nm);
+}
+
+template <typename Section, typename Proto>
+absl::StatusOr<Section> PlaceFromProto(const Proto& proto) {
+  absl::Status status = CheckSection(proto.object(), proto.layer(), proto.height_nm());
+  if (!status.ok()) return status;
+  Section section;
+  section.object = proto.object();
+  section.layer = proto.layer();
+  section.height_nm = proto.height_nm();
+  return section;
+}
+
+/// Walls and fills come in sections of islands.
+template <typename Section, typename Proto>
+absl::Status SectionToProto(const Section& section, Proto* proto) {
+  PlaceToProto(section, proto);
+  return AllToProto(section.islands, "islands", proto->mutable_islands());
+}
+
+template <typename Section, typename Proto>
+absl::StatusOr<Section> SectionFromProto(const Proto& proto) {
+  absl::StatusOr<Section> section = PlaceFromProto<Section>(proto);
+  if (!section.ok()) return section;
+  absl::Status status = AllFromProto(proto.islands(), "islands", &section->islands);
+  if (!status.ok()) return status;
+  return section;
+}
+
+/// Layers come as a frame and sections.
+template <typename Layer, typename Proto>
+absl::Status LayerToProto(const Layer& layer, Proto* proto) {
+  ToProto(layer.frame, proto->mutable_frame());
+  return AllToProto(layer.sections, "sections", proto->mutable_sections());
+}
+
+template <typename Layer, typename Proto>
+absl::StatusOr<Layer> LayerFromProto(const Proto& proto) {
+  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
+  if (!frame.ok()) return frame.status();
+  Layer layer;
+  layer.frame = *frame;
+  absl::Status status = AllFromProto(proto.sections(), "sections", &layer.sections);
+  if (!status.ok()) return status;
+  for (size_t i = 1; i < layer.sections.size(); ++i) {
+    if (layer.sections[i - 1].object >= layer.sections[i].object) {
+      return Malformed("sections", "their objects do not ascend");
+    }
+  }
+  return layer;
 }
 
 }  // namespace
 
+void ToProto(const LayerFrame& frame, v1::LayerFrame* proto) {
+  proto->set_index(frame.index);
+  proto->set_print_z_nm(frame.print_z_nm);
+  proto->set_height_nm(frame.height_nm);
+}
+
+absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto) {
+  if (proto.index() < 0 || proto.index() >= limits::kMaxLayers) {
+    return Malformed("frame.index", "is not the index of a layer");
+  }
+  if (!IsHeight(proto.print_z_nm())) return Malformed("frame.print_z_nm", "is not a height");
+  if (!IsHeight(proto.height_nm())) return Malformed("frame.height_nm", "is not a height");
+  return LayerFrame{proto.index(), proto.print_z_nm(), proto.height_nm()};
+}
+
+v1::LayerRange ToProto(LayerRange range) {
+  v1::LayerRange proto;
+  proto.set_first(range.first);
+  proto.set_last(range.last);
+  return proto;
+}
+
+absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto) {
+  if (proto.first() < 0 || proto.first() >= proto.last() || proto.last() > limits::kMaxLayers) {
+    return Malformed("range", fmt::format("[{}, {}) is no range of at most {} layers",
+                                          proto.first(), proto.last(), limits::kMaxLayers));
+  }
+  return LayerRange{proto.first(), proto.last()};
+}
+
 absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
-  proto->set_object(section.object);
-  return ToProto(section.outlines, proto->mutable_outlines());
+  PlaceToProto(section, proto);
+  proto->set_layer_count(section.layer_count);
+  absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
+  if (!status.ok() || section.whole.empty()) return status;
+  return ToProto(section.whole, proto->mutable_whole());
 }
 
 absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
-  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
-  absl::StatusOr<MultiPolygon> outlines = FromProto(proto.outlines());
-  if (!outlines.ok()) return Within("outlines", outlines.status());
-  return ObjectSection{proto.object(), *std::move(outlines)};
+  absl::StatusOr<ObjectSection> section = PlaceFromProto<ObjectSection>(proto);
+  if (!section.ok()) return section;
+  section->layer_count = proto.layer_count();
+  if (section->layer_count <= section->layer || section->layer_count > limits::kMaxLayers) {
+    return Malformed("layer_count", "is not how many layers an object has");
+  }
+  absl::Status status = AllFromProto(proto.regions(), "regions", &section->regions);
+  if (!status.ok()) return status;
+  absl::StatusOr<MultiPolygon> whole = FromProto(proto.whole());
+  if (!whole.ok()) return Within("whole", whole.status());
+  section->whole = *std::move(whole);
+  return section;
 }
 
 absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto) {
-  proto->set_object(island.object);
-  if (absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
-      !status.ok()) {
-    return status;
-  }
-  return ToProto(island.fill_area, proto->mutable_fill_area());
+  absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  if (!status.ok()) return status;
+  return AllToProto(island.fill_areas, "fill_areas", proto->mutable_fill_areas());
 }
 
 absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto) {
   WalledIsland island;
-  island.object = proto.object();
-  if (absl::Status status = CheckObject(island.object); !status.ok()) return status;
-  if (absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls); !status.ok()) {
-    return status;
-  }
-  absl::StatusOr<MultiPolygon> fill_area = FromProto(proto.fill_area());
-  if (!fill_area.ok()) return Within("fill_area", fill_area.status());
-  island.fill_area = *std::move(fill_area);
+  absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
+  status.Update(AllFromProto(proto.fill_areas(), "fill_areas", &island.fill_areas));
+  if (!status.ok()) return status;
   return island;
+}
+
+absl::Status ToProto(const WalledSection& section, v1::WalledSection* proto) {
+  return SectionToProto(section, proto);
+}
+absl::StatusOr<WalledSection> FromProto(const v1::WalledSection& proto) {
+  return SectionFromProto<WalledSection>(proto);
 }
 
 absl::Status ToProto(const FillGroup& group, v1::FillGroup* proto) {
@@ -63,157 +157,110 @@ absl::Status ToProto(const FillGroup& group, v1::FillGroup* proto) {
 absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto) {
   FillGroup group;
   group.keep_order = proto.keep_order();
-  if (absl::Status status = AllFromProto(proto.paths(), "paths", &group.paths); !status.ok()) {
-    return status;
-  }
+  absl::Status status = AllFromProto(proto.paths(), "paths", &group.paths);
+  if (!status.ok()) return status;
   return group;
 }
 
 absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto) {
-  proto->set_object(island.object);
-  if (absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
-      !status.ok()) {
-    return status;
-  }
+  absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  if (!status.ok()) return status;
   return AllToProto(island.fills, "fills", proto->mutable_fills());
 }
 
 absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto) {
   FilledIsland island;
-  island.object = proto.object();
-  if (absl::Status status = CheckObject(island.object); !status.ok()) return status;
-  if (absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls); !status.ok()) {
-    return status;
-  }
-  if (absl::Status status = AllFromProto(proto.fills(), "fills", &island.fills); !status.ok()) {
-    return status;
-  }
+  absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
+  status.Update(AllFromProto(proto.fills(), "fills", &island.fills));
+  if (!status.ok()) return status;
   return island;
 }
 
-void ToProto(const LayerFrame& frame, v1::LayerFrame* proto) {
-  proto->set_index(frame.index);
-  proto->set_print_z_nm(frame.print_z_nm);
-  proto->set_height_nm(frame.height_nm);
-  proto->set_plain_islands(frame.plain_islands);
+absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto) {
+  return SectionToProto(section, proto);
 }
-
-absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto) {
-  if (proto.index() < 0 || proto.index() >= limits::kMaxLayers) {
-    return Malformed("frame.index", "is not the index of a layer");
-  }
-  if (!IsHeight(proto.print_z_nm())) return Malformed("frame.print_z_nm", "is not a height");
-  if (!IsHeight(proto.height_nm())) return Malformed("frame.height_nm", "is not a height");
-  if (proto.plain_islands() < 0) return Malformed("frame.plain_islands", "is negative");
-  return LayerFrame{proto.index(), proto.print_z_nm(), proto.height_nm(), proto.plain_islands()};
-}
-
-v1::LayerRange ToProto(LayerRange range) {
-  v1::LayerRange proto;
-  proto.set_first(range.first);
-  proto.set_last(range.last);
-  return proto;
-}
-
-absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto, int32_t layer_count) {
-  if (layer_count < 1 || layer_count > limits::kMaxLayers) {
-    return Malformed("layer_count", fmt::format("is not in 1..{}", limits::kMaxLayers));
-  }
-  if (proto.first() < 0 || proto.first() >= proto.last() || proto.last() > layer_count) {
-    return Malformed("range", fmt::format("[{}, {}) is no range of {} layers", proto.first(),
-                                          proto.last(), layer_count));
-  }
-  return LayerRange{proto.first(), proto.last()};
+absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto) {
+  return SectionFromProto<FilledSection>(proto);
 }
 
 absl::Status ToProto(const SlicedLayer& layer, v1::SlicedLayer* proto) {
-  ToProto(layer.frame, proto->mutable_frame());
-  return AllToProto(layer.objects, "objects", proto->mutable_objects());
+  return LayerToProto(layer, proto);
 }
-
 absl::StatusOr<SlicedLayer> FromProto(const v1::SlicedLayer& proto) {
-  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
-  if (!frame.ok()) return frame.status();
-  SlicedLayer layer{*frame, {}};
-  if (absl::Status status = AllFromProto(proto.objects(), "objects", &layer.objects);
-      !status.ok()) {
-    return status;
-  }
-  for (size_t i = 1; i < layer.objects.size(); ++i) {
-    if (layer.objects[i - 1].object >= layer.objects[i].object) {
-      return Malformed("objects", "do not ascend");
-    }
-  }
-  return layer;
+  return LayerFromProto<SlicedLayer>(proto);
 }
 
 absl::Status ToProto(const WalledLayer& layer, v1::WalledLayer* proto) {
-  ToProto(layer.frame, proto->mutable_frame());
-  return AllToProto(layer.islands, "islands", proto->mutable_islands());
+  proto->set_plain_islands(layer.plain_islands);
+  return LayerToProto(layer, proto);
 }
-
 absl::StatusOr<WalledLayer> FromProto(const v1::WalledLayer& proto) {
-  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
-  if (!frame.ok()) return frame.status();
-  WalledLayer layer{*frame, {}};
-  if (absl::Status status = AllFromProto(proto.islands(), "islands", &layer.islands);
-      !status.ok()) {
-    return status;
-  }
+  absl::StatusOr<WalledLayer> layer = LayerFromProto<WalledLayer>(proto);
+  if (!layer.ok()) return layer;
+  layer->plain_islands = proto.plain_islands();
+  if (layer->plain_islands < 0) return Malformed("plain_islands", "is negative");
   return layer;
 }
 
 absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto) {
-  ToProto(layer.frame, proto->mutable_frame());
-  return AllToProto(layer.islands, "islands", proto->mutable_islands());
+  return LayerToProto(layer, proto);
+}
+absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto) {
+  return LayerFromProto<FilledLayer>(proto);
 }
 
-absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto) {
-  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
-  if (!frame.ok()) return frame.status();
-  FilledLayer layer{*frame, {}};
-  if (absl::Status status = AllFromProto(proto.islands(), "islands", &layer.islands);
-      !status.ok()) {
-    return status;
+absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
+  PlaceToProto(block, proto);
+  return AllToProto(block.paths, "paths", proto->mutable_paths());
+}
+
+absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
+  absl::StatusOr<PathBlock> block = PlaceFromProto<PathBlock>(proto);
+  if (!block.ok()) return block;
+  absl::Status status = AllFromProto(proto.paths(), "paths", &block->paths);
+  if (!status.ok()) return status;
+  return block;
+}
+
+absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto) {
+  proto->set_block(visit.block);
+  proto->set_copy(visit.copy);
+  proto->set_pass(visit.pass);
+  return ToProto(visit.shift, proto->mutable_shift());
+}
+
+absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto) {
+  if (proto.block() < 0) return Malformed("block", "is negative");
+  if (proto.copy() < -1 || proto.copy() >= limits::kMaxObjects) {
+    return Malformed("copy", "is not the index of a copy");
   }
-  return layer;
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  return BlockVisit{proto.block(), proto.copy(), proto.pass(), FromProto(proto.shift())};
 }
 
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto) {
   ToProto(layer.frame, proto->mutable_frame());
-  return AllToProto(layer.paths, "paths", proto->mutable_paths());
+  absl::Status status = AllToProto(layer.blocks, "blocks", proto->mutable_blocks());
+  if (!status.ok()) return status;
+  return AllToProto(layer.visits, "visits", proto->mutable_visits());
 }
 
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
-  OrderedLayer layer{*frame, {}};
-  if (absl::Status status = AllFromProto(proto.paths(), "paths", &layer.paths); !status.ok()) {
-    return status;
-  }
+  OrderedLayer layer{*frame, {}, {}};
+  absl::Status status = AllFromProto(proto.blocks(), "blocks", &layer.blocks);
+  status.Update(AllFromProto(proto.visits(), "visits", &layer.visits));
+  if (!status.ok()) return status;
   return layer;
 }
 
-absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
-  if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
-    return Within("entry", status);
-  }
-  return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
-}
-
-absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
-  absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
-  if (!seams.ok()) return seams.status();
-  return LayerPlan{FromProto(proto.entry()), *std::move(seams)};
-}
-
-absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range,
-                                int32_t layer_count) {
+absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range) {
   if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
   const LayerRange sent = RangeOf(layers);
-  if (sent.first > range.first || sent.last < range.last || sent.last > layer_count) {
-    return Malformed("layer", fmt::format("layers [{}, {}) do not surround the range in the job",
-                                          sent.first, sent.last));
+  if (sent.first > range.first || sent.last < range.last) {
+    return Malformed("layer", fmt::format("layers [{}, {}) do not surround the range", sent.first,
+                                          sent.last));
   }
   return absl::OkStatus();
 }

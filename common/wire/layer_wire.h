@@ -19,9 +19,8 @@ void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
 absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto);
 
 v1::LayerRange ToProto(LayerRange range);
-/// A range of a job of `layer_count` layers: 0 <= first < last <= layer_count <=
-/// limits::kMaxLayers.
-absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto, int32_t layer_count);
+/// A range of a job: 0 <= first < last <= limits::kMaxLayers.
+absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto);
 
 absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto);
 absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto);
@@ -32,6 +31,9 @@ absl::StatusOr<SlicedLayer> FromProto(const v1::SlicedLayer& proto);
 absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto);
 absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto);
 
+absl::Status ToProto(const WalledSection& section, v1::WalledSection* proto);
+absl::StatusOr<WalledSection> FromProto(const v1::WalledSection& proto);
+
 absl::Status ToProto(const WalledLayer& layer, v1::WalledLayer* proto);
 absl::StatusOr<WalledLayer> FromProto(const v1::WalledLayer& proto);
 
@@ -41,14 +43,20 @@ absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto);
 absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto);
 absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto);
 
+absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto);
+absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto);
+
 absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto);
 absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto);
 
+absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto);
+absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto);
+
+absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto);
+absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
+
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
-
-absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
-absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 
 /// The layers from the first to the last one. REQUIRES: CheckConsecutive.
 template <typename Layers>
@@ -89,10 +97,23 @@ absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
   return Malformed("layer", "not one for each layer of the range");
 }
 
-/// What a stage of a range needs: consecutive layers that contain the range and do not leave the
-/// job.
-absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range,
-                                int32_t layer_count);
+/// A program or more for each layer of the range, in order of layers, then passes.
+template <typename Programs>
+absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
+  int32_t next = range.first;
+  for (size_t i = 0; i < programs.size(); ++i) {
+    const int32_t index = programs[i].frame.index;
+    const bool same_layer = i > 0 && index == programs[i - 1].frame.index &&
+                            programs[i].pass > programs[i - 1].pass;
+    if (index != next && !same_layer) return Malformed("layer", "does not follow the one before");
+    if (!same_layer) ++next;
+  }
+  if (next == range.last) return absl::OkStatus();
+  return Malformed("layer", "not a program for each layer of the range");
+}
+
+/// What a stage of a range needs: consecutive layers that contain the range.
+absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -16,6 +16,8 @@ using google::protobuf::RepeatedField;
 static_assert(v1::MESH_FORMAT_UNSPECIFIED == static_cast<int>(MeshFormat::kUnknown));
 static_assert(v1::MESH_FORMAT_STL == static_cast<int>(MeshFormat::kStl));
 static_assert(v1::MESH_FORMAT_OBJ == static_cast<int>(MeshFormat::kObj));
+static_assert(v1::MESH_FORMAT_PLY == static_cast<int>(MeshFormat::kPly));
+static_assert(v1::MESH_FORMAT_3MF == static_cast<int>(MeshFormat::k3mf));
 
 bool AllFinite(const RepeatedField<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });

@@ -3,6 +3,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/mesh.h"
+#include "common/model/placement.h"
 #include "slicefarm/v1/mesh.pb.h"
 
 namespace slicefarm {

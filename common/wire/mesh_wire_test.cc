@@ -62,7 +62,8 @@ v1::Placement Proto(const Placement& placement) {
 }
 
 TEST(MeshWire, FormatsReturn) {
-  for (const MeshFormat format : {MeshFormat::kUnknown, MeshFormat::kStl, MeshFormat::kObj}) {
+  for (const MeshFormat format : {MeshFormat::kUnknown, MeshFormat::kStl, MeshFormat::kObj,
+                                  MeshFormat::kPly, MeshFormat::k3mf}) {
     EXPECT_EQ(*FromProto(ToProto(format)), format);
   }
   EXPECT_FALSE(FromProto(v1::MeshFormat(9)).ok());

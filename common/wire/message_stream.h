@@ -68,7 +68,7 @@ absl::StatusOr<std::vector<SlicedLayer>> ReadNeighbourhood(Stream& stream, const
     return AppendNext(FromProto(request.layer()), &layers);
   });
   status.Update(start.call.cancel.Check());
-  status.Update(CheckNeighbourhood(layers, start.range, start.layer_count));
+  status.Update(CheckNeighbourhood(layers, start.range));
   if (!status.ok()) return status;
   return layers;
 }

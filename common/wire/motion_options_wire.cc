@@ -5,6 +5,7 @@
 
 #include "common/wire/enum_wire.h"
 #include "common/wire/settings_check.h"
+#include "common/wire/settings_wire.h"
 #include "common/wire/wire_error.h"
 
 namespace slicefarm {
@@ -17,6 +18,10 @@ static_assert(v1::GCODE_FLAVOR_MARLIN2 == static_cast<int>(GcodeFlavor::kMarlin2
 static_assert(v1::GCODE_FLAVOR_MARLIN_LEGACY == static_cast<int>(GcodeFlavor::kMarlinLegacy) + 1);
 static_assert(v1::GCODE_FLAVOR_KLIPPER == static_cast<int>(GcodeFlavor::kKlipper) + 1);
 static_assert(v1::GcodeFlavor_MAX == kFlavors);
+static_assert(v1::OBJECT_LABELS_NONE == static_cast<int>(ObjectLabels::kNone) + 1);
+static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComments) + 1);
+static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
+static_assert(v1::ObjectLabels_MAX == v1::OBJECT_LABELS_FIRMWARE);
 
 template <size_t N>
 void Put(const std::array<double, N>& values, RepeatedField<double>* proto) {
@@ -36,8 +41,11 @@ absl::Status CheckSizes(const v1::MotionOptions& proto) {
     return Malformed("limits.max_acceleration_mm_s2", "not 4");
   }
   if (limits.max_jerk_mm_s_size() != 4) return Malformed("limits.max_jerk_mm_s", "not 4");
-  if (proto.speed_mm_s_size() != kFeatureCount) {
-    return Malformed("speed_mm_s", "not one for each feature");
+  if (absl::Status rows = CheckRows(proto.speeds_size(), "speeds"); !rows.ok()) return rows;
+  for (const v1::RegionSpeeds& region : proto.speeds()) {
+    if (absl::Status complete = CheckComplete(region); !complete.ok()) return complete;
+    if (region.speed_mm_s_size() != kFeatureCount)
+      return Malformed("speeds.speed_mm_s", "not one for each feature");
   }
   if (proto.acceleration_mm_s2_size() != kFeatureCount) {
     return Malformed("acceleration_mm_s2", "not one for each feature");
@@ -50,8 +58,9 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
   if (proto.filament_diameter_mm() <= 0) {
     return Malformed("filament_diameter_mm", "is not positive");
   }
-  if (std::ranges::any_of(proto.speed_mm_s(), [](double speed) { return speed < 0; })) {
-    return Malformed("speed_mm_s", "is negative");
+  for (const v1::RegionSpeeds& region : proto.speeds()) {
+    if (std::ranges::any_of(region.speed_mm_s(), [](double speed) { return !(speed >= 0); }))
+      return Malformed("speeds.speed_mm_s", "is negative");
   }
   const v1::CoolingOptions& cooling = proto.cooling();
   for (const int32_t percent :
@@ -142,8 +151,11 @@ CoolingOptions FromProto(const v1::CoolingOptions& proto) {
 }
 
 void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
-  Put(options.speed_mm_s, proto->mutable_speed_mm_s());
-  proto->set_small_perimeter_speed_mm_s(options.small_perimeter_speed_mm_s);
+  for (const RegionSpeeds& region : options.speeds) {
+    v1::RegionSpeeds* speeds = proto->add_speeds();
+    Put(region.speed_mm_s, speeds->mutable_speed_mm_s());
+    speeds->set_small_perimeter_speed_mm_s(region.small_perimeter_speed_mm_s);
+  }
   proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
   proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
   proto->set_first_layer_speed_mm_s(options.first_layer_speed_mm_s);
@@ -157,8 +169,12 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
 }
 
 void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
-  Take(proto.speed_mm_s(), &options->speed_mm_s);
-  options->small_perimeter_speed_mm_s = proto.small_perimeter_speed_mm_s();
+  options->speeds.clear();
+  for (const v1::RegionSpeeds& region : proto.speeds()) {
+    RegionSpeeds& speeds = options->speeds.emplace_back();
+    Take(region.speed_mm_s(), &speeds.speed_mm_s);
+    speeds.small_perimeter_speed_mm_s = region.small_perimeter_speed_mm_s();
+  }
   options->travel_speed_mm_s = proto.travel_speed_mm_s();
   options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();
   options->first_layer_speed_mm_s = proto.first_layer_speed_mm_s();
@@ -220,7 +236,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_before_layer_gcode(options.before_layer_gcode);
   proto.set_layer_gcode(options.layer_gcode);
   proto.set_layer_settings(options.layer_settings);
-  proto.set_layer_count(options.layer_count);
+  proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
   return proto;
 }
 
@@ -246,7 +262,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.before_layer_gcode = proto.before_layer_gcode();
   options.layer_gcode = proto.layer_gcode();
   options.layer_settings = proto.layer_settings();
-  options.layer_count = proto.layer_count();
+  options.labels = static_cast<ObjectLabels>(static_cast<int>(proto.labels()) - 1);
   return options;
 }
 

@@ -1,10 +1,8 @@
 #include "common/wire/path_wire.h"
 
-#include <cmath>
 #include <limits>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/wire_error.h"
@@ -37,16 +35,10 @@ absl::Status PackWidths(const std::vector<Coord>& widths_nm, v1::Path* proto) {
 }
 
 absl::Status CheckFields(const v1::Path& proto) {
-  if (proto.object() < 0) return Malformed("object", "is negative");
+  if (proto.settings() < 0) return Malformed("settings", "is negative");
   if (proto.inset() < 0) return Malformed("inset", "is negative");
+  if (proto.has_ring() && proto.ring() < 0) return Malformed("ring", "is negative");
   if (proto.tool() < 0) return Malformed("tool", "is negative");
-  if (proto.height_nm() < 0 || proto.height_nm() > limits::kMaxCoord) {
-    return Malformed("height_nm", "is not a height");
-  }
-  if (!std::isfinite(proto.speed_mm_s()) || proto.speed_mm_s() < 0) {
-    return Malformed("speed_mm_s", "is not a speed");
-  }
-  if (!std::isfinite(proto.flow()) || proto.flow() < 0) return Malformed("flow", "is not a ratio");
   const int points = proto.xy_nm_size() / 2;
   if (points < 2) return Malformed("xy_nm", "fewer than 2 points");
   if (proto.widths_nm_size() != 1 && proto.widths_nm_size() != points) {
@@ -65,14 +57,12 @@ absl::StatusOr<Feature> FromProto(v1::Feature proto) {
 
 absl::Status ToProto(const Path& path, v1::Path* proto) {
   proto->set_feature(ToProto(path.feature));
-  proto->set_object(path.object);
+  proto->set_settings(path.settings);
   proto->set_inset(path.inset);
   proto->set_closed(path.closed);
   proto->set_one_way(!path.reversible);
   proto->set_tool(path.tool);
-  proto->set_height_nm(path.height_nm);
-  proto->set_speed_mm_s(path.speed_mm_s);
-  if (path.flow != 1) proto->set_flow(path.flow);
+  if (path.ring >= 0) proto->set_ring(path.ring);
   if (absl::Status status = PackWidths(path.widths_nm, proto); !status.ok()) return status;
   return PackPoints(path.points, proto->mutable_xy_nm());
 }
@@ -86,14 +76,12 @@ absl::StatusOr<Path> FromProto(const v1::Path& proto) {
 
   Path path;
   path.feature = *feature;
-  path.object = proto.object();
+  path.settings = proto.settings();
   path.inset = proto.inset();
   path.closed = proto.closed();
   path.reversible = !proto.one_way();
   path.tool = proto.tool();
-  path.height_nm = proto.height_nm();
-  path.speed_mm_s = proto.speed_mm_s();
-  if (proto.has_flow()) path.flow = proto.flow();
+  if (proto.has_ring()) path.ring = proto.ring();
   path.points = *std::move(points);
   path.widths_nm.assign(proto.widths_nm().begin(), proto.widths_nm().end());
   return path;

@@ -10,6 +10,7 @@
 #include "common/wire/geometry_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/mesh_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/repeated_wire.h"
 
 namespace slicefarm {
@@ -45,6 +46,7 @@ absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
   ToProto(layer.frame, proto->mutable_frame());
   proto->set_time_s(layer.time_s);
   proto->set_empty(layer.empty);
+  proto->set_pass(layer.pass);
   if (absl::Status status = ToProto(layer.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -55,8 +57,9 @@ absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
   if (!IsAmount(proto.time_s())) return Malformed("time_s", "is not a time");
-  return LayerSummary{*frame, FromProto(proto.entry()), FromProto(proto.exit()), proto.time_s(),
-                      proto.empty()};
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  return LayerSummary{*frame, proto.pass(), FromProto(proto.entry()), FromProto(proto.exit()),
+                      proto.time_s(), proto.empty()};
 }
 
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
@@ -101,6 +104,7 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
 absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
   ToProto(program.frame, proto->mutable_frame());
   proto->set_gcode(std::move(program.gcode));
+  proto->set_pass(program.pass);
   if (absl::Status status = ToProto(program.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -115,8 +119,9 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
   if (!frame.ok()) return frame.status();
   absl::StatusOr<ProgramStats> stats = FromProto(proto.stats());
   if (!stats.ok()) return Within("stats", stats.status());
-  return LayerProgram{*frame, std::move(*proto.mutable_gcode()), FromProto(proto.entry()),
-                      FromProto(proto.exit()), *stats};
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  return LayerProgram{*frame, proto.pass(), std::move(*proto.mutable_gcode()),
+                      FromProto(proto.entry()), FromProto(proto.exit()), *stats};
 }
 
 v1::StageTimes ToProto(const StageTimes& times) {
@@ -126,16 +131,31 @@ v1::StageTimes ToProto(const StageTimes& times) {
   proto.set_infill_s(times.infill_s);
   proto.set_ordering_s(times.ordering_s);
   proto.set_motion_s(times.motion_s);
+  proto.set_planning_s(times.planning_s);
   return proto;
 }
 
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto) {
-  if (!AreAmounts({proto.slicing_s(), proto.beading_s(), proto.infill_s(), proto.ordering_s(),
+  if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(), proto.ordering_s(),
                    proto.motion_s()})) {
     return Malformed("times", "not all are times");
   }
-  return StageTimes{proto.slicing_s(), proto.beading_s(), proto.infill_s(), proto.ordering_s(),
-                    proto.motion_s()};
+  return StageTimes{proto.slicing_s(), proto.planning_s(), proto.beading_s(),
+                    proto.infill_s(),  proto.ordering_s(), proto.motion_s()};
+}
+
+v1::LayerWarning ToProto(const LayerWarning& warning) {
+  v1::LayerWarning proto;
+  proto.set_layer(warning.layer);
+  proto.set_plain_islands(warning.plain_islands);
+  return proto;
+}
+
+absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto) {
+  if (proto.layer() < 0 || proto.layer() >= limits::kMaxLayers || proto.plain_islands() < 0) {
+    return Malformed("warning", "is of no layer");
+  }
+  return LayerWarning{proto.layer(), proto.plain_islands()};
 }
 
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
@@ -149,7 +169,13 @@ absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
   for (const Thumbnail& thumbnail : summary.thumbnails) {
     *proto->add_thumbnails() = ToProto(thumbnail);
   }
-  proto->mutable_object_names()->Assign(summary.object_names.begin(), summary.object_names.end());
+  for (size_t i = 0; i < summary.copies.size(); ++i) {
+    v1::CopySummary* copy = proto->add_copies();
+    *copy->mutable_name() = ToProto(summary.copies[i].name);
+    absl::Status status =
+        PackPoints(summary.copies[i].footprint, copy->mutable_footprint_xy_nm());
+    if (!status.ok()) return Within("copies", i, status);
+  }
   proto->set_settings_text(summary.settings_text);
   return absl::OkStatus();
 }
@@ -169,7 +195,16 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
       !status.ok()) {
     return status;
   }
-  summary.object_names.assign(proto.object_names().begin(), proto.object_names().end());
+  if (proto.copies_size() > limits::kMaxObjects) {
+    return Malformed("copies", fmt::format("more than {}", limits::kMaxObjects));
+  }
+  for (int i = 0; i < proto.copies_size(); ++i) {
+    absl::StatusOr<CopyName> name = FromProto(proto.copies(i).name());
+    if (!name.ok()) return Within("copies", i, name.status());
+    auto footprint = UnpackPoints(proto.copies(i).footprint_xy_nm(), "footprint_xy_nm");
+    if (!footprint.ok()) return Within("copies", i, footprint.status());
+    summary.copies.push_back({*std::move(name), *std::move(footprint)});
+  }
   summary.settings_text = proto.settings_text();
   return summary;
 }

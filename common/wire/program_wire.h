@@ -24,6 +24,9 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto);
 absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto);
 absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto);
 
+v1::LayerWarning ToProto(const LayerWarning& warning);
+absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto);
+
 v1::StageTimes ToProto(const StageTimes& times);
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto);
 

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "common/base/build_info.h"
 #include "common/base/error.h"
@@ -43,8 +45,9 @@ ProgramStats DistinctStats() {
 
 LayerProgram DistinctProgram() {
   LayerProgram program;
-  auto& [frame, gcode, entry, exit, stats] = program;
+  auto& [frame, pass, gcode, entry, exit, stats] = program;
   frame = kFrame;
+  pass = 5;
   gcode = std::string("G1 X1\n\0\xff", 8);  // bytes, not text
   entry = {1, -2};
   exit = {-3, 4};
@@ -54,18 +57,23 @@ LayerProgram DistinctProgram() {
 
 ProgramSummary DistinctSummary() {
   ProgramSummary summary;
-  auto& [layers, total, thumbnails, names, settings_text] = summary;
+  auto& [layers, total, thumbnails, copies, settings_text] = summary;
   LayerSummary layer;
-  auto& [frame, entry, exit, time, empty] = layer;
+  auto& [frame, pass, entry, exit, time, empty] = layer;
   frame = kFrame;
+  pass = 7;
   entry = {1, 2};
   exit = {3, 4};
   time = 5;
   empty = true;
-  layers = {layer, {{4, 1'000'000, 200'000}, {}, {}, 6, false}};
+  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false}};
   total = DistinctStats();
   thumbnails = {{16, 17, "\x89PNG"}};
-  names = {"benchy", "benchy"};
+  CopySummary copy;
+  auto& [name, footprint] = copy;
+  name = {"benchy", 4, 1, 3};
+  footprint = {{1, 2}, {3, -4}, {5, 6}};
+  copies = {copy, {{"benchy", 4, 0, 2}, {}}};
   settings_text = "layer_height = 0.2\n";
   return summary;
 }
@@ -83,12 +91,13 @@ ProgramFrame DistinctFrame() {
 
 StageTimes DistinctTimes() {
   StageTimes times;
-  auto& [slicing, beading, infill, ordering, motion] = times;
+  auto& [slicing, planning, beading, infill, ordering, motion] = times;
   slicing = 1;
   beading = 2;
   infill = 3;
   ordering = 4;
   motion = 5;
+  planning = 6;
   return times;
 }
 
@@ -162,12 +171,14 @@ TEST(ProgramWire, TimesReturn) {
   EXPECT_EQ(proto.infill_s(), 3);
   EXPECT_EQ(proto.ordering_s(), 4);
   EXPECT_EQ(proto.motion_s(), 5);
+  EXPECT_EQ(proto.planning_s(), 6);
   ExpectEveryFieldReturns<v1::StageTimes, StageTimes>(
       proto, [](const StageTimes& times) { return ToProto(times); });
 }
 
 TEST(ProgramWire, EachMemberIsTheFieldOfItsName) {
   const auto program = ProtoOf<v1::LayerProgram>(DistinctProgram());
+  EXPECT_EQ(program.pass(), 5);
   EXPECT_EQ(program.entry().x_nm(), 1);
   EXPECT_EQ(program.entry().y_nm(), -2);
   EXPECT_EQ(program.exit().x_nm(), -3);
@@ -182,6 +193,11 @@ TEST(ProgramWire, EachMemberIsTheFieldOfItsName) {
   EXPECT_EQ(stats.retractions(), 204);
   EXPECT_EQ(stats.min().y_nm(), -206);
   EXPECT_EQ(stats.max().x_nm(), 207);
+  const auto summary = ProtoOf<v1::FrameRequest>(DistinctSummary());
+  EXPECT_EQ(summary.layers(0).pass(), 7);
+  EXPECT_EQ(summary.copies(0).name().object(), 4);
+  EXPECT_EQ(summary.copies(0).name().copy(), 1);
+  EXPECT_THAT(summary.copies(0).footprint_xy_nm(), testing::ElementsAre(1, 2, 3, -4, 5, 6));
   const v1::ProgramFrame frame = ToProto(DistinctFrame());
   EXPECT_EQ(frame.epilogue(), "end");
   EXPECT_EQ(frame.time_s(), 7);
@@ -208,6 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
     Programs, ProgramWireRefuses,
     testing::Values(
         Refused{"NoFrame", [](auto& p) { p.clear_frame(); }, "frame.print_z_nm"},
+        Refused{"NegativePass", [](auto& p) { p.set_pass(-1); }, "pass"},
         Refused{"NoStats", [](auto& p) { p.clear_stats(); }, "stats.features"},
         Refused{"ElevenFeatures", [](auto& p) { p.mutable_stats()->add_features(); },
                 "stats.features"},
@@ -225,6 +242,55 @@ TEST(ProgramWire, RefusesPointsBeyondTheWire) {
     (program.*point).y = Coord{1} << 31;
     v1::LayerProgram proto;
     EXPECT_EQ(DetailOf(ToProto(program, &proto)).reason, Reason::kOutOfRange);
+  }
+}
+
+TEST(ProgramWire, RefusesSummariesThatNoJobHas) {
+  const std::vector<std::pair<std::string, std::function<void(v1::FrameRequest&)>>> spoils = {
+      {"layers[1].pass", [](auto& f) { f.mutable_layers(1)->set_pass(-1); }},
+      {"layers[1].time_s", [](auto& f) { f.mutable_layers(1)->set_time_s(kNan); }},
+      {"copies[0].object", [](auto& f) { f.mutable_copies(0)->mutable_name()->set_object(-1); }},
+      {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->mutable_name()->set_copy(2); }},
+      {"copies[1].copy", [](auto& f) { f.mutable_copies(1)->clear_name(); }},
+      {"copies[0].footprint_xy_nm", [](auto& f) { f.mutable_copies(0)->add_footprint_xy_nm(1); }},
+      {"copies",
+       [](auto& f) {
+         while (f.copies_size() <= 1'000) *f.add_copies() = f.copies(0);
+       }},
+  };
+  for (const auto& [field, spoil] : spoils) {
+    auto proto = ProtoOf<v1::FrameRequest>(DistinctSummary());
+    spoil(proto);
+    const absl::Status status = FromProto(proto).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
+    EXPECT_EQ(DetailOf(status).metadata["field"], field) << status;
+  }
+}
+
+TEST(ProgramWire, RefusesFootprintsBeyondTheWire) {
+  ProgramSummary summary = DistinctSummary();
+  summary.copies[0].footprint[0].x = Coord{1} << 31;
+  v1::FrameRequest proto;
+  const absl::Status status = ToProto(summary, &proto);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "copies[0]");
+}
+
+TEST(LayerWarningWire, Returns) {
+  LayerWarning warning;
+  auto& [layer, plain_islands] = warning;
+  layer = 3;
+  plain_islands = 4;
+  const v1::LayerWarning proto = ToProto(warning);
+  EXPECT_EQ(proto.layer(), 3);
+  EXPECT_EQ(proto.plain_islands(), 4);
+  EXPECT_EQ(*FromProto(proto), warning);
+}
+
+TEST(LayerWarningWire, IsOfALayer) {
+  for (const LayerWarning& warning : {LayerWarning{-1, 1}, {20'000, 1}, {0, -1}}) {
+    const absl::Status status = FromProto(ToProto(warning)).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
   }
 }
 

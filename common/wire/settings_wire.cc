@@ -9,6 +9,7 @@
 #include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/repeated_wire.h"
 #include "common/wire/settings_check.h"
 #include "common/wire/wire_error.h"
 
@@ -71,18 +72,26 @@ absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
   return absl::OkStatus();
 }
 
-absl::Status Check(const v1::SlicingOptions& proto) {
+absl::Status Check(const v1::ObjectSlicingOptions& proto) {
   absl::Status status = CheckComplete(proto);
-  status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()},
-                               {"first_layer_height_nm", proto.first_layer_height_nm()}}));
-  status.Update(CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
-                                  {"max_gap_nm", proto.max_gap_nm()},
-                                  {"resolution_nm", proto.resolution_nm()},
-                                  {"max_print_height_nm", proto.max_print_height_nm()}}));
+  status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
+  status.Update(
+      CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()}}));
   status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
                               {"hole_compensation_nm", proto.hole_compensation_nm()},
                               {"elephant_foot_nm", proto.elephant_foot_nm()}},
                              -limits::kMaxCoord));
+  return status;
+}
+
+absl::Status Check(const v1::SlicingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"first_layer_height_nm", proto.first_layer_height_nm()}}));
+  status.Update(CheckNotNegative({{"max_gap_nm", proto.max_gap_nm()},
+                                  {"resolution_nm", proto.resolution_nm()},
+                                  {"max_print_height_nm", proto.max_print_height_nm()}}));
+  status.Update(CheckRows(proto.objects_size(), "objects"));
   if (proto.bed_xy_nm_size() < 6) status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
   status.Update(CheckThumbnails(proto));
   return status;
@@ -135,17 +144,42 @@ absl::Status Check(const v1::InfillOptions& proto) {
   return status;
 }
 
+v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
+  v1::ObjectSlicingOptions proto;
+  proto.set_layer_height_nm(options.layer_height_nm);
+  proto.set_fill_rule(EnumToProto<v1::FillRule>(options.fill_rule));
+  proto.set_closing_radius_nm(options.closing_radius_nm);
+  proto.set_xy_compensation_nm(options.xy_compensation_nm);
+  proto.set_hole_compensation_nm(options.hole_compensation_nm);
+  proto.set_elephant_foot_nm(options.elephant_foot_nm);
+  proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
+  return proto;
+}
+
+absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  ObjectSlicingOptions options;
+  options.layer_height_nm = proto.layer_height_nm();
+  options.fill_rule = Known<FillRule>(proto.fill_rule());
+  options.closing_radius_nm = proto.closing_radius_nm();
+  options.xy_compensation_nm = proto.xy_compensation_nm();
+  options.hole_compensation_nm = proto.hole_compensation_nm();
+  options.elephant_foot_nm = proto.elephant_foot_nm();
+  options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
+  return options;
+}
+
 }  // namespace
 
+absl::Status CheckRows(int rows, std::string_view field) {
+  if (rows < 1) return Malformed(field, "are missing");
+  if (rows <= limits::kMaxRegionSettings) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "rows of settings", limits::kMaxRegionSettings, rows);
+}
+
 absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
-  proto->set_layer_height_nm(options.layer_height_nm);
   proto->set_first_layer_height_nm(options.first_layer_height_nm);
-  proto->set_fill_rule(EnumToProto<v1::FillRule>(options.fill_rule));
-  proto->set_closing_radius_nm(options.closing_radius_nm);
   proto->set_max_gap_nm(options.max_gap_nm);
-  proto->set_xy_compensation_nm(options.xy_compensation_nm);
-  proto->set_hole_compensation_nm(options.hole_compensation_nm);
-  proto->set_elephant_foot_nm(options.elephant_foot_nm);
   proto->set_resolution_nm(options.resolution_nm);
   proto->set_max_print_height_nm(options.max_print_height_nm);
   for (const auto& [width, height] : options.thumbnails_px) {
@@ -153,6 +187,8 @@ absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
     size->set_width_px(width);
     size->set_height_px(height);
   }
+  for (const ObjectSlicingOptions& object : options.objects)
+    *proto->add_objects() = ToProto(object);
   const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
   return status.ok() ? status : Within("bed_xy_nm", status);
 }
@@ -162,20 +198,20 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
   absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
   if (!bed.ok()) return bed.status();
   SlicingOptions options;
-  options.layer_height_nm = proto.layer_height_nm();
   options.first_layer_height_nm = proto.first_layer_height_nm();
-  options.fill_rule = Known<FillRule>(proto.fill_rule());
-  options.closing_radius_nm = proto.closing_radius_nm();
   options.max_gap_nm = proto.max_gap_nm();
-  options.xy_compensation_nm = proto.xy_compensation_nm();
-  options.hole_compensation_nm = proto.hole_compensation_nm();
-  options.elephant_foot_nm = proto.elephant_foot_nm();
   options.resolution_nm = proto.resolution_nm();
   options.bed = *std::move(bed);
   options.max_print_height_nm = proto.max_print_height_nm();
   options.thumbnails_px.clear();
   for (const v1::ThumbnailSize& size : proto.thumbnails()) {
     options.thumbnails_px.push_back({size.width_px(), size.height_px()});
+  }
+  options.objects.clear();
+  for (int i = 0; i < proto.objects_size(); ++i) {
+    const auto object = ObjectFromProto(proto.objects(i));
+    if (!object.ok()) return Within("objects", i, object.status());
+    options.objects.push_back(*object);
   }
   return options;
 }
@@ -199,6 +235,7 @@ v1::BeadingOptions ToProto(const BeadingOptions& options) {
   proto.set_min_bead_width_nm(options.min_bead_width_nm);
   proto.set_max_bead_width_nm(options.max_bead_width_nm);
   proto.set_lock_outer_width(options.lock_outer_width);
+  proto.set_wall_class(options.wall_class);
   return proto;
 }
 
@@ -222,6 +259,7 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   options.min_bead_width_nm = proto.min_bead_width_nm();
   options.max_bead_width_nm = proto.max_bead_width_nm();
   options.lock_outer_width = proto.lock_outer_width();
+  options.wall_class = proto.wall_class();
   return options;
 }
 
@@ -264,31 +302,56 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   return options;
 }
 
+v1::PlanningOptions ToProto(const PlanningOptions& options) {
+  v1::PlanningOptions proto;
+  for (const ObjectPlanOptions& object : options.objects)
+    proto.add_objects()->set_seam(EnumToProto<v1::SeamPosition>(object.seam));
+  return proto;
+}
+
+absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckRows(proto.objects_size(), "objects"));
+  if (!status.ok()) return status;
+  PlanningOptions options;
+  options.objects.clear();
+  for (const v1::ObjectPlanOptions& object : proto.objects()) {
+    if (absl::Status complete = CheckComplete(object); !complete.ok()) return complete;
+    options.objects.push_back({Known<SeamPosition>(object.seam())});
+  }
+  return options;
+}
+
 v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
-  proto.set_seam(EnumToProto<v1::SeamPosition>(options.seam));
-  proto.set_external_perimeters_first(options.external_perimeters_first);
-  proto.set_inner_outer_inner(options.inner_outer_inner);
   proto.set_infill_first(options.infill_first);
   proto.set_improvement_moves(options.improvement_moves);
+  for (const WallOrder& order : options.walls) {
+    v1::WallOrder* walls = proto.add_walls();
+    walls->set_external_perimeters_first(order.external_perimeters_first);
+    walls->set_inner_outer_inner(order.inner_outer_inner);
+  }
   return proto;
 }
 
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
-  if (absl::Status status = CheckComplete(proto); !status.ok()) return status;
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckRows(proto.walls_size(), "walls"));
+  if (!status.ok()) return status;
   if (proto.improvement_moves() < 0) return Malformed("improvement_moves", "is negative");
   OrderingOptions options;
-  options.seam = Known<SeamPosition>(proto.seam());
-  options.external_perimeters_first = proto.external_perimeters_first();
-  options.inner_outer_inner = proto.inner_outer_inner();
   options.infill_first = proto.infill_first();
   options.improvement_moves = proto.improvement_moves();
+  options.walls.clear();
+  for (const v1::WallOrder& walls : proto.walls())
+    options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner()});
   return options;
 }
 
 absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
-  *proto->mutable_beading() = ToProto(settings.beading);
-  *proto->mutable_infill() = ToProto(settings.infill);
+  *proto->mutable_planning() = ToProto(settings.planning);
+  for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
+  for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
   *proto->mutable_ordering() = ToProto(settings.ordering);
   *proto->mutable_motion() = ToProto(settings.motion);
   const absl::Status status = ToProto(settings.slicing, proto->mutable_slicing());
@@ -298,15 +361,24 @@ absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
 absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto) {
   absl::StatusOr<SlicingOptions> slicing = FromProto(proto.slicing());
   if (!slicing.ok()) return Within("slicing", slicing.status());
-  absl::StatusOr<BeadingOptions> beading = FromProto(proto.beading());
-  if (!beading.ok()) return Within("beading", beading.status());
-  absl::StatusOr<InfillOptions> infill = FromProto(proto.infill());
-  if (!infill.ok()) return Within("infill", infill.status());
+  absl::StatusOr<PlanningOptions> planning = FromProto(proto.planning());
+  if (!planning.ok()) return Within("planning", planning.status());
   absl::StatusOr<OrderingOptions> ordering = FromProto(proto.ordering());
   if (!ordering.ok()) return Within("ordering", ordering.status());
   absl::StatusOr<MotionOptions> motion = FromProto(proto.motion());
   if (!motion.ok()) return Within("motion", motion.status());
-  return JobSettings{*std::move(slicing), *beading, *infill, *ordering, *std::move(motion)};
+  JobSettings settings{*std::move(slicing), *std::move(planning), {}, {},
+                       *std::move(ordering), *std::move(motion)};
+  absl::Status status = CheckRows(proto.beading_size(), "beading");
+  status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
+  status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
+  if (!status.ok()) return status;
+  const size_t rows = settings.beading.size();
+  if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
+      settings.motion.speeds.size() != rows) {
+    return Malformed("settings", "the tables of regions are not equally long");
+  }
+  return settings;
 }
 
 }  // namespace slicefarm

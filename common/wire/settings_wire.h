@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/settings.h"
@@ -20,11 +22,17 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
 v1::InfillOptions ToProto(const InfillOptions& options);
 absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto);
 
+v1::PlanningOptions ToProto(const PlanningOptions& options);
+absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto);
+
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 
 absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto);
 absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto);
+
+/// The number of rows of a table of regions, or of options by object.
+absl::Status CheckRows(int rows, std::string_view field);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -6,8 +6,10 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/mesh_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/repeated_wire.h"
 #include "common/wire/settings_wire.h"
+#include "common/wire/slice_object_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/wire_error.h"
 
@@ -17,7 +19,7 @@ namespace {
 /// Memory for a file that is merely announced; more comes with the bytes.
 constexpr int64_t kMaxReservedBytes = 64 << 20;
 
-absl::StatusOr<MeshFile> FileFromProto(const v1::SliceObject& proto) {
+absl::StatusOr<MeshFile> FileFromProto(const v1::SliceFile& proto) {
   const absl::StatusOr<MeshFormat> format = FromProto(proto.format());
   if (!format.ok()) return format.status();
   MeshFile file;
@@ -28,20 +30,23 @@ absl::StatusOr<MeshFile> FileFromProto(const v1::SliceObject& proto) {
 }
 
 absl::Status CheckSizes(const v1::SliceStart& start) {
-  if (start.objects_size() < 1) return Malformed("objects", "there are none");
+  if (start.files_size() < 1) return Malformed("files", "there are none");
+  if (start.files_size() > limits::kMaxObjects) {
+    return LimitError(Reason::kRequestTooLarge, "files", limits::kMaxObjects, start.files_size());
+  }
   if (start.objects_size() > limits::kMaxObjects) {
     return LimitError(Reason::kRequestTooLarge, "objects", limits::kMaxObjects,
                       start.objects_size());
   }
   int64_t left = limits::kMaxMeshBytes;
-  for (const v1::SliceObject& object : start.objects()) {
-    if (object.size_bytes() < 0) return Malformed("objects.size_bytes", "is negative");
-    if (object.size_bytes() > left) {
+  for (const v1::SliceFile& file : start.files()) {
+    if (file.size_bytes() < 0) return Malformed("files.size_bytes", "is negative");
+    if (file.size_bytes() > left) {
       const int64_t before = limits::kMaxMeshBytes - left;
       return LimitError(Reason::kMeshTooLarge, "bytes of meshes", limits::kMaxMeshBytes,
-                        before + std::min(object.size_bytes(), INT64_MAX - before));
+                        before + std::min(file.size_bytes(), INT64_MAX - before));
     }
-    left -= object.size_bytes();
+    left -= file.size_bytes();
   }
   return absl::OkStatus();
 }
@@ -54,17 +59,13 @@ absl::Status ToProto(const StageCall& call, const SliceInput& input, const Slici
   if (absl::Status status = ToProto(options, start->mutable_options()); !status.ok()) {
     return Within("options", status);
   }
-  for (size_t i = 0; i < input.files.size(); ++i) {
-    v1::SliceObject* object = start->add_objects();
-    object->set_name(input.files[i].name);
-    object->set_format(ToProto(input.files[i].format));
-    object->set_size_bytes(static_cast<int64_t>(input.files[i].bytes.size()));
-    if (absl::Status status = ToProto(input.placements[i], object->mutable_placement());
-        !status.ok()) {
-      return Within("objects", i, status);
-    }
+  for (const MeshFile& file : input.files) {
+    v1::SliceFile* proto = start->add_files();
+    proto->set_name(file.name);
+    proto->set_format(ToProto(file.format));
+    proto->set_size_bytes(static_cast<int64_t>(file.bytes.size()));
   }
-  return absl::OkStatus();
+  return AllToProto(input.objects, "objects", start->mutable_objects());
 }
 
 void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_view)>& send) {
@@ -80,16 +81,14 @@ void ForEachChunk(const SliceInput& input, const std::function<bool(std::string_
 absl::StatusOr<SliceInputReader> SliceInputReader::Begin(const v1::SliceStart& start) {
   if (absl::Status status = CheckSizes(start); !status.ok()) return status;
   SliceInputReader reader;
-  for (int i = 0; i < start.objects_size(); ++i) {
-    const v1::SliceObject& object = start.objects(i);
-    absl::StatusOr<MeshFile> file = FileFromProto(object);
-    if (!file.ok()) return Within("objects", i, file.status());
-    absl::StatusOr<Placement> placement = FromProto(object.placement());
-    if (!placement.ok()) return Within("objects", i, placement.status());
+  for (int i = 0; i < start.files_size(); ++i) {
+    absl::StatusOr<MeshFile> file = FileFromProto(start.files(i));
+    if (!file.ok()) return Within("files", i, file.status());
     reader.input_.files.push_back(*std::move(file));
-    reader.input_.placements.push_back(*std::move(placement));
-    reader.sizes_.push_back(static_cast<size_t>(object.size_bytes()));
+    reader.sizes_.push_back(static_cast<size_t>(start.files(i).size_bytes()));
   }
+  absl::Status status = AllFromProto(start.objects(), "objects", &reader.input_.objects);
+  if (!status.ok()) return status;
   return reader;
 }
 
@@ -124,13 +123,13 @@ absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto) {
   return SliceStart{*std::move(call), *std::move(options), *std::move(files)};
 }
 
-v1::SliceSummary ToProto(const SlicedJob& job) {
-  v1::SliceSummary proto;
+absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* summary) {
+  v1::SliceSummary& proto = *summary;
   proto.set_layer_count(static_cast<int32_t>(job.layers.size()));
   proto.mutable_object_names()->Assign(job.object_names.begin(), job.object_names.end());
   for (const MeshReport& mesh : job.meshes) *proto.add_meshes() = ToProto(mesh);
   for (const Thumbnail& thumbnail : job.thumbnails) *proto.add_thumbnails() = ToProto(thumbnail);
-  return proto;
+  return AllToProto(job.copies, "copies", proto.mutable_copies());
 }
 
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
@@ -142,6 +141,7 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
   job.object_names.assign(proto.object_names().begin(), proto.object_names().end());
   absl::Status status = AllFromProto(proto.meshes(), "meshes", &job.meshes);
   status.Update(AllFromProto(proto.thumbnails(), "thumbnails", &job.thumbnails));
+  status.Update(AllFromProto(proto.copies(), "copies", &job.copies));
   if (!status.ok()) return status;
   return job;
 }

@@ -14,7 +14,7 @@
 namespace slicefarm {
 
 /// The start of a stream. After it come the bytes of the files in chunks, in order; a chunk may
-/// hold the end of one file and the beginning of the next. REQUIRES: one placement a file.
+/// hold the end of one file and the beginning of the next.
 absl::Status ToProto(const StageCall& call, const SliceInput& input, const SlicingOptions& options,
                      v1::SliceStart* proto);
 
@@ -49,7 +49,7 @@ struct SliceStart {
 absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 
 /// All of a sliced job but its layers, which follow one by one.
-v1::SliceSummary ToProto(const SlicedJob& job);
+absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
 
 namespace v1 {

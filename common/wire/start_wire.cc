@@ -4,6 +4,7 @@
 
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/repeated_wire.h"
 #include "common/wire/settings_wire.h"
 #include "common/wire/stage_call_wire.h"
@@ -11,66 +12,108 @@
 namespace slicefarm {
 namespace {
 
-template <typename Options, typename Proto>
-void PutStart(const LayersStart<Options>& start, Proto* proto) {
-  *proto->mutable_call() = ToProto(start.call);
-  *proto->mutable_options() = ToProto(start.options);
-}
-
-template <typename Options, typename Proto>
-absl::StatusOr<LayersStart<Options>> TakeStart(const Proto& proto) {
+/// Call and options, which all starts but those of ranges have once.
+template <typename Start, typename Proto>
+absl::StatusOr<Start> TakeStart(const Proto& proto) {
+  Start start;
   absl::StatusOr<StageCall> call = FromProto(proto.call());
   if (!call.ok()) return call.status();
-  absl::StatusOr<Options> options = FromProto(proto.options());
+  start.call = *std::move(call);
+  auto options = FromProto(proto.options());
   if (!options.ok()) return Within("options", options.status());
-  return LayersStart<Options>{*std::move(call), *std::move(options)};
+  start.options = *std::move(options);
+  return start;
 }
 
-template <typename Options, typename Proto>
-void PutRangeStart(const RangeStart<Options>& start, Proto* proto) {
-  PutStart(start, proto);
+template <typename Start, typename Proto>
+absl::Status PutRangeStart(const Start& start, Proto* proto) {
+  *proto->mutable_call() = ToProto(start.call);
   *proto->mutable_range() = ToProto(start.range);
-  proto->set_layer_count(start.layer_count);
+  for (const auto& options : start.options) *proto->add_options() = ToProto(options);
+  return absl::OkStatus();
 }
 
-template <typename Options, typename Proto>
-absl::StatusOr<RangeStart<Options>> TakeRangeStart(const Proto& proto) {
-  absl::StatusOr<LayersStart<Options>> start = TakeStart<Options>(proto);
-  if (!start.ok()) return start.status();
-  const absl::StatusOr<LayerRange> range = FromProto(proto.range(), proto.layer_count());
+template <typename Start, typename Proto>
+absl::StatusOr<Start> TakeRangeStart(const Proto& proto) {
+  Start start;
+  absl::StatusOr<StageCall> call = FromProto(proto.call());
+  if (!call.ok()) return call.status();
+  start.call = *std::move(call);
+  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
   if (!range.ok()) return range.status();
-  return RangeStart<Options>{*std::move(start), *range, proto.layer_count()};
+  start.range = *range;
+  if (absl::Status rows = CheckRows(proto.options_size(), "options"); !rows.ok()) return rows;
+  absl::Status status = AllFromProto(proto.options(), "options", &start.options);
+  if (!status.ok()) return status;
+  return start;
 }
 
 }  // namespace
 
-void ToProto(const BeadStart& start, v1::BeadStart* proto) { PutRangeStart(start, proto); }
+absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto) {
+  return PutRangeStart(start, proto);
+}
 absl::StatusOr<BeadStart> FromProto(const v1::BeadStart& proto) {
-  return TakeRangeStart<BeadingOptions>(proto);
+  return TakeRangeStart<BeadStart>(proto);
 }
 
-void ToProto(const FillStart& start, v1::FillStart* proto) { PutRangeStart(start, proto); }
+absl::Status ToProto(const FillStart& start, v1::FillStart* proto) {
+  return PutRangeStart(start, proto);
+}
 absl::StatusOr<FillStart> FromProto(const v1::FillStart& proto) {
-  return TakeRangeStart<InfillOptions>(proto);
+  return TakeRangeStart<FillStart>(proto);
 }
 
-void ToProto(const OrderStart& start, v1::OrderStart* proto) { PutStart(start, proto); }
+absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
+  *proto->mutable_call() = ToProto(start.call);
+  *proto->mutable_options() = ToProto(start.options);
+  return AllToProto(start.copies, "copies", proto->mutable_copies());
+}
+absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto) {
+  absl::StatusOr<PlanStart> start = TakeStart<PlanStart>(proto);
+  if (!start.ok()) return start;
+  absl::Status status = AllFromProto(proto.copies(), "copies", &start->copies);
+  if (!status.ok()) return status;
+  return start;
+}
+
+absl::Status ToProto(const OrderStart& start, v1::OrderStart* proto) {
+  *proto->mutable_call() = ToProto(start.call);
+  *proto->mutable_options() = ToProto(start.options);
+  return AllToProto(start.copies, "copies", proto->mutable_copies());
+}
 absl::StatusOr<OrderStart> FromProto(const v1::OrderStart& proto) {
-  return TakeStart<OrderingOptions>(proto);
+  absl::StatusOr<OrderStart> start = TakeStart<OrderStart>(proto);
+  if (!start.ok()) return start;
+  absl::Status status = AllFromProto(proto.copies(), "copies", &start->copies);
+  if (!status.ok()) return status;
+  return start;
 }
 
-void ToProto(const ProgramStart& start, v1::ProgramStart* proto) { PutStart(start, proto); }
+absl::Status ToProto(const ProgramStart& start, v1::ProgramStart* proto) {
+  *proto->mutable_call() = ToProto(start.call);
+  *proto->mutable_options() = ToProto(start.options);
+  *proto->mutable_facts() = ToProto(start.facts);
+  return absl::OkStatus();
+}
 absl::StatusOr<ProgramStart> FromProto(const v1::ProgramStart& proto) {
-  return TakeStart<MotionOptions>(proto);
+  absl::StatusOr<ProgramStart> start = TakeStart<ProgramStart>(proto);
+  if (!start.ok()) return start;
+  absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
+  if (!facts.ok()) return Within("facts", facts.status());
+  start->facts = *std::move(facts);
+  return start;
 }
 
 absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
   *proto->mutable_range() = ToProto(start.range);
-  proto->set_layer_count(start.layer_count);
+  *proto->mutable_facts() = ToProto(start.facts);
   absl::Status status = ToProto(start.settings, proto->mutable_settings());
   if (!status.ok()) return Within("settings", status);
-  return AllToProto(start.plans, "plans", proto->mutable_plans());
+  status.Update(AllToProto(start.plans, "plans", proto->mutable_plans()));
+  status.Update(AllToProto(start.copies, "copies", proto->mutable_copies()));
+  return status;
 }
 
 absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
@@ -78,15 +121,17 @@ absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
   if (!call.ok()) return call.status();
   absl::StatusOr<JobSettings> settings = FromProto(proto.settings());
   if (!settings.ok()) return Within("settings", settings.status());
-  const absl::StatusOr<LayerRange> range = FromProto(proto.range(), proto.layer_count());
+  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
   if (!range.ok()) return range.status();
-  WorkStart start{*std::move(call), *std::move(settings), *range, proto.layer_count(), {}};
+  absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
+  if (!facts.ok()) return Within("facts", facts.status());
+  WorkStart start{*std::move(call), *std::move(settings), *range, {}, {}, *std::move(facts)};
   if (proto.plans_size() != range->size()) {
     return Malformed("plans", "not one for each layer of the range");
   }
-  if (absl::Status status = AllFromProto(proto.plans(), "plans", &start.plans); !status.ok()) {
-    return status;
-  }
+  absl::Status status = AllFromProto(proto.plans(), "plans", &start.plans);
+  status.Update(AllFromProto(proto.copies(), "copies", &start.copies));
+  if (!status.ok()) return status;
   return start;
 }
 

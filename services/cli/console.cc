@@ -16,9 +16,10 @@ std::string Advice(const absl::Status& status) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMalformed:
     case Reason::kSettingOutOfRange:
+    case Reason::kSettingMisplaced:
       return "`slicefarm settings` lists every setting with its range";
     case Reason::kMeshFormatUnknown:
-      return "give an STL (binary or ASCII) or an OBJ file";
+      return "give an STL (binary or ASCII), OBJ or PLY file";
     case Reason::kMeshTruncated:
       return "the file was cut off: export or download it again";
     case Reason::kOutOfRange:

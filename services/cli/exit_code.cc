@@ -11,6 +11,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kSettingUnknown:
     case Reason::kSettingMalformed:
     case Reason::kSettingOutOfRange:
+    case Reason::kSettingMisplaced:
       return ExitCode::kBadSettings;
     case Reason::kMeshFormatUnknown:
     case Reason::kMeshTruncated:
@@ -23,6 +24,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kOutOfRange:
     case Reason::kOutOfBuildVolume:
     case Reason::kNothingToPrint:
+    case Reason::kObjectsCollide:
       return ExitCode::kBadMesh;
     case Reason::kUnavailable:
     case Reason::kMeshReaderKilled:

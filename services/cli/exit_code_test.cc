@@ -21,6 +21,7 @@ TEST(ExitCodeOf, TellsScriptsWhatKindOfErrorItIs) {
       {Reason::kRequestMalformed, ExitCode::kUsage},
       {Reason::kSettingUnknown, ExitCode::kBadSettings},
       {Reason::kSettingOutOfRange, ExitCode::kBadSettings},
+      {Reason::kSettingMisplaced, ExitCode::kBadSettings},
       {Reason::kMeshTruncated, ExitCode::kBadMesh},
       {Reason::kMeshTooExpensive, ExitCode::kBadMesh},
       {Reason::kMeshReaderCrashed, ExitCode::kBadMesh},

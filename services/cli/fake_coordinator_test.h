@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -85,7 +86,8 @@ class FakeCoordinator : public v1::Meshes::Service,
   bool hold_watches = false;                      ///< they tell nothing until they are cancelled
   std::deque<grpc::Status> refused_gets;          ///< what GetJob answers first
   bool forget_completion = false;  ///< says of a whole mesh that its end is still to come
-  std::string mesh;
+  std::string mesh;                           ///< the one that is sent, or was last
+  std::map<std::string, std::string> meshes;  ///< whole ones, by digest
   std::vector<int64_t> upload_offsets;
   std::vector<int64_t> watch_sequences;
   std::vector<int64_t> download_offsets;
@@ -103,8 +105,9 @@ class FakeCoordinator : public v1::Meshes::Service,
   grpc::Status GetUpload(grpc::ServerContext*, const v1::GetUploadRequest* request,
                          v1::Upload* response) override {
     response->set_sha256(request->sha256());
-    response->set_committed_size(static_cast<int64_t>(mesh.size()));
-    response->set_complete(!forget_completion && Sha256Hex(mesh) == request->sha256());
+    const std::string& held = Held(request->sha256());
+    response->set_committed_size(static_cast<int64_t>(held.size()));
+    response->set_complete(!forget_completion && Sha256Hex(held) == request->sha256());
     return grpc::Status::OK;
   }
 
@@ -112,10 +115,13 @@ class FakeCoordinator : public v1::Meshes::Service,
                           v1::Upload* response) override {
     v1::UploadMeshRequest chunk;
     int64_t size = 0;
+    std::string digest;
     for (int i = 0; reader->Read(&chunk); ++i) {
       if (i == 0) {
         upload_offsets.push_back(chunk.write_offset());
         size = chunk.size();
+        digest = chunk.sha256();
+        mesh = std::string(Held(digest));
       }
       if (break_upload_after == i) {
         break_upload_after = -1;
@@ -123,6 +129,7 @@ class FakeCoordinator : public v1::Meshes::Service,
       }
       mesh += chunk.data();
     }
+    if (Sha256Hex(mesh) == digest) meshes[digest] = mesh;
     response->set_committed_size(static_cast<int64_t>(mesh.size()));
     response->set_complete(static_cast<int64_t>(mesh.size()) == size);
     return grpc::Status::OK;
@@ -212,6 +219,14 @@ class FakeCoordinator : public v1::Meshes::Service,
   }
 
  private:
+  /// What there is of a mesh: all of it, or what was sent last if that is not all of another.
+  const std::string& Held(const std::string& digest) const {
+    static const std::string kNothing;
+    const auto whole = meshes.find(digest);
+    if (whole != meshes.end()) return whole->second;
+    return meshes.contains(Sha256Hex(mesh)) ? kNothing : mesh;
+  }
+
   static grpc::Status Broken() { return {grpc::StatusCode::UNAVAILABLE, "the connection broke"}; }
 
   std::vector<v1::JobEvent> EventsAfter(const v1::WatchJobRequest& request) const {

@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
 #include "common/model/mesh.h"
+#include "common/model/scene.h"
 
 namespace slicefarm::cli {
 
@@ -18,12 +19,15 @@ struct SettingOptions {
 
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
-  std::string model;
+  std::vector<std::string> models;
+  std::vector<std::string> copies;       ///< MODEL=N
+  std::vector<std::string> object_sets;  ///< MODEL:key=value
   std::string units = "mm";
   std::string scale;  ///< S, or X,Y,Z
   double rotate_z_deg = 0;
   std::string rotate;                ///< X,Y,Z
   std::vector<std::string> centers;  ///< X,Y
+  bool arrange = false;              ///< excludes centers, without which it is what happens anyway
   std::string report;
   bool quiet = false;
 };
@@ -36,12 +40,25 @@ void AddJobOptions(CLI::App& app, JobOptions& options);
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
-/// Errors: REQUEST_MALFORMED naming the option.
-absl::StatusOr<Placement> GivenPlacement(const JobOptions& options);
+struct GivenObject {
+  std::string name;
+  int32_t file = 0;
+  Placement placement;
+  int32_t copies = 0;  ///< 0: one, or one at each of the placement's centers
+  std::vector<Setting> settings;
+};
 
-/// The model's bytes; its name is the file's without folders, as UTF-8 without control
-/// characters. Errors: REQUEST_MALFORMED,
-/// MESH_TOO_LARGE.
-absl::StatusOr<MeshFile> ReadModel(const JobOptions& options);
+/// The files of the models, and the objects that are made of them. A model that is named twice is
+/// one file.
+struct GivenModels {
+  std::vector<MeshFile> files;
+  std::vector<GivenObject> objects;
+};
+
+/// Reads the models; an object is named for its file without folders, as UTF-8 without control
+/// characters. Errors: REQUEST_MALFORMED naming the option or the file; MESH_TOO_LARGE.
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
+
+std::vector<SceneObject> SceneOf(const GivenModels& given);
 
 }  // namespace slicefarm::cli

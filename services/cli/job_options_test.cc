@@ -62,27 +62,49 @@ TEST(GivenSettings, AreUtf8) {
   EXPECT_EQ(DetailOf(settings.status()).metadata["setting"], "start_gcode");
 }
 
-TEST(ReadModel, MakesANameThatCanBePrinted) {
+/// Of a model.
+JobOptions WithModel() {
   JobOptions options;
-  options.model = TempFile("M\xfcll\ner \xc3\xa4.stl", "solid");
-  const auto model = ReadModel(options);
-  ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->name, "job_options_M?ll?er \xc3\xa4.stl");
+  options.models = {TempFile("cube.stl", "solid")};
+  return options;
 }
 
-TEST(GivenPlacement, IsTheModelAsItIsByDefault) {
-  const auto placement = GivenPlacement({});
-  ASSERT_TRUE(placement.ok());
+absl::StatusOr<Placement> PlacementOf(const JobOptions& options) {
+  const auto models = ReadModels(options);
+  if (!models.ok()) return models.status();
+  return models->objects.at(0).placement;
+}
+
+TEST(ReadModels, MakesANameThatCanBePrinted) {
+  JobOptions options;
+  options.models = {TempFile("M\xfcll\ner \xc3\xa4.stl", "solid")};
+  const auto models = ReadModels(options);
+  ASSERT_TRUE(models.ok()) << models.status();
+  EXPECT_EQ(models->files[0].name, "job_options_M?ll?er \xc3\xa4.stl");
+  EXPECT_EQ(models->objects[0].name, models->files[0].name);
+}
+
+TEST(ReadModels, TakesTheNameWithoutFolders) {
+  const auto models = ReadModels(WithModel());
+  ASSERT_TRUE(models.ok()) << models.status();
+  ASSERT_EQ(models->files.size(), 1);
+  EXPECT_EQ(models->files[0].name, "job_options_cube.stl");
+  EXPECT_EQ(models->files[0].bytes, "solid");
+}
+
+TEST(ReadModels, TakesTheModelAsItIsByDefault) {
+  const auto placement = PlacementOf(WithModel());
+  ASSERT_TRUE(placement.ok()) << placement.status();
   EXPECT_EQ(*placement, Placement{});
 }
 
-TEST(GivenPlacement, ReadsUnitsScaleRotationAndCenters) {
-  JobOptions options;
+TEST(ReadModels, ReadsUnitsScaleRotationAndCenters) {
+  JobOptions options = WithModel();
   options.units = "inch";
   options.scale = "2,1,0.5";
   options.rotate = "90, 0,-45";
   options.centers = {"50,60", "150,60.5"};
-  const auto placement = GivenPlacement(options);
+  const auto placement = PlacementOf(options);
   ASSERT_TRUE(placement.ok()) << placement.status();
   EXPECT_DOUBLE_EQ(placement->unit_mm, 25.4);
   EXPECT_THAT(placement->scale, ElementsAre(2, 1, 0.5));
@@ -90,40 +112,124 @@ TEST(GivenPlacement, ReadsUnitsScaleRotationAndCenters) {
   EXPECT_THAT(placement->centers,
               ElementsAre(Point{50'000'000, 60'000'000}, Point{150'000'000, 60'500'000}));
   options.scale = "1.5";
-  EXPECT_THAT(GivenPlacement(options)->scale, ElementsAre(1.5, 1.5, 1.5));
+  EXPECT_THAT(PlacementOf(options)->scale, ElementsAre(1.5, 1.5, 1.5));
 }
 
-TEST(GivenPlacement, RefusesNonsenseNamingTheOption) {
-  const auto refused = [](const std::string& option, JobOptions options) {
-    const auto placement = GivenPlacement(options);
-    ASSERT_FALSE(placement.ok()) << option;
-    EXPECT_EQ(DetailOf(placement.status()).reason, Reason::kRequestMalformed);
-    EXPECT_THAT(std::string(placement.status().message()), HasSubstr(option));
-  };
+void ExpectRefused(const JobOptions& options, const std::string& says) {
+  const auto models = ReadModels(options);
+  ASSERT_FALSE(models.ok()) << says;
+  EXPECT_EQ(DetailOf(models.status()).reason, Reason::kRequestMalformed);
+  EXPECT_THAT(std::string(models.status().message()), HasSubstr(says));
+}
+
+TEST(ReadModels, RefusesNonsenseNamingTheOption) {
   for (const char* scale : {"0", "-1", "a", "1,2", "1,2,3,4", "1,2,0", "nan"}) {
-    JobOptions options;
+    JobOptions options = WithModel();
     options.scale = scale;
-    refused("--scale", options);
+    ExpectRefused(options, "--scale");
   }
   for (const char* rotate : {"1", "1,2", "1,2,x", "1,,2"}) {
-    JobOptions options;
+    JobOptions options = WithModel();
     options.rotate = rotate;
-    refused("--rotate", options);
+    ExpectRefused(options, "--rotate");
   }
   for (const char* center : {"1", "1,2,3", "a,b", "1e9,0"}) {
-    JobOptions options;
+    JobOptions options = WithModel();
     options.centers = {center};
-    refused("--center", options);
+    ExpectRefused(options, "--center");
+  }
+  for (const char* copies : {"", "3", "job_options_cube.stl", "job_options_cube.stl=",
+                             "job_options_cube.stl=0", "job_options_cube.stl=-1",
+                             "job_options_cube.stl=1.5", "job_options_cube.stl=x",
+                             "job_options_cube.stl=1001", "other.stl=2"}) {
+    JobOptions options = WithModel();
+    options.copies = {copies};
+    ExpectRefused(options, "--copies");
+  }
+  for (const char* set : {"", "perimeters=2", "job_options_cube.stl", "job_options_cube.stl=2",
+                          "other.stl:perimeters=2"}) {
+    JobOptions options = WithModel();
+    options.object_sets = {set};
+    ExpectRefused(options, "--object-set");
   }
 }
 
-TEST(ReadModel, TakesTheNameWithoutFolders) {
+TEST(ReadModels, NamesTheFileThatIsNotThere) {
+  JobOptions options = WithModel();
+  options.models.push_back("/does/not/exist.stl");
+  ExpectRefused(options, "/does/not/exist.stl");
+}
+
+TEST(ReadModels, ReadsAFileOnceHoweverOftenItIsNamed) {
+  const std::string a = TempFile("a.stl", "solid a");
+  const std::string b = TempFile("b.stl", "solid b");
   JobOptions options;
-  options.model = TempFile("cube.stl", "solid");
-  const auto model = ReadModel(options);
-  ASSERT_TRUE(model.ok());
-  EXPECT_EQ(model->name, "job_options_cube.stl");
-  EXPECT_EQ(model->bytes, "solid");
+  options.models = {a, b, a};
+  const auto models = ReadModels(options);
+  ASSERT_TRUE(models.ok()) << models.status();
+  ASSERT_EQ(models->files.size(), 2);
+  EXPECT_EQ(models->files[1].bytes, "solid b");
+  ASSERT_EQ(models->objects.size(), 3);
+  EXPECT_EQ(models->objects[0].file, 0);
+  EXPECT_EQ(models->objects[1].file, 1);
+  EXPECT_EQ(models->objects[1].name, "job_options_b.stl");
+  EXPECT_EQ(models->objects[2].file, 0);
+}
+
+TEST(ReadModels, CopiesAndSettingsAreOfTheModelThatTheyName) {
+  const std::string a = TempFile("a.stl", "solid a");
+  const std::string b = TempFile("b.stl", "solid b");
+  JobOptions options;
+  options.models = {a, b};
+  options.copies = {"job_options_b.stl=3"};
+  options.object_sets = {a + ":fill_density=40%", "job_options_a.stl:perimeters=4",
+                         "job_options_b.stl:seam_position=rear"};
+  const auto models = ReadModels(options);
+  ASSERT_TRUE(models.ok()) << models.status();
+  EXPECT_EQ(models->objects[0].copies, 0);
+  EXPECT_THAT(models->objects[0].settings, ElementsAre(Setting{"fill_density", "40%"},
+                                                       Setting{"perimeters", "4"}));
+  EXPECT_EQ(models->objects[1].copies, 3);
+  EXPECT_THAT(models->objects[1].settings, ElementsAre(Setting{"seam_position", "rear"}));
+}
+
+TEST(ReadModels, APathMayHoldTheSeparators) {
+  const std::string odd = TempFile("odd=1:2.stl", "solid");
+  const std::string start = TempFile("odd", "solid");
+  JobOptions options;
+  options.models = {start, odd};
+  options.copies = {odd + "=2"};
+  options.object_sets = {odd + ":perimeters=4"};
+  const auto models = ReadModels(options);
+  ASSERT_TRUE(models.ok()) << models.status();
+  EXPECT_EQ(models->objects[0].copies, 0);
+  EXPECT_TRUE(models->objects[0].settings.empty());
+  EXPECT_EQ(models->objects[1].copies, 2);
+  EXPECT_THAT(models->objects[1].settings, ElementsAre(Setting{"perimeters", "4"}));
+}
+
+TEST(ReadModels, CopiesHaveNoPlaceThatIsGiven) {
+  JobOptions options = WithModel();
+  options.copies = {"job_options_cube.stl=2"};
+  options.centers = {"50,60"};
+  ExpectRefused(options, "--center");
+}
+
+TEST(SceneOf, HasAnInstanceForEachCopy) {
+  GivenModels given;
+  given.objects.resize(2);
+  given.objects[0] = {"a", 1, {}, 3, {{"perimeters", "4"}}};
+  given.objects[1].placement.centers = {{FromMm(50), FromMm(60)}, {FromMm(150), FromMm(60)}};
+  const std::vector<SceneObject> scene = SceneOf(given);
+  ASSERT_EQ(scene.size(), 2);
+  EXPECT_EQ(scene[0].name, "a");
+  EXPECT_EQ(scene[0].parts.at(0).mesh.file, 1);
+  EXPECT_THAT(scene[0].settings, ElementsAre(Setting{"perimeters", "4"}));
+  ASSERT_EQ(scene[0].instances.size(), 3);
+  EXPECT_FALSE(scene[0].instances[0].placed);
+  ASSERT_EQ(scene[1].instances.size(), 2);
+  EXPECT_TRUE(scene[1].instances[1].placed);
+  EXPECT_EQ(scene[1].instances[1].to_plate(0, 3), 150);
 }
 
 }  // namespace

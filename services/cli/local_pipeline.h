@@ -21,6 +21,7 @@ class LocalPipeline {
   // In this order: the pipeline refers to the stages and the dispatcher, whose threads run the
   // chain.
   std::unique_ptr<SlicingStage> slicing_;
+  std::unique_ptr<PlanningStage> planning_;
   std::unique_ptr<BeadingStage> beading_;
   std::unique_ptr<InfillStage> infill_;
   std::unique_ptr<OrderingStage> ordering_;

@@ -49,6 +49,11 @@ constexpr char kCube[] =
     "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
+/// A bar of 20 x 10 x 5 mm.
+constexpr char kBar[] =
+    "v 0 0 0\nv 20 0 0\nv 20 10 0\nv 0 10 0\nv 0 0 5\nv 20 0 5\nv 20 10 5\nv 0 10 5\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
 class Program : public testing::Test {
  protected:
   Program() { Put("cube.obj", kCube); }
@@ -210,6 +215,37 @@ TEST_F(Program, PlacesThePart) {
   EXPECT_THAT(mesh["max_mm"], testing::ElementsAre(60, 65, 10));
 }
 
+TEST_F(Program, SlicesAPlateOfSeveralModels) {
+  Put("bar.obj", kBar);
+  const Outcome outcome =
+      Slice({Path("bar.obj"), "--copies", "cube.obj=3", "--report", Path("r.json"), "--set",
+             "layer_height=0.2", "--set", "first_layer_height=0.2", "--set",
+             "gcode_label_objects=octoprint", "--object-set", "bar.obj:layer_height=0.1"});
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  const auto report = nlohmann::json::parse(Text("r.json"));
+  ASSERT_EQ(report["meshes"].size(), 2);
+  EXPECT_EQ(report["meshes"][0]["name"], "cube.obj");
+  EXPECT_EQ(report["meshes"][1]["name"], "bar.obj");
+  const std::string gcode = Text("out.gcode");
+  for (const char* label : {"; printing object cube.obj id:0 copy 0\n",
+                            "; printing object cube.obj id:0 copy 2\n",
+                            "; printing object bar.obj id:1 copy 0\n"})
+    EXPECT_THAT(gcode, HasSubstr(label));
+  EXPECT_THAT(gcode, Not(HasSubstr("id:0 copy 3\n")));
+  EXPECT_THAT(gcode, HasSubstr(";Z:5\n"));
+  EXPECT_THAT(gcode, HasSubstr(";Z:4.9\n")) << "a layer of the bar alone";
+  EXPECT_THAT(gcode, Not(HasSubstr(";Z:9.9\n"))) << "the cubes have none there";
+}
+
+TEST_F(Program, AModelThatIsNamedTwiceIsPrintedTwice) {
+  ASSERT_EQ(Slice({"--copies", "cube.obj=2"}).code, ExitCode::kOk);
+  const std::string copies = Text("out.gcode");
+  ASSERT_EQ(Slice({Path("cube.obj")}).code, ExitCode::kOk);
+  EXPECT_EQ(Text("out.gcode"), copies);
+  ASSERT_EQ(Slice().code, ExitCode::kOk);
+  EXPECT_NE(Text("out.gcode"), copies);
+}
+
 TEST_F(Program, TakesNegativeAngles) {
   EXPECT_EQ(Slice({"--rotate", "-90,0,0"}).code, ExitCode::kOk);
   EXPECT_EQ(Slice({"--rotate-z", "-45"}).code, ExitCode::kOk);
@@ -315,6 +351,28 @@ INSTANTIATE_TEST_SUITE_P(
                     {"slice", "@cube.obj", "-o", "@out.gcode", "--scale", "0"},
                     ExitCode::kUsage,
                     "--scale 0"},
+        FailureCase{"CopiesOfNoModel",
+                    {"slice", "@cube.obj", "-o", "@out.gcode", "--copies", "other.obj=2"},
+                    ExitCode::kUsage,
+                    "--copies other.obj=2"},
+        FailureCase{"CopiesAndCenter",
+                    {"slice", "@cube.obj", "-o", "@out.gcode", "--copies", "cube.obj=2", "--center",
+                     "50,50"},
+                    ExitCode::kUsage,
+                    "--copies and --center"},
+        FailureCase{"SettingOfAnUnknownModel",
+                    {"slice", "@cube.obj", "-o", "@out.gcode", "--object-set", "perimeters=2"},
+                    ExitCode::kUsage,
+                    "--object-set perimeters=2"},
+        FailureCase{"SettingOfTheJobForAnObject",
+                    {"slice", "@cube.obj", "-o", "@out.gcode", "--object-set",
+                     "cube.obj:temperature=210"},
+                    ExitCode::kBadSettings,
+                    "temperature"},
+        FailureCase{"SecondModelMissing",
+                    {"slice", "@cube.obj", "@none.stl", "-o", "@out.gcode"},
+                    ExitCode::kUsage,
+                    "none.stl: No such file"},
         FailureCase{"OutputFolderMissing",
                     {"slice", "@cube.obj", "-o", "@none/out.gcode"},
                     ExitCode::kOutputFailed,
@@ -426,6 +484,29 @@ TEST_F(Program, SubmitsAndFetches) {
   EXPECT_EQ(server.created.spec().settings(0).key(), "perimeters");
   EXPECT_EQ(server.created.spec().objects(0).name(), "cube.obj");
   EXPECT_EQ(server.created.labels().at("queue"), "night");
+}
+
+TEST_F(Program, SubmitsAPlateOfSeveralModels) {
+  Put("bar.obj", kBar);
+  FakeCoordinator server;
+  const Outcome outcome =
+      Run({"submit", Path("cube.obj"), Path("bar.obj"), Path("cube.obj"), "-o", Path("out.gcode"),
+           "--server", server.address(), "--copies", "bar.obj=4", "--object-set",
+           "bar.obj:perimeters=1"});
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  EXPECT_EQ(server.meshes.size(), 2) << "the same file is sent once";
+  const v1::JobSpec& spec = server.created.spec();
+  ASSERT_EQ(spec.objects_size(), 3);
+  EXPECT_EQ(spec.objects(0).mesh_sha256(), Sha256Hex(kCube));
+  EXPECT_EQ(spec.objects(0).settings_size(), 0);
+  EXPECT_EQ(spec.objects(1).mesh_sha256(), Sha256Hex(kBar));
+  EXPECT_EQ(spec.objects(1).name(), "bar.obj");
+  EXPECT_EQ(spec.objects(1).copies(), 4);
+  ASSERT_EQ(spec.objects(1).settings_size(), 1);
+  EXPECT_EQ(spec.objects(1).settings(0).key(), "perimeters");
+  EXPECT_EQ(spec.objects(1).settings(0).value(), "1");
+  EXPECT_EQ(spec.objects(2).mesh_sha256(), Sha256Hex(kCube));
+  EXPECT_EQ(spec.settings_size(), 0);
 }
 
 TEST_F(Program, PrintsTheJobWhenDetached) {

@@ -12,14 +12,17 @@
 #include "common/rpc/security/identity.h"
 #include "common/rpc/security/tls.h"
 #include "common/stage/layer_chain.h"
+#include "common/stage/object_layers.h"
+#include "common/stage/slice_input_test.h"
 #include "common/wire/layer_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/program_wire.h"
 #include "services/beading/algo/local_beading_stage.h"
-#include "services/coordinator/algo/pipeline/layer_plan.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
+#include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/corpus_file.h"
@@ -68,7 +71,8 @@ struct Job {
   SliceInput input;
   JobSettings settings;
   SlicedJob sliced;
-  std::vector<LayerPlan> plans;
+  JobPlan plan;
+  JobFacts facts;
   std::vector<WalledLayer> walled;
   std::vector<FilledLayer> filled;
   std::vector<OrderedLayer> ordered;
@@ -77,15 +81,21 @@ struct Job {
 
   int32_t layer_count() const { return static_cast<int32_t>(sliced.layers.size()); }
   LayerRange Halo(LayerRange range) const {
-    return range.Grown(HaloLayers(settings), layer_count());
+    return WithHalo(sliced.layers, range, HaloLayers(settings));
   }
   Neighbourhood Around(LayerRange range) const {
     const LayerRange halo = Halo(range);
-    return {range, layer_count(), std::span(sliced.layers).subspan(halo.first, halo.size())};
+    return {range, std::span(sliced.layers).subspan(halo.first, halo.size())};
   }
-  std::span<const LayerPlan> Plans(LayerRange range) const {
-    return std::span(plans).subspan(range.first, range.size());
+  RangeTask Task(LayerRange range) const {
+    return {.range = range,
+            .layers = Around(range).layers,
+            .plans = std::span(plan.layers).subspan(range.first, range.size()),
+            .copies = plan.copies,
+            .facts = &facts,
+            .settings = &settings};
   }
+  SlicedOutlines outlines() const { return {sliced.layers, sliced.copies}; }
 };
 
 /// Stages that have their answers ready: what is left of a call's cost is the hop's.
@@ -109,21 +119,23 @@ class CannedStages : public BeadingStage,
  public:
   explicit CannedStages(const Job& job) : job_(job) {}
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& n,
-                                                const BeadingOptions&) const override {
+                                                std::span<const BeadingOptions>) const override {
     return Part(job_.walled, n.range);
   }
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
                                                 const Neighbourhood& n,
-                                                const InfillOptions&) const override {
+                                                std::span<const InfillOptions>) const override {
     return Part(job_.filled, n.range);
   }
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan>,
+                                                  std::span<const Copy>,
                                                   const OrderingOptions&) const override {
     return Part(job_.ordered, RangeOf(layers));
   }
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&,
                                                     std::vector<OrderedLayer> layers,
+                                                    const JobFacts&,
                                                     const MotionOptions&) const override {
     return Part(job_.programs, RangeOf(layers));
   }
@@ -132,7 +144,7 @@ class CannedStages : public BeadingStage,
     return ProgramFrame{};
   }
   absl::StatusOr<RangeResult> Run(const StageCall&, const RangeTask& task) const override {
-    return RangeResult{Part(job_.programs, task.range), {}};
+    return RangeResult{Part(job_.programs, task.range), {}, {}};
   }
 
  private:
@@ -140,15 +152,18 @@ class CannedStages : public BeadingStage,
 };
 
 SliceInput Benchy() {
-  SliceInput input;
-  input.files = {{"benchy.stl", MeshFormat::kStl, CorpusFile("models/benchy.stl")}};
-  input.placements.resize(1);
-  return input;
+  return InputOf({{"benchy.stl", MeshFormat::kStl, CorpusFile("models/benchy.stl")}});
 }
 
-/// The job by the stages of this process, and what it costs.
-absl::StatusOr<Cost> Compute(Job* job) {
+/// What a job costs by the stages of this process.
+struct LocalCost {
+  Cost job;
+  Cost planning;  ///< of that
+};
+
+absl::StatusOr<LocalCost> Compute(Job* job) {
   const auto slicing = slicing::MakeLocalSlicing();
+  const auto planning = planning::MakeLocalPlanning();
   const auto beading = beading::MakeLocalBeading();
   const auto infill = infill::MakeLocalInfill();
   const auto ordering = ordering::MakeLocalOrdering();
@@ -159,18 +174,22 @@ absl::StatusOr<Cost> Compute(Job* job) {
     if (result.ok()) *value = *std::move(result);
   };
   const Cost cost = Measure([&] {
-    const SeamPosition seam = job->settings.ordering.seam;
     keep(slicing->Slice({}, job->input, job->settings.slicing), &job->sliced);
-    keep(coordinator::PlanLayers(job->sliced.layers, seam, {}), &job->plans);
+    keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan);
     const Neighbourhood all = job->Around({0, job->layer_count()});
     keep(beading->Bead({}, all, job->settings.beading), &job->walled);
     keep(infill->Fill({}, job->walled, all, job->settings.infill), &job->filled);
-    keep(ordering->Order({}, job->filled, job->plans, job->settings.ordering), &job->ordered);
-    keep(motion->Program({}, job->ordered, job->settings.motion), &job->programs);
+    keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
+                         job->settings.ordering),
+         &job->ordered);
+    job->facts = {job->layer_count(), {}};
+    keep(motion->Program({}, job->ordered, job->facts, job->settings.motion), &job->programs);
   });
+  const Cost plan = Measure(
+      [&] { keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan); });
   if (!status.ok()) return status;
   job->ranges = coordinator::SplitIntoRanges(job->sliced.layers, kSlots);
-  return cost;
+  return LocalCost{cost, plan};
 }
 
 template <typename Proto, typename Layer>
@@ -186,7 +205,8 @@ double Bytes(const std::vector<Layer>& layers) {
 
 /// Bytes of the layer messages there and back, all calls of a job together.
 struct Traffic {
-  double sliced = 0;  ///< outlines with the ranges' halos, once
+  double planned = 0;  ///< outlines to planning, and plans back
+  double sliced = 0;   ///< outlines with the ranges' halos, once
   double walled = 0;
   double filled = 0;
   double ordered = 0;
@@ -198,6 +218,8 @@ struct Traffic {
 
 Traffic Count(const Job& job) {
   Traffic traffic;
+  traffic.planned =
+      Bytes<v1::SlicedLayer>(job.sliced.layers) + Bytes<v1::LayerPlan>(job.plan.layers);
   for (const LayerRange range : job.ranges) {
     traffic.sliced += Bytes<v1::SlicedLayer>(Part(job.sliced.layers, job.Halo(range)));
   }
@@ -225,21 +247,19 @@ class Farm {
 
   /// Each returns false if a call failed.
   bool Slice() const { return remote_.slicing.Slice({}, job_.input, job_.settings.slicing).ok(); }
+  /// By the planning service as it is, which has its algorithm within it.
+  bool Plan() const {
+    return remote_.planning.Plan({}, job_.outlines(), job_.settings.planning).ok();
+  }
   bool Fused() const {
     return std::ranges::all_of(job_.ranges, [this](LayerRange range) {
-      const Neighbourhood n = job_.Around(range);
-      return remote_.worker
-          .Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
-          .ok();
+      return remote_.worker.Run({}, job_.Task(range)).ok();
     });
   }
   bool Split() const {
     const LayerChain chain(remote_.beading, remote_.infill, remote_.ordering, remote_.motion);
-    return std::ranges::all_of(job_.ranges, [&](LayerRange range) {
-      const Neighbourhood n = job_.Around(range);
-      return chain.Run({}, {range, n.layer_count, n.layers, job_.Plans(range), &job_.settings})
-          .ok();
-    });
+    return std::ranges::all_of(
+        job_.ranges, [&](LayerRange range) { return chain.Run({}, job_.Task(range)).ok(); });
   }
 
  private:
@@ -250,9 +270,10 @@ class Farm {
   const RemoteClients remote_;
 };
 
-void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing, double job_cpu_s,
+/// `once_cpu_s`: of the hops that a job makes once, to slicing and to planning.
+void Print(const char* way, double bytes, const Cost& hops, double once_cpu_s, double job_cpu_s,
            int32_t layers) {
-  const double transport_s = hops.cpu_s + slicing.cpu_s;
+  const double transport_s = hops.cpu_s + once_cpu_s;
   std::printf("%s_kbytes_per_layer %.2f\n", way, bytes / 1000 / layers);
   std::printf("%s_wall_ms_per_layer %.4f\n", way, hops.wall_s * 1000 / layers);
   std::printf("%s_cpu_ms_per_layer %.4f\n", way, hops.cpu_s * 1000 / layers);
@@ -261,11 +282,11 @@ void Print(const char* way, double bytes, const Cost& hops, const Cost& slicing,
 
 /// What the way between processes costs, on the benchy: bytes, time and CPU time per layer for
 /// fused workers (one hop) and for split stages (four), and their share of a job's CPU time, the
-/// hop of the mesh included.
+/// hops of the mesh and of the outlines to planning included.
 int Bench(const rpc::Tls* tls) {
   Job job;
   job.input = Benchy();
-  const absl::StatusOr<Cost> local = Compute(&job);
+  const absl::StatusOr<LocalCost> local = Compute(&job);
   if (!local.ok()) {
     std::fprintf(stderr, "%s\n", local.status().ToString().c_str());
     return 1;
@@ -273,14 +294,19 @@ int Bench(const rpc::Tls* tls) {
   const Farm farm(job, tls);
   bool sound = true;
   const Cost slicing = Measure([&] { sound &= farm.Slice(); });
+  const Cost planning = Measure([&] { sound &= farm.Plan(); });
+  const double planning_hop_s = std::max(0.0, planning.cpu_s - local->planning.cpu_s);
+  const double once_s = slicing.cpu_s + planning_hop_s;
   const Cost fused = Measure([&] { sound &= farm.Fused(); });
   const Cost split = Measure([&] { sound &= farm.Split(); });
   const Traffic traffic = Count(job);
   std::printf("layers %d\nranges %zu\n", job.layer_count(), job.ranges.size());
-  std::printf("job_cpu_s %.4f\n", local->cpu_s);
+  std::printf("job_cpu_s %.4f\n", local->job.cpu_s);
   std::printf("slicing_hop_cpu_s %.4f\n", slicing.cpu_s);
-  Print("fused", traffic.fused(), fused, slicing, local->cpu_s, job.layer_count());
-  Print("split", traffic.split(), split, slicing, local->cpu_s, job.layer_count());
+  std::printf("planning_hop_cpu_s %.4f\n", planning_hop_s);
+  std::printf("planning_kbytes_per_layer %.2f\n", traffic.planned / 1000 / job.layer_count());
+  Print("fused", traffic.fused(), fused, once_s, local->job.cpu_s, job.layer_count());
+  Print("split", traffic.split(), split, once_s, local->job.cpu_s, job.layer_count());
   return sound ? 0 : 1;
 }
 

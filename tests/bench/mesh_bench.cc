@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/sandbox/sandboxed_mesh_source.h"
@@ -67,14 +68,12 @@ bool MeasureFile(const std::string& name, const std::string& bytes) {
     const std::string prefix = name + (sandboxed ? "_sandboxed" : "_direct");
     const auto reader = source();
     sound &= Measure(prefix + "_read", bytes, [&](std::string file) {
-      return reader->Read(std::move(file), MeshFormat::kStl, 1e4, {}).ok();
+      return reader->Read(std::move(file), MeshFormat::kStl, 1e4, slicing::ReadDepth::kMeshes, {})
+          .ok();
     });
     const auto stage = slicing::MakeLocalSlicing(source());
     sound &= Measure(prefix + "_slice", bytes, [&](std::string file) {
-      SliceInput input;
-      input.files = {{name, MeshFormat::kStl, std::move(file)}};
-      input.placements.resize(1);
-      return stage->Slice({}, std::move(input), {}).ok();
+      return stage->Slice({}, InputOf({{name, MeshFormat::kStl, std::move(file)}}), {}).ok();
     });
   }
   return sound;

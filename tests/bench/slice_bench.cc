@@ -112,7 +112,7 @@ int BenchSlice() {
   bool sound = true;
   for (const bool on_planes : {false, true}) {
     const absl::StatusOr<IndexedMesh> mesh =
-        slicing::PlaceMesh(slicing::TorusMesh(Torus(on_planes)), {});
+        slicing::PlaceMesh(slicing::TorusMesh(Torus(on_planes)));
     if (!mesh.ok()) return 1;
     IndexedMesh placed = *mesh;
     // Placing drops the lowest ring to 0; it belongs on the first plane.

@@ -19,8 +19,7 @@ void Run(const BeadCall& given) {
   if (!start.ok()) return;
   const auto layers = ReadNeighbourhood<v1::BeadRequest>(requests, *start);
   if (!layers.ok()) return;
-  const auto walled =
-      stage->Bead(start->call, {start->range, start->layer_count, *layers}, start->options);
+  const auto walled = stage->Bead(start->call, {start->range, *layers}, start->options);
   if (!walled.ok()) return;
   for (const WalledLayer& layer : *walled) CheckRoundTrip(Encoded<v1::WalledLayer>(layer));
 }

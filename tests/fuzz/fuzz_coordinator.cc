@@ -9,6 +9,7 @@
 #include <string>
 
 #include "common/rpc/server/call_queue.h"
+#include "common/wire/mesh_wire.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
@@ -17,6 +18,7 @@
 #include "slicefarm/v1/profiles.grpc.pb.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"
+#include "tests/fuzz/stage_call.h"
 
 // Calls to the coordinator's public services, as they come off a wire, over real stores and stages
 // that take no time. No job runs: they wait, or are cancelled.
@@ -47,8 +49,8 @@ class Farm {
     options.stores.state_dir = directory_;
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
-    auto opened = coordinator::Coordinator::Open(options, slicing_, motion_, dispatcher_,
-                                                 rpc::JsonLog("fuzz"));
+    auto opened = coordinator::Coordinator::Open(options, {slicing_, planning_, motion_},
+                                                 dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
     // A real socket: gRPC's in-process transport hangs where a server refuses what a client still
@@ -124,6 +126,7 @@ class Farm {
 
   const std::string directory_ = NewDirectory();
   coordinator::FakeSlicing slicing_;
+  coordinator::FakePlanning planning_;
   coordinator::FakeMotion motion_;
   coordinator::Dispatcher dispatcher_;
   std::unique_ptr<coordinator::Coordinator> coordinator_;
@@ -150,6 +153,7 @@ void Farm::Upload(const fuzz::Upload& upload) {
 
 /// What was accepted is kept as it was sent first.
 void Farm::Create(const v1::CreateJobRequest& request) {
+  for (const v1::Object& object : request.spec().objects()) CheckRoundTrip(object.placement());
   v1::Job job;
   if (!Make(*jobs_, &v1::Jobs::Stub::CreateJob, request, &job) || request.validate_only()) return;
   if (!created_.insert(job.id()).second) return;

@@ -26,11 +26,11 @@ void Run(const FillCall& given) {
     return request.has_neighbour() ? AppendNext(FromProto(request.neighbour()), &neighbours)
                                    : AppendNext(FromProto(request.layer()), &walled);
   });
-  read.Update(CheckNeighbourhood(neighbours, start->range, start->layer_count));
+  read.Update(CheckNeighbourhood(neighbours, start->range));
   read.Update(CheckLayersOfRange(walled, start->range));
   if (!read.ok()) return;
-  const auto filled = stage->Fill(start->call, std::move(walled),
-                                  {start->range, start->layer_count, neighbours}, start->options);
+  const auto filled =
+      stage->Fill(start->call, std::move(walled), {start->range, neighbours}, start->options);
   if (!filled.ok()) return;
   for (const FilledLayer& layer : *filled) CheckRoundTrip(Encoded<v1::FilledLayer>(layer));
 }

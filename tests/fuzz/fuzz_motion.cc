@@ -28,7 +28,8 @@ void Program(const MotionCall& given) {
         return AppendNext(FromProto(request.layer()), &layers);
       });
   if (!read.ok()) return;
-  const auto programs = Stage().Program(start->call, std::move(layers), start->options);
+  const auto programs =
+      Stage().Program(start->call, std::move(layers), start->facts, start->options);
   if (!programs.ok()) return;
   for (const LayerProgram& program : *programs) {
     CheckGcode(program.gcode);

@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "tests/fuzz/calls.pb.h"
@@ -29,7 +30,8 @@ void Run(const OrderCall& given) {
         return appended;
       });
   if (!read.ok()) return;
-  const auto ordered = stage->Order(start->call, std::move(layers), plans, start->options);
+  const auto ordered =
+      stage->Order(start->call, std::move(layers), plans, start->copies, start->options);
   if (!ordered.ok()) return;
   for (const OrderedLayer& layer : *ordered) CheckRoundTrip(Encoded<v1::OrderedLayer>(layer));
 }

@@ -1,17 +1,14 @@
 #include <algorithm>
 
-#include "common/wire/mesh_wire.h"
 #include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/settings_wire.h"
+#include "common/wire/slice_object_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"
 #include "tests/fuzz/stage_call.h"
-
-namespace slicefarm::v1 {
-using slicefarm::FromProto;  // so that templates find it by the message's namespace
-}  // namespace slicefarm::v1
 
 namespace slicefarm::fuzz {
 namespace {
@@ -31,8 +28,7 @@ void Run(const SliceCall& given) {
   for (const v1::SliceRequest& request : given.requests()) {
     if (request.has_start() && !IsSmall(request.start())) return;
     CheckRoundTrip(request.start().options());
-    for (const v1::SliceObject& object : request.start().objects())
-      CheckRoundTrip(object.placement());
+    for (const v1::SliceObject& object : request.start().objects()) CheckRoundTrip(object);
   }
   auto start = ReadStart<v1::SliceRequest>(requests, WithDeadline());
   if (!start.ok()) return;
@@ -43,7 +39,8 @@ void Run(const SliceCall& given) {
   if (!input.ok()) return;
   const auto job = stage->Slice(start->call, *std::move(input), start->options);
   if (!job.ok()) return;
-  CheckRoundTrip(ToProto(*job));
+  CheckRoundTrip(Encoded<v1::SliceSummary>(*job));
+  for (const PlacedCopy& copy : job->copies) CheckRoundTrip(Encoded<v1::PlacedCopy>(copy));
   for (const SlicedLayer& layer : job->layers) CheckRoundTrip(Encoded<v1::SlicedLayer>(layer));
 }
 

@@ -28,13 +28,16 @@ void Run(const WorkCall& given) {
   if (!start.ok()) return;
   const auto layers = ReadNeighbourhood<v1::WorkRequest>(requests, *start);
   if (!layers.ok()) return;
-  const auto result = chain.Run(
-      start->call, {start->range, start->layer_count, *layers, start->plans, &start->settings});
+  const auto result =
+      chain.Run(start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
+                              &start->settings});
   if (!result.ok()) return;
   for (const LayerProgram& program : result->programs) {
     CheckGcode(program.gcode);
     CheckRoundTrip(Encoded<v1::LayerProgram>(program));
   }
+  for (const LayerWarning& warning : result->warnings)
+    CheckRoundTrip(Encoded<v1::LayerWarning>(warning));
 }
 
 }  // namespace

@@ -3,16 +3,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/config/resolve.h"
 #include "common/base/sha256.h"
+#include "common/config/plate.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/program_wire.h"
 #include "common/wire/settings_wire.h"
 #include "common/wire/slicing_wire.h"
@@ -21,6 +23,7 @@
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
+#include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/fuzz/calls.pb.h"
 
@@ -49,6 +52,9 @@ T Must(absl::StatusOr<T> value) {
   if (value.ok()) return *std::move(value);
   std::fprintf(stderr, "%s\n", value.status().ToString().c_str());
   std::abort();
+}
+void Must(const absl::Status& status) {
+  if (!status.ok()) Must<int>(status);
 }
 
 class Seeds {
@@ -142,95 +148,179 @@ void WriteCoordinatorSeeds(const Seeds& seeds) {
   seeds.Write("coordinator", "profiles", profiles);
 }
 
-/// Each stage's call, with what the stage before it gave.
-void WriteStageSeeds(const Seeds& seeds) {
-  std::vector<config::Setting> given;
-  for (const auto& [key, value] : kSettings) given.push_back({key, value});
-  JobSettings settings = Must(config::Resolve(given)).settings;
-  settings.slicing.thumbnails_px = {{16, 16}};
+/// A job on its way.
+struct Job {
+  JobSettings settings;
   StageCall call;
-  call.job_id = "seed";
-
   SliceInput input;
-  input.files.push_back({"box.obj", MeshFormat::kObj, std::string(kBox)});
-  input.placements.resize(1);
+  SlicedJob sliced;
+  JobPlan plan;
+  JobFacts facts;
+  LayerRange range;  ///< with neighbours on both sides
+
+  Neighbourhood neighbourhood() const { return {range, sliced.layers}; }
+  std::vector<LayerPlan> plans() const {
+    return {plan.layers.begin() + range.first, plan.layers.begin() + range.last};
+  }
+};
+
+std::vector<Setting> Given(std::span<const std::pair<const char*, const char*>> settings) {
+  std::vector<Setting> given;
+  for (const auto& [key, value] : settings) given.push_back({key, value});
+  return given;
+}
+
+SceneObject Box() { return ObjectOfFile("box.obj", 0, {}, 1); }
+
+/// Two copies of a box with settings of its own low down, and others in one corner.
+SceneObject BoxesWithModifier() {
+  constexpr std::pair<const char*, const char*> kInside[] = {{"fill_density", "100%"},
+                                                             {"perimeters", "2"}};
+  SceneObject object = ObjectOfFile("box.obj", 0, {}, 2);
+  Part modifier = object.parts[0];
+  modifier.name = "corner";
+  modifier.role = PartRole::kModifier;
+  modifier.to_object *= 0.5;
+  modifier.settings = Given(kInside);
+  object.parts.push_back(modifier);
+  constexpr std::pair<const char*, const char*> kLow[] = {{"fill_density", "40%"}};
+  object.ranges.push_back({0, 2, Given(kLow)});
+  return object;
+}
+
+Job JobOf(const SceneObject& object) {
+  Job job;
+  job.call.job_id = "seed";
+  const SceneObject objects[] = {object};
+  config::ResolvedPlate plate = Must(config::ResolvePlate(Given(kSettings), objects));
+  job.settings = std::move(plate.settings);
+  job.settings.slicing.thumbnails_px = {{16, 16}};
+  job.input.files.push_back({"box.obj", MeshFormat::kObj, std::string(kBox)});
+  job.input.objects = std::move(plate.objects);
+  return job;
+}
+
+void WriteSliceSeed(const Seeds& seeds, const std::string& name, Job& job) {
   SliceCall slice;
-  v1::SliceStart& slice_start = *slice.add_requests()->mutable_start();
-  if (!ToProto(call, input, settings.slicing, &slice_start).ok()) std::abort();
-  Anonymous(&slice_start);
+  v1::SliceStart& start = *slice.add_requests()->mutable_start();
+  Must(ToProto(job.call, job.input, job.settings.slicing, &start));
+  Anonymous(&start);
   slice.add_requests()->set_chunk(std::string(kBox));
-  seeds.Write("slicing", "box", slice);
-  const SlicedJob job =
-      Must(slicing::MakeLocalSlicing()->Slice(call, std::move(input), settings.slicing));
+  seeds.Write("slicing", name, slice);
+  job.sliced = Must(slicing::MakeLocalSlicing()->Slice(job.call, job.input, job.settings.slicing));
+  const auto count = static_cast<int32_t>(job.sliced.layers.size());
+  job.range = {1, count - 1};
+  job.facts.layer_count = count;
+  const auto copies = static_cast<int32_t>(job.sliced.copies.size());
+  for (int32_t i = 0; i < copies; ++i) job.facts.copies.push_back({"box.obj", 0, i, copies});
+}
 
-  const auto count = static_cast<int32_t>(job.layers.size());
-  const LayerRange range = {1, count - 1};  // with neighbours on both sides
-  const std::vector<LayerPlan> plans(range.size(), LayerPlan{{1'000'000, 0}, {{0, 0}}});
-  const Neighbourhood neighbourhood = {range, count, job.layers};
-  BeadCall bead;
-  BeadStart bead_start{{call, settings.beading}, range, count};
-  ToProto(bead_start, bead.add_requests()->mutable_start());
-  Anonymous(bead.mutable_requests(0)->mutable_start());
-  FillCall fill;
-  FillStart fill_start{{call, settings.infill}, range, count};
-  ToProto(fill_start, fill.add_requests()->mutable_start());
-  Anonymous(fill.mutable_requests(0)->mutable_start());
+void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
+  PlanCall plan;
+  v1::PlanStart& start = *plan.add_requests()->mutable_start();
+  Must(ToProto(PlanStart{job.call, job.settings.planning, job.sliced.copies}, &start));
+  Anonymous(&start);
+  for (const SlicedLayer& layer : job.sliced.layers)
+    Must(ToProto(layer, plan.add_requests()->mutable_layer()));
+  seeds.Write("planning", name, plan);
+  job.plan = Must(planning::MakeLocalPlanning()->Plan(
+      job.call, {job.sliced.layers, job.sliced.copies}, job.settings.planning));
+}
+
+void WriteWorkSeed(const Seeds& seeds, const std::string& name, const Job& job) {
   WorkCall work;
-  if (!ToProto(WorkStart{call, settings, range, count, plans}, work.add_requests()->mutable_start())
-           .ok()) {
-    std::abort();
-  }
-  Anonymous(work.mutable_requests(0)->mutable_start());
-  for (const SlicedLayer& layer : job.layers) {
-    v1::SlicedLayer proto;
-    if (!ToProto(layer, &proto).ok()) std::abort();
-    *bead.add_requests()->mutable_layer() = proto;
-    *fill.add_requests()->mutable_neighbour() = proto;
-    *work.add_requests()->mutable_layer() = proto;
-  }
-  seeds.Write("beading", "box", bead);
-  bead.mutable_requests(0)->mutable_start()->mutable_options()->set_generator(
-      v1::WALL_GENERATOR_CLASSIC);
-  seeds.Write("beading", "box_classic", bead);
-  seeds.Write("worker", "box", work);
+  v1::WorkStart& start = *work.add_requests()->mutable_start();
+  Must(ToProto(
+      WorkStart{job.call, job.settings, job.range, job.plans(), job.plan.copies, job.facts},
+      &start));
+  Anonymous(&start);
+  for (const SlicedLayer& layer : job.sliced.layers)
+    Must(ToProto(layer, work.add_requests()->mutable_layer()));
+  seeds.Write("worker", name, work);
+}
 
-  auto walled = Must(beading::MakeLocalBeading()->Bead(call, neighbourhood, settings.beading));
+std::vector<WalledLayer> WriteBeadSeeds(const Seeds& seeds, const std::string& name,
+                                        const Job& job) {
+  BeadCall bead;
+  v1::BeadStart& start = *bead.add_requests()->mutable_start();
+  Must(ToProto(BeadStart{job.call, job.settings.beading, job.range}, &start));
+  Anonymous(&start);
+  for (const SlicedLayer& layer : job.sliced.layers)
+    Must(ToProto(layer, bead.add_requests()->mutable_layer()));
+  seeds.Write("beading", name, bead);
+  for (v1::BeadingOptions& options :
+       *bead.mutable_requests(0)->mutable_start()->mutable_options()) {
+    options.set_generator(v1::WALL_GENERATOR_CLASSIC);
+  }
+  seeds.Write("beading", name + "_classic", bead);
+  return Must(
+      beading::MakeLocalBeading()->Bead(job.call, job.neighbourhood(), job.settings.beading));
+}
+
+std::vector<FilledLayer> WriteFillSeed(const Seeds& seeds, const std::string& name, const Job& job,
+                                       std::vector<WalledLayer> walled) {
+  FillCall fill;
+  v1::FillStart& start = *fill.add_requests()->mutable_start();
+  Must(ToProto(FillStart{job.call, job.settings.infill, job.range}, &start));
+  Anonymous(&start);
+  for (const SlicedLayer& layer : job.sliced.layers)
+    Must(ToProto(layer, fill.add_requests()->mutable_neighbour()));
   for (const WalledLayer& layer : walled)
-    if (!ToProto(layer, fill.add_requests()->mutable_layer()).ok()) std::abort();
-  seeds.Write("infill", "box", fill);
-  auto filled = Must(
-      infill::MakeLocalInfill()->Fill(call, std::move(walled), neighbourhood, settings.infill));
+    Must(ToProto(layer, fill.add_requests()->mutable_layer()));
+  seeds.Write("infill", name, fill);
+  return Must(infill::MakeLocalInfill()->Fill(job.call, std::move(walled), job.neighbourhood(),
+                                              job.settings.infill));
+}
 
+std::vector<OrderedLayer> WriteOrderSeed(const Seeds& seeds, const std::string& name,
+                                         const Job& job, std::vector<FilledLayer> filled) {
   OrderCall order;
-  ToProto(OrderStart{call, settings.ordering}, order.add_requests()->mutable_start());
-  Anonymous(order.mutable_requests(0)->mutable_start());
+  v1::OrderStart& start = *order.add_requests()->mutable_start();
+  Must(ToProto(OrderStart{job.call, job.settings.ordering, job.plan.copies}, &start));
+  Anonymous(&start);
+  const std::vector<LayerPlan> plans = job.plans();
   for (size_t i = 0; i < filled.size(); ++i) {
     v1::PlannedLayer& planned = *order.add_requests()->mutable_layer();
-    if (!ToProto(filled[i], planned.mutable_layer()).ok()) std::abort();
-    if (!ToProto(plans[i], planned.mutable_plan()).ok()) std::abort();
+    Must(ToProto(filled[i], planned.mutable_layer()));
+    Must(ToProto(plans[i], planned.mutable_plan()));
   }
-  seeds.Write("ordering", "box", order);
-  auto ordered =
-      Must(ordering::MakeLocalOrdering()->Order(call, std::move(filled), plans, settings.ordering));
+  seeds.Write("ordering", name, order);
+  return Must(ordering::MakeLocalOrdering()->Order(job.call, std::move(filled), plans,
+                                                   job.plan.copies, job.settings.ordering));
+}
 
+void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job,
+                     std::vector<OrderedLayer> ordered) {
   MotionCall motion;
-  ToProto(ProgramStart{call, settings.motion}, motion.add_requests()->mutable_start());
-  Anonymous(motion.mutable_requests(0)->mutable_start());
+  v1::ProgramStart& start = *motion.add_requests()->mutable_start();
+  Must(ToProto(ProgramStart{job.call, job.settings.motion, job.facts}, &start));
+  Anonymous(&start);
   for (const OrderedLayer& layer : ordered)
-    if (!ToProto(layer, motion.add_requests()->mutable_layer()).ok()) std::abort();
-  const auto programs =
-      Must(motion::MakeLocalMotion()->Program(call, std::move(ordered), settings.motion));
+    Must(ToProto(layer, motion.add_requests()->mutable_layer()));
+  const auto programs = Must(motion::MakeLocalMotion()->Program(
+      job.call, std::move(ordered), job.facts, job.settings.motion));
   ProgramSummary summary;
   for (const LayerProgram& program : programs) {
-    summary.layers.push_back(
-        {program.frame, program.entry, program.exit, program.stats.TimeS(), false});
+    summary.layers.push_back({program.frame, program.pass, program.entry, program.exit,
+                              program.stats.TimeS(), false});
     summary.total.Add(program.stats);
   }
-  summary.object_names = job.object_names;
+  for (size_t i = 0; i < job.facts.copies.size(); ++i)
+    summary.copies.push_back({job.facts.copies[i], job.sliced.copies[i].footprint});
   summary.settings_text = "layer_height = 1\n";
-  if (!ToProto(summary, motion.mutable_frame()).ok()) std::abort();
-  *motion.mutable_frame()->mutable_options() = ToProto(settings.motion);
-  seeds.Write("motion", "box", motion);
+  Must(ToProto(summary, motion.mutable_frame()));
+  *motion.mutable_frame()->mutable_options() = ToProto(job.settings.motion);
+  seeds.Write("motion", name, motion);
+}
+
+/// Each stage's call, with what the stage before it gave.
+void WriteStageSeeds(const Seeds& seeds, const std::string& name, Job job) {
+  WriteSliceSeed(seeds, name, job);
+  WritePlanSeed(seeds, name, job);
+  WriteWorkSeed(seeds, name, job);
+  auto walled = WriteBeadSeeds(seeds, name, job);
+  auto filled = WriteFillSeed(seeds, name, job, std::move(walled));
+  WriteMotionSeed(seeds, name, job, WriteOrderSeed(seeds, name, job, std::move(filled)));
 }
 
 }  // namespace
@@ -240,6 +330,9 @@ int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: make_seeds FOLDER\n"), 1;
   const slicefarm::fuzz::Seeds seeds(argv[1]);
   slicefarm::fuzz::WriteCoordinatorSeeds(seeds);
-  slicefarm::fuzz::WriteStageSeeds(seeds);
+  slicefarm::fuzz::WriteStageSeeds(seeds, "box", slicefarm::fuzz::JobOf(slicefarm::fuzz::Box()));
+  slicefarm::fuzz::Job boxes = slicefarm::fuzz::JobOf(slicefarm::fuzz::BoxesWithModifier());
+  boxes.settings.motion.labels = slicefarm::ObjectLabels::kFirmware;
+  slicefarm::fuzz::WriteStageSeeds(seeds, "boxes", std::move(boxes));
   return 0;
 }

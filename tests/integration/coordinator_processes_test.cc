@@ -123,15 +123,16 @@ TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {
   server_.emplace(
       "slicefarm-coordinator",
       std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
-                               "--motion", motion_.address, "--beading", beading.address,
-                               "--infill", infill.address, "--ordering", ordering.address});
+                               "--planning", planning_.address, "--motion", motion_.address,
+                               "--beading", beading.address, "--infill", infill.address,
+                               "--ordering", ordering.address});
   client_.emplace(server_->address);
   ExpectTheSame(client_->Watch(Submit(), 0));
 }
 
 /// Arguments of a coordinator whose services are not there, which is no reason not to serve.
 std::vector<std::string> Alone(const TempDirectory& state) {
-  return {"--state-dir", state.path(),  "--slicing", "127.0.0.1:1",
+  return {"--state-dir", state.path(),  "--slicing", "127.0.0.1:1", "--planning", "127.0.0.1:1",
           "--motion",    "127.0.0.1:1", "--workers", "127.0.0.1:1"};
 }
 
@@ -163,8 +164,8 @@ TEST(CoordinatorProgram, EndsWellWhileItIsScraped) {
 
 TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
   const TempDirectory state;
-  const std::vector<std::string> some = {"--state-dir", state.path(), "--slicing",
-                                         "a:1",         "--motion",   "a:1"};
+  const std::vector<std::string> some = {
+      "--state-dir", state.path(), "--slicing", "a:1", "--planning", "a:1", "--motion", "a:1"};
   auto half = some;
   half.insert(half.end(), {"--beading", "a:1"});
   const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
@@ -178,11 +179,12 @@ TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
   for (const Case& c :
        {Case{some, "either --workers or "}, Case{half, "--beading, --infill and --ordering go "},
         Case{{}, "--slicing is "},
+        Case{{"--slicing", "a:1", "--motion", "a:1", "--workers", "a:1"}, "--planning is "},
         Case{with(some, {"--workers", "a:1", "--split-slots", "4"}), "--split-slots requires "},
         Case{with(some, {"--workers", "a:1", "--max-concurrent", "4"}), "The following argument"},
         Case{with({"--postgres", "x", "--min-free", "1"}, {some.begin() + 2, some.end()}),
              "--postgres excludes "},
-        Case{{"--slicing", "a:1", "--motion", "a:1", "--workers", "a:1"}, "one of --state-dir "}}) {
+        Case{with({some.begin() + 2, some.end()}, {"--workers", "a:1"}), "one of --state-dir "}}) {
     ChildProcess process("slicefarm-coordinator", c.arguments, ChildProcess::Stderr::kWithStdout);
     EXPECT_NE(process.AwaitLine(c.error), "") << c.error;
     EXPECT_NE(process.Wait(), 0);

@@ -26,19 +26,20 @@ std::string ReadAll(const std::string& path) {
 
 class FailuresTest : public FarmProcessesTest {
  protected:
-  /// A coordinator that reaches one worker only, over `proxy`.
-  void StartOver(const TcpProxy& proxy) {
+  /// A coordinator that reaches these workers only.
+  void StartWithWorkers(const std::string& workers) {
     server_.emplace("slicefarm-coordinator",
                     std::vector<std::string>{"--state-dir", state_.path(), "--slicing",
-                                             slicing_.address, "--motion", motion_.address,
-                                             "--workers", proxy.address(), "--metrics-port", "0"});
+                                             slicing_.address, "--planning", planning_.address,
+                                             "--motion", motion_.address, "--workers",
+                                             workers, "--metrics-port", "0"});
     client_.emplace(server_->address);
   }
 };
 
 TEST_F(FailuresTest, AConnectionToAWorkerThatIsCutLosesNothing) {
   TcpProxy proxy(first_.address);
-  StartOver(proxy);
+  StartWithWorkers(proxy.address());
   AwaitWorkers(1);
   first_.process.Signal(SIGSTOP);
   const std::string id = Submit();
@@ -50,12 +51,7 @@ TEST_F(FailuresTest, AConnectionToAWorkerThatIsCutLosesNothing) {
 
 TEST_F(FailuresTest, AWorkerThatNobodyHearsOfAnyMoreHoldsNothingUp) {
   TcpProxy proxy(first_.address);
-  server_.emplace(
-      "slicefarm-coordinator",
-      std::vector<std::string>{"--state-dir", state_.path(), "--slicing", slicing_.address,
-                               "--motion", motion_.address, "--workers",
-                               proxy.address() + "," + second_.address, "--metrics-port", "0"});
-  client_.emplace(server_->address);
+  StartWithWorkers(proxy.address() + "," + second_.address);
   const std::string id = SubmitToStoppedWorkers();
   proxy.Hold();
   ContinueWorkers();
@@ -96,6 +92,18 @@ TEST_F(FailuresTest, SlicingThatIsKilledAndStartedAgainLosesNothing) {
   slicing_.process.Signal(SIGKILL);
   slicing_.process.Wait();
   const ServerProcess again("slicefarm-slicing", {"--listen", slicing_.address});
+  ExpectTheSame(client_->Watch(id, 0));
+}
+
+TEST_F(FailuresTest, PlanningThatIsKilledAndStartedAgainLosesNothing) {
+  StartCoordinator(state_);
+  WarmUp();
+  planning_.process.Signal(SIGSTOP);
+  const std::string id = Submit();
+  client_->Watch(id, 0, [](const v1::Job& job) { return job.state() == v1::JOB_STATE_RUNNING; });
+  planning_.process.Signal(SIGKILL);
+  planning_.process.Wait();
+  const ServerProcess again("slicefarm-planning", {"--listen", planning_.address});
   ExpectTheSame(client_->Watch(id, 0));
 }
 

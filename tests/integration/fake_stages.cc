@@ -1,11 +1,20 @@
 #include "tests/integration/fake_stages.h"
 
+#include <utility>
+
 #include "common/geometry/text_format.h"
+#include "common/stage/slice_input_test.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
+#include "common/wire/start_wire.h"
 
 namespace slicefarm {
 namespace {
 
-LayerFrame FrameOf(int32_t index) { return {index, 200'000 * (index + 1), 200'000}; }
+constexpr Coord kHeightNm = 200'000;
+
+LayerFrame FrameOf(int32_t index) { return {index, kHeightNm * (index + 1), kHeightNm}; }
 
 Path PathOf(Feature feature, const char* text, bool closed) {
   Path path;
@@ -20,19 +29,34 @@ MultiPolygon Islands() {
   return MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) (1 1, 2 1, 2 2) ; (20 0, 30 0, 30 10)");
 }
 
-SlicedLayer OutlinesOf(int32_t index) { return {FrameOf(index), {{0, Islands()}, {2, Islands()}}}; }
+ObjectSection SectionOf(int32_t object, int32_t layer, std::vector<Region> regions) {
+  ObjectSection section;
+  section.object = object;
+  section.layer = layer;
+  section.layer_count = Sample::kLayerCount;
+  section.height_nm = kHeightNm;
+  section.regions = std::move(regions);
+  return section;
+}
 
-void AddLayer(int32_t index, Sample* sample) {
-  const LayerFrame frame = FrameOf(index);
-  const Path wall = PathOf(Feature::kExternalPerimeter, "(0 0, 9 0, 9 9, 0 9)", true);
-  const Path line = PathOf(Feature::kSolidInfill, "(1 1, 8 8)", false);
-  sample->walled.push_back({frame, {{0, {wall}, Islands()}}});
-  sample->filled.push_back({frame, {{0, {wall}, {{true, {line, line}}}}}});
-  sample->plans.push_back({{1, 2}, {{3, 4}, {5, index}}});
-  sample->ordered.push_back({frame, {wall, line, line}});
+SlicedLayer OutlinesOf(int32_t index) {
+  SlicedLayer layer{FrameOf(index), {}};
+  if (index == Sample::kRange.first) {
+    layer.sections.push_back(SectionOf(kPlate, 0, {{Role::kBrim, 0, 0, Islands()}}));
+  }
+  const MultiPolygon whole = Islands();
+  layer.sections.push_back(
+      SectionOf(0, index, {{Role::kPart, 0, 0, {whole[0]}}, {Role::kPart, 1, 0, {whole[1]}}}));
+  layer.sections.back().whole = whole;
+  layer.sections.push_back(SectionOf(2, index, {{Role::kPart, 1, 0, whole}}));
+  return layer;
+}
+
+void AddProgram(int32_t index, int32_t pass, Sample* sample) {
   LayerProgram program;
-  program.frame = frame;
-  program.gcode = "G1 X" + std::to_string(index) + "\n";
+  program.frame = FrameOf(index);
+  program.pass = pass;
+  program.gcode = "G1 X" + std::to_string(index) + " Y" + std::to_string(pass) + "\n";
   program.entry = {0, 0};
   program.exit = {8'000'000, 8'000'000};
   program.stats.features[0] = {1, 2, 3, 4};
@@ -40,30 +64,100 @@ void AddLayer(int32_t index, Sample* sample) {
   sample->programs.push_back(program);
 }
 
+void AddLayer(int32_t index, Sample* sample) {
+  const LayerFrame frame = FrameOf(index);
+  Path wall = PathOf(Feature::kExternalPerimeter, "(0 0, 9 0, 9 9, 0 9)", true);
+  wall.ring = 0;
+  Path line = PathOf(Feature::kSolidInfill, "(1 1, 8 8)", false);
+  line.settings = 1;
+  const Path skirt = PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false);
+  const std::vector<FillArea> areas = {{Role::kPart, 0, 0, Islands()},
+                                       {Role::kPart, 1, 0, Islands()}};
+  sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
+  sample->filled.push_back({frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}}}});
+  sample->plans.push_back({{1, 2}, {{0, {3, 4}, {{5, index}}}, {2, {6, 7}, {}}}, {skirt}});
+  sample->ordered.push_back({frame,
+                             {{kPlate, 0, kHeightNm, {skirt}},
+                              {0, index, kHeightNm, {wall, line, line}}},
+                             {{0, -1, 0, {}}, {1, 0, 0, {1'000, -2'000}}, {1, 1, 1, {}}}});
+  AddProgram(index, 0, sample);
+  if (index == Sample::kRange.first) AddProgram(index, 1, sample);
+}
+
+SliceInput InputWithAll() {
+  SliceInput input = InputOf({{"a.stl", MeshFormat::kStl, std::string(150'000, 'a')},
+                              {"empty.obj", MeshFormat::kObj, ""},
+                              {"b", MeshFormat::kUnknown, std::string("b\0b", 3)}},
+                             {{.scale = {1, 2, 3}}, {}, {.centers = {{1, 2}, {3, 4}}}});
+  ObjectInput& object = input.objects[2];
+  object.ranges = {{1'000'000, 2'000'000, 100'000}};
+  object.copies.push_back({CopyInput::Place::kOriginAt, {5, 6}});
+  object.sunk_mm = 0.5;
+  object.parts[0].regions = {1, 0};
+  PartInput modifier;
+  modifier.name = "modifier";
+  modifier.mesh = {2, 1, 12, 24};
+  modifier.role = PartRole::kModifier;
+  modifier.to_object.col(3) << 1, 2, 3;
+  modifier.regions.clear();
+  modifier.changes = {{0, 1}, {1, 0}};
+  object.parts.push_back(modifier);
+  return input;
+}
+
+/// Tables of two rows, of which the second is of no default.
+JobSettings SettingsWithAll() {
+  JobSettings settings;
+  settings.slicing.objects.resize(3);
+  settings.slicing.objects[2].layer_height_nm = 123'000;
+  settings.planning.objects.resize(3);
+  settings.planning.objects[2].seam = SeamPosition::kRear;
+  settings.beading.resize(2);
+  settings.beading[1].perimeters = 7;
+  settings.infill.resize(2);
+  settings.infill[1].density = 0.33;
+  settings.ordering.infill_first = true;
+  settings.ordering.walls.resize(2);
+  settings.ordering.walls[1].inner_outer_inner = true;
+  settings.motion.speeds.resize(2);
+  settings.motion.speeds[1].small_perimeter_speed_mm_s = 7;
+  settings.motion.start_gcode = "G28\n";
+  settings.motion.labels = ObjectLabels::kFirmware;
+  return settings;
+}
+
+JobPlan PlanWithAll() {
+  JobPlan plan;
+  for (int32_t i = 0; i < 3; ++i) plan.layers.push_back({{1, i}, {{0, {2, 3}, {{4, 5}}}}, {}});
+  plan.additions = {{0,
+                     kHeightNm,
+                     {{Role::kBrim, 1, 0, Islands()}},
+                     {PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}}};
+  plan.copies = {{0, {1'000, -2'000}, 0}, {0, {}, 1}, {2, {7'000, 0}, 0}};
+  return plan;
+}
+
 Sample MakeSample() {
   Sample sample;
-  sample.input.files = {{"a.stl", MeshFormat::kStl, std::string(150'000, 'a')},
-                        {"empty.obj", MeshFormat::kObj, ""},
-                        {"b", MeshFormat::kUnknown, std::string("b\0b", 3)}};
-  sample.input.placements.resize(3);
-  sample.input.placements[2].centers = {{1, 2}};
+  sample.input = InputWithAll();
   for (int32_t i = 0; i < 3; ++i) sample.job.layers.push_back(OutlinesOf(i));
-  sample.job.object_names = {"a.stl", "b"};
+  sample.job.object_names = {"a.stl", "empty.obj", "b"};
+  sample.job.copies = {{0, {1'000, -2'000}, {{0, 0}, {9, 0}, {9, 9}}}, {0, {}, {}}, {2, {}, {}}};
   sample.job.meshes.resize(3);
   sample.job.meshes[1].triangles = 12;
   sample.job.thumbnails = {{32, 32, "\x89PNG"}};
+  sample.plan = PlanWithAll();
   for (int32_t i = 2; i < 6; ++i) sample.outlines.push_back(OutlinesOf(i));
   for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) AddLayer(i, &sample);
-  sample.summary.layers = {{FrameOf(0), {1, 2}, {3, 4}, 5, false}};
-  sample.summary.object_names = {"a.stl"};
+  sample.facts = {Sample::kLayerCount,
+                  {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}}};
+  sample.warnings = {{Sample::kRange.first, 2}};
+  sample.summary.layers = {{FrameOf(0), 1, {1, 2}, {3, 4}, 5, false}};
+  sample.summary.copies = {{{"a.stl", 0, 1, 2}, {{0, 0}, {9, 0}, {9, 9}}}};
   sample.summary.settings_text = "perimeters = 3\n";
   sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", 12.5, 30};
-  sample.settings.slicing.layer_height_nm = 123'000;
-  sample.settings.beading.perimeters = 7;
-  sample.settings.infill.density = 0.33;
-  sample.settings.ordering.infill_first = true;
-  sample.settings.motion.start_gcode = "G28\n";
-  sample.times = {0, 1, 2, 3, 4};
+  sample.settings = SettingsWithAll();
+  sample.times = {0, 0, 1, 2, 3, 4};
   return sample;
 }
 
@@ -81,7 +175,6 @@ Layers Answer(Layers layers, const FakeStages& fakes) {
 
 void Note(const Neighbourhood& neighbourhood, FakeStages* fakes) {
   fakes->range = neighbourhood.range;
-  fakes->layer_count = neighbourhood.layer_count;
   fakes->layers.assign(neighbourhood.layers.begin(), neighbourhood.layers.end());
 }
 
@@ -100,11 +193,46 @@ absl::StatusOr<SlicedJob> FakeSlicing::Slice(const StageCall& call, SliceInput i
   return TheSample().job;
 }
 
+grpc::Status FakePlanning::PlanJob(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "PlanJob", [&](rpc::Call& call) { return Plan(call, buffered); });
+}
+
+absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
+  absl::StatusOr<PlanStart> start = ReadStart<v1::PlanRequest>(stream, call.cancel);
+  if (!start.ok()) return start.status();
+  fakes_.placed = start->copies;
+  fakes_.planning_options = start->options;
+  fakes_.layers.clear();
+  absl::Status status = ReadEach<v1::PlanRequest>(stream, [&](const v1::PlanRequest& request) {
+    return AppendNext(FromProto(request.layer()), &fakes_.layers);
+  });
+  if (!status.ok()) return status;
+  if (status = Begin(start->call, &fakes_); !status.ok()) return status;
+  const JobPlan& plan = TheSample().plan;
+  status = WriteEach<v1::PlanResponse>(
+      stream, Answer(plan.layers, fakes_), [](const LayerPlan& layer, v1::PlanResponse* proto) {
+        return ToProto(layer, proto->mutable_layer());
+      });
+  status.Update(WriteEach<v1::PlanResponse>(
+      stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
+        return ToProto(addition, proto->mutable_addition());
+      }));
+  v1::PlanResponse end;
+  for (const Copy& copy : plan.copies) {
+    status.Update(ToProto(copy, end.mutable_end()->add_copies()));
+  }
+  stream.Write(end);
+  return status;
+}
+
 absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(const StageCall& call,
                                                            const Neighbourhood& neighbourhood,
-                                                           const BeadingOptions& options) const {
+                                                           std::span<const BeadingOptions> regions) const {
   Note(neighbourhood, &fakes_);
-  fakes_.beading_options = options;
+  fakes_.beading_options.assign(regions.begin(), regions.end());
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().walled, fakes_);
 }
@@ -112,19 +240,20 @@ absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(const StageCall& call
 absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(const StageCall& call,
                                                           std::vector<WalledLayer> walled,
                                                           const Neighbourhood& neighbourhood,
-                                                          const InfillOptions& options) const {
+                                                          std::span<const InfillOptions> regions) const {
   Note(neighbourhood, &fakes_);
   fakes_.walled = std::move(walled);
-  fakes_.infill_options = options;
+  fakes_.infill_options.assign(regions.begin(), regions.end());
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().filled, fakes_);
 }
 
 absl::StatusOr<std::vector<OrderedLayer>> FakeOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    const OrderingOptions& options) const {
+    std::span<const Copy> copies, const OrderingOptions& options) const {
   fakes_.filled = std::move(layers);
   fakes_.plans.assign(plans.begin(), plans.end());
+  fakes_.copies.assign(copies.begin(), copies.end());
   fakes_.ordering_options = options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().ordered, fakes_);
@@ -132,8 +261,10 @@ absl::StatusOr<std::vector<OrderedLayer>> FakeOrdering::Order(
 
 absl::StatusOr<std::vector<LayerProgram>> FakeMotion::Program(const StageCall& call,
                                                               std::vector<OrderedLayer> layers,
+                                                              const JobFacts& facts,
                                                               const MotionOptions& options) const {
   fakes_.ordered = std::move(layers);
+  fakes_.facts = facts;
   fakes_.motion_options = options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().programs, fakes_);
@@ -148,11 +279,14 @@ absl::StatusOr<ProgramFrame> FakeMotion::Frame(const StageCall& call, const Prog
 }
 
 absl::StatusOr<RangeResult> FakeRunner::Run(const StageCall& call, const RangeTask& task) const {
-  Note({task.range, task.layer_count, task.layers}, &fakes_);
+  Note({task.range, task.layers}, &fakes_);
   fakes_.plans.assign(task.plans.begin(), task.plans.end());
+  fakes_.copies.assign(task.copies.begin(), task.copies.end());
+  fakes_.facts = *task.facts;
   fakes_.settings = *task.settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
-  return RangeResult{Answer(TheSample().programs, fakes_), TheSample().times};
+  const Sample& sample = TheSample();
+  return RangeResult{Answer(sample.programs, fakes_), sample.warnings, sample.times};
 }
 
 }  // namespace slicefarm

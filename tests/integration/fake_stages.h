@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/call_gate.h"
+#include "common/rpc/server/server_stream.h"
 #include "common/stage/stages.h"
+#include "slicefarm/v1/planning.grpc.pb.h"
 
 namespace slicefarm {
 
@@ -22,35 +25,41 @@ struct FakeStages {
   StageCall call;
   SliceInput slice_input;
   SlicingOptions slicing_options;
+  std::vector<PlacedCopy> placed;
+  PlanningOptions planning_options;
   LayerRange range;
-  int32_t layer_count = 0;
   std::vector<SlicedLayer> layers;
-  BeadingOptions beading_options;
+  std::vector<BeadingOptions> beading_options;
   std::vector<WalledLayer> walled;
-  InfillOptions infill_options;
+  std::vector<InfillOptions> infill_options;
   std::vector<FilledLayer> filled;
   std::vector<LayerPlan> plans;
+  std::vector<Copy> copies;
   OrderingOptions ordering_options;
   std::vector<OrderedLayer> ordered;
+  JobFacts facts;
   MotionOptions motion_options;
   ProgramSummary summary;
   JobSettings settings;
 };
 
 /// A small job in every state of its way: two layers to work on, [3, 5), of ten, with a halo of
-/// one.
+/// one. Two objects of it are printed, 0 and 2; 0 has two regions and is printed in two passes.
 struct Sample {
   static constexpr LayerRange kRange{3, 5};
   static constexpr int32_t kLayerCount = 10;
 
   SliceInput input;
   SlicedJob job;                      ///< layers 0, 1, 2
+  JobPlan plan;                       ///< of them
   std::vector<SlicedLayer> outlines;  ///< layers 2 to 5
   std::vector<WalledLayer> walled;
   std::vector<FilledLayer> filled;
   std::vector<LayerPlan> plans;
   std::vector<OrderedLayer> ordered;
+  JobFacts facts;
   std::vector<LayerProgram> programs;
+  std::vector<LayerWarning> warnings;
   ProgramSummary summary;
   ProgramFrame frame;
   JobSettings settings;  ///< of no default
@@ -69,12 +78,29 @@ class FakeSlicing : public SlicingStage {
   FakeStages& fakes_;
 };
 
+/// Planning has its algorithm within its service, so this is the service.
+class FakePlanning final : public v1::Planning::Service {
+ public:
+  FakePlanning(FakeStages& fakes, rpc::CallGate& gate) : fakes_(fakes), gate_(gate) {}
+  grpc::Status PlanJob(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::PlanResponse, v1::PlanRequest>;
+  absl::Status Plan(rpc::Call& call, Stream& stream);
+
+  FakeStages& fakes_;
+  rpc::CallGate& gate_;
+};
+
 class FakeBeading : public BeadingStage {
  public:
   explicit FakeBeading(FakeStages& fakes) : fakes_(fakes) {}
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
                                                 const Neighbourhood& neighbourhood,
-                                                const BeadingOptions& options) const override;
+                                                std::span<const BeadingOptions> regions)
+      const override;
 
  private:
   FakeStages& fakes_;
@@ -86,7 +112,8 @@ class FakeInfill : public InfillStage {
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
                                                 std::vector<WalledLayer> walled,
                                                 const Neighbourhood& neighbourhood,
-                                                const InfillOptions& options) const override;
+                                                std::span<const InfillOptions> regions)
+      const override;
 
  private:
   FakeStages& fakes_;
@@ -98,6 +125,7 @@ class FakeOrdering : public OrderingStage {
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
+                                                  std::span<const Copy> copies,
                                                   const OrderingOptions& options) const override;
 
  private:
@@ -109,6 +137,7 @@ class FakeMotion : public MotionStage {
   explicit FakeMotion(FakeStages& fakes) : fakes_(fakes) {}
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
+                                                    const JobFacts& facts,
                                                     const MotionOptions& options) const override;
   absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
                                      const MotionOptions& options) const override;

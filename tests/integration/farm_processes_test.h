@@ -49,9 +49,10 @@ class FarmProcessesTest : public testing::Test {
  protected:
   /// A coordinator with the fused workers, and these arguments more.
   std::vector<std::string> Arguments(std::vector<std::string> more) const {
-    std::vector<std::string> arguments = {"--slicing", slicing_.address,
-                                          "--motion",  motion_.address,
-                                          "--workers", first_.address + "," + second_.address};
+    std::vector<std::string> arguments = {"--slicing",  slicing_.address,
+                                          "--planning", planning_.address,
+                                          "--motion",   motion_.address,
+                                          "--workers",  first_.address + "," + second_.address};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -141,6 +142,7 @@ class FarmProcessesTest : public testing::Test {
 
   const std::string mesh_ = CorpusFile("models/textbox.stl");
   ServerProcess slicing_{"slicefarm-slicing"};
+  ServerProcess planning_{"slicefarm-planning"};
   ServerProcess motion_{"slicefarm-motion"};
   ServerProcess first_{"slicefarm-worker", {"--slots", "1"}};
   ServerProcess second_{"slicefarm-worker", {"--slots", "1"}};

@@ -4,11 +4,12 @@
 
 #include "common/base/error.h"
 #include "common/stage/layer_chain.h"
+#include "common/stage/object_layers.h"
 #include "services/beading/algo/local_beading_stage.h"
-#include "services/coordinator/algo/pipeline/layer_plan.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
+#include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
@@ -24,20 +25,28 @@ class LocalAndRemote : public testing::Test {
     auto job = slicing_->Slice(call_, TextBox(), settings_.slicing);
     EXPECT_TRUE(job.ok()) << job.status();
     job_ = *std::move(job);
-    plans_ = *coordinator::PlanLayers(job_.layers, settings_.ordering.seam, {});
-    const int32_t count = static_cast<int32_t>(job_.layers.size());
-    EXPECT_GT(count, 20);
-    task_ = TaskOf({0, count});
+    auto plan = planning_->Plan(call_, {job_.layers, job_.copies}, settings_.planning);
+    EXPECT_TRUE(plan.ok()) << plan.status();
+    plan_ = *std::move(plan);
+    EXPECT_GT(LayerCount(), 20);
+    facts_ = {LayerCount(), {}};
+    task_ = TaskOf({0, LayerCount()});
   }
 
+  int32_t LayerCount() const { return static_cast<int32_t>(job_.layers.size()); }
+
   RangeTask TaskOf(LayerRange range) const {
-    const auto count = static_cast<int32_t>(job_.layers.size());
-    const LayerRange halo = range.Grown(HaloLayers(settings_), count);
-    return {range, count, std::span(job_.layers).subspan(halo.first, halo.size()),
-            std::span(plans_).subspan(range.first, range.size()), &settings_};
+    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(settings_));
+    return {range,
+            std::span(job_.layers).subspan(halo.first, halo.size()),
+            std::span(plan_.layers).subspan(range.first, range.size()),
+            plan_.copies,
+            &facts_,
+            &settings_};
   }
 
   const std::unique_ptr<SlicingStage> slicing_ = slicing::MakeLocalSlicing();
+  const std::unique_ptr<PlanningStage> planning_ = planning::MakeLocalPlanning();
   const std::unique_ptr<BeadingStage> beading_ = beading::MakeLocalBeading();
   const std::unique_ptr<InfillStage> infill_ = infill::MakeLocalInfill();
   const std::unique_ptr<OrderingStage> ordering_ = ordering::MakeLocalOrdering();
@@ -48,7 +57,8 @@ class LocalAndRemote : public testing::Test {
   const StageCall call_;
   const JobSettings settings_;
   SlicedJob job_;
-  std::vector<LayerPlan> plans_;
+  JobPlan plan_;
+  JobFacts facts_;
   RangeTask task_;
 };
 
@@ -58,9 +68,15 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   EXPECT_EQ(remote_job->layers, job_.layers);
   EXPECT_EQ(remote_job->meshes, job_.meshes);
   EXPECT_EQ(remote_job->object_names, job_.object_names);
+  EXPECT_EQ(remote_job->copies, job_.copies);
   EXPECT_EQ(remote_job->thumbnails, job_.thumbnails);
 
-  const Neighbourhood all{task_.range, task_.layer_count, task_.layers};
+  const SlicedOutlines outlines{job_.layers, job_.copies};
+  const auto remote_plan = remote_.planning.Plan(call_, outlines, settings_.planning);
+  ASSERT_TRUE(remote_plan.ok()) << remote_plan.status();
+  EXPECT_EQ(*remote_plan, plan_);
+
+  const Neighbourhood all{task_.range, task_.layers};
   const auto walled = beading_->Bead(call_, all, settings_.beading);
   ASSERT_TRUE(walled.ok()) << walled.status();
   EXPECT_EQ(*remote_.beading.Bead(call_, all, settings_.beading), *walled);
@@ -69,13 +85,49 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, settings_.infill), *filled);
 
-  const auto ordered = ordering_->Order(call_, *filled, plans_, settings_.ordering);
+  const auto order = [&](const OrderingStage& stage) {
+    return stage.Order(call_, *filled, plan_.layers, plan_.copies, settings_.ordering);
+  };
+  const auto ordered = order(*ordering_);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
-  EXPECT_EQ(*remote_.ordering.Order(call_, *filled, plans_, settings_.ordering), *ordered);
+  EXPECT_EQ(*order(remote_.ordering), *ordered);
 
-  const auto programs = motion_->Program(call_, *ordered, settings_.motion);
+  const auto programs = motion_->Program(call_, *ordered, facts_, settings_.motion);
   ASSERT_TRUE(programs.ok()) << programs.status();
-  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, settings_.motion), *programs);
+  EXPECT_EQ(*remote_.motion.Program(call_, *ordered, facts_, settings_.motion), *programs);
+}
+
+// The service plans layers as they come, and knows no number of them before.
+TEST_F(LocalAndRemote, PlanningRefusesTheSameHereAndThere) {
+  const auto refusals = [&](const SlicedOutlines& outlines, const PlanningOptions& options) {
+    const absl::Status here = planning_->Plan(call_, outlines, options).status();
+    const absl::Status there = remote_.planning.Plan(call_, outlines, options).status();
+    EXPECT_EQ(DetailOf(here).reason, Reason::kRequestMalformed) << here;
+    EXPECT_EQ(DetailOf(there).reason, Reason::kRequestMalformed) << there;
+  };
+  std::vector<PlacedCopy> copies = job_.copies;
+  copies.push_back({.object = 1, .shift = {}, .footprint = {}});
+  refusals({job_.layers, copies}, settings_.planning);
+  std::vector<SlicedLayer> layers = job_.layers;
+  layers[7].sections[0].object = 1;
+  refusals({layers, job_.copies}, settings_.planning);
+}
+
+TEST_F(LocalAndRemote, PlanningRefusesLayersThatDoNotFollowEachOther) {
+  const SlicedOutlines without_first{std::span(job_.layers).subspan(1), job_.copies};
+  const absl::Status status =
+      remote_.planning.Plan(call_, without_first, settings_.planning).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "message[0].layer");
+}
+
+TEST_F(LocalAndRemote, PlanningStopsWhenItIsCancelled) {
+  StageCall call;
+  call.cancel = CancelToken([] { return true; });
+  const SlicedOutlines outlines{job_.layers, job_.copies};
+  EXPECT_TRUE(absl::IsCancelled(planning_->Plan(call, outlines, settings_.planning).status()));
+  EXPECT_TRUE(
+      absl::IsCancelled(remote_.planning.Plan(call, outlines, settings_.planning).status()));
 }
 
 TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
@@ -84,6 +136,7 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   const auto remote = remote_.worker.Run(call_, task_);
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, local->programs);
+  EXPECT_EQ(remote->warnings, local->warnings);
   EXPECT_GT(remote->times.beading_s, 0);
 }
 
@@ -102,9 +155,9 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
   ASSERT_TRUE(whole.ok()) << whole.status();
   for (const int32_t size : {1, 7, 20}) {
     std::vector<LayerProgram> programs;
-    for (int32_t first = 0; first < task_.layer_count; first += size) {
+    for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =
-          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, task_.layer_count)}));
+          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, LayerCount())}));
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
     }

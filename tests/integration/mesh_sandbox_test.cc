@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
+#include "common/stage/slice_input_test.h"
 #include "services/slicing/sandbox/processes_test.h"
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
@@ -21,11 +22,8 @@ using slicing::ChildrenOf;
 using slicing::IsRunning;
 using slicing::OpenFiles;
 
-SliceInput InputOf(std::string bytes) {
-  SliceInput input;
-  input.files = {{"part", MeshFormat::kUnknown, std::move(bytes)}};
-  input.placements.resize(1);
-  return input;
+SliceInput PartOf(std::string bytes) {
+  return InputOf({{"part", MeshFormat::kUnknown, std::move(bytes)}});
 }
 
 /// slicefarm-slicing, copied to a place where another program is its mesh reader.
@@ -50,7 +48,7 @@ TEST(MeshSandbox, TheServiceOutlivesItsReaders) {
   const RemoteClients remote(server.address);
   const std::string good = CorpusFile("models/textbox.stl");
   const auto slice = [&](const std::string& bytes) {
-    return remote.slicing.Slice({}, InputOf(bytes), {});
+    return remote.slicing.Slice({}, PartOf(bytes), {});
   };
   const auto before = slice(good);
   ASSERT_TRUE(before.ok()) << before.status();
@@ -78,7 +76,7 @@ TEST(MeshSandbox, AClientThatGivesUpEndsItsReader) {
   const pid_t pid = server.process.pid();
   const CancelToken once_it_reads([pid] { return !ChildrenOf(pid).empty(); });
   const auto job =
-      remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, InputOf("spin"), {});
+      remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, PartOf("spin"), {});
   EXPECT_TRUE(absl::IsCancelled(job.status())) << job.status();
   while (!ChildrenOf(pid).empty()) {
   }
@@ -95,7 +93,7 @@ TEST(MeshSandbox, AReaderEndsWithItsService) {
     server.process.Signal(SIGKILL);
     return true;
   });
-  (void)remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, InputOf("spin"), {});
+  (void)remote.slicing.Slice({.job_id = "", .cancel = once_it_reads}, PartOf("spin"), {});
   ASSERT_EQ(readers.size(), 1u);
   while (IsRunning(readers[0])) {
   }
@@ -109,7 +107,7 @@ TEST(MeshSandbox, EachModeGivesTheSameAndIsNamedInTheLog) {
                          ChildProcess::Stderr::kWithStdout);
     EXPECT_THAT(process.AwaitLine("{"), testing::HasSubstr("\"mesh_sandbox\":\"" + mode + "\""));
     const RemoteClients remote(process.AwaitLine("listening on "));
-    auto job = remote.slicing.Slice({}, InputOf(good), {});
+    auto job = remote.slicing.Slice({}, PartOf(good), {});
     ASSERT_TRUE(job.ok()) << mode << job.status();
     jobs.push_back(*std::move(job));
   }

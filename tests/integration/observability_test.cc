@@ -92,12 +92,14 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
 
   TempDirectory state_;
   ShownProcess slicing_{"slicefarm-slicing"};
+  ShownProcess planning_{"slicefarm-planning"};
   ShownProcess motion_{"slicefarm-motion"};
   ShownProcess worker_{"slicefarm-worker", {"--slots", "2"}};
   ShownProcess coordinator_{
       "slicefarm-coordinator",
-      {"--state-dir", state_.path(), "--slicing", slicing_.address(), "--motion", motion_.address(),
-       "--workers", worker_.address(), "--name", "c1"}};
+      {"--state-dir", state_.path(), "--slicing", slicing_.address(), "--planning",
+       planning_.address(), "--motion", motion_.address(), "--workers", worker_.address(), "--name",
+       "c1"}};
   std::string id_;
 };
 
@@ -122,7 +124,8 @@ TEST_F(ObservabilityTest, DashboardsAndAlertsNameWhatThereIs) {
                       {"--tls-cert", tls.cert, "--tls-key", tls.key, "--tls-ca", tls.ca});
   std::set<std::string> there = {"up",                              // Prometheus' own
                                  "slicefarm_tenants_file_usable"};  // with --tenants
-  for (const ShownProcess* process : {&slicing_, &motion_, &worker_, &coordinator_, &secure}) {
+  for (const ShownProcess* process :
+       {&slicing_, &planning_, &motion_, &worker_, &coordinator_, &secure}) {
     there.merge(process->MetricNames());
   }
   for (const char* file : {"alerts.yml", "alerts_test.yml", "grafana.json", "adapter.yml"}) {
@@ -142,6 +145,7 @@ TEST_F(ObservabilityTest, TheFarmHasAPageForPeople) {
   EXPECT_THAT(page, HasSubstr("<td>SUCCEEDED</td><td>1</td>"));
   EXPECT_THAT(page, HasSubstr("<td>" + worker_.address() + "</td><td>2</td>"));
   EXPECT_THAT(page, HasSubstr("<td>slicing</td><td>" + slicing_.address() + "</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>planning</td><td>" + planning_.address() + "</td>"));
   EXPECT_THAT(worker_.Get("/statusz"), HasSubstr("404"));
 }
 
@@ -150,13 +154,14 @@ TEST_F(ObservabilityTest, ATraceGoesThroughTheLogsOfAllProcesses) {
   std::set<std::string> spans;
   for (const auto& [process, text] :
        {std::pair{&coordinator_, "\"job done\""}, std::pair{&slicing_, "\"Slice\""},
-        std::pair{&worker_, "\"WorkRange\""}, std::pair{&motion_, "\"FrameProgram\""}}) {
+        std::pair{&planning_, "\"PlanJob\""}, std::pair{&worker_, "\"WorkRange\""},
+        std::pair{&motion_, "\"FrameProgram\""}}) {
     const nlohmann::json line = process->AwaitLog(text);
     EXPECT_EQ(line["trace_id"], trace_id) << line;
     EXPECT_EQ(line["job"], id_) << line;
     spans.insert(line["span_id"]);
   }
-  EXPECT_EQ(spans.size(), 4u);
+  EXPECT_EQ(spans.size(), 5u);
 }
 
 TEST_F(ObservabilityTest, TheTraceOfAJobNamesItsWorkersCalls) {

@@ -38,14 +38,17 @@ struct Replicas {
   std::vector<std::string> addresses;
 };
 
-/// Slicing and motion, which every way of a job needs, each as a process.
+/// Slicing, planning and motion, which every way of a job needs, each as a process.
 class ProcessesTest : public testing::Test {
  protected:
   Replicas slicing_processes_{"slicefarm-slicing", 1};
+  Replicas planning_processes_{"slicefarm-planning", 1};
   Replicas motion_processes_{"slicefarm-motion", 2};
   StagePool slicing_pool_{"slicing", slicing_processes_.addresses, NoLog()};
+  StagePool planning_pool_{"planning", planning_processes_.addresses, NoLog()};
   StagePool motion_pool_{"motion", motion_processes_.addresses, NoLog()};
   const coordinator::RemoteSlicing slicing_{slicing_pool_};
+  const coordinator::RemotePlanning planning_{planning_pool_};
   const coordinator::RemoteMotion motion_{motion_pool_};
   Dispatcher dispatcher_;
 };
@@ -53,7 +56,7 @@ class ProcessesTest : public testing::Test {
 TEST_F(ProcessesTest, FusedWorkersGiveTheSameBytes) {
   const Replicas workers("slicefarm-worker", 2, {"--slots", "1"});
   const WorkerPool pool(dispatcher_, workers.addresses, NoLog());
-  const auto gcode = GcodeOf(slicing_, motion_, dispatcher_);
+  const auto gcode = GcodeOf(slicing_, planning_, motion_, dispatcher_);
   ASSERT_TRUE(gcode.ok()) << gcode.status();
   EXPECT_TRUE(*gcode == GcodeOfThisProcess());
 }
@@ -71,7 +74,7 @@ TEST_F(ProcessesTest, SplitStagesGiveTheSameBytes) {
   dispatcher_.Join({.name = "split",
                     .ranges = std::make_shared<LayerChain>(beading, infill, ordering, motion_),
                     .slots = 4});
-  const auto gcode = GcodeOf(slicing_, motion_, dispatcher_);
+  const auto gcode = GcodeOf(slicing_, planning_, motion_, dispatcher_);
   ASSERT_TRUE(gcode.ok()) << gcode.status();
   EXPECT_TRUE(*gcode == GcodeOfThisProcess());
 }
@@ -80,7 +83,7 @@ TEST_F(ProcessesTest, AKilledWorkerChangesNothing) {
   Replicas workers("slicefarm-worker", 2, {"--slots", "1"});
   const WorkerPool pool(dispatcher_, workers.addresses, NoLog());
   bool killed = false;
-  const auto gcode = GcodeOf(slicing_, motion_, dispatcher_, [&](int32_t layers_done) {
+  const auto gcode = GcodeOf(slicing_, planning_, motion_, dispatcher_, [&](int32_t layers_done) {
     if (layers_done == 0 || killed) return;
     killed = true;
     workers.servers[0].process.Signal(SIGKILL);
@@ -95,7 +98,7 @@ TEST_F(ProcessesTest, AWorkerThatJoinsLateWorksAlong) {
   const WorkerPool first_pool(dispatcher_, first.addresses, NoLog());
   const Replicas second("slicefarm-worker", 1, {"--slots", "1"});
   std::unique_ptr<WorkerPool> second_pool;
-  const auto gcode = GcodeOf(slicing_, motion_, dispatcher_, [&](int32_t layers_done) {
+  const auto gcode = GcodeOf(slicing_, planning_, motion_, dispatcher_, [&](int32_t layers_done) {
     if (layers_done > 0 && second_pool == nullptr) {
       second_pool = std::make_unique<WorkerPool>(dispatcher_, second.addresses, NoLog());
     }
@@ -107,8 +110,8 @@ TEST_F(ProcessesTest, AWorkerThatJoinsLateWorksAlong) {
 class EveryServerProgram : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Programs, EveryServerProgram,
-                         testing::Values("slicing", "beading", "infill", "ordering", "motion",
-                                         "worker"),
+                         testing::Values("slicing", "planning", "beading", "infill", "ordering",
+                                         "motion", "worker"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(EveryServerProgram, ServesAndEndsWellOnSigterm) {

@@ -14,6 +14,7 @@ struct RemoteClients {
                          const rpc::ChannelOptions& channel = {})
       : replica(rpc::MakeChannel(address, channel)),
         slicing(replica, options),
+        planning(replica, options),
         beading(replica, options),
         infill(replica, options),
         ordering(replica, options),
@@ -22,6 +23,7 @@ struct RemoteClients {
 
   coordinator::SingleReplica replica;
   coordinator::RemoteSlicing slicing;
+  coordinator::RemotePlanning planning;
   coordinator::RemoteBeading beading;
   coordinator::RemoteInfill infill;
   coordinator::RemoteOrdering ordering;

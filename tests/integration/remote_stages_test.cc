@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -26,7 +27,8 @@ using std::chrono::seconds;
 /// Fakes behind a socket.
 struct FakeHost {
   FakeHost(const rpc::CallGateOptions& gate, const rpc::ServerOptions& options)
-      : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner},
+      : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner,
+              [this](rpc::CallGate& its) { return std::make_unique<FakePlanning>(fakes, its); }},
              gate, options) {}
 
   FakeStages fakes;
@@ -52,13 +54,14 @@ StageCall NewCall() {
   return call;
 }
 
-Neighbourhood TheNeighbourhood() {
-  return {Sample::kRange, Sample::kLayerCount, TheSample().outlines};
-}
+Neighbourhood TheNeighbourhood() { return {Sample::kRange, TheSample().outlines}; }
+
+SlicedOutlines TheOutlines() { return {TheSample().job.layers, TheSample().job.copies}; }
 
 RangeTask TheTask() {
   const Sample& sample = TheSample();
-  return {Sample::kRange, Sample::kLayerCount, sample.outlines, sample.plans, &sample.settings};
+  return {Sample::kRange,     sample.outlines, sample.plans,
+          sample.plan.copies, &sample.facts,   &sample.settings};
 }
 
 TEST(RemoteStages, SlicingGivesAndTakesAll) {
@@ -68,6 +71,7 @@ TEST(RemoteStages, SlicingGivesAndTakesAll) {
   ASSERT_TRUE(job.ok()) << job.status();
   EXPECT_EQ(job->layers, sample.job.layers);
   EXPECT_EQ(job->object_names, sample.job.object_names);
+  EXPECT_EQ(job->copies, sample.job.copies);
   EXPECT_EQ(job->meshes, sample.job.meshes);
   EXPECT_EQ(job->thumbnails, sample.job.thumbnails);
   ASSERT_EQ(farm.fakes.slice_input.files.size(), 3);
@@ -76,10 +80,22 @@ TEST(RemoteStages, SlicingGivesAndTakesAll) {
     EXPECT_EQ(farm.fakes.slice_input.files[i].format, sample.input.files[i].format);
     EXPECT_EQ(farm.fakes.slice_input.files[i].bytes, sample.input.files[i].bytes);
   }
-  EXPECT_EQ(farm.fakes.slice_input.placements, sample.input.placements);
+  EXPECT_TRUE(farm.fakes.slice_input.objects == sample.input.objects);
   EXPECT_EQ(farm.fakes.slicing_options, sample.settings.slicing);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
   EXPECT_EQ(farm.fakes.call.threads, StageHost::kThreads);
+}
+
+TEST(RemoteStages, PlanningGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto plan = farm.planning.Plan(NewCall(), TheOutlines(), sample.settings.planning);
+  ASSERT_TRUE(plan.ok()) << plan.status();
+  EXPECT_EQ(*plan, sample.plan);
+  EXPECT_EQ(farm.fakes.layers, sample.job.layers);
+  EXPECT_EQ(farm.fakes.placed, sample.job.copies);
+  EXPECT_EQ(farm.fakes.planning_options, sample.settings.planning);
+  EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
 
 TEST(RemoteStages, BeadingGivesAndTakesAll) {
@@ -89,7 +105,6 @@ TEST(RemoteStages, BeadingGivesAndTakesAll) {
   ASSERT_TRUE(walled.ok()) << walled.status();
   EXPECT_EQ(*walled, sample.walled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
-  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.beading_options, sample.settings.beading);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
@@ -103,7 +118,6 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(*filled, sample.filled);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
-  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.walled, sample.walled);
   EXPECT_EQ(farm.fakes.infill_options, sample.settings.infill);
@@ -112,22 +126,25 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
 TEST(RemoteStages, OrderingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto ordered =
-      farm.ordering.Order(NewCall(), sample.filled, sample.plans, sample.settings.ordering);
+  const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans, sample.plan.copies,
+                                           sample.settings.ordering);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);
   EXPECT_EQ(farm.fakes.plans, sample.plans);
+  EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.ordering_options, sample.settings.ordering);
 }
 
 TEST(RemoteStages, MotionGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto programs = farm.motion.Program(NewCall(), sample.ordered, sample.settings.motion);
+  const auto programs =
+      farm.motion.Program(NewCall(), sample.ordered, sample.facts, sample.settings.motion);
   ASSERT_TRUE(programs.ok()) << programs.status();
   EXPECT_EQ(*programs, sample.programs);
   EXPECT_EQ(farm.fakes.ordered, sample.ordered);
+  EXPECT_EQ(farm.fakes.facts, sample.facts);
   EXPECT_EQ(farm.fakes.motion_options, sample.settings.motion);
 }
 
@@ -148,12 +165,14 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   const auto result = farm.worker.Run(NewCall(), TheTask());
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_EQ(result->programs, sample.programs);
+  EXPECT_EQ(result->warnings, sample.warnings);
   EXPECT_EQ(result->times.beading_s, sample.times.beading_s);
   EXPECT_EQ(result->times.motion_s, sample.times.motion_s);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);
-  EXPECT_EQ(farm.fakes.layer_count, Sample::kLayerCount);
   EXPECT_EQ(farm.fakes.layers, sample.outlines);
   EXPECT_EQ(farm.fakes.plans, sample.plans);
+  EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
+  EXPECT_EQ(farm.fakes.facts, sample.facts);
   EXPECT_EQ(farm.fakes.settings, sample.settings);
   EXPECT_EQ(farm.fakes.call.job_id, "job-42");
 }
@@ -180,23 +199,34 @@ INSTANTIATE_TEST_SUITE_P(
                   return farm.slicing.Slice(call, TheSample().input, {}).status();
                 },
                 false},
+        AnyCall{"Plan",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.planning.Plan(call, TheOutlines(), {}).status();
+                }},
         AnyCall{"Bead",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.beading.Bead(call, TheNeighbourhood(), {}).status();
+                  return farm.beading
+                      .Bead(call, TheNeighbourhood(), TheSample().settings.beading)
+                      .status();
                 }},
-        AnyCall{
-            "Fill",
-            [](const Farm& farm, const StageCall& call) {
-              return farm.infill.Fill(call, TheSample().walled, TheNeighbourhood(), {}).status();
-            }},
+        AnyCall{"Fill",
+                [](const Farm& farm, const StageCall& call) {
+                  const Sample& sample = TheSample();
+                  return farm.infill
+                      .Fill(call, sample.walled, TheNeighbourhood(), sample.settings.infill)
+                      .status();
+                }},
         AnyCall{"Order",
                 [](const Farm& farm, const StageCall& call) {
                   const Sample& sample = TheSample();
-                  return farm.ordering.Order(call, sample.filled, sample.plans, {}).status();
+                  return farm.ordering
+                      .Order(call, sample.filled, sample.plans, sample.plan.copies, {})
+                      .status();
                 }},
         AnyCall{"Program",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.motion.Program(call, TheSample().ordered, {}).status();
+                  const Sample& sample = TheSample();
+                  return farm.motion.Program(call, sample.ordered, sample.facts, {}).status();
                 }},
         AnyCall{"Frame",
                 [](const Farm& farm, const StageCall& call) {
@@ -345,17 +375,36 @@ TEST(StageServices, NameTheFieldOfALayerThatIsMalformed) {
   std::vector<SlicedLayer> outlines = TheSample().outlines;
   outlines[2].frame.height_nm = 0;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, Sample::kLayerCount, outlines}, {}).status();
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, TheSample().settings.beading)
+          .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[2].frame.height_nm");
+}
+
+// Rows of settings and objects go by their index: a table too short is a caller's mistake.
+TEST(StageServices, RefuseACallWithoutSettingsOfAnyRegion) {
+  Farm farm;
+  const absl::Status status = farm.beading.Bead(NewCall(), TheNeighbourhood(), {}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "start.options");
+}
+
+TEST(StageServices, RefuseTablesOfDifferentLengths) {
+  Farm farm;
+  JobSettings settings = TheSample().settings;
+  settings.infill.pop_back();
+  RangeTask task = TheTask();
+  task.settings = &settings;
+  EXPECT_EQ(DetailOf(farm.worker.Run(NewCall(), task).status()).reason, Reason::kRequestMalformed);
 }
 
 TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
   Farm farm;
   std::vector<SlicedLayer> outlines = TheSample().outlines;
-  outlines[1].objects[0].outlines[0].outer[0].x = Coord{1} << 31;
+  outlines[1].sections[1].regions[0].outlines[0].outer[0].x = Coord{1} << 31;
   const absl::Status status =
-      farm.beading.Bead(NewCall(), {Sample::kRange, Sample::kLayerCount, outlines}, {}).status();
+      farm.beading.Bead(NewCall(), {Sample::kRange, outlines}, TheSample().settings.beading)
+          .status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange) << status;
 }
 

@@ -9,9 +9,11 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/base/error.h"
@@ -94,8 +96,9 @@ class SecureFarmTest : public testing::Test {
   }
 
   Arguments CoordinatorFlags(const rpc::TlsFiles& files, const Arguments& more) const {
-    return Arguments{"--state-dir", state_.path(),     "--slicing", slicing_.address(),
-                     "--motion",    motion_.address(), "--tenants", tenants_file_} +
+    return Arguments{"--state-dir", state_.path(),       "--slicing", slicing_.address(),
+                     "--planning",  planning_.address(), "--motion",  motion_.address(),
+                     "--tenants",   tenants_file_} +
            TlsFlags(files) + more;
   }
 
@@ -139,6 +142,7 @@ class SecureFarmTest : public testing::Test {
   rpc::TlsFiles tenant_b_;
   rpc::TlsFiles nobody_;
   SecureServer slicing_{certs_, "slicefarm-slicing", "stage/slicing"};
+  SecureServer planning_{certs_, "slicefarm-planning", "stage/planning"};
   SecureServer motion_{certs_, "slicefarm-motion", "stage/motion"};
   std::optional<SecureServer> worker_;
   std::optional<ServerProcess> coordinator_;
@@ -155,9 +159,9 @@ TEST_F(SecureFarmTest, WorkersAndSplitStagesGiveTheSameBytes) {
   const SecureServer ordering(certs_, "slicefarm-ordering", "stage/ordering");
   const ServerProcess split(
       "slicefarm-coordinator",
-      Arguments{"--state-dir", other_state.path(), "--slicing", slicing_.address(), "--motion",
-                motion_.address(), "--beading", beading.address(), "--infill", infill.address(),
-                "--ordering", ordering.address()} +
+      Arguments{"--state-dir", other_state.path(), "--slicing", slicing_.address(), "--planning",
+                planning_.address(), "--motion", motion_.address(), "--beading", beading.address(),
+                "--infill", infill.address(), "--ordering", ordering.address()} +
           TlsFlags(certs_.Make("coordinator")));
   Client other(split.address, tenant_b_);
   EXPECT_EQ(Print(other, mesh_), fused);
@@ -199,9 +203,11 @@ TEST_F(SecureFarmTest, TheCommandLineSubmitsAndIsToldWhatIsWrong) {
   rpc::TlsFiles forged = others.Make("tenant/a");
   forged.ca = tenant_a_.ca;
   EXPECT_EQ(List(TlsFlags(forged)).code, 5);
-  const Outcome stage = Run("list", slicing_.address(), TlsFlags(tenant_a_));
-  EXPECT_EQ(stage.code, 2);
-  EXPECT_EQ(stage.error, "spiffe://slicefarm/tenant/a may not call /slicefarm.v1.Jobs/ListJobs");
+  for (const SecureServer* service : {&slicing_, &planning_}) {
+    const Outcome stage = Run("list", service->address(), TlsFlags(tenant_a_));
+    EXPECT_EQ(stage.code, 2);
+    EXPECT_EQ(stage.error, "spiffe://slicefarm/tenant/a may not call /slicefarm.v1.Jobs/ListJobs");
+  }
 }
 
 // Past what the command line looks at itself.
@@ -325,10 +331,17 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
   StartCoordinator();
   Client client(coordinator_->address, tenant_a_);
   ASSERT_TRUE(client.Upload(mesh_).ok());
-  const auto gcode_of = [&](const std::string& name) {
+  const auto gcode_of = [&](const std::string& name, bool labelled = false) {
     v1::CreateJobRequest request = Client::RequestFor(mesh_);
     request.mutable_spec()->mutable_objects(0)->set_name(name);
-    request.set_request_id(name);
+    request.set_request_id(name + (labelled ? " labelled" : ""));
+    for (const auto& [key, value] :
+         {std::pair{"gcode_flavor", "klipper"}, std::pair{"gcode_label_objects", "firmware"}}) {
+      if (!labelled) break;
+      v1::Setting& setting = *request.mutable_spec()->add_settings();
+      setting.set_key(key);
+      setting.set_value(value);
+    }
     (*request.mutable_labels())[name] = name;
     const auto job = client.Create(request);
     EXPECT_TRUE(job.ok()) << job.status();
@@ -344,6 +357,11 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     }
     return commands;
   };
+  // Labels tell the firmware the object's name: as one word, whatever it was.
+  const auto labelled = [&](const std::string& name) {
+    static const std::regex kName("NAME=\\S+");
+    return std::regex_replace(commands_of(gcode_of(name, true)), kName, "NAME=");
+  };
   const auto files = [&] {
     size_t count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_.path())) {
@@ -352,12 +370,15 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
     return count;
   };
   const std::string plain = commands_of(gcode_of("part"));
+  const std::string plain_labelled = labelled("part");
+  EXPECT_THAT(plain_labelled, testing::HasSubstr("\nEXCLUDE_OBJECT_START NAME=\n"));
   const size_t before = files();
   for (const std::string& name :
        {"../../" + std::filesystem::path(directory_.path()).filename().string() + "/owned",
         directory_.path() + "/owned", std::string("\"]}; M112 {if 1}%s$(reboot)`'\\n\\r")}) {
     const std::string gcode = gcode_of(name);
     EXPECT_EQ(commands_of(gcode), plain) << name;
+    EXPECT_EQ(labelled(name), plain_labelled) << name;
   }
   EXPECT_EQ(files(), before);
   for (const std::string& name :
@@ -377,11 +398,11 @@ TEST_F(SecureFarmTest, NamesGoNowhere) {
 
 TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   const rpc::TlsFiles files = certs_.Make("coordinator");
+  const Arguments nowhere = {"--state-dir", state_.path(),  "--slicing", "127.0.0.1:1",
+                             "--planning",  "127.0.0.1:1", "--motion",  "127.0.0.1:1",
+                             "--workers",   "127.0.0.1:1"};
   const auto refusal = [&](const Arguments& arguments, const std::string& line) {
-    ChildProcess process("slicefarm-coordinator",
-                         Arguments{"--state-dir", state_.path(), "--slicing", "127.0.0.1:1",
-                                   "--motion", "127.0.0.1:1", "--workers", "127.0.0.1:1"} +
-                             arguments,
+    ChildProcess process("slicefarm-coordinator", nowhere + arguments,
                          ChildProcess::Stderr::kWithStdout);
     EXPECT_NE(process.AwaitLine(line), "") << line;
     EXPECT_NE(process.Wait(), 0);
@@ -393,11 +414,7 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
   refusal({"--tenants", directory_.path() + "/none.json"}, "--tenants: File does not exist");
 
   const auto fails = [&](const Arguments& arguments) {
-    return ChildProcess("slicefarm-coordinator",
-                        Arguments{"--state-dir", state_.path(), "--slicing", "127.0.0.1:1",
-                                  "--motion", "127.0.0.1:1", "--workers", "127.0.0.1:1"} +
-                            arguments)
-        .Wait();
+    return ChildProcess("slicefarm-coordinator", nowhere + arguments).Wait();
   };
   EXPECT_EQ(fails(TlsFlags(certs_.Make("coordinator", 0))), 1);
   WriteTenants(R"({"tenants": {"a": {"quota": 1}}})");

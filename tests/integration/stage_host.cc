@@ -18,13 +18,16 @@ StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gat
                      const rpc::ServerOptions& options)
     : gate_(gate, NoLog()),
       slicing_(stages.slicing, gate_, kThreads),
+      planning_(stages.planning(gate_)),
       beading_(stages.beading, gate_),
       infill_(stages.infill, gate_),
       ordering_(stages.ordering, gate_),
       motion_(stages.motion, gate_),
       worker_(stages.runner, gate_) {
   auto server = rpc::Server::Start(
-      options, {&slicing_, &beading_, &infill_, &ordering_, &motion_, &worker_}, call_metrics_);
+      options,
+      {&slicing_, planning_.get(), &beading_, &infill_, &ordering_, &motion_, &worker_},
+      call_metrics_);
   if (!server.ok()) {
     std::fprintf(stderr, "%s\n", server.status().ToString().c_str());
     std::abort();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "services/infill/server/infill_service.h"
 #include "services/motion/server/motion_service.h"
 #include "services/ordering/server/ordering_service.h"
+#include "services/planning/server/planning_service.h"
 #include "services/slicing/server/slicing_service.h"
 #include "services/worker/server/worker_service.h"
 
@@ -24,6 +26,9 @@ struct HostedStages {
   const OrderingStage& ordering;
   const MotionStage& motion;
   const RangeRunner& runner;
+  /// Planning has its algorithm within its service.
+  std::function<std::unique_ptr<v1::Planning::Service>(rpc::CallGate&)> planning =
+      [](rpc::CallGate& gate) { return std::make_unique<planning::PlanningService>(gate); };
 };
 
 /// All services of the stages and the worker behind one real socket.
@@ -42,6 +47,7 @@ class StageHost {
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
   slicing::SlicingService slicing_;
+  const std::unique_ptr<v1::Planning::Service> planning_;
   beading::BeadingService beading_;
   infill::InfillService infill_;
   ordering::OrderingService ordering_;

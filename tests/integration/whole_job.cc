@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "common/stage/slice_input_test.h"
 #include "services/cli/local_pipeline.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "tests/corpus_file.h"
@@ -36,16 +37,14 @@ std::string Computed() {
 }  // namespace
 
 SliceInput TextBox() {
-  SliceInput input;
-  input.files = {{"textbox.stl", MeshFormat::kStl, CorpusFile("models/textbox.stl")}};
-  input.placements.resize(1);
-  return input;
+  return InputOf({{"textbox.stl", MeshFormat::kStl, CorpusFile("models/textbox.stl")}});
 }
 
-absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const MotionStage& motion,
+absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
+                                    const MotionStage& motion,
                                     coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done) {
-  return GcodeBy(coordinator::JobPipeline(slicing, motion, dispatcher), layers_done);
+  return GcodeBy(coordinator::JobPipeline(slicing, planning, motion, dispatcher), layers_done);
 }
 
 const std::string& GcodeOfThisProcess() {

@@ -14,7 +14,8 @@ namespace slicefarm {
 SliceInput TextBox();
 
 /// The way of a whole job, from the text box to its G-code.
-absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const MotionStage& motion,
+absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
+                                    const MotionStage& motion,
                                     coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done = {});
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ class DevCerts {
  public:
   /// A new certificate for a role ("stage/motion"); `days` 0: it has expired.
   TlsFiles Make(const std::string& role, int days = 30) {
-    const std::string command = std::string(SLICEFARM_SOURCE) + "/deploy/dev-certs.sh '" + path() +
-                                "' --days " + std::to_string(days) + " " + role;
+    const std::string command = fmt::format("{}/deploy/dev-certs.sh '{}' --days {} {}",
+                                            SLICEFARM_SOURCE, path(), days, role);
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::string name = role;
     std::ranges::replace(name, '/', '-');

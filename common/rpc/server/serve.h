@@ -82,16 +82,17 @@ class ServerProgram {
 std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
                                    const std::string& about, ServeFlags* flags);
 
-/// main() of the server program of one stage. `Service`: made of a stage and a gate.
-template <typename Service, typename Stage>
+/// main() of the server program of one stage. `Service`: made of `parts`, such as a stage, and a
+/// gate.
+template <typename Service, typename... Parts>
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
-               const Stage& stage) {
+               const Parts&... parts) {
   ServerProgram program(name);
   ServeFlags flags;
   if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
   CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  Service service(stage, gate);
+  Service service(parts..., gate);
   return program.Run(flags, {&service});
 }
 

@@ -1,64 +1,57 @@
 #include "services/beading/algo/local_beading_stage.h"
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "common/model/bead_section.h"
-#include "common/model/settings.h"
-#include "services/beading/algo/arachne/arachne_island.h"
-#include "services/beading/algo/classic/classic_island.h"
-#include "services/beading/algo/arachne/neighbour_outlines.h"
+#include "common/model/region_check.h"
+#include "services/beading/algo/section_walls.h"
 
 namespace slicefarm::beading {
 namespace {
 
-/// The walls of one layer.
-class LayerWalls {
+/// The outlines of one object in a stretch of layers.
+struct ObjectOutlines {
+  std::vector<const MultiPolygon*> layers;
+  std::optional<NeighbourOutlines> neighbours;
+};
+
+/// The layers around each section, by object.
+class Surroundings {
  public:
-  /// Of the layer `index` of those that `neighbours` knows.
-  LayerWalls(const BeadingOptions& options, const WallPlan& plan, const GapFillOptions& gap_options,
-             const NeighbourOutlines& neighbours, size_t index)
-      : plan_(plan), gap_options_(gap_options) {
-    if (options.generator != WallGenerator::kArachne || plan.perimeters == 0) return;
-    const auto band = static_cast<double>(options.transition_deviation_nm);
-    arachne_.emplace(options, plan, gap_options,
-                     [&neighbours, index, band](double x, double y, double radius_nm) {
-                       return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm,
-                                                    band);
-                     });
+  explicit Surroundings(std::span<const SlicedLayer> layers) {
+    for (const SlicedLayer& layer : layers) {
+      for (const ObjectSection& section : layer.sections) {
+        ObjectOutlines& object = objects_[section.object];
+        index_[&section] = object.layers.size();
+        object.layers.push_back(&OutlineOf(section));
+      }
+    }
+    for (auto& [index, object] : objects_) object.neighbours.emplace(std::move(object.layers));
   }
 
-  absl::StatusOr<WalledIsland> Make(const PolygonWithHoles& outline, const CancelToken& cancel,
-                                    LayerFrame& frame) const {
-    if (arachne_) {
-      auto island = arachne_->Make(outline, cancel);
-      if (!island.ok()) return island.status();
-      if (*island) return **std::move(island);
-      ++frame.plain_islands;
-    }
-    return MakeClassicIsland(outline, plan_, gap_options_, cancel);
+  SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section) const {
+    return {section, layer.frame.index == 0, *objects_.at(section.object).neighbours,
+            index_.at(&section)};
   }
 
  private:
-  WallPlan plan_;
-  GapFillOptions gap_options_;
-  std::optional<ArachneIslands> arachne_;
+  std::map<int32_t, ObjectOutlines> objects_;
+  std::map<const ObjectSection*, size_t> index_;  ///< of a section among its object's
 };
 
 class LocalBeading : public BeadingStage {
  public:
-  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
-                                                const Neighbourhood& neighbourhood,
-                                                const BeadingOptions& options) const override {
+  absl::StatusOr<std::vector<WalledLayer>> Bead(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      std::span<const BeadingOptions> regions) const override {
     std::vector<WalledLayer> walled;
-    walled.reserve(neighbourhood.range.size());
-    const NeighbourOutlines neighbours(neighbourhood.layers);
-    for (size_t i = 0; i < neighbourhood.layers.size(); ++i) {
-      const SlicedLayer& layer = neighbourhood.layers[i];
+    walled.reserve(static_cast<size_t>(neighbourhood.range.size()));
+    const Surroundings surroundings(neighbourhood.layers);
+    for (const SlicedLayer& layer : neighbourhood.layers) {
       if (!neighbourhood.range.Contains(layer.frame.index)) continue;
-      if (absl::Status status = call.cancel.Check(); !status.ok()) return status;
-      auto result = BeadLayer(neighbours, i, layer, options, call.cancel);
+      auto result = WallLayer(layer, surroundings, regions, call.cancel);
       if (!result.ok()) return result.status();
       walled.push_back(*std::move(result));
     }
@@ -66,37 +59,19 @@ class LocalBeading : public BeadingStage {
   }
 
  private:
-  static absl::StatusOr<WalledLayer> BeadLayer(const NeighbourOutlines& neighbours, size_t index,
-                                               const SlicedLayer& layer,
-                                               const BeadingOptions& options,
+  static absl::StatusOr<WalledLayer> WallLayer(const SlicedLayer& layer,
+                                               const Surroundings& surroundings,
+                                               std::span<const BeadingOptions> regions,
                                                const CancelToken& cancel) {
-    const bool first = layer.frame.index == 0;
-    const Coord height = layer.frame.height_nm;
-    const Coord external = first ? options.first_layer_width_nm : options.external_width_nm;
-    const Coord inner = first ? options.first_layer_width_nm : options.inner_width_nm;
-    absl::Status status =
-        CheckSpacing(first ? "first_layer_extrusion_width" : "external_perimeter_extrusion_width",
-                     external, height);
-    status.Update(CheckSpacing(first ? "first_layer_extrusion_width" : "perimeter_extrusion_width",
-                               inner, height));
-    if (!status.ok()) return status;
-
-    WallPlan plan = WallPlan::Make(options.perimeters, external, inner, height);
-    plan.gap_fill = options.gap_fill;
-    plan.thin_walls = options.thin_walls || options.generator == WallGenerator::kArachne;
-    plan.max_gap_width_nm = options.max_gap_width_nm;
-    const GapFillOptions gap_options{options.min_gap_width_nm, options.max_gap_width_nm, height};
-    const LayerWalls walls(options, plan, gap_options, neighbours, index);
+    if (absl::Status ok = CheckRegions(layer, regions.size()); !ok.ok()) return ok;
     WalledLayer walled;
     walled.frame = layer.frame;
-    for (const ObjectSection& section : layer.objects) {
-      for (const PolygonWithHoles& outline : section.outlines) {
-        auto island = walls.Make(outline, cancel, walled.frame);
-        if (!island.ok()) return island.status();
-        island->object = section.object;
-        for (Path& path : island->walls) path.object = section.object;
-        walled.islands.push_back(*std::move(island));
-      }
+    for (const ObjectSection& section : layer.sections) {
+      if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+      auto result = WallSection(surroundings.PlaceOf(layer, section), regions, cancel);
+      if (!result.ok()) return result.status();
+      walled.plain_islands += result->plain_islands;
+      walled.sections.push_back(std::move(result->walled));
     }
     return walled;
   }

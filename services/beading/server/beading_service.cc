@@ -25,7 +25,7 @@ absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {
   if (!layers.ok()) return layers.status();
 
   const absl::StatusOr<std::vector<WalledLayer>> walled =
-      stage_.Bead(start->call, {start->range, start->layer_count, *layers}, start->options);
+      stage_.Bead(start->call, {start->range, *layers}, start->options);
   if (!walled.ok()) return walled.status();
   return WriteEach<v1::WalledLayer>(
       stream, *walled,

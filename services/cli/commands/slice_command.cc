@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "common/config/resolve.h"
+#include "common/config/plate.h"
 #include "common/base/build_info.h"
 #include "common/base/sha256.h"
 #include "services/cli/commands/commands.h"
@@ -33,19 +33,11 @@ int ThreadsOf(const SliceOptions& options) {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
 }
 
-absl::StatusOr<coordinator::JobInput> InputOf(const JobOptions& options,
-                                              config::ResolvedSettings& resolved) {
-  auto placement = GivenPlacement(options);
-  if (!placement.ok()) return placement.status();
-  auto model = ReadModel(options);
-  if (!model.ok()) return model.status();
-  coordinator::JobInput input;
-  input.meshes.files.push_back(*std::move(model));
-  input.meshes.placements.push_back(*std::move(placement));
-  input.settings = resolved.settings;
-  input.settings_text = resolved.effective_text;
-  input.warnings = resolved.warnings;
-  return input;
+coordinator::JobInput InputOf(GivenModels given, const config::ResolvedPlate& plate) {
+  return {.meshes = {std::move(given.files), plate.objects},
+          .settings = plate.settings,
+          .settings_text = plate.effective_text,
+          .warnings = plate.warnings};
 }
 
 absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordinator::JobInput input,
@@ -61,7 +53,7 @@ absl::StatusOr<coordinator::JobOutput> Run(const SliceOptions& options, coordina
 }
 
 absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOutput& output,
-                          const config::ResolvedSettings& resolved) {
+                          const config::ResolvedPlate& resolved) {
   if (!options.job.report.empty()) {
     const std::string json = coordinator::ReportJson(
         output.report, {.settings_without_effect = resolved.no_effect,
@@ -73,7 +65,7 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
 }
 
 void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,
-                  const config::ResolvedSettings& resolved) {
+                  const config::ResolvedPlate& resolved) {
   Warn(report.warnings);
   if (options.job.quiet) return;
   const bool result_on_stdout = options.output == "-" || options.job.report == "-";
@@ -90,15 +82,16 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
 ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   const auto given = GivenSettings(options.job);
   if (!given.ok()) return Fail(given.status());
-  auto resolved = config::Resolve(*given);
+  auto models = ReadModels(options.job);
+  if (!models.ok()) return Fail(models.status());
+  const auto resolved = config::ResolvePlate(*given, SceneOf(*models));
   if (!resolved.ok()) return Fail(resolved.status());
-  auto input = InputOf(options.job, *resolved);
-  if (!input.ok()) return Fail(input.status());
 
-  auto output = Run(options, *std::move(input), interrupt);
+  auto output = Run(options, InputOf(*std::move(models), *resolved), interrupt);
   if (!output.ok()) {
     const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
-    return Fail(mesh ? InFile(options.job.model, output.status()) : output.status());
+    const bool one = options.job.models.size() == 1;
+    return Fail(mesh && one ? InFile(options.job.models[0], output.status()) : output.status());
   }
   if (absl::Status status = WriteResults(options, *output, *resolved); !status.ok()) {
     return Fail(status);

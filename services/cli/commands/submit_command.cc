@@ -47,22 +47,24 @@ TraceContext TraceOf(const SubmitOptions& options) {
   return trace.value_or(TraceContext());
 }
 
-/// All of the spec but the mesh's digest.
-absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const MeshFile& model) {
+/// All of the spec but the meshes' digests.
+absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const GivenModels& models) {
   const JobOptions& options = submit.job;
   const auto settings = GivenSettings(options);
   if (!settings.ok()) return settings.status();
-  const auto placement = GivenPlacement(options);
-  if (!placement.ok()) return placement.status();
   v1::JobSpec spec;
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
   for (const config::Setting& setting : *settings) *spec.add_settings() = ToProto(setting);
-  v1::Object* object = spec.add_objects();
-  object->set_name(model.name);
-  object->set_format(ToProto(model.format));
-  if (absl::Status status = ToProto(*placement, object->mutable_placement()); !status.ok()) {
-    return status;
+  for (const GivenObject& given : models.objects) {
+    v1::Object* object = spec.add_objects();
+    object->set_name(given.name);
+    object->set_format(ToProto(models.files[static_cast<size_t>(given.file)].format));
+    object->set_copies(given.copies);
+    for (const config::Setting& setting : given.settings)
+      *object->add_settings() = ToProto(setting);
+    absl::Status status = ToProto(given.placement, object->mutable_placement());
+    if (!status.ok()) return status;
   }
   return spec;
 }
@@ -72,12 +74,12 @@ v1::JobPriority PriorityOf(const std::string& name) {
   return name == "interactive" ? v1::JOB_PRIORITY_INTERACTIVE : v1::JOB_PRIORITY_NORMAL;
 }
 
-/// All of the request but the mesh's digest.
+/// All of the request but the meshes' digests.
 absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
-                                               const MeshFile& model) {
+                                               const GivenModels& models) {
   const auto labels = ReadLabels(options.labels);
   if (!labels.ok()) return labels.status();
-  auto spec = SpecOf(options, model);
+  auto spec = SpecOf(options, models);
   if (!spec.ok()) return spec.status();
   v1::CreateJobRequest request;
   *request.mutable_spec() = *std::move(spec);
@@ -95,18 +97,29 @@ absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
 }
 
 absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
-  const auto model = ReadModel(options.job);
-  if (!model.ok()) return model.status();
-  auto request = RequestOf(options, *model);
+  const auto models = ReadModels(options.job);
+  if (!models.ok()) return models.status();
+  auto request = RequestOf(options, *models);
   if (!request.ok()) return request.status();
 
   constexpr int64_t kKib = 1024;
-  const int total_kib = static_cast<int>(model->bytes.size() / kKib);
-  const auto sha256 = client.UploadMesh(model->bytes, [&](int64_t sent) {
-    bar.Show("upload, KiB", static_cast<int>(sent / kKib), total_kib);
-  });
-  if (!sha256.ok()) return sha256.status();
-  request->mutable_spec()->mutable_objects(0)->set_mesh_sha256(*sha256);
+  int64_t total = 0;
+  for (const MeshFile& file : models->files) total += std::ssize(file.bytes);
+  std::vector<std::string> digests;
+  int64_t before = 0;
+  for (const MeshFile& file : models->files) {
+    const auto sha256 = client.UploadMesh(file.bytes, [&](int64_t sent) {
+      bar.Show("upload, KiB", static_cast<int>((before + sent) / kKib),
+               static_cast<int>(total / kKib));
+    });
+    if (!sha256.ok()) return sha256.status();
+    digests.push_back(*sha256);
+    before += std::ssize(file.bytes);
+  }
+  for (size_t i = 0; i < models->objects.size(); ++i) {
+    const auto file = static_cast<size_t>(models->objects[i].file);
+    request->mutable_spec()->mutable_objects(static_cast<int>(i))->set_mesh_sha256(digests[file]);
+  }
   return client.CreateJob(*std::move(request));
 }
 
@@ -212,7 +225,7 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
                created->id());
     return Fail(job.status());
   }
-  if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.model);
+  if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.models.size() == 1 ? options.job.models[0] : "");
   const absl::Status fetched =
       FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
   if (!fetched.ok()) {

@@ -6,7 +6,9 @@
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/program_wire.h"
+#include "common/wire/repeated_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
@@ -14,12 +16,14 @@
 #include "slicefarm/v1/infill.grpc.pb.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 #include "slicefarm/v1/ordering.grpc.pb.h"
+#include "slicefarm/v1/planning.grpc.pb.h"
 #include "slicefarm/v1/slicing.grpc.pb.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
 constexpr char kSlicing[] = "slicing";
+constexpr char kPlanning[] = "planning";
 constexpr char kBeading[] = "beading";
 constexpr char kInfill[] = "infill";
 constexpr char kOrdering[] = "ordering";
@@ -32,11 +36,13 @@ absl::StatusOr<Layers> ForRange(Layers layers, LayerRange range, std::string_vie
   return layers;
 }
 
+/// That the peer is gone shows at what is written next.
 template <typename Request, typename Stream, typename Start>
-bool WriteStart(Stream& stream, const Start& start) {
+absl::Status WriteStart(Stream& stream, const Start& start) {
   Request request;
-  ToProto(start, request.mutable_start());
-  return stream.Write(request);
+  absl::Status status = ToProto(start, request.mutable_start());
+  if (status.ok()) stream.Write(request);
+  return status;
 }
 
 /// Takes all answers, of a message each.
@@ -93,15 +99,47 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
   return job;
 }
 
-absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(const StageCall& call,
-                                                             const Neighbourhood& neighbourhood,
-                                                             const BeadingOptions& options) const {
+absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const SlicedOutlines& job,
+                                             const PlanningOptions& options) const {
+  JobPlan plan;
+  bool ended = false;
+  const auto write = [&](auto& stream) {
+    absl::Status status = WriteStart<v1::PlanRequest>(
+        stream, PlanStart{call, options, {job.copies.begin(), job.copies.end()}});
+    if (!status.ok()) return status;
+    return WriteEach<v1::PlanRequest>(stream, job.layers,
+                                      [](const SlicedLayer& layer, v1::PlanRequest* request) {
+                                        return ToProto(layer, request->mutable_layer());
+                                      });
+  };
+  const auto read = [&](auto& stream) {
+    plan = {};
+    ended = false;
+    return ReadEach<v1::PlanResponse>(stream, [&](const v1::PlanResponse& response) {
+      if (response.has_layer()) return Append(FromProto(response.layer()), &plan.layers);
+      if (response.has_addition()) return Append(FromProto(response.addition()), &plan.additions);
+      ended = response.has_end();
+      return AllFromProto(response.end().copies(), "copies", &plan.copies);
+    });
+  };
+  const absl::Status status = StreamOver(replicas_, options_, call, kPlanning,
+                                         &v1::Planning::Stub::PrepareAsyncPlanJob, write, read);
+  if (!status.ok()) return status;
+  if (!ended || plan.layers.size() != job.layers.size() || plan.copies.size() != job.copies.size())
+    return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));
+  return plan;
+}
+
+absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    std::span<const BeadingOptions> regions) const {
   std::vector<WalledLayer> walled;
   const absl::Status status = StreamOver(
       replicas_, options_, call, kBeading, &v1::Beading::Stub::PrepareAsyncBeadLayers,
       [&](auto& stream) {
-        WriteStart<v1::BeadRequest>(
-            stream, BeadStart{call, options, neighbourhood.range, neighbourhood.layer_count});
+        absl::Status started = WriteStart<v1::BeadRequest>(
+            stream, BeadStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+        if (!started.ok()) return started;
         return WriteEach<v1::BeadRequest>(stream, neighbourhood.layers,
                                           [](const SlicedLayer& layer, v1::BeadRequest* request) {
                                             return ToProto(layer, request->mutable_layer());
@@ -112,15 +150,15 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(const StageCall& ca
   return ForRange(std::move(walled), neighbourhood.range, kBeading);
 }
 
-absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(const StageCall& call,
-                                                            std::vector<WalledLayer> walled,
-                                                            const Neighbourhood& neighbourhood,
-                                                            const InfillOptions& options) const {
+absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
+    const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
+    std::span<const InfillOptions> regions) const {
   std::vector<FilledLayer> filled;
   const auto write = [&](auto& stream) {
-    WriteStart<v1::FillRequest>(
-        stream, FillStart{call, options, neighbourhood.range, neighbourhood.layer_count});
-    absl::Status status = WriteEach<v1::FillRequest>(
+    absl::Status status = WriteStart<v1::FillRequest>(
+        stream, FillStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
+    if (!status.ok()) return status;
+    status = WriteEach<v1::FillRequest>(
         stream, neighbourhood.layers, [](const SlicedLayer& layer, v1::FillRequest* request) {
           return ToProto(layer, request->mutable_neighbour());
         });
@@ -139,10 +177,12 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(const StageCall& cal
 
 absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
     const StageCall& call, std::vector<FilledLayer> layers, std::span<const LayerPlan> plans,
-    const OrderingOptions& options) const {
+    std::span<const Copy> copies, const OrderingOptions& options) const {
   std::vector<OrderedLayer> ordered;
   const auto write = [&](auto& stream) {
-    WriteStart<v1::OrderRequest>(stream, OrderStart{call, options});
+    absl::Status started = WriteStart<v1::OrderRequest>(
+        stream, OrderStart{call, options, {copies.begin(), copies.end()}});
+    if (!started.ok()) return started;
     auto plan = plans.begin();
     return WriteEach<v1::OrderRequest>(
         stream, layers, [&](const FilledLayer& layer, v1::OrderRequest* request) {
@@ -159,10 +199,13 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
 }
 
 absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
-    const StageCall& call, std::vector<OrderedLayer> layers, const MotionOptions& options) const {
+    const StageCall& call, std::vector<OrderedLayer> layers, const JobFacts& facts,
+    const MotionOptions& options) const {
   std::vector<LayerProgram> programs;
   const auto write = [&](auto& stream) {
-    WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, options});
+    absl::Status started =
+        WriteStart<v1::ProgramRequest>(stream, ProgramStart{call, options, facts});
+    if (!started.ok()) return started;
     return WriteEach<v1::ProgramRequest>(
         stream, layers, [](const OrderedLayer& layer, v1::ProgramRequest* request) {
           return ToProto(layer, request->mutable_layer());
@@ -172,7 +215,9 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
       StreamOver(replicas_, options_, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
                  write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
   if (!status.ok()) return status;
-  return ForRange(std::move(programs), RangeOf(layers), kMotion);
+  const absl::Status fits = CheckProgramsOfRange(programs, RangeOf(layers));
+  if (!fits.ok()) return BadAnswer(kMotion, fits);
+  return programs;
 }
 
 absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,

@@ -27,14 +27,27 @@ class RemoteSlicing : public SlicingStage {
   const RemoteOptions options_;
 };
 
+class RemotePlanning : public PlanningStage {
+ public:
+  explicit RemotePlanning(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
+                               const PlanningOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
 class RemoteBeading : public BeadingStage {
  public:
   explicit RemoteBeading(ReplicaSource& replicas, const RemoteOptions& options = {})
       : replicas_(replicas), options_(options) {}
 
-  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall& call,
-                                                const Neighbourhood& neighbourhood,
-                                                const BeadingOptions& options) const override;
+  absl::StatusOr<std::vector<WalledLayer>> Bead(
+      const StageCall& call, const Neighbourhood& neighbourhood,
+      std::span<const BeadingOptions> regions) const override;
 
  private:
   ReplicaSource& replicas_;
@@ -46,10 +59,9 @@ class RemoteInfill : public InfillStage {
   explicit RemoteInfill(ReplicaSource& replicas, const RemoteOptions& options = {})
       : replicas_(replicas), options_(options) {}
 
-  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
-                                                std::vector<WalledLayer> walled,
-                                                const Neighbourhood& neighbourhood,
-                                                const InfillOptions& options) const override;
+  absl::StatusOr<std::vector<FilledLayer>> Fill(
+      const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
+      std::span<const InfillOptions> regions) const override;
 
  private:
   ReplicaSource& replicas_;
@@ -64,6 +76,7 @@ class RemoteOrdering : public OrderingStage {
   absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall& call,
                                                   std::vector<FilledLayer> layers,
                                                   std::span<const LayerPlan> plans,
+                                                  std::span<const Copy> copies,
                                                   const OrderingOptions& options) const override;
 
  private:
@@ -78,6 +91,7 @@ class RemoteMotion : public MotionStage {
 
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
+                                                    const JobFacts& facts,
                                                     const MotionOptions& options) const override;
   absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
                                      const MotionOptions& options) const override;

@@ -16,8 +16,12 @@ constexpr char kWorker[] = "worker";
 template <typename Stream>
 absl::Status WriteTask(Stream& stream, const StageCall& call, const RangeTask& task) {
   v1::WorkRequest request;
-  const WorkStart start{
-      call, *task.settings, task.range, task.layer_count, {task.plans.begin(), task.plans.end()}};
+  const WorkStart start{call,
+                        *task.settings,
+                        task.range,
+                        {task.plans.begin(), task.plans.end()},
+                        {task.copies.begin(), task.copies.end()},
+                        *task.facts};
   absl::Status status = ToProto(start, request.mutable_start());
   if (!status.ok() || !stream.Write(request)) return status;
   return WriteEach<v1::WorkRequest>(stream, task.layers,
@@ -30,6 +34,7 @@ absl::Status Take(v1::WorkResponse& response, RangeResult* result) {
   if (response.has_program()) {
     return Append(FromProto(std::move(*response.mutable_program())), &result->programs);
   }
+  if (response.has_warning()) return Append(FromProto(response.warning()), &result->warnings);
   const absl::StatusOr<StageTimes> times = FromProto(response.times());
   if (times.ok()) result->times = *times;
   return times.status();
@@ -48,7 +53,7 @@ absl::StatusOr<RangeResult> RemoteWorker::Run(const StageCall& call, const Range
             stream, [&](v1::WorkResponse& response) { return Take(response, &result); });
       });
   if (!status.ok()) return status;
-  if (absl::Status fits = CheckLayersOfRange(result.programs, task.range); !fits.ok()) {
+  if (absl::Status fits = CheckProgramsOfRange(result.programs, task.range); !fits.ok()) {
     return BadAnswer(kWorker, fits);
   }
   return result;

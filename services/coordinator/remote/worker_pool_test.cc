@@ -182,8 +182,9 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARan
   });
   a.Restart();
   ASSERT_TRUE(runner.await_ready(seconds(60)));
+  const JobFacts facts;
   const JobSettings settings;
-  const RangeTask task{{0, 1}, 1, {}, {}, &settings};
+  const RangeTask task{{0, 1}, {}, {}, {}, &facts, &settings};
   for (int i = 0; i < 2; ++i) {
     absl::Status refused;
     do {
@@ -221,8 +222,9 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
   Start({a.address()});
   const Runner runner = runners_.Await(1)[0];
   pool_.reset();
+  const JobFacts facts;
   const JobSettings settings;
-  const RangeTask task{{0, 1}, 1, {}, {}, &settings};
+  const RangeTask task{{0, 1}, {}, {}, {}, &facts, &settings};
   EXPECT_FALSE(runner.ranges->Run({}, task).ok());  // the fake implements no WorkRange
 }
 

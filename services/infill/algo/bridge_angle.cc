@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/scan_lines.h"
@@ -70,8 +71,8 @@ std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPol
   const MultiPolygon spans = Difference({region}, below);
   if (supports.empty() || spans.empty()) return std::nullopt;
   const Box box = Bounds(spans);
-  const double size = std::hypot(static_cast<double>(box.max.x - box.min.x),
-                                 static_cast<double>(box.max.y - box.min.y));
+  const double size =
+      Hypot(static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y));
   const double pitch = std::max(static_cast<double>(width_nm), size / kMaxSamples);
   std::optional<double> best;
   double least = std::numeric_limits<double>::infinity();

@@ -12,13 +12,19 @@ namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
+ObjectSection Section(int index, int count, MultiPolygon outlines) {
+  ObjectSection section{3, index, count, 200'000, {}, {}};
+  section.regions = {{Role::kPart, 0, 0, std::move(outlines)}};
+  return section;
+}
+
 /// A plate of 20 mm, and from layer `step` on only its left half.
 std::vector<SlicedLayer> Steps(int count, int step) {
   std::vector<SlicedLayer> layers(count);
   for (int i = 0; i < count; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].objects.push_back(
-        {3, P(i < step ? "(0 0, 20 0, 20 20, 0 20)" : "(0 0, 10 0, 10 20, 0 20)")});
+    layers[i].sections = {Section(
+        i, count, P(i < step ? "(0 0, 20 0, 20 20, 0 20)" : "(0 0, 10 0, 10 20, 0 20)"))};
   }
   return layers;
 }
@@ -27,14 +33,15 @@ std::vector<WalledLayer> Walled(const std::vector<SlicedLayer>& layers, LayerRan
   std::vector<WalledLayer> walled;
   for (const SlicedLayer& layer : layers) {
     if (!range.Contains(layer.frame.index)) continue;
+    const ObjectSection& section = layer.sections[0];
     WalledIsland island;
-    island.object = 3;
-    island.fill_area = layer.objects[0].outlines;
-    for (Point& p : island.fill_area[0].outer) {
+    island.fill_areas = {{Role::kPart, 0, 0, OutlineOf(section)}};
+    for (Point& p : island.fill_areas[0].area[0].outer) {
       p.x += p.x == 0 ? 1'000'000 : -1'000'000;
       p.y += p.y == 0 ? 1'000'000 : -1'000'000;
     }
-    walled.push_back({layer.frame, {island}});
+    walled.push_back(
+        {layer.frame, {{section.object, section.layer, section.height_nm, {island}}}, 0});
   }
   return walled;
 }
@@ -48,18 +55,15 @@ absl::StatusOr<std::vector<FilledLayer>> Fill(const std::vector<SlicedLayer>& la
   StageCall call;
   call.cancel = std::move(cancel);
   return MakeLocalInfill()->Fill(call, Walled(layers, range),
-                                 {range, count, std::span(layers).subspan(seen.first, seen.size())},
-                                 options);
+                                 {range, std::span(layers).subspan(seen.first, seen.size())},
+                                 std::span(&options, 1));
 }
 
 std::set<Feature> FeaturesOf(const FilledLayer& layer) {
   std::set<Feature> features;
-  for (const FilledIsland& island : layer.islands)
+  for (const FilledIsland& island : layer.sections.at(0).islands)
     for (const FillGroup& group : island.fills)
-      for (const Path& path : group.paths) {
-        features.insert(path.feature);
-        EXPECT_EQ(path.object, 3);
-      }
+      for (const Path& path : group.paths) features.insert(path.feature);
   return features;
 }
 
@@ -77,7 +81,8 @@ TEST(LocalInfill, StepPartHasEveryKindOfRegion) {
 
 TEST(LocalInfill, OverhangIsABridge) {
   std::vector<SlicedLayer> layers = Steps(20, 10);
-  for (int i = 0; i < 10; ++i) std::swap(layers[i].objects, layers[19 - i].objects);
+  for (int i = 0; i < 10; ++i)
+    std::swap(layers[i].sections[0].regions, layers[19 - i].sections[0].regions);
   const auto filled = Fill(layers, {0, 20}, 5);
   ASSERT_TRUE(filled.ok());
   EXPECT_TRUE(FeaturesOf((*filled)[10]).contains(Feature::kBridgeInfill));
@@ -89,7 +94,7 @@ TEST(LocalInfill, SolidLinesTurnFromLayerToLayer) {
   options.angle_rad = 0;
   const auto filled = Fill(Steps(2, 2), {0, 2}, 5, options);
   ASSERT_TRUE(filled.ok());
-  const auto line = [&](int layer) { return (*filled)[layer].islands[0].fills[0].paths[0].points; };
+  const auto line = [&](int layer) { return (*filled)[layer].sections[0].islands[0].fills[0].paths[0].points; };
   EXPECT_EQ(line(0)[0].y, line(0)[1].y);
   EXPECT_EQ(line(1)[0].x, line(1)[1].x);
 }
@@ -99,21 +104,23 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
   std::vector<SlicedLayer> layers(8);
   for (int i = 0; i < 8; ++i) {
     layers[i].frame = {i, 200'000 * (i + 1), 200'000};
-    layers[i].objects.push_back({3, P("(0 0, 40 0, 40 20, 0 20)")});
+    layers[i].sections = {Section(i, 8, P("(0 0, 40 0, 40 20, 0 20)"))};
   }
   for (int i = 0; i < 4; ++i)
-    layers[i].objects[0].outlines = P("(0 0, 10 0, 10 20, 0 20) ; (30 0, 40 0, 40 20, 30 20)");
+    layers[i].sections[0].regions[0].outlines = P("(0 0, 10 0, 10 20, 0 20) ; (30 0, 40 0, 40 20, 30 20)");
   for (const int first : {3, 4}) {  // the slab on an even layer and on an odd one
     const auto shifted = std::vector<SlicedLayer>(layers.begin() + 4 - first, layers.end());
     std::vector<SlicedLayer> numbered = shifted;
-    for (size_t i = 0; i < numbered.size(); ++i) numbered[i].frame.index = static_cast<int>(i);
+    for (size_t i = 0; i < numbered.size(); ++i)
+      numbered[i].frame.index = numbered[i].sections[0].layer = static_cast<int>(i);
     std::vector<SlicedLayer> slab(numbered.begin() + first, numbered.begin() + first + 1);
     const auto walled = Walled(slab, {first, first + 1});
-    const auto filled = MakeLocalInfill()->Fill(
-        {}, walled, {{first, first + 1}, static_cast<int>(numbered.size()), numbered}, {});
+    const InfillOptions options;
+    const auto filled = MakeLocalInfill()->Fill({}, walled, {{first, first + 1}, numbered},
+                                                std::span(&options, 1));
     ASSERT_TRUE(filled.ok()) << filled.status();
     Coord left = INT64_MAX, right = INT64_MIN;
-    for (const FillGroup& group : (*filled)[0].islands[0].fills) {
+    for (const FillGroup& group : (*filled)[0].sections[0].islands[0].fills) {
       for (const Path& path : group.paths) {
         if (path.feature != Feature::kBridgeInfill) continue;
         for (const Point p : path.points) left = std::min(left, p.x), right = std::max(right, p.x);
@@ -151,7 +158,7 @@ TEST(LocalInfill, NoDensityLeavesTheInsideEmpty) {
   options.density = 0;
   const auto filled = Fill(Steps(20, 20), {0, 20}, 5, options);
   ASSERT_TRUE(filled.ok());
-  EXPECT_TRUE((*filled)[10].islands[0].fills.empty());
+  EXPECT_TRUE((*filled)[10].sections[0].islands[0].fills.empty());
 }
 
 TEST(LocalInfill, FirstLayerHasItsOwnWidth) {
@@ -159,8 +166,8 @@ TEST(LocalInfill, FirstLayerHasItsOwnWidth) {
   options.first_layer_width_nm = 600'000;
   const auto filled = Fill(Steps(2, 2), {0, 2}, 5, options);
   ASSERT_TRUE(filled.ok());
-  EXPECT_NEAR((*filled)[0].islands[0].fills[0].paths[0].widths_nm[0], 600'000, 20'000);
-  EXPECT_NEAR((*filled)[1].islands[0].fills[0].paths[0].widths_nm[0], 450'000, 20'000);
+  EXPECT_NEAR((*filled)[0].sections[0].islands[0].fills[0].paths[0].widths_nm[0], 600'000, 20'000);
+  EXPECT_NEAR((*filled)[1].sections[0].islands[0].fills[0].paths[0].widths_nm[0], 450'000, 20'000);
 }
 
 // Beads this narrow, for their height, would lie on top of each other.

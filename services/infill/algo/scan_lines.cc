@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "common/base/error.h"
+#include "common/base/portable_math.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::infill {
@@ -94,7 +95,7 @@ void SortByLine(int32_t line_count, ScanLines& lines) {
 }  // namespace
 
 LineFrame::LineFrame(double angle_rad)
-    : cos_(SnapToRightAngle(std::cos(angle_rad))), sin_(SnapToRightAngle(std::sin(angle_rad))) {}
+    : cos_(SnapToRightAngle(Cos(angle_rad))), sin_(SnapToRightAngle(Sin(angle_rad))) {}
 
 Point LineFrame::At(double u, double v) const {
   return {std::llround(cos_ * u - sin_ * v), std::llround(sin_ * u + cos_ * v)};

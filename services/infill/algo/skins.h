@@ -6,15 +6,15 @@
 
 namespace slicefarm::infill {
 
-/// What lies above and below a fill area: the outlines of the layers whose skins reach it. Those
-/// that equal the fill area's own layer, or the nearer one before them, are best the same object:
-/// nothing else is recognised as equal, but taken to be different.
+/// What lies above and below a fill area: the outlines of the layers whose skins reach it. Pass the
+/// same pointer for equal layers: equality with the fill area's own layer, or with the nearer one
+/// before, is by pointer.
 struct Cover {
   std::vector<const MultiPolygon*>
       above;  ///< nearest first, as many as top solid layers; nullptr: air
   std::vector<const MultiPolygon*>
       below;            ///< nearest first, as many as bottom solid layers; nullptr: air or bed
-  bool on_bed = false;  ///< what is below the nearest is the bed
+  bool on_bed = false;  ///< the area is in the lowest layer of its object
 };
 
 struct SkinOptions {

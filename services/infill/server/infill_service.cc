@@ -28,13 +28,12 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
                                    : AppendNext(FromProto(request.layer()), &walled);
   });
   status.Update(call.cancel.Check());
-  status.Update(CheckNeighbourhood(neighbours, start->range, start->layer_count));
+  status.Update(CheckNeighbourhood(neighbours, start->range));
   status.Update(CheckLayersOfRange(walled, start->range));
   if (!status.ok()) return status;
 
   const absl::StatusOr<std::vector<FilledLayer>> filled =
-      stage_.Fill(start->call, std::move(walled), {start->range, start->layer_count, neighbours},
-                  start->options);
+      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, start->options);
   if (!filled.ok()) return filled.status();
   return WriteEach<v1::FilledLayer>(
       stream, *filled,

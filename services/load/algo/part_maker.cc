@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "services/load/algo/seeded.h"
 
 namespace slicefarm::load {
@@ -71,12 +72,12 @@ std::vector<Vertex> Rings(const Lathe& lathe, uint64_t seed) {
   vertices.reserve(static_cast<size_t>(lathe.rings) * lathe.around);
   for (int ring = 0; ring < lathe.rings; ++ring) {
     const double up = static_cast<double>(ring) / (lathe.rings - 1);
-    const double profile = radius_mm * (1 + belly * std::sin(up * std::numbers::pi));
+    const double profile = radius_mm * (1 + belly * Sin(up * std::numbers::pi));
     for (int i = 0; i < lathe.around; ++i) {
       const double angle_rad = 2 * std::numbers::pi * i / lathe.around;
-      const double r = profile * (1 + depth * std::cos(flutes * angle_rad));
-      vertices.push_back({static_cast<float>(r * std::cos(angle_rad)),
-                          static_cast<float>(r * std::sin(angle_rad)),
+      const double r = profile * (1 + depth * Cos(flutes * angle_rad));
+      vertices.push_back({static_cast<float>(r * Cos(angle_rad)),
+                          static_cast<float>(r * Sin(angle_rad)),
                           static_cast<float>(up * height_mm)});
     }
   }

@@ -7,12 +7,12 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/model/region_check.h"
 
 namespace slicefarm::motion {
 namespace {
 
 constexpr Coord kMaxBeadNm = 100 * kNmPerMm;
-constexpr double kMaxFlow = 1000;
 /// Lengths become 32-bit micrometres, and 32-bit 1e-5 mm of filament, two of them in one move.
 constexpr double kMaxLengthMm = 1e4;
 constexpr double kMaxSetting = 1e9;
@@ -41,9 +41,33 @@ bool InBounds(const Path& path) {
   const auto is_width = [](Coord width) { return 0 <= width && width <= kMaxBeadNm; };
   return WellFormed(path) && std::all_of(path.widths_nm.begin(), path.widths_nm.end(), is_width) &&
          std::all_of(path.points.begin(), path.points.end(), [](Point p) { return InBounds(p); }) &&
-         0 <= path.height_nm && path.height_nm <= kMaxBeadNm && 0 <= path.flow &&
-         path.flow <= kMaxFlow && static_cast<int>(path.feature) < kFeatureCount &&
-         InBounds(path.speed_mm_s);
+         static_cast<int>(path.feature) < kFeatureCount;
+}
+
+bool InBounds(const PathBlock& block) {
+  return 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
+         std::ranges::all_of(block.paths, [](const Path& path) { return InBounds(path); });
+}
+
+bool AreInOrder(const OrderedLayer& layer) {
+  const auto is_shift = [](Coord nm) { return nm % 1000 == 0; };
+  int32_t pass = 0;
+  for (const BlockVisit& visit : layer.visits) {
+    if (visit.block < 0 || visit.block >= std::ssize(layer.blocks)) return false;
+    if (!InBounds(visit.shift) || !is_shift(visit.shift.x) || !is_shift(visit.shift.y))
+      return false;
+    if (visit.pass < pass) return false;
+    pass = visit.pass;
+  }
+  return true;
+}
+
+absl::Status CheckRegions(const OrderedLayer& layer, size_t rows) {
+  for (const PathBlock& block : layer.blocks)
+    for (const Path& path : block.paths)
+      if (absl::Status ok = CheckRegion(path.settings, path.tool, rows, layer.frame); !ok.ok())
+        return ok;
+  return absl::OkStatus();
 }
 
 }  // namespace
@@ -74,13 +98,14 @@ absl::Status CheckOptions(const MotionOptions& options) {
   return absl::OkStatus();
 }
 
-absl::Status CheckLayer(const OrderedLayer& layer) {
+absl::Status CheckLayer(const OrderedLayer& layer, const MotionOptions& options) {
   const LayerFrame& frame = layer.frame;
-  const bool good = std::abs(frame.print_z_nm) <= limits::kMaxCoord && 0 <= frame.height_nm &&
-                    frame.height_nm <= kMaxBeadNm &&
-                    std::all_of(layer.paths.begin(), layer.paths.end(),
-                                [](const Path& path) { return InBounds(path); });
-  if (good) return absl::OkStatus();
+  const bool good =
+      std::abs(frame.print_z_nm) <= limits::kMaxCoord && 0 <= frame.height_nm &&
+      frame.height_nm <= kMaxBeadNm &&
+      std::ranges::all_of(layer.blocks, [](const PathBlock& block) { return InBounds(block); }) &&
+      AreInOrder(layer);
+  if (good) return CheckRegions(layer, options.speeds.size());
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
       "layer " + std::to_string(frame.index) + ": a path or the layer itself is out of all bounds",

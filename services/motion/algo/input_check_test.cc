@@ -50,38 +50,61 @@ OrderedLayer Layer() {
   Path path;
   path.points = {{0, 0}, {10, 0}, {10, 10}};
   path.widths_nm = {450'000};
-  layer.paths = {path};
+  layer.blocks = {{0, 4, 200'000, {path}}};
+  layer.visits = {{0, 0, 0, {}}, {0, 1, 1, {FromMm(30), -1'000}}};
   return layer;
 }
 
+Path& PathOf(OrderedLayer& layer) { return layer.blocks[0].paths[0]; }
+
 TEST(CheckLayer, GoodAndEmptyLayers) {
-  EXPECT_TRUE(CheckLayer(Layer()).ok());
-  EXPECT_TRUE(CheckLayer({}).ok());
+  EXPECT_TRUE(CheckLayer(Layer(), {}).ok());
+  EXPECT_TRUE(CheckLayer({}, {}).ok());
 }
 
 TEST(CheckLayer, NamesTheLayer) {
   const std::vector<std::function<void(OrderedLayer&)>> spoils = {
       [](auto& l) { l.frame.print_z_nm = INT64_MAX; },
       [](auto& l) { l.frame.height_nm = -1; },
-      [](auto& l) { l.paths[0].points.resize(1); },
-      [](auto& l) { l.paths[0].widths_nm.clear(); },
+      [](auto& l) { PathOf(l).points.resize(1); },
+      [](auto& l) { PathOf(l).widths_nm.clear(); },
       [](auto& l) {
-        l.paths[0].widths_nm = {1, 2};
+        PathOf(l).widths_nm = {1, 2};
       },
-      [](auto& l) { l.paths[0].widths_nm = {-1}; },
-      [](auto& l) { l.paths[0].points[1].x = INT64_MIN + 1; },
-      [](auto& l) { l.paths[0].flow = kNan; },
-      [](auto& l) { l.paths[0].height_nm = -5; },
-      [](auto& l) { l.paths[0].feature = static_cast<Feature>(200); },
-      [](auto& l) { l.paths[0].speed_mm_s = kNan; },
+      [](auto& l) { PathOf(l).widths_nm = {-1}; },
+      [](auto& l) { PathOf(l).points[1].x = INT64_MIN + 1; },
+      [](auto& l) { PathOf(l).feature = static_cast<Feature>(200); },
+      [](auto& l) { PathOf(l).settings = -1; },
+      [](auto& l) { PathOf(l).settings = 1; },
+      [](auto& l) { PathOf(l).tool = 1; },
+      [](auto& l) { l.blocks[0].height_nm = -5; },
+      [](auto& l) { l.blocks[0].height_nm = INT64_MAX; },
+      [](auto& l) { l.blocks[0].paths.clear(); },
+      [](auto& l) { l.visits[1].block = -1; },
+      [](auto& l) { l.visits[1].block = 1; },
+      [](auto& l) { l.visits[1].shift.y = INT64_MIN + 1; },
+      [](auto& l) { l.visits[1].shift.x = 1'500; },
+      [](auto& l) { l.visits[1].shift.y = -1; },
+      [](auto& l) { l.visits[0].pass = 2; },
+      [](auto& l) { l.visits[0].pass = -1; },
   };
   for (size_t i = 0; i < spoils.size(); ++i) {
     OrderedLayer layer = Layer();
     spoils[i](layer);
-    const ErrorDetail detail = DetailOf(CheckLayer(layer));
+    const ErrorDetail detail = DetailOf(CheckLayer(layer, {}));
     EXPECT_EQ(detail.reason, Reason::kRequestMalformed) << i;
-    EXPECT_EQ(detail.metadata.at("layer"), "4");
+    EXPECT_EQ(detail.metadata.at("layer"), "4") << i;
   }
+}
+
+TEST(CheckLayer, SettingsAreARowOfTheTable) {
+  OrderedLayer layer = Layer();
+  PathOf(layer).settings = 1;
+  MotionOptions options;
+  options.speeds.resize(2);
+  EXPECT_TRUE(CheckLayer(layer, options).ok());
+  PathOf(layer).settings = 2;
+  EXPECT_FALSE(CheckLayer(layer, options).ok());
 }
 
 }  // namespace

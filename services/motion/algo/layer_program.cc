@@ -1,6 +1,9 @@
 #include "services/motion/algo/layer_program.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,9 +13,11 @@
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/gcode/layer_writer.h"
+#include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
+#include "services/motion/algo/toolpath/travel_time.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -26,10 +31,11 @@ struct CustomCode {
   std::string after;
 };
 
-absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const LayerFrame& frame) {
+absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const JobFacts& facts,
+                                            const LayerFrame& frame) {
   CustomCode code;
   if (options.before_layer_gcode.empty() && options.layer_gcode.empty()) return code;
-  const TemplateVariables variables = LayerVariables(options, frame);
+  const TemplateVariables variables = LayerVariables(options, facts, frame);
   auto before = ExpandTemplate("before_layer_gcode", options.before_layer_gcode, variables);
   if (!before.ok()) return before.status();
   auto after = ExpandTemplate("layer_gcode", options.layer_gcode, variables);
@@ -61,44 +67,195 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
   }
 }
 
-}  // namespace
+/// A block's moves and what they take, times apart.
+struct BuiltBlock {
+  Toolpath path;
+  ProgramStats stats;
+};
 
-absl::StatusOr<LayerProgram> ProgramLayer(const OrderedLayer& layer, const MotionOptions& options) {
-  const auto code = ExpandCustomCode(options, layer.frame);
-  if (!code.ok()) return code.status();
-  ToolpathBuilder builder(options, layer.frame);
-  for (const Path& path : layer.paths) builder.Add(path);
-  Toolpath path = builder.Finish();
+std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
+  std::vector<BuiltBlock> built;
+  built.reserve(layer.blocks.size());
+  for (const PathBlock& block : layer.blocks) {
+    ToolpathBuilder builder(options, layer.frame, block.height_nm);
+    for (const Path& path : block.paths) builder.Add(path);
+    Toolpath path = builder.Finish();
+    built.push_back({std::move(path), builder.stats()});
+  }
+  return built;
+}
 
+/// Plate coordinates of where a visit begins and ends.
+Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
+  return visit.shift + StartOf(layer.blocks[static_cast<size_t>(visit.block)].paths.front());
+}
+Point ExitOf(const BlockVisit& visit, const OrderedLayer& layer) {
+  return visit.shift + EndOf(layer.blocks[static_cast<size_t>(visit.block)].paths.back());
+}
+
+ProgramStats Moved(ProgramStats stats, Point shift) {
+  if (!stats.bounds.Empty())
+    stats.bounds = {stats.bounds.min + shift, stats.bounds.max + shift};
+  return stats;
+}
+
+/// The program of one pass.
+class PassProgram {
+ public:
+  /// All must outlive this. `visits`: not empty.
+  PassProgram(const OrderedLayer& layer, std::span<const BuiltBlock> built,
+              std::span<const BlockVisit> visits, const MotionOptions& options)
+      : layer_(layer), visits_(visits), options_(options) {
+    for (const BlockVisit& visit : visits) Count(visit, built);
+    AddBetween();
+    LayerTiming timing(options.flavor, options.limits);
+    SlowDown(options.cooling, stats_.travel_time_s, timing, blocks_);
+    AddVisits(built);
+  }
+
+  const ProgramStats& stats() const { return stats_; }
+
+  void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
+             GcodeText& out) const {
+    const int32_t index = layer_.frame.index;
+    LayerWriter writer(options_.flavor, AccelerationsFor(options_, index), state);
+    for (const BlockVisit& visit : visits_) {
+      const Toolpath& path = PathOf(visit);
+      const ShiftUm shift{ToUm(visit.shift.x), ToUm(visit.shift.y)};
+      const size_t approach = path.approach;
+      const bool first = &visit == &visits_.front();
+      if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
+      if (first) out.Lines(code.after);
+      if (first && !code.after.empty()) writer.Forget();
+      writer.Write(path, approach, approach + 1, shift, out);
+      WriteCopy(visit, shift, facts, writer, out);
+    }
+  }
+
+ private:
+  bool Lifts() const {
+    return options_.retraction.lift_mm > 0 && options_.retraction.length_mm > 0;
+  }
+
+  void Count(const BlockVisit& visit, std::span<const BuiltBlock> built) {
+    const auto [place, is_new] = place_of_.try_emplace(visit.block, blocks_.size());
+    if (is_new) {
+      blocks_.push_back({built[static_cast<size_t>(visit.block)].path});
+    } else {
+      ++blocks_[place->second].copies;
+    }
+  }
+
+  const Toolpath& PathOf(const BlockVisit& visit) const {
+    return blocks_[place_of_.at(visit.block)].path;
+  }
+
+  /// The travel from visit to visit.
+  void AddBetween() {
+    const int32_t index = layer_.frame.index;
+    for (size_t i = 1; i < visits_.size(); ++i) {
+      const Point from = ExitOf(visits_[i - 1], layer_), to = EntryOf(visits_[i], layer_);
+      stats_.travel_mm += ToMm(Distance(from, to));
+      stats_.travel_time_s += TravelTime(from, to, options_, index);
+      if (Lifts()) stats_.travel_time_s += LiftTime(options_.retraction.lift_mm, options_, index);
+    }
+  }
+
+  void AddVisits(std::span<const BuiltBlock> built) {
+    std::vector<ProgramStats> of_block;
+    for (const TimedToolpath& timed : blocks_) {
+      ProgramStats& stats = of_block.emplace_back();
+      AddTimes(timed.path, timed.times_s, std::min(timed.path.approach, timed.times_s.size()),
+               stats);
+    }
+    const TimedToolpath& first = blocks_[place_of_.at(visits_.front().block)];
+    for (size_t i = 0; i < first.path.approach; ++i) stats_.travel_time_s += first.times_s[i];
+    for (const BlockVisit& visit : visits_) {
+      stats_.Add(of_block[place_of_.at(visit.block)]);
+      stats_.Add(Moved(built[static_cast<size_t>(visit.block)].stats, visit.shift));
+    }
+  }
+
+  void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts,
+                 LayerWriter& writer, GcodeText& out) const {
+    const auto copy = static_cast<size_t>(visit.copy);
+    const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
+    if (labelled) BeginCopy(facts.copies[copy], copy, options_, out);
+    writer.BeginBlock();
+    const Toolpath& path = PathOf(visit);
+    writer.Write(path, path.approach + 1, path.moves.size(), shift, out);
+    writer.EndBlock(out);
+    if (labelled) EndCopy(facts.copies[copy], copy, options_, out);
+  }
+
+  const OrderedLayer& layer_;
+  const std::span<const BlockVisit> visits_;
+  const MotionOptions& options_;
+  std::map<int32_t, size_t> place_of_;  ///< in blocks_, by block of the layer
+  std::vector<TimedToolpath> blocks_;
+  ProgramStats stats_;
+};
+
+/// The visits of each pass, in order; one without visits if there are none.
+std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
+  std::vector<std::span<const BlockVisit>> passes;
+  size_t first = 0;
+  for (size_t i = 1; i <= visits.size(); ++i) {
+    if (i < visits.size() && visits[i].pass == visits[first].pass) continue;
+    passes.push_back(visits.subspan(first, i - first));
+    first = i;
+  }
+  if (passes.empty()) passes.push_back({});
+  return passes;
+}
+
+LayerProgram ProgramPass(const OrderedLayer& layer, std::span<const BuiltBlock> built,
+                         std::span<const BlockVisit> visits, const CustomCode& code,
+                         const JobFacts& facts, const MotionOptions& options) {
   LayerProgram program;
   program.frame = layer.frame;
-  program.stats = builder.stats();
-  LayerTiming timing(options.flavor, options.limits);
-  AddTimes(path, SlowDown(options.cooling, timing, path), program.stats);
-
+  std::optional<PassProgram> pass;
+  if (!visits.empty()) {
+    pass.emplace(layer, built, visits, options);
+    program.pass = visits.front().pass;
+    program.stats = pass->stats();
+    program.entry = EntryOf(visits.front(), layer);
+    program.exit = ExitOf(visits.back(), layer);
+  }
   const int32_t index = layer.frame.index;
   LayerState state;
   state.fan_percent = FanPercent(options.cooling, index, program.stats.TimeS());
   state.bridge_fan_percent = BridgeFanPercent(options.cooling, index, state.fan_percent);
   state.height_um = ToUm(layer.frame.height_nm);
-  LayerWriter writer(options.flavor, AccelerationsFor(options, index), state);
 
-  GcodeText out(path.moves.size() * kBytesPerMove + kBytesAround + code->before.size() +
-                code->after.size());
-  WriteHeader(layer.frame, code->before, out);
+  size_t moves = 0;
+  for (const BlockVisit& visit : visits)
+    moves += built[static_cast<size_t>(visit.block)].path.moves.size();
+  GcodeText out(moves * kBytesPerMove + kBytesAround + code.before.size() + code.after.size());
+  WriteHeader(layer.frame, code.before, out);
   WriteTemperatures(options, index, out);
   WriteFan(state.fan_percent, out);
-  const size_t approach = std::min(path.approach, path.moves.size());
-  writer.Write(path, 0, approach, out);
-  out.Lines(code->after);
-  if (!code->after.empty()) writer.Forget();
-  writer.Write(path, approach, path.moves.size(), out);
-  program.gcode = out.Take();
-  if (!layer.paths.empty()) {
-    program.entry = StartOf(layer.paths.front());
-    program.exit = EndOf(layer.paths.back());
+  if (pass) {
+    pass->Write(code, facts, state, out);
+  } else {
+    out.Lines(code.after);
   }
+  program.gcode = out.Take();
   return program;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
+                                                       const JobFacts& facts,
+                                                       const MotionOptions& options) {
+  const auto code = ExpandCustomCode(options, facts, layer.frame);
+  if (!code.ok()) return code.status();
+  const std::vector<BuiltBlock> built = Build(layer, options);
+  std::vector<LayerProgram> programs;
+  for (const std::span<const BlockVisit> visits : PassesOf(layer.visits))
+    programs.push_back(ProgramPass(layer, built, visits, *code, facts, options));
+  return programs;
 }
 
 }  // namespace slicefarm::motion

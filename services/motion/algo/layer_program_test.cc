@@ -29,23 +29,49 @@ Path Line(Feature feature, std::string_view points, bool closed = false) {
 OrderedLayer Square(int32_t index = 2) {
   OrderedLayer layer;
   layer.frame = {index, (index + 1) * 200'000, 200'000};
-  layer.paths = {Line(Feature::kExternalPerimeter, "(10 10, 30 10, 30 30, 10 30)", true),
-                 Line(Feature::kInternalInfill, "(12 12, 28 28)")};
+  layer.blocks = {{0,
+                   index,
+                   layer.frame.height_nm,
+                   {Line(Feature::kExternalPerimeter, "(10 10, 30 10, 30 30, 10 30)", true),
+                    Line(Feature::kInternalInfill, "(12 12, 28 28)")}}};
+  layer.visits = {{0, 0, 0, {}}};
+  return layer;
+}
+
+/// The square, and a copy of it 50 mm to the right.
+OrderedLayer TwoSquares(int32_t pass_of_second = 0) {
+  OrderedLayer layer = Square();
+  layer.visits.push_back({0, 1, pass_of_second, {FromMm(50), 0}});
   return layer;
 }
 
 MotionOptions Options() {
   MotionOptions options;
-  options.speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
+  options.speeds[0].speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
   options.cooling.enabled = false;
   options.default_acceleration_mm_s2 = 1000;
   return options;
 }
 
+/// What all copies of these layers are called.
+JobFacts Facts() {
+  JobFacts facts;
+  facts.copies = {{"a", 0, 0, 2}, {"a", 0, 1, 2}};
+  return facts;
+}
+
+std::vector<LayerProgram> Passes(const OrderedLayer& layer,
+                                 const MotionOptions& options = Options()) {
+  auto programs = ProgramLayer(layer, Facts(), options);
+  EXPECT_TRUE(programs.ok()) << programs.status();
+  return *std::move(programs);
+}
+
+/// Of a layer of one pass.
 LayerProgram Programmed(const OrderedLayer& layer, const MotionOptions& options = Options()) {
-  auto program = ProgramLayer(layer, options);
-  EXPECT_TRUE(program.ok()) << program.status();
-  return *std::move(program);
+  std::vector<LayerProgram> programs = Passes(layer, options);
+  EXPECT_EQ(programs.size(), 1);
+  return std::move(programs.front());
 }
 
 /// What a printer does with a program that starts retracted.
@@ -142,32 +168,73 @@ TEST(ProgramLayer, ReadsBackAsPlanned) {
   EXPECT_EQ(program.exit, (Point{FromMm(28), FromMm(28)}));
 }
 
+/// `unit_nm`: what coordinates are a multiple of.
+Path RandomPath(std::mt19937& random, Coord unit_nm = 1) {
+  Path path;
+  path.feature = static_cast<Feature>(random() % kFeatureCount);
+  path.closed = random() % 2 == 0;
+  const auto coordinate = [&] {
+    return static_cast<Coord>(random() % 100'000'000) / unit_nm * unit_nm;
+  };
+  for (int k = 0; k < 6; ++k) {
+    const Coord x = coordinate();
+    path.points.push_back({x, coordinate()});
+    path.widths_nm.push_back(200'000 + static_cast<Coord>(random() % 500'000));
+  }
+  return path;
+}
+
+MotionOptions OptionsOfTrial(int trial) {
+  MotionOptions options = Options();
+  options.retraction.lift_mm = trial % 2 == 0 ? 0.2 : 0;
+  options.flavor = static_cast<GcodeFlavor>(trial % 3);
+  options.labels = static_cast<ObjectLabels>(trial / 2 % 3);
+  return options;
+}
+
+void ExpectCanonical(const LayerProgram& program) {
+  const Printed printed = Print(program.gcode);
+  EXPECT_NEAR(printed.retracted_mm, 0.8, 1e-9);
+  EXPECT_FALSE(printed.extruded_while_retracted);
+  EXPECT_NEAR(printed.filament_mm, program.stats.FilamentMm(), 1e-6);
+  EXPECT_NEAR(printed.travel_mm, program.stats.travel_mm, 1e-6);
+  EXPECT_GT(program.stats.TimeS(), printed.extruded_mm / 80);
+}
+
 TEST(ProgramLayer, RandomLayersKeepTheCanonicalState) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 20; ++trial) {
     OrderedLayer layer;
     layer.frame = {trial, 200'000 * (trial + 1), 200'000};
-    for (int i = 0; i < 30; ++i) {
-      Path path;
-      path.feature = static_cast<Feature>(random() % kFeatureCount);
-      path.closed = random() % 2 == 0;
-      for (int k = 0; k < 6; ++k) {
-        path.points.push_back({static_cast<Coord>(random() % 100'000'000),
-                               static_cast<Coord>(random() % 100'000'000)});
-        path.widths_nm.push_back(200'000 + static_cast<Coord>(random() % 500'000));
-      }
-      layer.paths.push_back(std::move(path));
+    layer.blocks.push_back({0, trial, 200'000, {}});
+    for (int i = 0; i < 30; ++i) layer.blocks[0].paths.push_back(RandomPath(random));
+    layer.visits = {{0, 0, 0, {}}};
+    ExpectCanonical(Programmed(layer, OptionsOfTrial(trial)));
+  }
+}
+
+TEST(ProgramLayer, RandomCopiesKeepTheCanonicalState) {
+  std::mt19937 random(12);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(trial);
+    OrderedLayer layer;
+    layer.frame = {trial, 200'000 * (trial + 1), 200'000};
+    for (int32_t object = 0; object < 3; ++object) {
+      layer.blocks.push_back({object, trial, object == 1 ? 150'000 : 200'000, {}});
+      for (int i = 0; i < 5; ++i)
+        layer.blocks.back().paths.push_back(RandomPath(random, 1'000));
     }
-    MotionOptions options = Options();
-    options.retraction.lift_mm = trial % 2 == 0 ? 0.2 : 0;
-    options.flavor = static_cast<GcodeFlavor>(trial % 3);
-    const LayerProgram program = Programmed(layer, options);
-    const Printed printed = Print(program.gcode);
-    EXPECT_NEAR(printed.retracted_mm, 0.8, 1e-9);
-    EXPECT_FALSE(printed.extruded_while_retracted);
-    EXPECT_NEAR(printed.filament_mm, program.stats.FilamentMm(), 1e-6);
-    EXPECT_NEAR(printed.travel_mm, program.stats.travel_mm, 1e-6);
-    EXPECT_GT(program.stats.TimeS(), printed.extruded_mm / 80);
+    for (int i = 0; i < 9; ++i) {
+      const auto um = [&] { return static_cast<Coord>(random() % 90'000) * 1'000; };
+      const Coord x = um();
+      layer.visits.push_back({static_cast<int32_t>(random() % 3), i % 2, i / 3, {x, um()}});
+    }
+    const std::vector<LayerProgram> programs = Passes(layer, OptionsOfTrial(trial));
+    ASSERT_EQ(programs.size(), 3);
+    for (const LayerProgram& program : programs) {
+      ExpectCanonical(program);
+      EXPECT_NEAR(Print(program.gcode).z, ToMm(static_cast<double>(layer.frame.print_z_nm)), 1e-9);
+    }
   }
 }
 
@@ -224,7 +291,7 @@ TEST(ProgramLayer, AccelerationsOfCustomCodeEndWithIt) {
 TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
   for (const Coord height_nm : {200'500, 200'700, 201'300}) {
     OrderedLayer layer = Square();
-    layer.frame.height_nm = height_nm;
+    layer.frame.height_nm = layer.blocks[0].height_nm = height_nm;
     const std::string gcode = Programmed(layer).gcode;
     EXPECT_THAT(gcode, HasSubstr("\n;HEIGHT:0.201\n"));
     EXPECT_EQ(gcode.find(";HEIGHT:"), gcode.rfind(";HEIGHT:"));
@@ -234,7 +301,7 @@ TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
 TEST(ProgramLayer, NamesTheTemplateThatIsWrong) {
   MotionOptions options = Options();
   options.layer_gcode = "[no_such_setting]";
-  const auto program = ProgramLayer(Square(), options);
+  const auto program = ProgramLayer(Square(), {}, options);
   const ErrorDetail detail = DetailOf(program.status());
   EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
   EXPECT_EQ(detail.metadata.at("setting"), "layer_gcode");
@@ -253,13 +320,147 @@ TEST(ProgramLayer, CoolingSlowsShortLayersDown) {
 
 TEST(ProgramLayer, MovedPathsGiveMovedPrograms) {
   OrderedLayer moved = Square();
-  for (Path& path : moved.paths) {
+  for (Path& path : moved.blocks[0].paths) {
     for (Point& point : path.points) point = point + Point{FromMm(50), FromMm(-3)};
   }
   const ProgramStats here = Programmed(Square()).stats;
   const ProgramStats there = Programmed(moved).stats;
   EXPECT_DOUBLE_EQ(here.TimeS(), there.TimeS());
   EXPECT_DOUBLE_EQ(here.FilamentMm(), there.FilamentMm());
+}
+
+TEST(ProgramLayer, AShiftedCopyIsAsMovedPathsAre) {
+  const Point shift{FromMm(50), FromMm(-3)};
+  OrderedLayer moved = Square();
+  for (Path& path : moved.blocks[0].paths) {
+    for (Point& point : path.points) point = point + shift;
+  }
+  OrderedLayer shifted = Square();
+  shifted.visits[0].shift = shift;
+  EXPECT_EQ(Programmed(shifted), Programmed(moved));
+}
+
+TEST(ProgramLayer, CopiesAsText) {
+  MotionOptions options = Options();
+  options.labels = ObjectLabels::kComments;
+  OrderedLayer layer = TwoSquares();
+  layer.blocks[0].paths.resize(1);
+  EXPECT_EQ(Programmed(layer, options).gcode,
+            ";LAYER_CHANGE\n"
+            ";Z:0.6\n"
+            ";HEIGHT:0.2\n"
+            ";BEFORE_LAYER_CHANGE\n"
+            ";0.6\n"
+            "M106 S89\n"
+            "G1 Z.6 F1200\n"
+            "G1 X10 Y10 F7800\n"
+            "; printing object a id:0 copy 0\n"
+            "G1 E.8 F2100\n"
+            ";TYPE:External perimeter\n"
+            ";WIDTH:0.45\n"
+            "M204 P1000\n"
+            "G1 X30 Y10 E.67698 F2400\n"
+            "G1 X30 Y30 E.67697\n"
+            "G1 X10 Y30 E.67698\n"
+            "G1 X10 Y10 E.67697\n"
+            "G1 E-.8 F2100\n"
+            "; stop printing object a id:0 copy 0\n"
+            "G1 X60 Y10 F7800\n"
+            "; printing object a id:0 copy 1\n"
+            "G1 E.8 F2100\n"
+            ";TYPE:External perimeter\n"
+            ";WIDTH:0.45\n"
+            "M204 P1000\n"
+            "G1 X80 Y10 E.67698 F2400\n"
+            "G1 X80 Y30 E.67697\n"
+            "G1 X60 Y30 E.67698\n"
+            "G1 X60 Y10 E.67697\n"
+            "G1 E-.8 F2100\n"
+            "; stop printing object a id:0 copy 1\n");
+}
+
+TEST(ProgramLayer, CopiesAreCountedWithTheWayBetweenThem) {
+  const LayerProgram one = Programmed(Square());
+  const LayerProgram two = Programmed(TwoSquares());
+  EXPECT_NEAR(two.stats.FilamentMm(), 2 * one.stats.FilamentMm(), 1e-9);
+  EXPECT_EQ(two.stats.travels, 2 * one.stats.travels);
+  EXPECT_EQ(two.stats.retractions, 2 * one.stats.retractions);
+  EXPECT_NEAR(two.stats.travel_mm, 2 * one.stats.travel_mm + std::hypot(32, 18), 1e-9);
+  EXPECT_EQ(two.stats.bounds.min, one.stats.bounds.min);
+  EXPECT_EQ(two.stats.bounds.max, one.stats.bounds.max + Point({FromMm(50), 0}));
+  EXPECT_EQ(two.entry, one.entry);
+  EXPECT_EQ(two.exit, one.exit + Point({FromMm(50), 0}));
+  EXPECT_GT(two.stats.travel_time_s, 2 * one.stats.travel_time_s - 0.1);
+}
+
+// Where a copy stands must not change what is printed of it: the same moves, and the same speed.
+TEST(ProgramLayer, ThePlaceOfACopyChangesNothingButItsPlace) {
+  OrderedLayer far = TwoSquares();
+  far.visits[1].shift = {FromMm(100), FromMm(70)};
+  const std::string near_by = Programmed(TwoSquares()).gcode;
+  const std::string far_off = Programmed(far).gcode;
+  const size_t second = near_by.find("G1 X60 Y10");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_EQ(far_off.substr(0, second), near_by.substr(0, second));
+  EXPECT_DOUBLE_EQ(Print(far_off).filament_mm, Print(near_by).filament_mm);
+  EXPECT_EQ(Print(far_off).max_x, 130);
+  EXPECT_EQ(Print(far_off).max_y, 100);
+}
+
+TEST(ProgramLayer, EachPassIsAProgram) {
+  const OrderedLayer layer = TwoSquares(3);
+  const std::vector<LayerProgram> programs = Passes(layer);
+  ASSERT_EQ(programs.size(), 2);
+  EXPECT_EQ(programs[0], Programmed(Square()));
+  OrderedLayer second = layer;
+  second.visits.erase(second.visits.begin());
+  EXPECT_EQ(programs[1], Programmed(second));
+  EXPECT_EQ(programs[1].pass, 3);
+  EXPECT_EQ(programs[1].frame, layer.frame);
+  EXPECT_EQ(programs[1].entry, (Point{FromMm(60), FromMm(10)}));
+}
+
+TEST(ProgramLayer, ThePlatesOwnPathsHaveNoLabel) {
+  MotionOptions options = Options();
+  options.labels = ObjectLabels::kFirmware;
+  OrderedLayer layer = Square();
+  layer.blocks.insert(layer.blocks.begin(),
+                      {kPlate, 2, 200'000, {Line(Feature::kSkirt, "(5 5, 35 5)")}});
+  layer.visits = {{0, -1, 0, {}}, {1, 1, 0, {}}};
+  const std::string gcode = Programmed(layer, options).gcode;
+  const size_t label = gcode.find("M486");
+  EXPECT_LT(gcode.find(";TYPE:Skirt"), label);
+  EXPECT_EQ(gcode.substr(label, 8), "M486 S1\n");
+  EXPECT_THAT(gcode, testing::EndsWith("G1 E-.8 F2100\nM486 S-1\n"));
+}
+
+TEST(ProgramLayer, ABlockOfAnotherHeightSaysSo) {
+  OrderedLayer layer = TwoSquares();
+  layer.blocks.push_back(layer.blocks[0]);
+  layer.blocks[1].height_nm = 100'000;
+  layer.visits = {{1, 0, 0, {}}, {0, 1, 0, {FromMm(50), 0}}};
+  const LayerProgram program = Programmed(layer);
+  const std::string& gcode = program.gcode;
+  const size_t own = gcode.find("\n;HEIGHT:0.1\n");
+  ASSERT_NE(own, std::string::npos);
+  const size_t back = gcode.find("\n;HEIGHT:0.2\n", own);
+  ASSERT_NE(back, std::string::npos) << "the next copy is told nothing of it";
+  EXPECT_LT(back, gcode.find("G1 X60 Y10"));
+  EXPECT_EQ(gcode.find(";HEIGHT:", back + 2), std::string::npos);
+  const double area = std::numbers::pi / 4 * 1.75 * 1.75;
+  const double length = 80 + std::hypot(16, 16);
+  EXPECT_NEAR(Print(gcode).filament_mm * area,
+              length * (SectionMm2(450'000, 200'000) + SectionMm2(450'000, 100'000)), 6e-5);
+}
+
+TEST(ProgramLayer, CoolingCountsAllCopies) {
+  MotionOptions options = Options();
+  options.cooling.enabled = true;
+  options.cooling.slowdown_below_layer_time_s = 8;
+  const LayerProgram two = Programmed(TwoSquares(), options);
+  EXPECT_NEAR(two.stats.TimeS(), 8, 0.03);
+  EXPECT_GT(Print(two.gcode).least_feed_rate,
+            Print(Programmed(Square(), options).gcode).least_feed_rate);
 }
 
 }  // namespace

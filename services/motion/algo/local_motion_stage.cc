@@ -1,5 +1,7 @@
 #include "services/motion/algo/local_motion_stage.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "services/motion/algo/input_check.h"
@@ -13,17 +15,18 @@ class LocalMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall& call,
                                                     std::vector<OrderedLayer> layers,
+                                                    const JobFacts& facts,
                                                     const MotionOptions& options) const override {
     if (absl::Status good = CheckOptions(options); !good.ok()) return good;
     std::vector<LayerProgram> programs;
     programs.reserve(layers.size());
     for (OrderedLayer& layer : layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-      if (absl::Status good = CheckLayer(layer); !good.ok()) return good;
-      auto program = ProgramLayer(layer, options);
-      if (!program.ok()) return program.status();
-      programs.push_back(*std::move(program));
-      layer.paths = {};  // a range may be long: its paths make room for its text
+      if (absl::Status good = CheckLayer(layer, options); !good.ok()) return good;
+      auto passes = ProgramLayer(layer, facts, options);
+      if (!passes.ok()) return passes.status();
+      std::ranges::move(*passes, std::back_inserter(programs));
+      layer.blocks = {};  // a range may be long: its paths make room for its text
     }
     return programs;
   }

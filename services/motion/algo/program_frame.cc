@@ -5,32 +5,18 @@
 #include <string>
 #include <utility>
 
-#include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/gcode/gcode_text.h"
-#include "services/motion/algo/kinematics/planner.h"
-#include "services/motion/algo/kinematics/trapezoid.h"
 #include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 #include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/travel_time.h"
 #include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/gcode/thumbnails_block.h"
 
 namespace slicefarm::motion {
 namespace {
-
-/// Time in s of a travel from rest to rest.
-double TravelTime(Point from, Point to, const MotionOptions& options, int32_t layer_index) {
-  const double length = ToMm(Distance(from, to));
-  if (length == 0) return 0;
-  const Accelerations accelerations = AccelerationsFor(options, layer_index);
-  const double acceleration = accelerations.Travel(accelerations.Print(Feature::kPerimeter));
-  const double x = ToMm(static_cast<double>(to.x - from.x)) / length;
-  const double y = ToMm(static_cast<double>(to.y - from.y)) / length;
-  const KinematicMove asked{length, {x, y, 0, 0}, TravelSpeed(options), acceleration};
-  const KinematicMove move = LimitedByFirmware(asked, options.flavor, options.limits);
-  return RestToRest(move.length_mm, move.speed_mm_s, move.acceleration_mm_s2);
-}
 
 /// Walks through the layers: `start_s` of each, then the whole.
 struct Timeline {
@@ -73,6 +59,7 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails) << ";TYPE:Custom\n";
   WriteMachineLimits(options, out);
   WriteStart(options, start_gcode, out);
+  DefineCopies(summary.copies, options, out);
   out << "G21\nG90\nM83\n";
   const double length_mm = options.retraction.length_mm;
   if (length_mm > 0) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/base/error.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 
@@ -116,6 +118,37 @@ TEST(FrameProgram, NamesTheTemplateThatIsWrong) {
     EXPECT_EQ(detail.metadata.at("setting"), start ? "start_gcode" : "end_gcode");
     EXPECT_EQ(detail.metadata.at("variable"), "oops");
   }
+}
+
+/// The same three layers once more for a copy that is printed after the first one.
+ProgramSummary TwoPasses() {
+  ProgramSummary summary = Summary();
+  for (size_t i = 0; i < 3; ++i) {
+    LayerSummary layer = summary.layers[i];
+    layer.pass = 1;
+    layer.entry = layer.exit = Mm(0, 300);
+    summary.layers.push_back(layer);
+  }
+  summary.copies = {{{"a", 0, 0, 2}, {}}, {{"a", 0, 1, 2}, {}}};
+  return summary;
+}
+
+TEST(FrameProgram, PassesAreTravelledBetween) {
+  const ProgramFrame frame = Framed(TwoPasses());
+  const double way = std::hypot(200, 300);
+  EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
+  EXPECT_NEAR(frame.time_s, 360 + 2 * RestToRest(100, 100, 3000) + RestToRest(way, 100, 3000),
+              1e-6);
+  EXPECT_THAT(frame.layer_prefixes, testing::SizeIs(6));
+}
+
+TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {
+  MotionOptions options = Options();
+  EXPECT_THAT(Framed(TwoPasses(), options).prologue, testing::Not(HasSubstr("M486")));
+  options.labels = ObjectLabels::kFirmware;
+  EXPECT_THAT(Framed(TwoPasses(), options).prologue,
+              HasSubstr("\nM486 T2\nM486 S0\nM486 Aa (Instance 1)\nM486 S-1\n"
+                        "M486 S1\nM486 Aa (Instance 2)\nM486 S-1\nG21\n"));
 }
 
 TEST(FrameProgram, NothingToPrint) {

@@ -34,7 +34,7 @@ absl::Status MotionService::Program(rpc::Call& call, Stream& stream) const {
   call.layers = RangeOf(layers);
 
   absl::StatusOr<std::vector<LayerProgram>> programs =
-      stage_.Program(start->call, std::move(layers), start->options);
+      stage_.Program(start->call, std::move(layers), start->facts, start->options);
   if (!programs.ok()) return programs.status();
   return WriteEach<v1::LayerProgram>(stream, *programs,
                                      [](LayerProgram& program, v1::LayerProgram* proto) {

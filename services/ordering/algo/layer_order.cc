@@ -1,133 +1,123 @@
 #include "services/ordering/algo/layer_order.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "common/geometry/measure.h"
 #include "common/base/error.h"
-#include "services/ordering/algo/fill_order.h"
-#include "services/ordering/algo/path_key.h"
-#include "services/ordering/algo/route.h"
+#include "common/model/region_check.h"
+#include "services/ordering/algo/section_order.h"
 #include "services/ordering/algo/travel_order.h"
-#include "services/ordering/algo/wall_order.h"
 
 namespace slicefarm::ordering {
 namespace {
 
 template <typename Visitor>
-void ForEachPath(FilledIsland& island, const Visitor& visit) {
-  for (Path& wall : island.walls) visit(wall);
-  for (FillGroup& group : island.fills) {
-    for (Path& path : group.paths) visit(path);
+void ForEachPath(const FilledLayer& layer, const LayerPlan& plan, const Visitor& visit) {
+  for (const FilledSection& section : layer.sections) {
+    for (const FilledIsland& island : section.islands) {
+      for (const Path& wall : island.walls) visit(wall);
+      for (const FillGroup& group : island.fills)
+        for (const Path& path : group.paths) visit(path);
+    }
   }
+  for (const Path& path : plan.paths) visit(path);
 }
 
-absl::Status CheckPaths(FilledLayer& layer) {
+absl::Status CheckPaths(const FilledLayer& layer, const LayerPlan& plan, size_t rows) {
   size_t bad = 0;
-  for (FilledIsland& island : layer.islands) {
-    ForEachPath(island, [&](const Path& path) { bad += WellFormed(path) ? 0 : 1; });
-  }
-  if (bad == 0) return absl::OkStatus();
+  absl::Status regions;
+  ForEachPath(layer, plan, [&](const Path& path) {
+    bad += WellFormed(path) ? 0 : 1;
+    if (regions.ok()) regions = CheckRegion(path.settings, path.tool, rows, layer.frame);
+  });
+  if (bad == 0) return regions;
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    absl::StrCat("layer ", layer.frame.index, ": ", bad,
                                 " paths with fewer than 2 points or a wrong number of widths"),
                    {{"layer", std::to_string(layer.frame.index)}});
 }
 
-/// An island on the way through the layer.
-struct Stop {
-  FilledIsland* island;
-  Point middle;
-  Point least;
-};
-
-std::vector<Stop> StopsOf(FilledLayer& layer) {
-  std::vector<Stop> stops;
-  for (FilledIsland& island : layer.islands) {
-    Box box;
-    Point least{INT64_MAX, INT64_MAX};
-    ForEachPath(island, [&](const Path& path) {
-      box.Add(Bounds(path.points));
-      least = std::min(least, LeastPoint(path));
-    });
-    if (box.Empty()) continue;
-    const Point middle{box.min.x + (box.max.x - box.min.x) / 2,
-                       box.min.y + (box.max.y - box.min.y) / 2};
-    stops.push_back({&island, middle, least});
-  }
-  std::stable_sort(stops.begin(), stops.end(),
-                   [](const Stop& a, const Stop& b) { return a.least < b.least; });
-  return stops;
+const SectionPlan& PlanOf(int32_t object, const LayerPlan& plan) {
+  static const SectionPlan kNone;
+  const auto found = std::ranges::lower_bound(plan.sections, object, {}, &SectionPlan::object);
+  return found != plan.sections.end() && found->object == object ? *found : kNone;
 }
 
-std::vector<FillBlock> BlocksOf(std::vector<FillGroup>& fills) {
-  std::vector<FillBlock> blocks;
-  for (FillGroup& group : fills) {
-    if (group.paths.empty()) continue;
-    if (group.keep_order) blocks.emplace_back();
-    for (Path& path : group.paths) {
-      if (!group.keep_order) blocks.emplace_back();
-      blocks.back().paths.push_back(&path);
-    }
-  }
-  return blocks;
+/// The finished paths of the plan, before the plate's section if there is one.
+void AddFinished(const LayerPlan& plan, const LayerFrame& frame, std::vector<PathBlock>& blocks) {
+  if (plan.paths.empty()) return;
+  if (blocks.empty() || blocks.front().object != kPlate)
+    blocks.insert(blocks.begin(), {kPlate, frame.index, frame.height_nm, {}});
+  std::vector<Path>& paths = blocks.front().paths;
+  paths.insert(paths.begin(), plan.paths.begin(), plan.paths.end());
 }
 
-InsetOrder OrderOf(const OrderingOptions& options) {
-  if (options.inner_outer_inner) return InsetOrder::kInnerOuterInner;
-  return options.external_perimeters_first ? InsetOrder::kOuterFirst : InsetOrder::kInnerFirst;
+/// The copies of a pass that have something in this layer, by travel from `from`.
+std::vector<BlockVisit> VisitsOf(int32_t pass, const std::vector<PathBlock>& blocks,
+                                 std::span<const Copy> copies, Point from, WorkBudget& budget) {
+  std::map<int32_t, int32_t> block_of;  // by object
+  for (size_t i = 0; i < blocks.size(); ++i)
+    block_of[blocks[i].object] = static_cast<int32_t>(i);
+  std::vector<BlockVisit> visits;
+  std::vector<Leg> legs;
+  for (size_t i = 0; i < copies.size(); ++i) {
+    const auto block = block_of.find(copies[i].object);
+    if (copies[i].pass != pass || block == block_of.end()) continue;
+    const std::vector<Path>& paths = blocks[static_cast<size_t>(block->second)].paths;
+    visits.push_back({block->second, static_cast<int32_t>(i), pass, copies[i].shift});
+    legs.push_back({copies[i].shift + StartOf(paths.front()),
+                    copies[i].shift + EndOf(paths.back()), false});
+  }
+  std::vector<BlockVisit> ordered;
+  for (const Visit& visit : OrderByTravel({from, {}}, legs, budget))
+    ordered.push_back(visits[visit.leg]);
+  return ordered;
 }
 
-void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
-                 std::span<const Point> seams, Route& route, WorkBudget& budget) {
-  std::vector<Path*> walls;
-  std::vector<FillBlock> gaps;
-  for (Path& wall : island.walls) {
-    if (wall.feature == Feature::kGapFill) {
-      gaps.push_back({{&wall}});
-    } else {
-      walls.push_back(&wall);
-    }
+std::vector<int32_t> PassesOf(std::span<const Copy> copies) {
+  std::vector<int32_t> passes;
+  for (const Copy& copy : copies) passes.push_back(copy.pass);
+  std::ranges::sort(passes);
+  passes.erase(std::unique(passes.begin(), passes.end()), passes.end());
+  return passes;
+}
+
+void AddVisits(const LayerPlan& plan, std::span<const Copy> copies, WorkBudget& budget,
+               OrderedLayer& layer) {
+  Point at = plan.entry;
+  if (!layer.blocks.empty() && layer.blocks.front().object == kPlate) {
+    layer.visits.push_back({});
+    at = EndOf(layer.blocks.front().paths.back());
   }
-  std::vector<FillBlock> fills = BlocksOf(island.fills);
-  const WallRules rules{OrderOf(options), seams};
-  if (options.infill_first) {
-    PrintFills(std::move(fills), {}, route, budget);
-    PrintWalls(walls, rules, route, budget);
-    PrintFills(std::move(gaps), next, route, budget);
-    return;
+  for (const int32_t pass : PassesOf(copies)) {
+    const std::vector<BlockVisit> visits = VisitsOf(pass, layer.blocks, copies, at, budget);
+    layer.visits.insert(layer.visits.end(), visits.begin(), visits.end());
   }
-  PrintWalls(walls, rules, route, budget);
-  // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
-  std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
-  PrintFills(std::move(fills), next, route, budget);
 }
 
 }  // namespace
 
 absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan,
+                                        std::span<const Copy> copies,
                                         const OrderingOptions& options) {
-  if (absl::Status well_formed = CheckPaths(layer); !well_formed.ok()) return well_formed;
-  WorkBudget budget{options.improvement_moves};
-  const std::vector<Stop> stops = StopsOf(layer);
-  std::vector<Leg> legs;
-  legs.reserve(stops.size());
-  for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
-  const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
-
-  Route route(plan.entry);
-  const auto seams = options.seam == SeamPosition::kNearest ? std::span<const Point>()
-                                                            : std::span<const Point>(plan.seams);
-  for (size_t i = 0; i < visits.size(); ++i) {
-    std::optional<Point> next;
-    if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
-    PrintIsland(*stops[visits[i].leg].island, next, options, seams, route, budget);
+  if (absl::Status ok = CheckPaths(layer, plan, options.walls.size()); !ok.ok()) return ok;
+  std::ranges::stable_sort(layer.sections, {}, &FilledSection::object);
+  OrderedLayer ordered{layer.frame, {}, {}};
+  for (FilledSection& section : layer.sections) {
+    WorkBudget budget{options.improvement_moves};
+    PathBlock block{section.object, section.layer, section.height_nm, {}};
+    const SectionPlan& section_plan = PlanOf(block.object, plan);
+    block.paths = OrderSection(std::move(section), section_plan, options, budget);
+    if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }
-  return OrderedLayer{layer.frame, route.TakePaths()};
+  AddFinished(plan, layer.frame, ordered.blocks);
+  WorkBudget budget{options.improvement_moves};
+  AddVisits(plan, copies, budget, ordered);
+  return ordered;
 }
 
 }  // namespace slicefarm::ordering

@@ -1,20 +1,24 @@
 #pragma once
 
+#include <span>
+
 #include "absl/status/statusor.h"
+#include "common/model/job_plan.h"
 #include "common/model/layer.h"
 #include "common/model/ordering_options.h"
 
 namespace slicefarm::ordering {
 
-/// The paths of a layer in the order and direction of printing:
-///   1 islands by travel from plan.entry
-///   2 in an island the walls, contour by contour (wall_order.h), then fills and gap fill in one
-///     order (fill_order.h); with infill_first: fills, walls, gap fill
-/// Every path comes out once and keeps its beads; only its direction and, if closed, its start
-/// change. Does not depend on the order of islands and paths in `layer`, but for that within groups
-/// that keep it. Errors: InvalidArgument for a path of fewer than two points or with a wrong number
-/// of widths.
+/// A layer in the order of printing:
+///   1 each section's paths, once for all its copies (section_order.h)
+///   2 what lies on the plate besides the objects comes first: the plan's finished paths, then the
+///     plate's section
+///   3 the copies, pass by pass, by travel from plan.entry
+/// `copies`: of the whole job. Does not depend on the order of sections, islands and paths.
+/// Errors: REQUEST_MALFORMED for a path of fewer than two points, with a wrong number of widths, a
+/// tool other than 0 or settings that are in no table.
 absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan,
+                                        std::span<const Copy> copies,
                                         const OrderingOptions& options);
 
 }  // namespace slicefarm::ordering

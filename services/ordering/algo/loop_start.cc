@@ -41,23 +41,6 @@ LoopPlace NearestVertex(std::span<const Point> loop, Point to) {
   return best;
 }
 
-Point SeamOf(std::span<const Point> loop, std::span<const Point> seams) {
-  if (seams.size() == 1) return seams[0];
-  const Box box = Bounds(loop);
-  Point best = seams[0];
-  double best_distance2 = std::numeric_limits<double>::infinity();
-  for (const Point seam : seams) {
-    const Point in_box{std::clamp(seam.x, box.min.x, box.max.x),
-                       std::clamp(seam.y, box.min.y, box.max.y)};
-    if (SquaredNorm(seam - in_box) >= best_distance2) continue;
-    const double distance2 = SquaredNorm(NearestVertex(loop, seam).at - seam);
-    if (distance2 >= best_distance2) continue;
-    best = seam;
-    best_distance2 = distance2;
-  }
-  return best;
-}
-
 LoopPlace NearestToSeam(std::span<const Point> loop, Point seam) {
   const LoopPlace vertex = NearestVertex(loop, seam);
   const double to_vertex = Distance(vertex.at, seam);

@@ -18,10 +18,6 @@ struct LoopPlace {
 /// The vertex nearest to `to`; of several, the least. REQUIRES: loop not empty.
 LoopPlace NearestVertex(std::span<const Point> loop, Point to);
 
-/// The seam that a vertex of the loop is nearest to. REQUIRES: neither empty.
-/// Cost: O(seams + points * seams whose distance to the loop's box leaves a chance).
-Point SeamOf(std::span<const Point> loop, std::span<const Point> seams);
-
 /// Where a loop with this seam starts: at the vertex nearest to it, as corners hide seams best; but
 /// inside an edge if the vertices are so far away that the seam would wander from layer to layer.
 /// REQUIRES: loop not empty.

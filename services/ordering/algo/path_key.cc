@@ -15,12 +15,11 @@ struct Keyed {
 bool Before(const Keyed& a, const Keyed& b) {
   if (a.least != b.least) return a.least < b.least;
   const auto facts = [](const Path& path) {
-    return std::tuple(path.inset, path.feature, path.object, path.tool, path.closed,
+    return std::tuple(path.inset, path.feature, path.settings, path.tool, path.closed,
                       path.reversible, path.points.size());
   };
   if (facts(*a.path) != facts(*b.path)) return facts(*a.path) < facts(*b.path);
-  return std::tie(a.path->points, a.path->widths_nm, a.path->height_nm, a.path->flow) <
-         std::tie(b.path->points, b.path->widths_nm, b.path->height_nm, b.path->flow);
+  return std::tie(a.path->points, a.path->widths_nm) < std::tie(b.path->points, b.path->widths_nm);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
   for (const WallGroup& group : groups) {
     const Path& wall = group.Outermost();
     StartRule start;
-    if (!rules.seams.empty()) start.seam = SeamOf(wall.points, rules.seams);
+    if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
+      start.seam = rules.seams[static_cast<size_t>(wall.ring)];
     starts.push_back(start);
     legs.push_back(LegOf(wall, start, route.at()));
   }

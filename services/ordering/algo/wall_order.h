@@ -17,7 +17,9 @@ enum class InsetOrder {
 
 struct WallRules {
   InsetOrder order = InsetOrder::kInnerFirst;
-  std::span<const Point> seams;  ///< start loops near these; empty: near the nozzle
+  /// Where the loops of a contour start, by the ring that its outermost wall follows; a contour along
+  /// no ring, or all if this is empty, start near the nozzle.
+  std::span<const Point> seams;
 };
 
 /// Prints the walls of an island, contour by contour, each in the order of the rules. The paths are

@@ -67,8 +67,11 @@ TEST(PrintWalls, NearestContourFirst) {
 }
 
 TEST(PrintWalls, LoopsOfAContourStartAtItsSeam) {
-  const std::vector<Point> seams = {Mm(40, 0), Mm(15, 25)};
-  const auto printed = Printed(TwoContours(), {InsetOrder::kInnerFirst, seams}, Mm(0, 0));
+  const std::vector<Point> seams = {Mm(15, 25), Mm(1, 1), Mm(40, 0)};
+  std::vector<Path> walls = TwoContours();
+  walls[0].ring = 2;
+  walls[2].ring = 0;
+  const auto printed = Printed(walls, {InsetOrder::kInnerFirst, seams}, Mm(0, 0));
   std::vector<Point> starts;
   for (const Path& path : printed) starts.push_back(path.points[0]);
   EXPECT_THAT(starts, testing::UnorderedElementsAre(Mm(39, 1), Mm(40, 0), Mm(14, 26), Mm(15, 25)));

@@ -5,6 +5,7 @@
 
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
 #include "common/wire/start_wire.h"
 
 namespace slicefarm::ordering {
@@ -32,7 +33,7 @@ absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
   call.layers = RangeOf(layers);
 
   const absl::StatusOr<std::vector<OrderedLayer>> ordered =
-      stage_.Order(start->call, std::move(layers), plans, start->options);
+      stage_.Order(start->call, std::move(layers), plans, start->copies, start->options);
   if (!ordered.ok()) return ordered.status();
   return WriteEach<v1::OrderedLayer>(
       stream, *ordered,

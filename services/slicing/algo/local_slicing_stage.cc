@@ -1,21 +1,21 @@
 #include "services/slicing/algo/local_slicing_stage.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "absl/strings/escaping.h"
-#include "absl/strings/str_cat.h"
-#include "common/geometry/moved.h"
 #include "common/base/error.h"
+#include "common/geometry/moved.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/parallel.h"
 #include "services/slicing/algo/placement/footprint.h"
+#include "services/slicing/algo/placement/prepared_object.h"
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/open_loops.h"
-#include "services/slicing/algo/parallel.h"
-#include "services/slicing/algo/placement/prepared_mesh.h"
 #include "services/slicing/algo/section/regions.h"
+#include "services/slicing/algo/section/section_regions.h"
 #include "services/slicing/algo/section/sweep.h"
 #include "services/slicing/algo/thumbnail/thumbnail.h"
 
@@ -25,18 +25,18 @@ namespace {
 /// More triangles than this are not drawn as many times as there are copies.
 constexpr int64_t kMaxDrawnTriangles = 2'000'000;
 
-absl::Status CheckInput(const SliceInput& input) {
-  if (input.files.empty() || input.files.size() != input.placements.size())
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     "a job needs one placement for each of its meshes, and at least one mesh");
-  int64_t objects = 0;
-  for (const Placement& placement : input.placements)
-    objects += static_cast<int64_t>(std::max<size_t>(placement.centers.size(), 1));
-  if (objects > limits::kMaxObjects)
-    return LimitError(Reason::kRequestTooLarge, "objects, copies included", limits::kMaxObjects,
-                      objects);
-  return absl::OkStatus();
-}
+/// A part's sweep and what was found while it was cut.
+struct SweptPart {
+  const PreparedPart* part = nullptr;
+  Sweep sweep;
+  std::vector<GapCounts> gaps;  ///< by own layer
+};
+
+/// An object on its way to sections.
+struct SweptObject {
+  std::vector<LayerPlane> planes;
+  std::vector<SweptPart> parts;
+};
 
 /// One run of the stage.
 class SlicingRun {
@@ -45,78 +45,95 @@ class SlicingRun {
       : call_(call), source_(source), options_(options) {}
 
   absl::StatusOr<SlicedJob> Run(SliceInput input) {
-    for (auto step : {&SlicingRun::Prepare, &SlicingRun::Plan, &SlicingRun::Draw})
-      if (absl::Status status = (this->*step)(input); !status.ok()) return status;
-    if (absl::Status status = CutLayers(); !status.ok()) return status;
+    auto objects = PrepareObjects(std::move(input), source_, options_, call_.cancel);
+    if (!objects.ok()) return objects.status();
+    objects_ = *std::move(objects);
+    for (auto step : {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
+                      &SlicingRun::CutLayers})
+      if (absl::Status status = (this->*step)(); !status.ok()) return status;
     return Result();
   }
 
  private:
-  absl::Status Prepare(SliceInput& input) {
-    for (const MeshFile& file : input.files) names_.push_back(file.name);
-    for (size_t i = 0; i < input.files.size(); ++i) {
-      absl::StatusOr<PreparedMesh> mesh = PrepareMesh(std::exchange(input.files[i], {}), source_,
-                                                      input.placements[i], options_, call_.cancel);
-      if (!mesh.ok()) return OfFile(i, mesh.status());
-      meshes_.push_back(*std::move(mesh));
+  absl::Status PlanLayers() {
+    for (size_t i = 0; i < objects_.size(); ++i) {
+      const PreparedObject& object = objects_[i];
+      auto planes = LayerPlanes(object.top_nm, {options_.first_layer_height_nm,
+                                                options_.objects[i].layer_height_nm, object.ranges});
+      if (!planes.ok()) return planes.status();
+      absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
+      if (!swept.ok()) return swept.status();
+      swept_.push_back(*std::move(swept));
     }
+    LayOutFrames();
     return absl::OkStatus();
   }
 
-  /// The error with its file in front, where there are several to look at.
-  absl::Status OfFile(size_t file, const absl::Status& status) const {
-    if (names_.size() == 1 || absl::IsCancelled(status)) return status;
-    ErrorDetail detail = DetailOf(status);
-    detail.metadata["file"] = absl::StrCat(file);
-    // The name is the user's and may hold anything.
-    const std::string name = absl::Utf8SafeCEscape(names_[file]);
-    return MakeError(status.code(), detail.reason,
-                     absl::StrCat("file ", file, " (\"", name, "\"): ", status.message()),
-                     std::move(detail.metadata));
-  }
-
-  absl::Status Plan(SliceInput&) {
-    Coord top = 0;
-    for (const PreparedMesh& mesh : meshes_)
-      for (const Vertex& v : mesh.connected.mesh.vertices) top = std::max(top, v.z);
-    absl::StatusOr<std::vector<LayerPlane>> planes = LayerPlanes(top, options_);
-    if (!planes.ok()) return planes.status();
+  static absl::StatusOr<SweptObject> Swept(const PreparedObject& object,
+                                           std::vector<LayerPlane> planes) {
+    SweptObject swept{std::move(planes), {}};
     std::vector<Coord> heights;
-    for (const LayerPlane& plane : *planes) {
-      job_.layers.push_back({plane.frame, {}});
-      heights.push_back(plane.z_nm);
+    for (const LayerPlane& plane : swept.planes) heights.push_back(plane.z_nm);
+    for (const PreparedPart& part : object.parts) {
+      absl::StatusOr<Sweep> sweep = Sweep::Prepare(part.connected, heights);
+      if (!sweep.ok()) return sweep.status();
+      swept.parts.push_back({&part, *std::move(sweep), std::vector<GapCounts>(heights.size())});
     }
-    for (const PreparedMesh& mesh : meshes_) {
-      absl::StatusOr<Sweep> sweep = Sweep::Prepare(mesh.connected, heights);
-      if (!sweep.ok()) return OfFile(sweeps_.size(), sweep.status());
-      sweeps_.push_back(*std::move(sweep));
-    }
-    return CheckPointsPerLayer();
+    return swept;
   }
 
-  absl::Status CheckPointsPerLayer() const {
-    for (size_t layer = 0; layer < job_.layers.size(); ++layer) {
+  /// A layer of the job for each height at which some object's layer ends.
+  void LayOutFrames() {
+    std::map<Coord, std::vector<ObjectSection>> by_top;
+    for (size_t object = 0; object < swept_.size(); ++object) {
+      const std::vector<LayerPlane>& planes = swept_[object].planes;
+      for (const LayerPlane& plane : planes) {
+        ObjectSection section;
+        section.object = static_cast<int32_t>(object);
+        section.layer = plane.frame.index;
+        section.layer_count = static_cast<int32_t>(planes.size());
+        section.height_nm = plane.frame.height_nm;
+        by_top[plane.frame.print_z_nm].push_back(std::move(section));
+      }
+    }
+    Coord below = 0;
+    for (auto& [top, sections] : by_top) {
+      const auto index = static_cast<int32_t>(job_.layers.size());
+      job_.layers.push_back({{index, top, top - below}, std::move(sections)});
+      below = top;
+    }
+  }
+
+  absl::Status CheckPointsPerLayer() {
+    if (std::ssize(job_.layers) > limits::kMaxLayers)
+      return LimitError(Reason::kMeshTooLarge, "layers of all objects", limits::kMaxLayers,
+                        std::ssize(job_.layers));
+    for (const SlicedLayer& layer : job_.layers) {
       int64_t points = 0;
-      for (size_t i = 0; i < meshes_.size(); ++i)
-        points += sweeps_[i].segments(layer) * static_cast<int64_t>(meshes_[i].centers.size());
+      for (const ObjectSection& section : layer.sections)
+        for (const SweptPart& part : swept_[static_cast<size_t>(section.object)].parts)
+          points += part.sweep.segments(static_cast<size_t>(section.layer));
       if (points > limits::kMaxPointsPerLayer)
-        return LimitError(Reason::kMeshTooLarge, "points in a layer, copies included",
-                          limits::kMaxPointsPerLayer, points);
+        return LimitError(Reason::kMeshTooLarge, "points in a layer", limits::kMaxPointsPerLayer,
+                          points);
     }
     return absl::OkStatus();
   }
 
-  absl::Status Draw(SliceInput&) {
+  absl::Status Draw() {
     int64_t triangles = 0;
-    for (const PreparedMesh& mesh : meshes_)
-      triangles += mesh.report.triangles * static_cast<int64_t>(mesh.centers.size());
+    for (const PreparedObject& object : objects_)
+      for (const PreparedPart& part : object.parts)
+        triangles += part.report.triangles * std::ssize(object.shifts);
     const bool all_copies = triangles <= kMaxDrawnTriangles;
-    std::vector<SceneObject> scene;
-    for (const PreparedMesh& mesh : meshes_) {
-      const bool solid = mesh.connected.closed && mesh.report.volume_mm3 > 0;
-      for (size_t copy = 0; copy < (all_copies ? mesh.centers.size() : 1); ++copy)
-        scene.push_back({&mesh.connected.mesh, mesh.centers[copy], solid});
-    }
+    std::vector<SceneMesh> scene;
+    for (const PreparedObject& object : objects_)
+      for (const PreparedPart& part : object.parts) {
+        if (part.input.role != PartRole::kSolid) continue;
+        const bool solid = part.connected.closed && part.report.volume_mm3 > 0;
+        for (size_t copy = 0; copy < (all_copies ? object.shifts.size() : 1); ++copy)
+          scene.push_back({&part.connected.mesh, object.shifts[copy], solid});
+      }
     for (const auto& size_px : options_.thumbnails_px) {
       absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size_px, call_.cancel);
       if (!thumbnail.ok()) return thumbnail.status();
@@ -126,84 +143,104 @@ class SlicingRun {
   }
 
   absl::Status CutLayers() {
-    counts_.assign(job_.layers.size(), std::vector<GapCounts>(meshes_.size()));
     std::vector<SweepScratch> scratch(static_cast<size_t>(std::max(call_.threads, 1)));
     ForEachIndex(call_.threads, job_.layers.size(), [&](size_t layer, int worker) {
-      if (!call_.cancel.Cancelled()) CutLayer(layer, scratch[static_cast<size_t>(worker)]);
+      if (call_.cancel.Cancelled()) return;
+      for (ObjectSection& section : job_.layers[layer].sections)
+        CutSection(scratch[static_cast<size_t>(worker)], section);
     });
     if (call_.cancel.Cancelled()) return call_.cancel.Check();
     for (const SlicedLayer& layer : job_.layers)
-      if (!layer.objects.empty()) return absl::OkStatus();
+      for (const ObjectSection& section : layer.sections)
+        if (!section.regions.empty()) return absl::OkStatus();
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no layer has an outline: the mesh has no volume, or its openings are wider "
                      "than open_loop_max_gap");
   }
 
-  void CutLayer(size_t layer, SweepScratch& scratch) {
-    SlicedLayer& sliced = job_.layers[layer];
-    int32_t object = 0;
-    for (size_t i = 0; i < meshes_.size(); ++i) {
-      MultiPolygon outlines = Outlines(i, layer, scratch);
-      for (const Point center : meshes_[i].centers) {
-        if (!outlines.empty()) sliced.objects.push_back({object, Moved(outlines, center)});
-        ++object;
-      }
+  void CutSection(SweepScratch& scratch, ObjectSection& section) {
+    SweptObject& object = swept_[static_cast<size_t>(section.object)];
+    const size_t range = RangeOf(section);
+    std::vector<PartSection> parts;
+    bool manifold = true;
+    for (SweptPart& swept : object.parts) {
+      const PartInput& input = swept.part->input;
+      if (input.role != PartRole::kSolid && input.role != PartRole::kNegative &&
+          input.role != PartRole::kModifier)
+        continue;
+      manifold = manifold && (input.role != PartRole::kSolid || swept.part->IsManifold());
+      parts.push_back({input.role, input.regions[range], &input.changes,
+                       Outlines(swept, section, scratch)});
     }
-  }
-
-  /// Every edge has two faces: its sections need no closing of cracks. Parts that touch along edges
-  /// are not manifold: what little keeps them apart is taken for the crack that it is.
-  bool IsManifold(size_t mesh) const {
-    return meshes_[mesh].connected.closed && meshes_[mesh].report.non_manifold_edges == 0;
-  }
-
-  MultiPolygon Outlines(size_t mesh, size_t layer, SweepScratch& scratch) {
-    Section section = sweeps_[mesh].Cut(layer, scratch);
-    ClosedChains closed = CloseChains(std::move(section.chains), options_.max_gap_nm);
-    counts_[layer][mesh] = closed.counts;
-    std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(section.loops));
-    const RegionEdits edits = EditsFor(static_cast<int32_t>(layer), IsManifold(mesh), options_);
-    return Edited(RegionOf(section.loops, options_.fill_rule, options_.resolution_nm), edits,
+    const ObjectSlicingOptions& slicing = options_.objects[static_cast<size_t>(section.object)];
+    PartitionedSection partition =
+        Partition(std::move(parts), EditsFor(section.layer, manifold, slicing),
                   options_.resolution_nm);
+    section.regions = std::move(partition.regions);
+    section.whole = std::move(partition.whole);
   }
 
-  void ReportOverlaps() {
-    std::vector<Polygon> footprints;
-    for (const PreparedMesh& mesh : meshes_) footprints.push_back(Footprint(mesh.connected.mesh));
-    std::vector<Copies> parts;
-    for (size_t i = 0; i < meshes_.size(); ++i)
-      parts.push_back({&footprints[i], meshes_[i].centers});
-    const std::vector<int64_t> overlapping = CountOverlapping(parts);
-    for (size_t i = 0; i < meshes_.size(); ++i)
-      meshes_[i].report.overlapping_copies = overlapping[i];
+  /// The index of the range of heights that holds the section; that of all others is the last.
+  size_t RangeOf(const ObjectSection& section) const {
+    const auto object = static_cast<size_t>(section.object);
+    const std::vector<RangeInput>& ranges = objects_[object].ranges;
+    const Coord z = swept_[object].planes[static_cast<size_t>(section.layer)].z_nm;
+    for (size_t i = 0; i < ranges.size(); ++i)
+      if (ranges[i].from_nm <= z && z < ranges[i].to_nm) return i;
+    return ranges.size();
+  }
+
+  MultiPolygon Outlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
+    const auto layer = static_cast<size_t>(section.layer);
+    Section cut = swept.sweep.Cut(layer, scratch);
+    ClosedChains closed = CloseChains(std::move(cut.chains), options_.max_gap_nm);
+    swept.gaps[layer] = closed.counts;
+    std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(cut.loops));
+    const FillRule rule = options_.objects[static_cast<size_t>(section.object)].fill_rule;
+    return RegionOf(cut.loops, rule, options_.resolution_nm);
+  }
+
+  /// How many copies of each object stand on the footprint of another copy.
+  std::vector<int64_t> Overlapping() const {
+    std::vector<Copies> all;
+    for (const PreparedObject& object : objects_) all.push_back({&object.footprint, object.shifts});
+    return CountOverlapping(all);
   }
 
   SlicedJob Result() {
-    const bool one = meshes_.size() == 1 && meshes_[0].centers.size() == 1;
-    if (!one) ReportOverlaps();
-    for (size_t i = 0; i < meshes_.size(); ++i) {
-      GapCounts total;
-      for (const auto& by_mesh : counts_) total.Add(by_mesh[i]);
-      MeshReport& report = meshes_[i].report;
-      report.open_loops_closed = total.closed;
-      report.open_loops_dropped = total.dropped;
-      report.largest_gap_closed_mm = ToMm(total.largest_gap_nm);
-      report.dropped_length_mm = ToMm(total.dropped_length_nm);
-      if (!IsManifold(i)) report.cracks_closed_mm = ToMm(2 * options_.closing_radius_nm);
-      job_.object_names.insert(job_.object_names.end(), meshes_[i].centers.size(), report.name);
-      job_.meshes.push_back(std::move(report));
+    const std::vector<int64_t> overlapping = Overlapping();
+    for (size_t i = 0; i < objects_.size(); ++i) {
+      PreparedObject& object = objects_[i];
+      for (SweptPart& swept : swept_[i].parts) {
+        MeshReport report = ReportOf(swept, options_.objects[i]);
+        report.overlapping_copies = overlapping[i];
+        job_.meshes.push_back(std::move(report));
+      }
+      for (const Point shift : object.shifts)
+        job_.copies.push_back({static_cast<int32_t>(i), shift, Moved(object.footprint, shift)});
+      job_.object_names.push_back(std::move(object.name));
     }
     return std::move(job_);
+  }
+
+  static MeshReport ReportOf(const SweptPart& swept, const ObjectSlicingOptions& slicing) {
+    GapCounts total;
+    for (const GapCounts& gaps : swept.gaps) total.Add(gaps);
+    MeshReport report = swept.part->report;
+    report.open_loops_closed = total.closed;
+    report.open_loops_dropped = total.dropped;
+    report.largest_gap_closed_mm = ToMm(total.largest_gap_nm);
+    report.dropped_length_mm = ToMm(total.dropped_length_nm);
+    if (!swept.part->IsManifold()) report.cracks_closed_mm = ToMm(2 * slicing.closing_radius_nm);
+    return report;
   }
 
   const StageCall& call_;
   const MeshSource& source_;
   const SlicingOptions& options_;
   SlicedJob job_;
-  std::vector<std::string> names_;  ///< of the files
-  std::vector<PreparedMesh> meshes_;
-  std::vector<Sweep> sweeps_;
-  std::vector<std::vector<GapCounts>> counts_;  ///< by layer, by mesh
+  std::vector<PreparedObject> objects_;
+  std::vector<SweptObject> swept_;  ///< by object
 };
 
 class LocalSlicing : public SlicingStage {
@@ -212,7 +249,6 @@ class LocalSlicing : public SlicingStage {
 
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                   const SlicingOptions& options) const override {
-    if (absl::Status status = CheckInput(input); !status.ok()) return status;
     return SlicingRun(call, *source_, options).Run(std::move(input));
   }
 

@@ -11,6 +11,8 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
 #include "common/base/error.h"
+#include "common/geometry/moved.h"
+#include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"
 
@@ -27,21 +29,22 @@ MeshFile File(const RawMesh& mesh, std::string name = "part") {
 }
 
 SliceInput Input(const RawMesh& mesh, const Placement& placement = {}) {
-  return {{File(mesh)}, {placement}};
+  return InputOf({File(mesh)}, {placement});
 }
 
 absl::StatusOr<SlicedJob> Slice(SliceInput input, const SlicingOptions& options = {},
                                 int threads = 1) {
   StageCall call;
   call.threads = threads;
-  return MakeLocalSlicing()->Slice(call, std::move(input), options);
+  const SlicingOptions all = ForObjects(options, input.objects.size());
+  return MakeLocalSlicing()->Slice(call, std::move(input), all);
 }
 
 double VolumeMm3(const SlicedJob& job) {
   double volume = 0;
   for (const SlicedLayer& layer : job.layers)
-    for (const ObjectSection& object : layer.objects)
-      volume += Area(object.outlines) * 1e-12 * ToMm(static_cast<double>(layer.frame.height_nm));
+    for (const ObjectSection& section : layer.sections)
+      volume += Area(OutlineOf(section)) * 1e-12 * ToMm(static_cast<double>(section.height_nm));
   return volume;
 }
 
@@ -49,15 +52,17 @@ TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
   const auto job = Slice(Input(Cube(3, 4, 5)));
   ASSERT_TRUE(job.ok()) << job.status();
   ASSERT_THAT(job->layers, SizeIs(50));
-  const Polygon square = {{120 * kMm, 100 * kMm},
-                          {130 * kMm, 100 * kMm},
-                          {130 * kMm, 110 * kMm},
-                          {120 * kMm, 110 * kMm}};
+  const Polygon square = {
+      {-5 * kMm, -5 * kMm}, {5 * kMm, -5 * kMm}, {5 * kMm, 5 * kMm}, {-5 * kMm, 5 * kMm}};
   for (int32_t k = 0; k < 50; ++k) {
     EXPECT_EQ(job->layers[k].frame, (LayerFrame{k, (k + 1) * 200'000, 200'000}));
-    EXPECT_THAT(job->layers[k].objects, ElementsAre(ObjectSection{0, {{square, {}}}}));
+    const ObjectSection want{0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}};
+    EXPECT_THAT(job->layers[k].sections, ElementsAre(want));
   }
   EXPECT_THAT(job->object_names, ElementsAre("part"));
+  ASSERT_THAT(job->copies, SizeIs(1));
+  EXPECT_EQ(job->copies[0].shift, (Point{125 * kMm, 105 * kMm}));
+  EXPECT_EQ(job->copies[0].footprint, Moved(square, job->copies[0].shift));
   ASSERT_THAT(job->meshes, SizeIs(1));
   EXPECT_TRUE(job->meshes[0].Closed());
   EXPECT_DOUBLE_EQ(job->meshes[0].volume_mm3, 1000);
@@ -87,39 +92,89 @@ TEST(LocalSlicing, FillRulesDecideWhatIsInside) {
                                      {FillRule::kEvenOdd, c.even_odd_mm2},
                                      {FillRule::kPositive, c.positive_mm2}}) {
       SlicingOptions options;
-      options.fill_rule = rule;
+      options.objects[0].fill_rule = rule;
       const auto job = Slice(Input(c.mesh), options);
       if (want == 0) {
         EXPECT_EQ(DetailOf(job.status()).reason, Reason::kNothingToPrint) << c.name;
         continue;
       }
       ASSERT_TRUE(job.ok()) << c.name << job.status();
-      ASSERT_THAT(job->layers[25].objects, SizeIs(1)) << c.name;
-      EXPECT_NEAR(Area(job->layers[25].objects[0].outlines) * 1e-12, want, 1e-6) << c.name;
+      EXPECT_NEAR(Area(OutlineOf(job->layers[25].sections[0])) * 1e-12, want, 1e-6) << c.name;
     }
   }
 }
 
-TEST(LocalSlicing, CopiesAreShiftedOutlines) {
+TEST(LocalSlicing, CopiesAreNoWork) {
   const std::vector<Point> centers = {
       {50 * kMm, 50 * kMm}, {120 * kMm, 61 * kMm}, {50 * kMm, 120 * kMm}};
-  SliceInput input = Input(TorusMesh({.ring_radius = 10, .tube_radius = 3}), {.centers = centers});
-  input.files.push_back(File(Cube(0, 0, 0, 5), "cube"));
-  input.placements.push_back({.centers = {{200 * kMm, 150 * kMm}}});
-  const auto job = Slice(std::move(input));
+  const RawMesh torus = TorusMesh({.ring_radius = 10, .tube_radius = 3});
+  const auto job = Slice(InputOf({File(torus), File(Cube(0, 0, 0, 5), "cube")},
+                                 {{.centers = centers}, {.centers = {{200 * kMm, 150 * kMm}}}}));
   ASSERT_TRUE(job.ok()) << job.status();
-  EXPECT_THAT(job->object_names, ElementsAre("part", "part", "part", "cube"));
+  EXPECT_THAT(job->object_names, ElementsAre("part", "cube"));
+  ASSERT_THAT(job->copies, SizeIs(4));
+  for (size_t copy = 0; copy < 3; ++copy) {
+    EXPECT_EQ(job->copies[copy].object, 0);
+    EXPECT_EQ(job->copies[copy].shift, centers[copy]);
+  }
+  EXPECT_EQ(job->copies[3].object, 1);
   ASSERT_THAT(job->layers, SizeIs(30));
+  const auto alone = Slice(Input(torus));
+  for (size_t layer = 0; layer < 30; ++layer) {
+    const bool has_cube = job->layers[layer].frame.print_z_nm <= 5 * kMm;
+    ASSERT_THAT(job->layers[layer].sections, SizeIs(has_cube ? 2 : 1));
+    EXPECT_EQ(job->layers[layer].sections[0], alone->layers[layer].sections[0]);
+  }
+}
+
+TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
+  SlicingOptions options;
+  options.objects.resize(2);
+  options.objects[1].layer_height_nm = 300'000;
+  const auto job = MakeLocalSlicing()->Slice(
+      {}, InputOf({File(Cube(0, 0, 0, 2)), File(Cube(0, 0, 0, 2), "b")},
+                  {{.centers = {{50 * kMm, 50 * kMm}}}, {.centers = {{90 * kMm, 50 * kMm}}}}),
+      options);
+  ASSERT_TRUE(job.ok()) << job.status();
+  std::vector<std::vector<Coord>> tops(2);
+  Coord below = 0;
   for (const SlicedLayer& layer : job->layers) {
-    const size_t objects = layer.frame.print_z_nm <= 5 * kMm ? 4 : 3;
-    ASSERT_THAT(layer.objects, SizeIs(objects));
-    for (size_t copy = 0; copy < 3; ++copy) {
-      EXPECT_EQ(layer.objects[copy].object, static_cast<int32_t>(copy));
-      const Point shift = centers[copy] - centers[0];
-      EXPECT_EQ(layer.objects[copy].outlines[0].outer[0] - shift,
-                layer.objects[0].outlines[0].outer[0]);
+    EXPECT_EQ(layer.frame.height_nm, layer.frame.print_z_nm - below);
+    below = layer.frame.print_z_nm;
+    for (const ObjectSection& section : layer.sections) {
+      std::vector<Coord>& own = tops[static_cast<size_t>(section.object)];
+      EXPECT_EQ(section.layer, std::ssize(own));
+      own.push_back(layer.frame.print_z_nm / 1'000);
     }
   }
+  EXPECT_EQ(tops[0], (std::vector<Coord>{200, 400, 600, 800, 1000, 1200, 1400, 1600, 1800, 2000}));
+  EXPECT_EQ(tops[1], (std::vector<Coord>{200, 500, 800, 1100, 1400, 1700, 2000}));
+}
+
+TEST(LocalSlicing, PartsModifiersAndNegativesMakeRegions) {
+  SliceInput input = InputOf({File(Cube(0, 0, 0, 20)), File(Cube(0, 0, 0, 10))});
+  ObjectInput& object = input.objects[0];
+  object.parts.resize(3, object.parts[0]);
+  input.objects.resize(1);
+  object.parts[1].mesh.file = 1;
+  object.parts[1].role = PartRole::kModifier;
+  object.parts[1].changes = {{0, 4}};
+  object.parts[2].mesh.file = 1;
+  object.parts[2].role = PartRole::kNegative;
+  object.parts[2].to_object(0, 3) = 15;
+  const auto job = Slice(std::move(input));
+  ASSERT_TRUE(job.ok()) << job.status();
+  const auto area = [](const MultiPolygon& outlines) { return Area(outlines) * 1e-12; };
+  const ObjectSection& low = job->layers[10].sections[0];  // modifier and negative end at 10 mm
+  ASSERT_THAT(low.regions, SizeIs(2));
+  EXPECT_EQ(low.regions[0].settings, 0);
+  EXPECT_EQ(low.regions[1].settings, 4);
+  EXPECT_NEAR(area(low.regions[1].outlines), 100, 1e-6);
+  EXPECT_NEAR(area(low.regions[0].outlines), 400 - 100 - 50, 1e-6);
+  EXPECT_NEAR(area(OutlineOf(low)), 350, 1e-6);
+  const ObjectSection& high = job->layers[60].sections[0];
+  ASSERT_THAT(high.regions, SizeIs(1));
+  EXPECT_NEAR(area(OutlineOf(high)), 400, 1e-6);
 }
 
 void ExpectSame(const SlicedJob& a, const SlicedJob& b) {
@@ -165,28 +220,28 @@ TEST(LocalSlicing, ClosesCracksOfMeshesThatAreNotManifoldOnly) {
   const RawMesh near = Joined(Cube(0, 0, 0), Cube(10.05, 0, 0));
   const auto closed = Slice(Input(near));
   ASSERT_TRUE(closed.ok());
-  EXPECT_THAT(closed->layers[10].objects[0].outlines, SizeIs(2));
+  EXPECT_THAT(closed->layers[10].sections[0].regions[0].outlines, SizeIs(2));
   EXPECT_EQ(closed->meshes[0].cracks_closed_mm, 0);
   // A third cube that shares an edge with the first.
   const auto touching = Slice(Input(Joined(near, Cube(-10, 10, 0))));
   ASSERT_TRUE(touching.ok());
   EXPECT_EQ(touching->meshes[0].non_manifold_edges, 1);
   EXPECT_EQ(touching->meshes[0].cracks_closed_mm, 0.098);
-  EXPECT_NEAR(Area(touching->layers[10].objects[0].outlines) * 1e-12, 300 + 10 * 0.05, 0.01);
+  EXPECT_NEAR(Area(touching->layers[10].sections[0].regions[0].outlines) * 1e-12, 300 + 10 * 0.05, 0.01);
   SlicingOptions options;
   options.max_gap_nm = 20 * kMm;
   const auto open = Slice(Input(WithoutTriangle(near, 23)), options);
   ASSERT_TRUE(open.ok());
-  EXPECT_THAT(open->layers[10].objects[0].outlines, SizeIs(1));
+  EXPECT_THAT(open->layers[10].sections[0].regions[0].outlines, SizeIs(1));
 }
 
 TEST(LocalSlicing, ElephantFootIsTakenOffTheFirstLayer) {
   SlicingOptions options;
-  options.elephant_foot_nm = 200'000;
+  options.objects[0].elephant_foot_nm = 200'000;
   const auto job = Slice(Input(Cube(0, 0, 0)), options);
   ASSERT_TRUE(job.ok());
-  EXPECT_NEAR(Area(job->layers[0].objects[0].outlines) * 1e-12, 9.6 * 9.6, 1e-6);
-  EXPECT_NEAR(Area(job->layers[1].objects[0].outlines) * 1e-12, 100, 1e-6);
+  EXPECT_NEAR(Area(job->layers[0].sections[0].regions[0].outlines) * 1e-12, 9.6 * 9.6, 1e-6);
+  EXPECT_NEAR(Area(job->layers[1].sections[0].regions[0].outlines) * 1e-12, 100, 1e-6);
 }
 
 TEST(LocalSlicing, RefusesWithAReason) {
@@ -199,24 +254,24 @@ TEST(LocalSlicing, RefusesWithAReason) {
             Reason::kRequestTooLarge);
   EXPECT_EQ(reason(Input(Cube(0, 0, 0), {.unit_mm = 50})), Reason::kOutOfBuildVolume);
   EXPECT_EQ(reason(Input(Cube(0, 0, 0), {.scale = {1, 1, 0.005}})), Reason::kNothingToPrint);
-  EXPECT_EQ(reason({{{"x", MeshFormat::kUnknown, "hello"}}, {{}}}), Reason::kMeshFormatUnknown);
+  EXPECT_EQ(reason(InputOf({{"x", MeshFormat::kUnknown, "hello"}})), Reason::kMeshFormatUnknown);
   SlicingOptions flat;
-  flat.layer_height_nm = 0;
+  flat.objects[0].layer_height_nm = 0;
   EXPECT_EQ(reason(Input(Cube(0, 0, 0)), flat), Reason::kSettingOutOfRange);
   SlicingOptions picture;
   picture.thumbnails_px = {{0, 0}};
   EXPECT_EQ(reason(Input(Cube(0, 0, 0)), picture), Reason::kSettingOutOfRange);
 }
 
-TEST(LocalSlicing, ErrorsNameTheFileWhereThereAreSeveral) {
+TEST(LocalSlicing, ErrorsNameTheObjectWhereThereAreSeveral) {
   const MeshFile bad = {"b\nd.stl", MeshFormat::kUnknown, "solid"};
-  const absl::Status alone = Slice({{bad}, {{}}}).status();
-  EXPECT_EQ(DetailOf(alone).metadata.count("file"), 0u);
-  const absl::Status second = Slice({{File(Cube(0, 0, 0)), bad}, {{}, {}}}).status();
-  EXPECT_EQ(second.message(), absl::StrCat("file 1 (\"b\\nd.stl\"): ", alone.message()));
+  const absl::Status alone = Slice(InputOf({bad})).status();
+  EXPECT_EQ(DetailOf(alone).metadata.count("object"), 0u);
+  const absl::Status second = Slice(InputOf({File(Cube(0, 0, 0)), bad})).status();
+  EXPECT_EQ(second.message(), absl::StrCat("object 1 (\"b\\nd.stl\"): ", alone.message()));
   EXPECT_EQ(second.code(), alone.code());
   EXPECT_EQ(DetailOf(second).reason, DetailOf(alone).reason);
-  EXPECT_EQ(DetailOf(second).metadata.at("file"), "1");
+  EXPECT_EQ(DetailOf(second).metadata.at("object"), "1");
 }
 
 TEST(LocalSlicing, CanBeCancelledAtAnyPoll) {
@@ -254,7 +309,7 @@ TEST(LocalSlicing, ModelsOfTheCorpus) {
   };
   for (const ModelCase& c : cases) {
     const std::string bytes = CorpusFile("models/" + std::string(c.file));
-    const auto job = Slice({{{c.file, MeshFormat::kUnknown, bytes}}, {{}}}, {}, 2);
+    const auto job = Slice(InputOf({{c.file, MeshFormat::kUnknown, bytes}}), {}, 2);
     ASSERT_TRUE(job.ok()) << c.file << job.status();
     const MeshReport& report = job->meshes[0];
     EXPECT_EQ(job->layers.size(), c.layers) << c.file;

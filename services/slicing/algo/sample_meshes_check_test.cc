@@ -16,7 +16,7 @@ TEST(SampleMeshes, AreClosedAndTheRightSideOut) {
   for (const RawMesh& raw :
        {BoxMesh({0, 0, 0}, {1, 2, 3}), TetrahedronMesh(5), TorusMesh({}), Mirrored(TorusMesh({})),
         Shuffled(TorusMesh({}), 7), Moved(TetrahedronMesh(5), {1, 2, 3})}) {
-    const auto mesh = Connect(*PlaceMesh(raw, {}), {});
+    const auto mesh = Connect(*PlaceMesh(raw), {});
     ASSERT_TRUE(mesh.ok());
     EXPECT_TRUE(mesh->closed);
     EXPECT_EQ(mesh->bodies, 1);
@@ -25,7 +25,7 @@ TEST(SampleMeshes, AreClosedAndTheRightSideOut) {
 }
 
 TEST(SampleMeshes, TorusHasItsVolume) {
-  const auto mesh = Connect(*PlaceMesh(TorusMesh({.around = 400, .sides = 200}), {}), {});
+  const auto mesh = Connect(*PlaceMesh(TorusMesh({.around = 400, .sides = 200})), {});
   const double want = 2 * std::numbers::pi * std::numbers::pi * 30 * 100;
   EXPECT_NEAR(ReportOf(*mesh, {}).volume_mm3, want, want * 1e-3);
 }

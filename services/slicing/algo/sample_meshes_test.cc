@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "services/slicing/algo/placement/rotation.h"
+#include "common/model/rotation.h"
 
 namespace slicefarm::slicing {
 namespace {

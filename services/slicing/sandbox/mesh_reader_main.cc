@@ -4,7 +4,7 @@
 // slicefarm-mesh-reader: reads one mesh for slicefarm-slicing, which starts it, and ends.
 int main() {
   using namespace slicefarm::slicing;
-  RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double coordinate_limit) {
-    return ReadMesh(bytes, format, coordinate_limit, {});
-  });
+  RunReader(
+      [](std::string_view bytes, slicefarm::MeshFormat format, double coordinate_limit,
+         ReadDepth depth) { return ReadMeshFile(bytes, format, coordinate_limit, depth, {}); });
 }

@@ -16,6 +16,7 @@
 
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/sandbox/project_codec.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 #include "services/slicing/sandbox/reader_side.h"
 
@@ -25,7 +26,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-using Answer = absl::StatusOr<RawMesh>;
+using Answer = absl::StatusOr<MeshFileContents>;
 
 /// Comes back to the test as the error of a mesh.
 Answer Tell(const std::string& what) {
@@ -69,9 +70,30 @@ Answer Babble() {
   Say(&head, sizeof head);
 }
 
-Answer Break() { SayHead({.positions = 3, .triangles = 1}); }
-Answer Boast() { SayHead({.positions = 30'000'000, .triangles = 10'000'000}); }
-Answer Wrap() { SayHead({.positions = UINT64_MAX / 8, .triangles = UINT64_MAX / 8}); }
+MeshFileContents Alone(const RawMesh& mesh) {
+  Project project;
+  SceneObject& object = project.objects.emplace_back();
+  object.parts.emplace_back();
+  object.instances.emplace_back();
+  return {{mesh}, project};
+}
+
+/// Announces a mesh and says nothing of it.
+[[noreturn]] void SayMeshHead(const MeshHead& mesh) {
+  const std::string project = EncodeProject(Alone({}).project);
+  const AnswerHead head = {.build_id = ThisBuild(), .project_bytes = project.size(), .meshes = 1};
+  std::string all(reinterpret_cast<const char*>(&head), sizeof head);
+  all += project;
+  all.append(reinterpret_cast<const char*>(&mesh), sizeof mesh);
+  Say(all.data(), all.size());
+}
+
+Answer Break() { SayMeshHead({.positions = 3, .triangles = 1}); }
+Answer Boast() { SayMeshHead({.positions = 30'000'000, .triangles = 10'000'000}); }
+Answer Wrap() { SayMeshHead({.positions = UINT64_MAX / 8, .triangles = UINT64_MAX / 8}); }
+Answer Swell() { SayHead({.project_bytes = UINT64_MAX / 2, .meshes = 1}); }
+Answer Multiply() { SayHead({.project_bytes = 1, .meshes = UINT64_MAX}); }
+Answer Withhold() { SayHead({.project_bytes = 1, .meshes = 0}); }
 Answer Invent() { SayHead({.kind = static_cast<AnswerKind>(77)}); }
 Answer Ramble() { SayHead({.kind = AnswerKind::kError, .error_bytes = 0xffffffff}); }
 Answer BeAnother() {
@@ -89,13 +111,20 @@ RawMesh Triangle() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}; }
 Answer Overreach() {
   RawMesh mesh = Triangle();
   mesh.triangles[0][2] = 3;
-  return mesh;
+  return Alone(mesh);
+}
+
+/// A project that refers to what is not there.
+Answer Misplace(void (*change)(Project&)) {
+  MeshFileContents contents = Alone(Triangle());
+  change(contents.project);
+  return contents;
 }
 
 Answer WithCorner(double x) {
   RawMesh mesh = Triangle();
   mesh.positions[0].x = x;
-  return mesh;
+  return Alone(mesh);
 }
 
 /// SIGTERM and the like do not reach a reader whose service still waits for it.
@@ -138,6 +167,17 @@ const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() 
       {"break", Break},
       {"boast", Boast},
       {"wrap", Wrap},
+      {"swell", Swell},
+      {"multiply", Multiply},
+      {"withhold", Withhold},
+      {"refer beyond",
+       [] { return Misplace([](Project& p) { p.objects[0].parts[0].mesh.mesh = 1; }); }},
+      {"say no role",
+       [] {
+         return Misplace(
+             [](Project& p) { p.objects[0].parts[0].role = static_cast<PartRole>(77); });
+       }},
+      {"say no text", [] { return Misplace([](Project& p) { p.objects[0].name = "\xff"; }); }},
       {"invent", Invent},
       {"ramble", Ramble},
       {"be another", BeAnother},
@@ -162,10 +202,11 @@ const std::map<std::string_view, std::function<Answer()>, std::less<>>& Deeds() 
 int main() {
   using namespace slicefarm::slicing;
   (void)Deeds();  // made while all is allowed
-  RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double limit) {
+  RunReader([](std::string_view bytes, slicefarm::MeshFormat format, double limit,
+               ReadDepth depth) {
     // Padded with blanks, as the size of a file bounds what may be answered.
     const std::string_view deed = bytes.substr(0, bytes.find_last_not_of(' ') + 1);
     const auto found = Deeds().find(deed);
-    return found != Deeds().end() ? found->second() : ReadMesh(bytes, format, limit, {});
+    return found != Deeds().end() ? found->second() : ReadMeshFile(bytes, format, limit, depth, {});
   });
 }

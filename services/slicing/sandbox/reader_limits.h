@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace slicefarm::slicing {
 
@@ -13,7 +14,8 @@ struct ReaderLimits {
 };
 
 /// Generous for any file within limits.h, whatever is in it: the most hostile OBJ takes 20 bytes of
-/// memory for each of its own while it is read, and the slowest format 10 ns.
-ReaderLimits ReaderLimitsFor(int64_t file_bytes);
+/// memory for each of its own while it is read, and the slowest format 10 ns. A 3MF's text may be
+/// limits::kMaxCompressionRatio times as long as the file, though few are beyond 20 times.
+ReaderLimits ReaderLimitsFor(std::string_view file);
 
 }  // namespace slicefarm::slicing

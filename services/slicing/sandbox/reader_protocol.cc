@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "common/base/build_info.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/threemf/threemf_reader.h"
+#include "services/slicing/sandbox/project_check.h"
+#include "services/slicing/sandbox/project_codec.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -32,11 +36,15 @@ absl::Status Nonsense(std::string_view what) {
 /// No format says a triangle or a vertex in less than two bytes.
 constexpr uint64_t kLeastBytesEach = 2;
 
-bool IsSoundMeshHead(const AnswerHead& head, int64_t file_bytes) {
-  const uint64_t most = static_cast<uint64_t>(file_bytes) / kLeastBytesEach;
-  return head.error_bytes == 0 && head.triangles > 0 && head.positions > 0 &&
-         head.triangles <= std::min<uint64_t>(most, limits::kMaxTriangles) &&
-         head.positions <= std::min(most, 3 * head.triangles);
+/// More than limits::kMaxProjectBytes of text: transforms, and lengths of the texts.
+constexpr uint64_t kMostProjectBytes = 2 * limits::kMaxProjectBytes;
+
+bool IsSoundContentsHead(const AnswerHead& head, const Request& request) {
+  const bool good_meshes = request.depth == ReadDepth::kStructure
+                               ? head.meshes == 0
+                               : head.meshes > 0 && head.meshes <= limits::kMaxFileResources;
+  return head.error_bytes == 0 && good_meshes && head.project_bytes > 0 &&
+         head.project_bytes <= kMostProjectBytes;
 }
 
 bool IsSoundErrorHead(const AnswerHead& head) {
@@ -70,19 +78,42 @@ std::string EncodeError(const absl::Status& error) {
   return text.substr(0, kMaxErrorBytes);
 }
 
-absl::Status CheckHead(const AnswerHead& head, int64_t file_bytes) {
+Request RequestOf(std::string_view file, ReadDepth depth) {
+  const auto bytes = static_cast<int64_t>(file.size());
+  if (!LooksLike3mf(file)) return {bytes, depth};
+  const int64_t most = limits::kFreeExpandedBytes + limits::kMaxCompressionRatio * bytes;
+  return {std::min(most, limits::kMaxExpandedArchiveBytes), depth};
+}
+
+absl::Status CheckHead(const AnswerHead& head, const Request& request) {
   if (head.build_id != ThisBuild())
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
                      "slicefarm-mesh-reader is of another build than this service: start the "
                      "service anew");
   switch (head.kind) {
-    case AnswerKind::kMesh:
-      return IsSoundMeshHead(head, file_bytes) ? absl::OkStatus() : Nonsense("impossible counts");
+    case AnswerKind::kContents:
+      return IsSoundContentsHead(head, request) ? absl::OkStatus() : Nonsense("impossible counts");
     case AnswerKind::kError:
     case AnswerKind::kNotConfined:
       return IsSoundErrorHead(head) ? absl::OkStatus() : Nonsense("an impossible error");
   }
   return Nonsense("neither a mesh nor an error");
+}
+
+MeshHeads::MeshHeads(const Request& request)
+    : triangles_left_(std::min<uint64_t>(
+          static_cast<uint64_t>(request.text_bytes) / kLeastBytesEach, limits::kMaxTriangles)),
+      positions_left_(static_cast<uint64_t>(request.text_bytes) / kLeastBytesEach) {}
+
+absl::Status MeshHeads::Check(const MeshHead& head) {
+  // No position is there without a triangle that uses it.
+  const bool sound = head.triangles <= triangles_left_ &&
+                     head.positions <= std::min(positions_left_, 3 * head.triangles) &&
+                     (head.positions > 0) == (head.triangles > 0);
+  if (!sound) return Nonsense("impossible counts");
+  triangles_left_ -= head.triangles;
+  positions_left_ -= head.positions;
+  return absl::OkStatus();
 }
 
 absl::Status DecodeError(std::string_view encoded) {
@@ -113,6 +144,23 @@ absl::Status CheckMesh(const RawMesh& mesh, double coordinate_limit) {
       mesh.positions.begin(), mesh.positions.end(),
       [&within](const Position& p) { return within(p.x) && within(p.y) && within(p.z); });
   return positions_good ? absl::OkStatus() : Nonsense("a coordinate that is out of range");
+}
+
+absl::StatusOr<Project> CheckedProject(std::string_view encoded, std::span<const RawMesh> meshes,
+                                       ReadDepth depth) {
+  absl::StatusOr<Project> project = DecodeProject(encoded);
+  if (!project.ok())
+    return Nonsense(
+        std::string_view(project.status().message().data(), project.status().message().size()));
+  std::vector<int64_t> triangles;
+  for (const RawMesh& mesh : meshes)
+    triangles.push_back(static_cast<int64_t>(mesh.triangles.size()));
+  const auto of_meshes = depth == ReadDepth::kMeshes
+                             ? std::optional(std::span<const int64_t>(triangles))
+                             : std::nullopt;
+  const std::string_view fault = FaultOf(*project, of_meshes);
+  if (!fault.empty()) return Nonsense(fault);
+  return project;
 }
 
 }  // namespace slicefarm::slicing

@@ -11,8 +11,8 @@ namespace {
 
 Reason ReasonOf(const absl::Status& status) { return DetailOf(status).reason; }
 
-AnswerHead MeshHead(uint64_t positions, uint64_t triangles) {
-  return {.build_id = ThisBuild(), .positions = positions, .triangles = triangles};
+AnswerHead ContentsHead(uint64_t project_bytes, uint64_t meshes) {
+  return {.build_id = ThisBuild(), .project_bytes = project_bytes, .meshes = meshes};
 }
 
 TEST(ReaderProtocol, AnErrorComesBackAsItWas) {
@@ -35,27 +35,49 @@ TEST(ReaderProtocol, OnlyErrorsOfReadingAreBelieved) {
 }
 
 TEST(ReaderProtocol, CountsAreBoundByTheFile) {
-  constexpr int64_t kFileBytes = 1'000;
-  EXPECT_TRUE(CheckHead(MeshHead(500, 500), kFileBytes).ok());
-  EXPECT_TRUE(CheckHead(MeshHead(30, 10), kFileBytes).ok());
-  for (const AnswerHead& head :
-       {MeshHead(31, 10), MeshHead(0, 10), MeshHead(10, 0), MeshHead(500, 501), MeshHead(501, 500),
-        MeshHead(3, UINT64_MAX / 3 + 2)})
-    EXPECT_EQ(ReasonOf(CheckHead(head, kFileBytes)), Reason::kMeshReaderCrashed);
-  EXPECT_FALSE(CheckHead(MeshHead(3, 20'000'001), INT64_MAX).ok());
+  constexpr Request kRequest = {.text_bytes = 1'000};
+  EXPECT_TRUE(MeshHeads(kRequest).Check({500, 500}).ok());
+  EXPECT_TRUE(MeshHeads(kRequest).Check({30, 10}).ok());
+  EXPECT_TRUE(MeshHeads(kRequest).Check({0, 0}).ok());
+  for (const MeshHead& head : std::initializer_list<MeshHead>{
+           {31, 10}, {0, 10}, {10, 0}, {500, 501}, {501, 500}, {3, UINT64_MAX / 3 + 2}})
+    EXPECT_EQ(ReasonOf(MeshHeads(kRequest).Check(head)), Reason::kMeshReaderCrashed);
+  EXPECT_FALSE(MeshHeads({.text_bytes = INT64_MAX}).Check({3, 20'000'001}).ok());
+}
+
+TEST(ReaderProtocol, CountsOfAllMeshesAreBoundTogether) {
+  MeshHeads heads({.text_bytes = 1'000});
+  EXPECT_TRUE(heads.Check({300, 300}).ok());
+  EXPECT_TRUE(heads.Check({200, 100}).ok());
+  EXPECT_FALSE(heads.Check({3, 1}).ok());
+}
+
+TEST(ReaderProtocol, AnArchiveMayStandForMoreText) {
+  EXPECT_EQ(RequestOf("v 1 2 3", ReadDepth::kMeshes).text_bytes, 7);
+  const std::string archive = "PK\x03\x04" + std::string(996, 'x');
+  EXPECT_EQ(RequestOf(archive, ReadDepth::kMeshes).text_bytes, (1 << 20) + 200'000);
 }
 
 TEST(ReaderProtocol, HeadsOfAnotherKindOrBuildAreRefused) {
-  AnswerHead head = MeshHead(3, 1);
+  constexpr Request kRequest = {.text_bytes = 1'000};
+  constexpr Request kStructure = {.text_bytes = 1'000, .depth = ReadDepth::kStructure};
+  EXPECT_TRUE(CheckHead(ContentsHead(100, 1), kRequest).ok());
+  EXPECT_FALSE(CheckHead(ContentsHead(100, 0), kRequest).ok());
+  EXPECT_TRUE(CheckHead(ContentsHead(100, 0), kStructure).ok());
+  EXPECT_FALSE(CheckHead(ContentsHead(100, 1), kStructure).ok());
+  EXPECT_FALSE(CheckHead(ContentsHead(0, 1), kRequest).ok());
+  EXPECT_FALSE(CheckHead(ContentsHead(1 << 30, 1), kRequest).ok());
+  EXPECT_FALSE(CheckHead(ContentsHead(100, UINT64_MAX), kRequest).ok());
+  AnswerHead head = ContentsHead(100, 1);
   head.error_bytes = 1;
-  EXPECT_FALSE(CheckHead(head, 1'000).ok());
+  EXPECT_FALSE(CheckHead(head, kRequest).ok());
   head.kind = AnswerKind::kError;
-  EXPECT_TRUE(CheckHead(head, 1'000).ok());
+  EXPECT_TRUE(CheckHead(head, kRequest).ok());
   head.error_bytes = 1 << 20;
-  EXPECT_FALSE(CheckHead(head, 1'000).ok());
-  head = MeshHead(3, 1);
+  EXPECT_FALSE(CheckHead(head, kRequest).ok());
+  head = ContentsHead(100, 1);
   head.build_id[0] = '-';
-  EXPECT_EQ(ReasonOf(CheckHead(head, 1'000)), Reason::kBuildMismatch);
+  EXPECT_EQ(ReasonOf(CheckHead(head, kRequest)), Reason::kBuildMismatch);
 }
 
 TEST(ReaderProtocol, AMeshHasToKeepWhatItPromises) {
@@ -76,9 +98,19 @@ TEST(ReaderProtocol, AMeshHasToKeepWhatItPromises) {
 
 TEST(ReaderLimits, GrowWithTheFileUpToWhatAnyMeshTakes) {
   constexpr int64_t kMib = 1 << 20;
-  EXPECT_EQ(ReaderLimitsFor(0), (ReaderLimits{64 * kMib, 10}));
-  EXPECT_EQ(ReaderLimitsFor(10 * kMib), (ReaderLimits{(64 + 10 + 320) * kMib, 11}));
-  EXPECT_EQ(ReaderLimitsFor(1000 * kMib), (ReaderLimits{(64 + 1000 + 8192) * kMib, 110}));
+  const auto of = [](int64_t bytes) {
+    return ReaderLimitsFor(std::string(static_cast<size_t>(bytes), 'v'));
+  };
+  EXPECT_EQ(of(0), (ReaderLimits{64 * kMib, 10}));
+  EXPECT_EQ(of(10 * kMib), (ReaderLimits{(64 + 10 + 320) * kMib, 11}));
+  EXPECT_EQ(of(1000 * kMib), (ReaderLimits{(64 + 1000 + 8192) * kMib, 110}));
+}
+
+TEST(ReaderLimits, AreForTheTextOfAnArchive) {
+  constexpr int64_t kMib = 1 << 20;
+  std::string archive(kMib, 'x');
+  archive.replace(0, 4, "PK\x03\x04");
+  EXPECT_EQ(ReaderLimitsFor(archive), (ReaderLimits{(64 + 1 + 256 + 80) * kMib, 15}));
 }
 
 }  // namespace

@@ -6,11 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <ctime>
 #include <new>
 #include <string>
 
 #include "services/slicing/algo/point_hash.h"
 #include "services/slicing/sandbox/fd.h"
+#include "services/slicing/sandbox/project_codec.h"
 #include "services/slicing/sandbox/reader_protocol.h"
 
 namespace slicefarm::slicing {
@@ -58,15 +61,29 @@ void Write(const void* data, size_t size) {
   _exit(0);
 }
 
-[[noreturn]] void AnswerMesh(const RawMesh& mesh) {
+[[noreturn]] void AnswerContents(const MeshFileContents& contents) {
+  const std::string project = EncodeProject(contents.project);
   const AnswerHead head = {.build_id = ThisBuild(),
-                           .kind = AnswerKind::kMesh,
-                           .positions = mesh.positions.size(),
-                           .triangles = mesh.triangles.size()};
+                           .kind = AnswerKind::kContents,
+                           .project_bytes = project.size(),
+                           .meshes = contents.meshes.size()};
   Write(&head, sizeof head);
-  Write(mesh.positions.data(), mesh.positions.size() * sizeof mesh.positions[0]);
-  Write(mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+  Write(project.data(), project.size());
+  for (const RawMesh& mesh : contents.meshes) {
+    const MeshHead mesh_head = {.positions = mesh.positions.size(),
+                                .triangles = mesh.triangles.size()};
+    Write(&mesh_head, sizeof mesh_head);
+    Write(mesh.positions.data(), mesh.positions.size() * sizeof mesh.positions[0]);
+    Write(mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+  }
   _exit(0);
+}
+
+/// The times of an archive's entries are made from local ones; without a time zone that is set, the
+/// system's is looked up in a file each time, which cannot be opened later.
+void SettleTimeZone() {
+  setenv("TZ", "UTC0", 1);
+  tzset();
 }
 
 }  // namespace
@@ -74,15 +91,16 @@ void Write(const void* data, size_t size) {
 void RunReader(const ReadFunction& read) {
   std::set_new_handler([] { _exit(kNoMemoryExit); });
   StepForwardWhenMemoryRunsOut();
+  SettleTimeZone();
   PointHash::OfProcess();  // its keys may come from a file, which cannot be opened later
   const std::string_view request = MapRequest();
   const RequestHead& head = *reinterpret_cast<const RequestHead*>(request.data());
   const absl::Status confined = Confine(head.confinement, head.limits, head.service_pid);
   if (!confined.ok()) AnswerError(AnswerKind::kNotConfined, std::string(confined.message()));
-  const absl::StatusOr<RawMesh> mesh =
-      read(request.substr(sizeof head), head.format, head.coordinate_limit);
-  if (!mesh.ok()) AnswerError(AnswerKind::kError, EncodeError(mesh.status()));
-  AnswerMesh(*mesh);
+  const absl::StatusOr<MeshFileContents> contents =
+      read(request.substr(sizeof head), head.format, head.coordinate_limit, head.depth);
+  if (!contents.ok()) AnswerError(AnswerKind::kError, EncodeError(contents.status()));
+  AnswerContents(*contents);
 }
 
 }  // namespace slicefarm::slicing

@@ -5,12 +5,12 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/mesh.h"
-#include "services/slicing/algo/mesh_io/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/mesh_file_contents.h"
 
 namespace slicefarm::slicing {
 
-using ReadFunction = std::function<absl::StatusOr<RawMesh>(
-    std::string_view bytes, MeshFormat format, double coordinate_limit)>;
+using ReadFunction = std::function<absl::StatusOr<MeshFileContents>(
+    std::string_view bytes, MeshFormat format, double coordinate_limit, ReadDepth depth)>;
 
 /// The life of a reader process, from a request on stdin to an answer on stdout: confines itself,
 /// and only then lets `read` look at the bytes. Does not return.

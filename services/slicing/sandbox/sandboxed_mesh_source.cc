@@ -64,13 +64,13 @@ class Reading {
   Reading(ReaderProcess reader, const ReaderLimits& limits, const CancelToken& cancel)
       : reader_(std::move(reader)), limits_(limits), cancel_(cancel) {}
 
-  absl::StatusOr<RawMesh> Answer(int64_t file_bytes, double coordinate_limit) {
+  absl::StatusOr<MeshFileContents> Answer(const Request& request, double coordinate_limit) {
     AnswerHead head;
     absl::Status status = Receive({reinterpret_cast<char*>(&head), sizeof head});
-    if (status.ok()) status = CheckHead(head, file_bytes);
+    if (status.ok()) status = CheckHead(head, request);
     if (!status.ok()) return status;
-    if (head.kind != AnswerKind::kMesh) return Error(head);
-    return Mesh(head, coordinate_limit);
+    if (head.kind != AnswerKind::kContents) return Error(head);
+    return Contents(head, request, coordinate_limit);
   }
 
  private:
@@ -88,10 +88,31 @@ class Reading {
     return head.kind == AnswerKind::kError ? DecodeError(text) : NotConfined(text);
   }
 
-  absl::StatusOr<RawMesh> Mesh(const AnswerHead& head, double coordinate_limit) {
+  absl::StatusOr<MeshFileContents> Contents(const AnswerHead& head, const Request& request,
+                                            double coordinate_limit) {
+    std::string encoded(head.project_bytes, '\0');
+    if (absl::Status status = Receive(encoded); !status.ok()) return status;
+    MeshFileContents contents;
+    MeshHeads heads(request);
+    for (uint64_t i = 0; i < head.meshes; ++i) {
+      absl::StatusOr<RawMesh> mesh = Mesh(heads, coordinate_limit);
+      if (!mesh.ok()) return mesh.status();
+      contents.meshes.push_back(*std::move(mesh));
+    }
+    absl::StatusOr<Project> project = CheckedProject(encoded, contents.meshes, request.depth);
+    if (!project.ok()) return project.status();
+    contents.project = *std::move(project);
+    return contents;
+  }
+
+  absl::StatusOr<RawMesh> Mesh(MeshHeads& heads, double coordinate_limit) {
+    MeshHead head;
+    absl::Status status = Receive({reinterpret_cast<char*>(&head), sizeof head});
+    if (status.ok()) status = heads.Check(head);
+    if (!status.ok()) return status;
     RawMesh mesh;
     mesh.positions.resize(head.positions);
-    absl::Status status = Receive(BytesOf(mesh.positions));
+    status = Receive(BytesOf(mesh.positions));
     if (!status.ok()) return status;
     mesh.triangles.resize(head.triangles);
     status = Receive(BytesOf(mesh.triangles));
@@ -109,16 +130,17 @@ class Reading {
 
 absl::Status SandboxedMeshSource::Probe() const {
   constexpr char kTriangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  return Read(kTriangle, MeshFormat::kObj, 1, {}).status();
+  return Read(kTriangle, MeshFormat::kObj, 1, ReadDepth::kMeshes, {}).status();
 }
 
-absl::StatusOr<RawMesh> SandboxedMeshSource::Read(std::string bytes, MeshFormat format,
-                                                  double coordinate_limit,
-                                                  const CancelToken& cancel) const {
-  const auto file_bytes = static_cast<int64_t>(bytes.size());
-  const ReaderLimits limits = options_.limits(file_bytes);
+absl::StatusOr<MeshFileContents> SandboxedMeshSource::Read(std::string bytes, MeshFormat format,
+                                                           double coordinate_limit, ReadDepth depth,
+                                                           const CancelToken& cancel) const {
+  const Request asked = RequestOf(bytes, depth);
+  const ReaderLimits limits = options_.limits(bytes);
   const RequestHead head = {.confinement = options_.confinement,
                             .format = format,
+                            .depth = depth,
                             .coordinate_limit = coordinate_limit,
                             .limits = limits,
                             .service_pid = getpid()};
@@ -128,7 +150,7 @@ absl::StatusOr<RawMesh> SandboxedMeshSource::Read(std::string bytes, MeshFormat 
   absl::StatusOr<ReaderProcess> reader = ReaderProcess::Start(options_.program, *request);
   if (!reader.ok()) return reader.status();
   *request = Fd();  // the reader has it, and it is gone with the reader
-  return Reading(*std::move(reader), limits, cancel).Answer(file_bytes, coordinate_limit);
+  return Reading(*std::move(reader), limits, cancel).Answer(asked, coordinate_limit);
 }
 
 }  // namespace slicefarm::slicing

@@ -12,13 +12,13 @@ namespace slicefarm::slicing {
 struct SandboxOptions {
   Confinement confinement = Confinement::kStrict;
   std::string program;  ///< path of slicefarm-mesh-reader
-  std::function<ReaderLimits(int64_t file_bytes)> limits = ReaderLimitsFor;
+  std::function<ReaderLimits(std::string_view file)> limits = ReaderLimitsFor;
 };
 
 /// Reads each mesh in a process of its own that is shut in (confinement.h), ends with the call, and
 /// is killed as soon as it is cancelled. What it answers is checked before it is believed.
 ///
-/// Errors of Read: those of ReadMesh, and
+/// Errors of Read: those of ReadMeshFile, and
 ///   MESH_READER_CRASHED  InvalidArgument: the reader ended by a signal, or answered nonsense;
 ///                        metadata `signal` or `exit_code`
 ///   MESH_TOO_EXPENSIVE   InvalidArgument: it needed more than its limits; metadata `resource`
@@ -35,8 +35,9 @@ class SandboxedMeshSource : public MeshSource {
   /// gives.
   absl::Status Probe() const;
 
-  absl::StatusOr<RawMesh> Read(std::string bytes, MeshFormat format, double coordinate_limit,
-                               const CancelToken& cancel) const override;
+  absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
+                                        double coordinate_limit, ReadDepth depth,
+                                        const CancelToken& cancel) const override;
 
  private:
   const SandboxOptions options_;

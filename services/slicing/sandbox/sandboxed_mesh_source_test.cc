@@ -35,22 +35,27 @@ SandboxedMeshSource TakenOver(Confinement confinement = Confinement::kStrict,
                               const ReaderLimits& limits = kUsual) {
   return SandboxedMeshSource({.confinement = confinement,
                               .program = MISBEHAVING_READER,
-                              .limits = [limits](int64_t) { return limits; }});
+                              .limits = [limits](std::string_view) { return limits; }});
 }
 
 absl::Status Do(const SandboxedMeshSource& source, const std::string& deed,
                 const CancelToken& cancel = {}) {
-  return source.Read(deed, MeshFormat::kUnknown, kLimit, cancel).status();
+  return source.Read(deed, MeshFormat::kUnknown, kLimit, ReadDepth::kMeshes, cancel).status();
 }
 
 Reason ReasonOf(const absl::Status& status) { return DetailOf(status).reason; }
 
-void ExpectTheSame(const absl::StatusOr<RawMesh>& a, const absl::StatusOr<RawMesh>& b,
-                   const std::string& what) {
+using Contents = absl::StatusOr<MeshFileContents>;
+
+void ExpectTheSame(const Contents& a, const Contents& b, const std::string& what) {
   ASSERT_EQ(a.ok(), b.ok()) << what << ": " << a.status() << " / " << b.status();
   if (a.ok()) {
-    EXPECT_EQ(a->positions, b->positions) << what;
-    EXPECT_EQ(a->triangles, b->triangles) << what;
+    ASSERT_EQ(a->meshes.size(), b->meshes.size()) << what;
+    for (size_t i = 0; i < a->meshes.size(); ++i) {
+      EXPECT_EQ(a->meshes[i].positions, b->meshes[i].positions) << what;
+      EXPECT_EQ(a->meshes[i].triangles, b->meshes[i].triangles) << what;
+    }
+    EXPECT_EQ(a->project, b->project) << what;
     return;
   }
   EXPECT_EQ(a.status().code(), b.status().code()) << what;
@@ -60,8 +65,9 @@ void ExpectTheSame(const absl::StatusOr<RawMesh>& a, const absl::StatusOr<RawMes
 }
 
 void ExpectTheSameAsDirectly(const std::string& bytes, const std::string& what) {
-  ExpectTheSame(Product().Read(bytes, MeshFormat::kUnknown, kLimit, {}),
-                ReadMesh(bytes, MeshFormat::kUnknown, kLimit, {}), what);
+  for (const ReadDepth depth : {ReadDepth::kStructure, ReadDepth::kMeshes})
+    ExpectTheSame(Product().Read(bytes, MeshFormat::kUnknown, kLimit, depth, {}),
+                  ReadMeshFile(bytes, MeshFormat::kUnknown, kLimit, depth, {}), what);
 }
 
 std::vector<std::string> CorpusNames(const std::string& folder) {
@@ -79,7 +85,7 @@ TEST(SandboxedMeshSource, GivesTheTrianglesOfEveryModel) {
 }
 
 TEST(SandboxedMeshSource, GivesTheErrorsOfDirectReading) {
-  for (const std::string folder : {"fuzz/stl", "fuzz/obj", "fuzz/slice"}) {
+  for (const std::string folder : {"fuzz/stl", "fuzz/obj", "fuzz/ply", "fuzz/3mf", "fuzz/slice"}) {
     for (const std::string& name : CorpusNames(folder)) {
       const std::string bytes = CorpusFile(name);
       ExpectTheSameAsDirectly(bytes, name);
@@ -90,10 +96,11 @@ TEST(SandboxedMeshSource, GivesTheErrorsOfDirectReading) {
   const std::string box = ToBinaryStl(BoxMesh({0, 0, 0}, {10, 20, 30}));
   for (const std::string& bytes : {std::string(), std::string("hello"), "PK\x03\x04" + box})
     ExpectTheSameAsDirectly(bytes, "no mesh");
-  ExpectTheSame(Product().Read(box, MeshFormat::kObj, kLimit, {}),
-                ReadMesh(box, MeshFormat::kObj, kLimit, {}), "another format");
-  ExpectTheSame(Product().Read(box, MeshFormat::kStl, 25, {}),
-                ReadMesh(box, MeshFormat::kStl, 25, {}), "beyond the limit");
+  constexpr ReadDepth kDepth = ReadDepth::kMeshes;
+  ExpectTheSame(Product().Read(box, MeshFormat::kObj, kLimit, kDepth, {}),
+                ReadMeshFile(box, MeshFormat::kObj, kLimit, kDepth, {}), "another format");
+  ExpectTheSame(Product().Read(box, MeshFormat::kStl, 25, kDepth, {}),
+                ReadMeshFile(box, MeshFormat::kStl, 25, kDepth, {}), "beyond the limit");
 }
 
 /// A million faces in the fewest bytes, and as many corners as there can be.
@@ -170,8 +177,10 @@ TEST(SandboxedMeshSource, TimeIsBounded) {
 }
 
 TEST(SandboxedMeshSource, NoAnswerIsBelievedUnchecked) {
-  for (const std::string deed : {"babble", "break", "boast", "wrap", "invent", "ramble", "excuse",
-                                 "overreach", "say nan", "say infinity", "say far", "be another"}) {
+  for (const std::string deed :
+       {"babble", "break", "boast", "wrap", "swell", "multiply", "withhold", "refer beyond",
+        "say no role", "say no text", "invent", "ramble", "excuse", "overreach", "say nan",
+        "say infinity", "say far", "be another"}) {
     const absl::Status status = Do(TakenOver(), deed + std::string(100, ' '));
     const bool of_another_build = deed == "babble" || deed == "be another";
     EXPECT_EQ(ReasonOf(status),
@@ -226,7 +235,9 @@ TEST(SandboxedMeshSource, AThousandCallsOfManyThreadsLeaveNothingBehind) {
           wrong += ReasonOf(Do(source, "spin", soon)) != Reason::kCancelled;
           break;
         case 3:
-          wrong += source.Read(box, MeshFormat::kUnknown, kLimit, {})->triangles.size() != 12;
+          wrong += source.Read(box, MeshFormat::kUnknown, kLimit, ReadDepth::kMeshes, {})
+                       ->meshes[0]
+                       .triangles.size() != 12;
           break;
       }
     }

@@ -36,7 +36,7 @@ absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
 
 absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
   v1::SliceResponse summary;
-  *summary.mutable_summary() = ToProto(job);
+  if (absl::Status status = ToProto(job, summary.mutable_summary()); !status.ok()) return status;
   stream.Write(summary);  // that the client is gone shows at the first layer
   return WriteEach<v1::SliceResponse>(stream, job.layers,
                                       [](const SlicedLayer& layer, v1::SliceResponse* proto) {

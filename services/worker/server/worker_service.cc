@@ -35,7 +35,8 @@ absl::Status WorkerService::Work(rpc::Call& call, Stream& stream) const {
   if (!layers.ok()) return layers.status();
 
   absl::StatusOr<RangeResult> result = runner_.Run(
-      start->call, {start->range, start->layer_count, *layers, start->plans, &start->settings});
+      start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
+                    &start->settings});
   if (!result.ok()) return result.status();
   return Answer(*std::move(result), stream);
 }
@@ -45,6 +46,12 @@ absl::Status WorkerService::Answer(RangeResult result, Stream& stream) {
       stream, result.programs, [](LayerProgram& program, v1::WorkResponse* proto) {
         return ToProto(std::move(program), proto->mutable_program());
       });
+  if (!status.ok()) return status;
+  status.Update(WriteEach<v1::WorkResponse>(
+      stream, result.warnings, [](const LayerWarning& warning, v1::WorkResponse* proto) {
+        *proto->mutable_warning() = ToProto(warning);
+        return absl::OkStatus();
+      }));
   if (!status.ok()) return status;
   v1::WorkResponse times;
   *times.mutable_times() = ToProto(result.times);

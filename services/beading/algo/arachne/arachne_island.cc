@@ -58,13 +58,13 @@ Path ArachneIslands::PathOf(WallLine line) const {
   return path;
 }
 
-absl::StatusOr<std::optional<WalledIsland>> ArachneIslands::Make(const PolygonWithHoles& outline,
+absl::StatusOr<std::optional<IslandBeads>> ArachneIslands::Make(const PolygonWithHoles& outline,
                                                                  const CancelToken& cancel) const {
   std::optional<VariableWalls> walls =
       TryWideWalls(outline, *strategy_, plan_.perimeters, wall_options_);
   if (!walls) walls = MakeVariableWalls(outline, *strategy_, wall_options_);
   if (!walls) return std::nullopt;
-  WalledIsland island;
+  IslandBeads island;
   for (WallLine& line : walls->lines) island.walls.push_back(PathOf(std::move(line)));
   island.fill_area = std::move(walls->fill_area);
   if (!plan_.gap_fill) return island;

@@ -7,7 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/beading_options.h"
 #include "common/base/cancel_token.h"
-#include "common/model/layer.h"
+#include "services/beading/algo/island_beads.h"
 #include "services/beading/algo/classic/constant_walls.h"
 #include "services/beading/algo/classic/gap_fill.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
@@ -24,9 +24,9 @@ class ArachneIslands {
                  const GapFillOptions& gap_options,
                  std::function<double(double x, double y, double radius_nm)> deciding_radius);
 
-  /// An island; the object is left to the caller. Nothing if walls of variable width cannot be made
+  /// Nothing if walls of variable width cannot be made
   /// (see MakeVariableWalls).
-  absl::StatusOr<std::optional<WalledIsland>> Make(const PolygonWithHoles& outline,
+  absl::StatusOr<std::optional<IslandBeads>> Make(const PolygonWithHoles& outline,
                                                    const CancelToken& cancel) const;
 
  private:

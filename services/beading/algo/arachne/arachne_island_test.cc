@@ -28,10 +28,10 @@ ArachneIslands Islands(int perimeters, bool gap_fill = true, DecidingRadius radi
   return ArachneIslands({}, plan, {}, std::move(radius));
 }
 
-WalledIsland IslandOf(std::string_view outline, const ArachneIslands& islands) {
+IslandBeads IslandOf(std::string_view outline, const ArachneIslands& islands) {
   const auto island = islands.Make(MakePolygonsOrDie(outline)[0], {});
   EXPECT_TRUE(island.ok() && island->has_value());
-  return island.ok() && *island ? **island : WalledIsland{};
+  return island.ok() && *island ? **island : IslandBeads{};
 }
 
 std::string Strip(double thickness_mm) {
@@ -52,7 +52,7 @@ class ThinStrip : public testing::TestWithParam<StripCase> {};
 // Beads of width w side by side cover w each, but for the overlap of neighbours.
 TEST_P(ThinStrip, HasBeadsThatFillIt) {
   const StripCase& strip = GetParam();
-  const WalledIsland island = IslandOf(Strip(strip.thickness_mm), Islands(3));
+  const IslandBeads island = IslandOf(Strip(strip.thickness_mm), Islands(3));
   std::vector<double> rings_mm, lines_mm;
   for (const Path& wall : island.walls) {
     ASSERT_EQ(wall.widths_nm.size(), 1u);
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(ArachneIslands, AWallLiesHalfItsWidthInsideTheOutline) {
-  const WalledIsland island = IslandOf(Strip(0.8), Islands(3));
+  const IslandBeads island = IslandOf(Strip(0.8), Islands(3));
   ASSERT_EQ(island.walls.size(), 1u);
   const Box box = Bounds(island.walls[0].points);
   const double inset = FromMm((0.8 + kOverlapMm) / 4);
@@ -92,7 +92,7 @@ TEST(ArachneIslands, AWallLiesHalfItsWidthInsideTheOutline) {
 }
 
 TEST(ArachneIslands, AWideSquareHasWallsOfConstantWidth) {
-  const WalledIsland island = IslandOf("(0 0, 20 0, 20 20, 0 20)", Islands(3));
+  const IslandBeads island = IslandOf("(0 0, 20 0, 20 20, 0 20)", Islands(3));
   ASSERT_EQ(island.walls.size(), 3u);
   for (int inset = 0; inset < 3; ++inset) {
     const Path& wall = island.walls[inset];
@@ -108,7 +108,7 @@ TEST(ArachneIslands, AWideSquareHasWallsOfConstantWidth) {
 }
 
 TEST(ArachneIslands, WidthsVaryAlongAWedge) {
-  const WalledIsland island = IslandOf("(0 0, 20 -0.1, 20 0.5, 0 0.4)", Islands(3));
+  const IslandBeads island = IslandOf("(0 0, 20 -0.1, 20 0.5, 0 0.4)", Islands(3));
   ASSERT_EQ(island.walls.size(), 1u);
   const Path& wall = island.walls[0];
   ASSERT_EQ(wall.widths_nm.size(), wall.points.size());
@@ -119,14 +119,14 @@ TEST(ArachneIslands, WidthsVaryAlongAWedge) {
 // 1.4 mm less the walls: too little for the infill.
 TEST(ArachneIslands, ANarrowFillAreaIsAGap) {
   const double gap_mm = 1.4 - 2 * 0.45 + kOverlapMm;
-  const WalledIsland filled = IslandOf(Strip(1.4), Islands(1));
+  const IslandBeads filled = IslandOf(Strip(1.4), Islands(1));
   ASSERT_EQ(filled.walls.size(), 2u);
   EXPECT_EQ(filled.walls[1].feature, Feature::kGapFill);
   ASSERT_EQ(filled.walls[1].widths_nm.size(), 1u);
   EXPECT_NEAR(ToMm(filled.walls[1].widths_nm[0]), gap_mm + kOverlapMm, 1e-3);
   EXPECT_TRUE(filled.fill_area.empty());
 
-  const WalledIsland open = IslandOf(Strip(1.4), Islands(1, false));
+  const IslandBeads open = IslandOf(Strip(1.4), Islands(1, false));
   EXPECT_EQ(open.walls.size(), 1u);
   EXPECT_NEAR(Mm2(open.fill_area), gap_mm * (20 - 1.4 + gap_mm), 1e-3);
 }
@@ -143,7 +143,7 @@ TEST(ArachneIslands, CloseCallsAreTheCallers) {
     EXPECT_NEAR(radius_nm, 315'000, 1'000);
     return 320'000;
   };
-  const WalledIsland island = IslandOf(kStrip, Islands(3, true, radius));
+  const IslandBeads island = IslandOf(kStrip, Islands(3, true, radius));
   EXPECT_GT(asked, 0);
   ASSERT_EQ(island.walls.size(), 1u);
   EXPECT_TRUE(island.walls[0].closed);
@@ -184,7 +184,7 @@ TEST(ArachneIslands, VolumeIsConserved) {
         "(0 0, 30 0, 30 3, 0 0.5)", "(0 0, 20 0, 20 12, 0 12) (6 2, 14 2, 14 10, 6 10)",
         "(0 0, 12 0, 12 2.2, 7 2.2, 7 14, 5 14, 5 2.2, 0 2.2)"}) {
     const PolygonWithHoles outline = MakePolygonsOrDie(text)[0];
-    const WalledIsland island = IslandOf(text, Islands(3));
+    const IslandBeads island = IslandOf(text, Islands(3));
     double mm2 = Mm2(island.fill_area), stripe_mm2 = 0;
     for (const Path& path : island.walls) mm2 += VolumeMm3(path) / 0.2;
     ForEachRing({outline},

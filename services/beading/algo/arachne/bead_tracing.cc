@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/base/portable_math.h"
+
 namespace slicefarm::beading {
 namespace {
 
@@ -297,7 +299,7 @@ class MiddleTracer {
   }
 
   static double Distance(const BeadPoint& a, const BeadPoint& b) {
-    return std::hypot(b.place.x - a.place.x, b.place.y - a.place.y);
+    return Hypot(b.place.x - a.place.x, b.place.y - a.place.y);
   }
 
   /// A line that is shorter than a dot covers less than one.

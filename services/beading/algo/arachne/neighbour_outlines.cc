@@ -22,7 +22,7 @@ double NeighbourOutlines::MeanRadius(size_t i, size_t reach, double x, double y,
 }
 
 const OutlineIndex& NeighbourOutlines::IndexOf(size_t i) const {
-  if (!indexes_[i]) indexes_[i].emplace(layers_[i]);
+  if (!indexes_[i]) indexes_[i].emplace(*layers_[i]);
   return *indexes_[i];
 }
 

@@ -1,21 +1,21 @@
 #pragma once
 
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
-#include "common/model/layer.h"
+#include "common/geometry/polygon.h"
 #include "services/beading/algo/arachne/outline_index.h"
 
 namespace slicefarm::beading {
 
-/// The outlines of the layers around one, to decide alike in all of them what is a close call in
-/// each. Indexes are made when they are asked for, and kept for the next layer.
+/// The outlines of an object's layers around one of them. Adjacent layers use them to agree on
+/// borderline decisions. Indexes are made when they are asked for, and kept for the next layer.
 class NeighbourOutlines {
  public:
-  /// `layers` are consecutive and must outlive this.
-  explicit NeighbourOutlines(std::span<const SlicedLayer> layers)
-      : layers_(layers), indexes_(layers.size()) {}
+  /// `layers` are consecutive; each outline must outlive this.
+  explicit NeighbourOutlines(std::vector<const MultiPolygon*> layers)
+      : layers_(std::move(layers)), indexes_(layers_.size()) {}
 
   /// The mean distance from the outlines, of the layers at most `reach` from layers[i] and itself,
   /// of a place that is `radius_nm` away from those of layers[i]. Layers in which it differs from
@@ -26,7 +26,7 @@ class NeighbourOutlines {
  private:
   const OutlineIndex& IndexOf(size_t i) const;
 
-  std::span<const SlicedLayer> layers_;
+  std::vector<const MultiPolygon*> layers_;
   mutable std::vector<std::optional<OutlineIndex>> indexes_;
 };
 

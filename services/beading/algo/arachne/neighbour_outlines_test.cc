@@ -12,21 +12,27 @@ constexpr double kBandNm = 100'000;
 
 /// A strip along the x axis in each layer, its middle so many um away from its outline; no outline
 /// for 0.
-std::vector<SlicedLayer> Strips(const std::vector<Coord>& radii_um) {
-  std::vector<SlicedLayer> layers;
+std::vector<MultiPolygon> Strips(const std::vector<Coord>& radii_um) {
+  std::vector<MultiPolygon> layers;
   for (const Coord radius_um : radii_um) {
     const Coord x = 10'000 * kUm, y = radius_um * kUm;
-    SlicedLayer& layer = layers.emplace_back();
-    if (radius_um > 0) layer.objects.push_back({0, {{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}, {}}}});
+    MultiPolygon& layer = layers.emplace_back();
+    if (radius_um > 0) layer = {{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}, {}}};
   }
   return layers;
+}
+
+NeighbourOutlines Neighbours(const std::vector<MultiPolygon>& layers) {
+  std::vector<const MultiPolygon*> outlines;
+  for (const MultiPolygon& layer : layers) outlines.push_back(&layer);
+  return NeighbourOutlines(std::move(outlines));
 }
 
 /// At the strips' middle.
 double MeanUm(const std::vector<Coord>& radii_um, size_t i, size_t reach, double band_nm) {
   const auto layers = Strips(radii_um);
   const auto radius_nm = static_cast<double>(radii_um[i] * kUm);
-  return NeighbourOutlines(layers).MeanRadius(i, reach, 0, 0, radius_nm, band_nm) / kUm;
+  return Neighbours(layers).MeanRadius(i, reach, 0, 0, radius_nm, band_nm) / kUm;
 }
 
 TEST(NeighbourOutlines, TheMeanIsThatOfTheLayersInReach) {
@@ -58,15 +64,15 @@ TEST(NeighbourOutlines, LayersWithoutOutlinesDoNotCount) {
 // Not by how far away the index says that it is: an island's graph may lie on a coarser grid.
 TEST(NeighbourOutlines, TheOwnLayerCountsByTheRadiusGiven) {
   const auto layers = Strips({300, 310});
-  EXPECT_DOUBLE_EQ(NeighbourOutlines(layers).MeanRadius(0, 2, 0, 0, 302'000, kBandNm), 306'000);
+  EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 0, 302'000, kBandNm), 306'000);
 }
 
 TEST(NeighbourOutlines, PlacesAreThoseOfThePlane) {
   const auto layers = Strips({300, 310});
   // The end of the strips is 0.1 mm away.
-  EXPECT_DOUBLE_EQ(NeighbourOutlines(layers).MeanRadius(0, 2, 9.9e6, 0, 90'000, kBandNm), 95'000);
+  EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 9.9e6, 0, 90'000, kBandNm), 95'000);
   // In the second layer the place is 0.26 mm off the outline.
-  EXPECT_DOUBLE_EQ(NeighbourOutlines(layers).MeanRadius(0, 2, 0, 50'000, 250'000, kBandNm),
+  EXPECT_DOUBLE_EQ(Neighbours(layers).MeanRadius(0, 2, 0, 50'000, 250'000, kBandNm),
                    255'000);
 }
 
@@ -74,7 +80,7 @@ TEST(NeighbourOutlines, PlacesAreThoseOfThePlane) {
 TEST(NeighbourOutlines, LayersInReachOfEachOtherAgree) {
   const std::vector<Coord> radii_um = {319, 322, 317};
   const auto layers = Strips(radii_um);
-  const NeighbourOutlines neighbours(layers);
+  const NeighbourOutlines neighbours = Neighbours(layers);
   for (const size_t i : {2, 0, 1, 2}) {
     const auto radius_nm = static_cast<double>(radii_um[i] * kUm);
     EXPECT_NEAR(neighbours.MeanRadius(i, 2, 0, 0, radius_nm, kBandNm), 958'000 / 3., 1e-6);

@@ -14,14 +14,12 @@ using BoostSegment = bg::model::segment<BoostPoint>;
 
 BoostPoint Of(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
-std::vector<BoostSegment> SegmentsOf(const SlicedLayer& layer) {
+std::vector<BoostSegment> SegmentsOf(const MultiPolygon& outlines) {
   std::vector<BoostSegment> segments;
-  for (const ObjectSection& section : layer.objects) {
-    ForEachRing(section.outlines, [&](const Polygon& ring) {
-      for (size_t i = 0; i < ring.size(); ++i)
-        segments.emplace_back(Of(ring[i]), Of(ring[i + 1 == ring.size() ? 0 : i + 1]));
-    });
-  }
+  ForEachRing(outlines, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i)
+      segments.emplace_back(Of(ring[i]), Of(ring[i + 1 == ring.size() ? 0 : i + 1]));
+  });
   return segments;
 }
 
@@ -31,8 +29,8 @@ struct OutlineIndex::Tree {
   bg::index::rtree<BoostSegment, bg::index::quadratic<16>> segments;
 };
 
-OutlineIndex::OutlineIndex(const SlicedLayer& layer)
-    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::segments)(SegmentsOf(layer))})) {}
+OutlineIndex::OutlineIndex(const MultiPolygon& outlines)
+    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::segments)(SegmentsOf(outlines))})) {}
 OutlineIndex::~OutlineIndex() = default;
 OutlineIndex::OutlineIndex(OutlineIndex&&) noexcept = default;
 OutlineIndex& OutlineIndex::operator=(OutlineIndex&&) noexcept = default;

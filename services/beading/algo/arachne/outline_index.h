@@ -2,15 +2,15 @@
 
 #include <memory>
 
-#include "common/model/layer.h"
+#include "common/geometry/polygon.h"
 
 namespace slicefarm::beading {
 
-/// The outlines of a layer, for questions of distance.
+/// Outlines, for questions of distance.
 class OutlineIndex {
  public:
   /// Cost: O(n log n), n edges.
-  explicit OutlineIndex(const SlicedLayer& layer);
+  explicit OutlineIndex(const MultiPolygon& outlines);
   ~OutlineIndex();
   OutlineIndex(OutlineIndex&&) noexcept;
   OutlineIndex& operator=(OutlineIndex&&) noexcept;

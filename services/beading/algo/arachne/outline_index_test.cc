@@ -17,11 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-SlicedLayer LayerOf(std::string_view outlines) {
-  SlicedLayer layer;
-  layer.objects.push_back({0, MakePolygonsOrDie(outlines)});
-  return layer;
-}
+MultiPolygon LayerOf(std::string_view outlines) { return MakePolygonsOrDie(outlines); }
 
 struct PlaceCase {
   std::string name;
@@ -55,13 +51,12 @@ TEST(OutlineIndex, IsBetweenNanometres) {
 }
 
 TEST(OutlineIndex, NothingIsInfinitelyFar) {
-  EXPECT_EQ(OutlineIndex(SlicedLayer{}).DistanceFrom(0, 0), kInfinity);
+  EXPECT_EQ(OutlineIndex(MultiPolygon{}).DistanceFrom(0, 0), kInfinity);
   EXPECT_EQ(OutlineIndex(LayerOf("")).DistanceFrom(0, 0), kInfinity);
 }
 
 TEST(OutlineIndex, KnowsAllObjects) {
-  SlicedLayer layer = LayerOf("(0 0, 1 0, 1 1, 0 1)");
-  layer.objects.push_back({1, MakePolygonsOrDie("(5 0, 6 0, 6 1, 5 1)")});
+  MultiPolygon layer = LayerOf("(0 0, 1 0, 1 1, 0 1) ; (5 0, 6 0, 6 1, 5 1)");
   const OutlineIndex index(layer);
   EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5), 1e6);
   EXPECT_DOUBLE_EQ(index.DistanceFrom(8e6, 5e5), 2e6);
@@ -71,7 +66,7 @@ TEST(OutlineIndex, CanBeMoved) {
   OutlineIndex from(LayerOf("(0 0, 1 0, 1 1, 0 1)"));
   OutlineIndex index = std::move(from);
   EXPECT_DOUBLE_EQ(index.DistanceFrom(-1e6, 5e5), 1e6);
-  index = OutlineIndex(SlicedLayer{});
+  index = OutlineIndex(MultiPolygon{});
   EXPECT_EQ(index.DistanceFrom(-1e6, 5e5), kInfinity);
 }
 
@@ -85,8 +80,7 @@ TEST(OutlineIndex, AgreesWithAllEdgesOneByOne) {
   for (const size_t corners : {3, 10, 300}) {
     Polygon ring;
     for (size_t i = 0; i < corners; ++i) ring.push_back(point());
-    SlicedLayer layer;
-    layer.objects.push_back({0, {{ring, {}}}});
+    const MultiPolygon layer = {{ring, {}}};
     const OutlineIndex index(layer);
     for (int i = 0; i < 200; ++i) {
       const Point place = point();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/predicates.h"
 
@@ -36,10 +37,10 @@ struct Rounding {
 std::optional<Rounding> RoundingAt(Point before, Point at, Point after, double distance_nm) {
   if (Orientation(before, at, after) >= 0) return Rounding{};
   const Direction in = Along(before, at), out = Along(at, after);
-  const double turn = std::atan2(-(in.x * out.y - in.y * out.x), in.x * out.x + in.y * out.y);
+  const double turn = Atan2(-(in.x * out.y - in.y * out.x), in.x * out.x + in.y * out.y);
   if (turn > kMaxTurn) return std::nullopt;
-  if (distance_nm * (1 / std::cos(turn / 2) - 1) < kLeastExcessNm) return Rounding{};
-  return Rounding{turn, distance_nm * std::tan(turn / 2)};
+  if (distance_nm * (1 / Cos(turn / 2) - 1) < kLeastExcessNm) return Rounding{};
+  return Rounding{turn, distance_nm * Tan(turn / 2)};
 }
 
 /// Points of the arc to the right of the way in, from one tangent point to the other.
@@ -51,7 +52,7 @@ void AppendArc(Point at, Direction in, const Rounding& rounding, double distance
   const int pieces = std::max(1, static_cast<int>(std::ceil(rounding.turn / step)));
   for (int i = 0; i <= pieces; ++i) {
     const double angle = rounding.turn * i / pieces;
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = Cos(angle), s = Sin(angle);
     // The radius to the start, (-in.y, in.x), turned clockwise.
     ring.push_back({std::llround(centre_x + distance_nm * (-in.y * c + in.x * s)),
                     std::llround(centre_y + distance_nm * (in.x * c + in.y * s))});
@@ -89,8 +90,7 @@ std::optional<Polygon> RoundReflexCorners(const Polygon& ring, Coord distance_nm
     if (!rounding) return std::nullopt;
     roundings[i] = *rounding;
   }
-  const double step =
-      2 * std::acos(1 - std::min(1.0, static_cast<double>(tolerance_nm) / distance));
+  const double step = 2 * Acos(1 - std::min(1.0, static_cast<double>(tolerance_nm) / distance));
   Polygon rounded;
   rounded.reserve(count);
   for (size_t i = 0; i < count; ++i) {

@@ -26,11 +26,11 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
 
 }  // namespace
 
-absl::StatusOr<WalledIsland> MakeClassicIsland(const PolygonWithHoles& outline,
+absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
                                                const WallPlan& plan,
                                                const GapFillOptions& gap_options,
                                                const CancelToken& cancel) {
-  WalledIsland island;
+  IslandBeads island;
   IslandWalls walls = MakeConstantWalls(outline, plan);
   AppendWalls(walls.centre_lines, plan, island.walls);
   auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);

@@ -23,10 +23,10 @@ WallPlan Plan(int perimeters, Coord external_width_nm = 450'000, Coord inner_wid
   return plan;
 }
 
-WalledIsland IslandOf(std::string_view outline, const WallPlan& plan) {
+IslandBeads IslandOf(std::string_view outline, const WallPlan& plan) {
   auto island = MakeClassicIsland(MakePolygonsOrDie(outline)[0], plan, {}, {});
   EXPECT_TRUE(island.ok()) << island.status();
-  return island.ok() ? *std::move(island) : WalledIsland{};
+  return island.ok() ? *std::move(island) : IslandBeads{};
 }
 
 double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
@@ -34,7 +34,7 @@ double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
 constexpr std::string_view kSquare = "(0 0, 20 0, 20 20, 0 20)";
 
 TEST(ClassicIsland, WallsHaveTheWidthsAndTheFillAreaWhatTheyLeave) {
-  const WalledIsland island = IslandOf(kSquare, Plan(3, 600'000, 400'000));
+  const IslandBeads island = IslandOf(kSquare, Plan(3, 600'000, 400'000));
   ASSERT_EQ(island.walls.size(), 3u);
   for (int inset = 0; inset < 3; ++inset) {
     const Path& wall = island.walls[inset];
@@ -50,7 +50,7 @@ TEST(ClassicIsland, WallsHaveTheWidthsAndTheFillAreaWhatTheyLeave) {
 }
 
 TEST(ClassicIsland, HolesHaveWallsToo) {
-  const WalledIsland island =
+  const IslandBeads island =
       IslandOf("(0 0, 20 0, 20 20, 0 20) (8 8, 12 8, 12 12, 8 12)", Plan(2));
   ASSERT_EQ(island.walls.size(), 4u);
   int external = 0, around_the_hole = 0;
@@ -63,13 +63,13 @@ TEST(ClassicIsland, HolesHaveWallsToo) {
 }
 
 TEST(ClassicIsland, WithoutPerimetersAllIsFillArea) {
-  const WalledIsland island = IslandOf(kSquare, Plan(0));
+  const IslandBeads island = IslandOf(kSquare, Plan(0));
   EXPECT_TRUE(island.walls.empty());
   EXPECT_EQ(island.fill_area, MakePolygonsOrDie(kSquare));
 }
 
 TEST(ClassicIsland, WhatIsTooThinForWallsIsAGap) {
-  const WalledIsland island = IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", Plan(3));
+  const IslandBeads island = IslandOf("(0 0, 20 0, 20 0.4, 0 0.4)", Plan(3));
   ASSERT_EQ(island.walls.size(), 1u);
   EXPECT_EQ(island.walls[0].feature, Feature::kGapFill);
   EXPECT_EQ(island.walls[0].widths_nm, std::vector<Coord>{400'000});
@@ -80,7 +80,7 @@ constexpr std::string_view kWallAndGap = "(0 0, 20 0, 20 1.2, 0 1.2)";
 
 // 1.2 mm less twice 0.45 are the bead's, and what it overlaps the walls by on either side.
 TEST(ClassicIsland, AGapBetweenWallsIsFilled) {
-  const WalledIsland island = IslandOf(kWallAndGap, Plan(3));
+  const IslandBeads island = IslandOf(kWallAndGap, Plan(3));
   ASSERT_EQ(island.walls.size(), 2u);
   EXPECT_EQ(island.walls[0].feature, Feature::kExternalPerimeter);
   EXPECT_EQ(island.walls[1].feature, Feature::kGapFill);

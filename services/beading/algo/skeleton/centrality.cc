@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/portable_math.h"
+
 namespace slicefarm::beading {
 namespace {
 
@@ -64,7 +66,7 @@ class EndTrimmer {
 }  // namespace
 
 std::vector<char> CentralEdges(const SkeletalGraph& graph, const CentralityOptions& options) {
-  const double steepest = std::sin(options.transition_angle / 2);
+  const double steepest = Sin(options.transition_angle / 2);
   std::vector<char> central(graph.half_edges.size() / 2);
   for (size_t edge = 0; edge < central.size(); ++edge) {
     const int half = static_cast<int>(2 * edge);

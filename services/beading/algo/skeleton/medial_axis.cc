@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "common/base/portable_math.h"
 #include "services/beading/algo/skeleton/skeleton.h"
 
 namespace slicefarm::beading {
@@ -110,7 +111,7 @@ class AxisGraph {
  private:
   double EdgeLength(int e) const {
     const SkeletonNode &a = Node(skeleton_.edges[e].a), &b = Node(skeleton_.edges[e].b);
-    return std::hypot(a.x - b.x, a.y - b.y);
+    return Hypot(a.x - b.x, a.y - b.y);
   }
   bool IsFacing(int e) const {
     const SkeletonEdge& edge = skeleton_.edges[e];
@@ -234,7 +235,7 @@ class AxisGraph {
   double CosBetween(int node, int e, int f) const {
     const SkeletonNode &o = Node(node), &p = Node(OtherEnd(e, node)), &q = Node(OtherEnd(f, node));
     const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
-    return (px * qx + py * qy) / (std::hypot(px, py) * std::hypot(qx, qy));
+    return (px * qx + py * qy) / (Hypot(px, py) * Hypot(qx, qy));
   }
 
   int Continuation(int e, int node) const {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "common/base/portable_math.h"
 #include "services/beading/algo/skeleton/voronoi_traits.h"
 
 namespace slicefarm::beading {
@@ -154,13 +155,13 @@ class Builder {
 
   double DistanceTo(Feature feature, Place p) const {
     const BoundaryEdge& edge = graph_.boundary[feature.edge];
-    if (feature.is_corner) return std::hypot(p.x - Of(edge.from).x, p.y - Of(edge.from).y);
+    if (feature.is_corner) return Hypot(p.x - Of(edge.from).x, p.y - Of(edge.from).y);
     const Point d = edge.to - edge.from;
     const Place from = Of(edge.from), to = Of(edge.to);
     const double along =
         (p.x - from.x) * static_cast<double>(d.x) + (p.y - from.y) * static_cast<double>(d.y);
-    if (along <= 0) return std::hypot(p.x - from.x, p.y - from.y);
-    if (along >= SquaredNorm(d)) return std::hypot(p.x - to.x, p.y - to.y);
+    if (along <= 0) return Hypot(p.x - from.x, p.y - from.y);
+    if (along >= SquaredNorm(d)) return Hypot(p.x - to.x, p.y - to.y);
     return std::abs(Side(edge, p)) / Norm(d);
   }
 
@@ -262,7 +263,7 @@ class Builder {
       const Place p = graph_.nodes[node].place;
       return (p.x - focus.x) * ux + (p.y - focus.y) * uy;
     };
-    const double mark = height * std::tan(options_.transition_angle / 2);
+    const double mark = height * Tan(options_.transition_angle / 2);
     std::vector<SkeletalNode> nodes;
     for (const double t : Parameters(along(from), along(to), {-mark, 0, mark}, StepFor(height))) {
       const double radius = (t * t + height * height) / (2 * height);
@@ -275,7 +276,7 @@ class Builder {
   /// Nodes as far from one corner as from the other.
   std::vector<SkeletalNode> BetweenCorners(Feature a, Feature b, int from, int to) const {
     const Place p = Of(graph_.boundary[a.edge].from), q = Of(graph_.boundary[b.edge].from);
-    const double half = std::hypot(q.x - p.x, q.y - p.y) / 2;
+    const double half = Hypot(q.x - p.x, q.y - p.y) / 2;
     if (half < 1) return {};
     const Place middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
     const double ux = -(q.y - p.y) / (2 * half), uy = (q.x - p.x) / (2 * half);
@@ -283,15 +284,15 @@ class Builder {
       const Place at = graph_.nodes[node].place;
       return (at.x - middle.x) * ux + (at.y - middle.y) * uy;
     };
-    const double mark = half * std::tan(options_.transition_angle / 2);
+    const double mark = half * Tan(options_.transition_angle / 2);
     // The farther out, the straighter the radius: even steps of u in t = half sinh(u) have an error
     // of at most half u^2 / 8.
-    const auto stretched = [&](double t) { return half * std::asinh(t / half); };
+    const auto stretched = [&](double t) { return half * Asinh(t / half); };
     std::vector<SkeletalNode> nodes;
     for (const double u : Parameters(stretched(along(from)), stretched(along(to)),
                                      {-stretched(mark), 0, stretched(mark)}, StepFor(half))) {
-      const double t = half * std::sinh(u / half);
-      nodes.push_back({{middle.x + t * ux, middle.y + t * uy}, std::hypot(t, half)});
+      const double t = half * Sinh(u / half);
+      nodes.push_back({{middle.x + t * ux, middle.y + t * uy}, Hypot(t, half)});
     }
     return nodes;
   }
@@ -339,8 +340,7 @@ class Builder {
   bool EndsInCorner(int last, int edge) {
     SkeletalNode& node = graph_.nodes[graph_.To(last)];
     const Place corner = Of(graph_.boundary[edge].from);
-    if (!(std::hypot(node.place.x - corner.x, node.place.y - corner.y) <= kCornerErrorNm))
-      return false;
+    if (!(Hypot(node.place.x - corner.x, node.place.y - corner.y) <= kCornerErrorNm)) return false;
     node = {corner, 0};
     return true;
   }
@@ -430,7 +430,7 @@ std::optional<SkeletalGraph> BuildWith(const Boundary& boundary, const SkeletalO
 
 double SkeletalGraph::Length(int half) const {
   const Place a = FromNode(half).place, b = ToNode(half).place;
-  return std::hypot(b.x - a.x, b.y - a.y);
+  return Hypot(b.x - a.x, b.y - a.y);
 }
 
 Place SkeletalGraph::Foot(int half, const SkeletalNode& node) const {

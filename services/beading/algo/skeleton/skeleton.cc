@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/predicates.h"
 #include "services/beading/algo/skeleton/boundary.h"
 #include "services/beading/algo/skeleton/voronoi_traits.h"
@@ -29,7 +30,7 @@ double Side(Point a, Point b, double x, double y) {
 }
 
 double DistanceTo(Point p, double x, double y) {
-  return std::hypot(x - static_cast<double>(p.x), y - static_cast<double>(p.y));
+  return Hypot(x - static_cast<double>(p.x), y - static_cast<double>(p.y));
 }
 
 double DistanceTo(const BoundaryEdge& edge, double x, double y) {
@@ -223,7 +224,7 @@ void MergeShortEdges(Skeleton& skeleton) {
   std::iota(parent.begin(), parent.end(), 0);
   for (const SkeletonEdge& edge : skeleton.edges) {
     const SkeletonNode &a = skeleton.nodes[edge.a], &b = skeleton.nodes[edge.b];
-    if (std::hypot(a.x - b.x, a.y - b.y) >= kMergeNm) continue;
+    if (Hypot(a.x - b.x, a.y - b.y) >= kMergeNm) continue;
     const int i = Root(parent, edge.a), j = Root(parent, edge.b);
     parent[std::max(i, j)] = std::min(i, j);
   }

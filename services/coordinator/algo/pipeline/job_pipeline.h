@@ -48,14 +48,14 @@ struct PipelineProgress {
 absl::Status CheckPrintable(std::span<const SlicedLayer> layers);
 
 /// The whole way from meshes to G-code:
-///   1 slicing   2 plan (layer_plan.h)   3 ranges with halo (range_split.h)   4 executor   5
-///   assembly
+///   1 slicing   2 planning   3 ranges with halo (range_split.h)   4 executor   5 assembly
 /// The same for the embedded process and for the coordinator; only the stages and the executor
 /// differ.
 class JobPipeline {
  public:
-  JobPipeline(const SlicingStage& slicing, const MotionStage& motion, RangeExecutor& executor)
-      : slicing_(slicing), motion_(motion), executor_(executor) {}
+  JobPipeline(const SlicingStage& slicing, const PlanningStage& planning,
+              const MotionStage& motion, RangeExecutor& executor)
+      : slicing_(slicing), planning_(planning), motion_(motion), executor_(executor) {}
 
   /// `progress` may be called from any thread, one call at a time.
   /// Errors: those of the stages and of the executor.
@@ -64,6 +64,7 @@ class JobPipeline {
 
  private:
   const SlicingStage& slicing_;
+  const PlanningStage& planning_;
   const MotionStage& motion_;
   RangeExecutor& executor_;
 };

@@ -12,21 +12,28 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// `layers` squares of 10 mm over layers without outlines.
+/// Copies of an object: `layers` squares of 10 mm, and above them layers without outlines.
 class FakeSlicing : public SlicingStage {
  public:
-  explicit FakeSlicing(int layers) : layers_(layers) {}
+  explicit FakeSlicing(int layers, int copies = 1) : layers_(layers), copies_(copies) {}
 
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput,
                                   const SlicingOptions& options) const override {
-    EXPECT_EQ(options.layer_height_nm, 123);
+    EXPECT_EQ(options.first_layer_height_nm, 123);
     if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
     SlicedJob job;
     for (int i = 0; i < 10; ++i) {
       SlicedLayer layer{{i, FromMm(0.2 * (i + 1)), FromMm(0.2)}, {}};
-      if (i < layers_) layer.objects = {{0, MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")}};
+      ObjectSection section;
+      section.layer = i;
+      section.layer_count = 10;
+      section.height_nm = layer.frame.height_nm;
+      if (i < layers_)
+        section.regions = {{.outlines = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")}};
+      layer.sections = {section};
       job.layers.push_back(layer);
     }
+    job.copies.resize(copies_);
     job.meshes.resize(1);
     job.meshes[0].open_edges = 4;
     return job;
@@ -34,11 +41,12 @@ class FakeSlicing : public SlicingStage {
 
  private:
   const int layers_;
+  const int copies_;
 };
 
 JobInput Input() {
   JobInput input;
-  input.settings.slicing.layer_height_nm = 123;
+  input.settings.slicing.first_layer_height_nm = 123;
   input.warnings = {"of a setting"};
   return input;
 }
@@ -53,6 +61,14 @@ TEST(LookAt, TellsWhatThePlateIsLike) {
               ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
   EXPECT_GT(found->estimate.print_time_s, 0);
   EXPECT_NEAR(found->estimate.filament.volume_mm3, 200, 1e-6) << "all of it is skin";
+}
+
+TEST(LookAt, CountsCopies) {
+  const auto found = LookAt({}, Input(), FakeSlicing(10, 3));
+  ASSERT_TRUE(found.ok()) << found.status();
+  EXPECT_EQ(found->layers, 10);
+  EXPECT_DOUBLE_EQ(found->first_layer_area_mm2, 300);
+  EXPECT_NEAR(found->estimate.filament.volume_mm3, 600, 1e-6);
 }
 
 TEST(LookAt, NothingToPrintIsAnError) {

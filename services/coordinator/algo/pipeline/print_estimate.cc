@@ -1,10 +1,12 @@
 #include "services/coordinator/algo/pipeline/print_estimate.h"
 
 #include <algorithm>
+#include <map>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::coordinator {
@@ -22,8 +24,8 @@ struct LayerShape {
 };
 
 bool IsSharp(Point before, Point at, Point after) {
-  const double in = std::atan2(ToMm(at.y - before.y), ToMm(at.x - before.x));
-  const double out = std::atan2(ToMm(after.y - at.y), ToMm(after.x - at.x));
+  const double in = Atan2(ToMm(at.y - before.y), ToMm(at.x - before.x));
+  const double out = Atan2(ToMm(after.y - at.y), ToMm(after.x - at.x));
   return std::abs(std::remainder(out - in, 2 * std::numbers::pi)) > kSharpTurnRad;
 }
 
@@ -35,16 +37,12 @@ void AddRing(const Polygon& ring, LayerShape& shape) {
   }
 }
 
-LayerShape ShapeOf(const SlicedLayer& layer) {
+LayerShape ShapeOf(const ObjectSection& section) {
   LayerShape shape;
-  for (const ObjectSection& section : layer.objects) {
-    shape.area += Area(section.outlines) * kMm2PerNm2;
-    shape.islands += static_cast<double>(section.outlines.size());
-    for (const PolygonWithHoles& island : section.outlines) {
-      AddRing(island.outer, shape);
-      for (const Polygon& hole : island.holes) AddRing(hole, shape);
-    }
-  }
+  const MultiPolygon& outlines = OutlineOf(section);
+  shape.area = Area(outlines) * kMm2PerNm2;
+  shape.islands = static_cast<double>(outlines.size());
+  ForEachRing(outlines, [&](const Polygon& ring) { AddRing(ring, shape); });
   return shape;
 }
 
@@ -70,33 +68,31 @@ struct Lines {
 
 class LayerEstimate {
  public:
+  /// Of one section of one object, all of it with the settings of `row`.
   LayerEstimate(const LayerShape& shape, double exposed_mm2, const LayerFrame& frame,
-                const JobSettings& settings)
-      : shape_(shape), frame_(frame), settings_(settings) {
-    const double height = ToMm(frame.height_nm);
-    const double wall = Spacing(settings.beading.inner_width_nm);
-    const int32_t walls = settings.beading.perimeters;
+                const JobSettings& settings, size_t row)
+      : shape_(shape), frame_(frame), settings_(settings), speeds_(settings.motion.speeds[row]) {
+    const BeadingOptions& beading = settings.beading[row];
+    const InfillOptions& infill = settings.infill[row];
+    const double height = ToMm(static_cast<double>(frame.height_nm));
+    const double wall = Spacing(beading.inner_width_nm);
+    const int32_t walls = beading.perimeters;
     const double wall_area = std::min(shape.area, walls * wall * shape.perimeter);
     const double inside = shape.area - wall_area;
     const double solid = std::min(inside, exposed_mm2);
-    const double sparse = (inside - solid) * settings.infill.density;
+    const double sparse = (inside - solid) * infill.density;
     const double outer = std::min(shape.perimeter, wall_area / wall);
     Add({Feature::kExternalPerimeter, outer, shape.sharp_corners});
     Add({Feature::kPerimeter, wall_area / wall - outer, shape.sharp_corners * (walls - 1)});
-    AddFill(Feature::kSolidInfill, solid, Spacing(settings.infill.solid_width_nm));
-    AddFill(Feature::kInternalInfill, sparse, Spacing(settings.infill.sparse_width_nm));
+    AddFill(Feature::kSolidInfill, solid, Spacing(infill.solid_width_nm));
+    AddFill(Feature::kInternalInfill, sparse, Spacing(infill.sparse_width_nm));
     AddTravels(walls + 1);
     volume_mm3_ = (wall_area + solid + sparse) * height;
   }
 
   double volume_mm3() const { return volume_mm3_; }
 
-  /// With the time that cooling asks for.
-  double time_s() const {
-    const CoolingOptions& cooling = settings_.motion.cooling;
-    if (!cooling.enabled || shape_.area == 0) return time_s_;
-    return std::max(time_s_, cooling.slowdown_below_layer_time_s);
-  }
+  double time_s() const { return time_s_; }
 
  private:
   /// Of beads side by side: a rectangle with round ends (see bead_section.h) is this wide on
@@ -106,7 +102,7 @@ class LayerEstimate {
   }
 
   double SpeedOf(Feature feature) const {
-    const double speed = settings_.motion.speed_mm_s[static_cast<size_t>(feature)];
+    const double speed = speeds_.speed_mm_s[static_cast<size_t>(feature)];
     const double first = settings_.motion.first_layer_speed_mm_s;
     return frame_.index == 0 && first > 0 ? std::min(speed, first) : speed;
   }
@@ -139,6 +135,7 @@ class LayerEstimate {
   const LayerShape& shape_;
   const LayerFrame& frame_;
   const JobSettings& settings_;
+  const RegionSpeeds& speeds_;
   double time_s_ = 0;
   double volume_mm3_ = 0;
 };
@@ -148,22 +145,70 @@ double FilamentMm(double volume_mm3, const MotionOptions& motion) {
   return volume_mm3 * motion.extrusion_multiplier / (std::numbers::pi * radius * radius);
 }
 
+/// One object's layers, bottom up.
+struct ObjectShapes {
+  std::vector<LayerShape> shapes;
+  std::vector<LayerFrame> frames;
+  std::vector<size_t> rows;  ///< of the settings of the section's first region
+};
+
+std::map<int32_t, ObjectShapes> ShapesByObject(std::span<const SlicedLayer> layers) {
+  std::map<int32_t, ObjectShapes> objects;
+  for (const SlicedLayer& layer : layers) {
+    for (const ObjectSection& section : layer.sections) {
+      ObjectShapes& object = objects[section.object];
+      object.shapes.push_back(ShapeOf(section));
+      object.frames.push_back({layer.frame.index, layer.frame.print_z_nm, section.height_nm});
+      const int32_t row = section.regions.empty() ? 0 : section.regions.front().settings;
+      object.rows.push_back(static_cast<size_t>(row));
+    }
+  }
+  return objects;
+}
+
+std::map<int32_t, int> CopiesByObject(std::span<const PlacedCopy> copies) {
+  std::map<int32_t, int> count;
+  for (const PlacedCopy& copy : copies) ++count[copy.object];
+  return count;
+}
+
+/// What a layer of the job takes, of all copies of all objects.
+struct LayerTotal {
+  double time_s = 0;
+  double area_mm2 = 0;
+};
+
+/// With the time that cooling asks for.
+double CooledTime(const LayerTotal& layer, const CoolingOptions& cooling) {
+  if (!cooling.enabled || layer.area_mm2 == 0) return layer.time_s;
+  return std::max(layer.time_s, cooling.slowdown_below_layer_time_s);
+}
+
 }  // namespace
 
-PrintEstimate EstimatePrint(std::span<const SlicedLayer> layers, const JobSettings& settings) {
-  std::vector<LayerShape> shapes;
-  shapes.reserve(layers.size());
-  for (const SlicedLayer& layer : layers) shapes.push_back(ShapeOf(layer));
-  PrintEstimate estimate;
+PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings) {
+  std::map<int32_t, int> copies = CopiesByObject(job.copies);
+  std::vector<LayerTotal> totals(job.layers.size());
   ProgramStats total;
   FeatureUse& all = total.features[0];
-  for (std::ptrdiff_t i = 0; i < std::ssize(layers); ++i) {
-    const double exposed = Exposed(shapes, i, 1, settings.infill.top_solid_layers) +
-                           Exposed(shapes, i, -1, settings.infill.bottom_solid_layers);
-    const LayerEstimate layer(shapes[i], exposed, layers[i].frame, settings);
-    estimate.print_time_s += layer.time_s();
-    all.volume_mm3 += layer.volume_mm3();
+  for (const auto& [index, object] : ShapesByObject(job.layers)) {
+    const double count = copies[index];
+    for (std::ptrdiff_t i = 0; i < std::ssize(object.shapes); ++i) {
+      const auto at = static_cast<size_t>(i);
+      const InfillOptions& infill = settings.infill[object.rows[at]];
+      const double exposed = Exposed(object.shapes, i, 1, infill.top_solid_layers) +
+                             Exposed(object.shapes, i, -1, infill.bottom_solid_layers);
+      const LayerEstimate layer(object.shapes[at], exposed, object.frames[at], settings,
+                                object.rows[at]);
+      LayerTotal& sum = totals[static_cast<size_t>(object.frames[at].index)];
+      sum.time_s += count * layer.time_s();
+      sum.area_mm2 += object.shapes[at].area;
+      all.volume_mm3 += count * layer.volume_mm3();
+    }
   }
+  PrintEstimate estimate;
+  for (const LayerTotal& layer : totals)
+    estimate.print_time_s += CooledTime(layer, settings.motion.cooling);
   all.filament_mm = FilamentMm(all.volume_mm3, settings.motion);
   estimate.filament = FilamentUseOf(total, settings.motion);
   return estimate;

@@ -5,6 +5,7 @@
 #include "common/model/filament_use.h"
 #include "common/model/layer.h"
 #include "common/model/settings.h"
+#include "common/stage/stages.h"
 
 namespace slicefarm::coordinator {
 
@@ -17,6 +18,7 @@ struct PrintEstimate {
 /// are many, solid skins where a layer is larger than one near it, sparse infill in the rest; lines
 /// at their speeds with a full stop at each sharp corner. Cost: linear in the points; no stage is
 /// run. tests/bench/README.md says how far it is off.
-PrintEstimate EstimatePrint(std::span<const SlicedLayer> layers, const JobSettings& settings);
+/// Each section counts with the settings of its first region.
+PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings);
 
 }  // namespace slicefarm::coordinator

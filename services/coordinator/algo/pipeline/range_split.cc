@@ -13,8 +13,9 @@ constexpr int kSlotsToCome = 8;
 
 int64_t Cost(const SlicedLayer& layer) {
   int64_t cost = kLayerCost;
-  for (const ObjectSection& section : layer.objects) {
-    cost += static_cast<int64_t>(PointCount(section.outlines));
+  for (const ObjectSection& section : layer.sections) {
+    for (const Region& region : section.regions)
+      cost += static_cast<int64_t>(PointCount(region.outlines));
   }
   return cost;
 }

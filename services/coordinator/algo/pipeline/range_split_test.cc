@@ -19,7 +19,9 @@ std::vector<SlicedLayer> Layers(int count, int points = 4) {
   std::vector<SlicedLayer> layers(count);
   for (int i = 0; i < count; ++i) {
     layers[i].frame.index = i;
-    layers[i].objects = {{0, {{ring, {}}}}};
+    ObjectSection section;
+    section.regions = {{.outlines = {{ring, {}}}}};
+    layers[i].sections = {section};
   }
   return layers;
 }

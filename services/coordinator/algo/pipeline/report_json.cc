@@ -45,6 +45,7 @@ Json Features(const ProgramStats& stats) {
 
 Json ToJson(const StageTimes& times) {
   return {{"slicing", times.slicing_s},
+          {"planning", times.planning_s},
           {"beading", times.beading_s},
           {"infill", times.infill_s},
           {"ordering", times.ordering_s},

@@ -18,6 +18,7 @@ TEST(ReportJson, HasWhatTheReportHas) {
   report.filament.length_mm = 1000;
   report.filament.mass_g = 2.98;
   report.filament.cost = 0.06;
+  report.stage_times.planning_s = 0.25;
   report.stage_times.infill_s = 0.5;
   report.stats.features[static_cast<int>(Feature::kGapFill)] = {1, 2, 3, 4};
   report.stats.retractions = 9;
@@ -32,6 +33,7 @@ TEST(ReportJson, HasWhatTheReportHas) {
   EXPECT_EQ(json["print_time"], "1h 2m 3s");
   EXPECT_DOUBLE_EQ(json["print_time_s"], 3723.4);
   EXPECT_DOUBLE_EQ(json["filament"]["g"], 2.98);
+  EXPECT_DOUBLE_EQ(json["stage_times_s"]["planning"], 0.25);
   EXPECT_DOUBLE_EQ(json["stage_times_s"]["infill"], 0.5);
   EXPECT_EQ(json["features"].size(), 1u);
   EXPECT_EQ(json["features"]["Gap fill"]["volume_mm3"], 4);

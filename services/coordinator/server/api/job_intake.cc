@@ -35,7 +35,7 @@ absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
   auto resolved =
       ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
   if (!resolved.ok()) return resolved.status();
-  if (absl::Status ok = CheckMeshes(submission.tenant, resolved->request); !ok.ok()) return ok;
+  if (absl::Status ok = CheckMeshes(submission.tenant, *resolved); !ok.ok()) return ok;
   return resolved;
 }
 
@@ -60,8 +60,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.max_open = submission.max_open_jobs;
   job.build_id = build_id_;
   if (resolved.ok()) {
-    for (const ObjectRequest& object : resolved->request.objects)
-      job.inputs.push_back(object.mesh_sha256);
+    for (const MeshRequest& mesh : resolved->meshes) job.inputs.push_back(mesh.sha256);
     job.settings_digest = resolved->settings_digest;
     job.action_digest = resolved->action_digest;
   }
@@ -70,17 +69,17 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   return created;
 }
 
-absl::Status JobIntake::CheckMeshes(const std::string& tenant, const JobRequest& request) {
+absl::Status JobIntake::CheckMeshes(const std::string& tenant, const ResolvedJob& job) {
   const auto blobs = blobs_.Of(tenant);
   if (!blobs.ok()) return blobs.status();
   int64_t bytes = 0;
-  for (const ObjectRequest& object : request.objects) {
-    const auto status = (*blobs)->Keep(object.mesh_sha256);
+  for (const MeshRequest& mesh : job.meshes) {
+    const auto status = (*blobs)->Keep(mesh.sha256);
     if (!status.ok()) return status.status();
     if (!status->complete) {
       return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBlobNotFound,
-                       fmt::format("mesh {} was not uploaded", object.mesh_sha256),
-                       {{"sha256", object.mesh_sha256}});
+                       fmt::format("mesh {} was not uploaded", mesh.sha256),
+                       {{"sha256", mesh.sha256}});
     }
     bytes += status->committed_size;
   }

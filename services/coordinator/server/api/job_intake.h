@@ -55,7 +55,7 @@ class JobIntake {
 
  private:
   absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
-  absl::Status CheckMeshes(const std::string& tenant, const JobRequest& request);
+  absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
 
   JobStore& jobs_;
   BlobStores& blobs_;

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/config/resolve.h"
+#include "common/config/plate.h"
 #include "common/model/mesh.h"
+#include "common/model/placement.h"
 
 namespace slicefarm::coordinator {
 
@@ -16,6 +17,15 @@ struct ObjectRequest {
   std::string name;
   MeshFormat format = MeshFormat::kUnknown;
   Placement placement;
+  int32_t copies = 0;  ///< of an object without centers; 0: 1
+  std::vector<Setting> settings = {};
+};
+
+/// A mesh that objects of a job are made of.
+struct MeshRequest {
+  std::string sha256;
+  std::string name;
+  MeshFormat format = MeshFormat::kUnknown;
 };
 
 enum class JobMode { kPrint, kQuote };
@@ -30,7 +40,8 @@ struct JobRequest {
 /// A request that can be worked on.
 struct ResolvedJob {
   JobRequest request;
-  config::ResolvedSettings settings;
+  config::ResolvedPlate plate;
+  std::vector<MeshRequest> meshes;  ///< each once; the plate's parts refer to them by index
   std::string settings_digest;  ///< of the effective settings
   std::string action_digest;    ///< of all that the result depends on, build and tenant included
   /// Actions whose results serve as this one's, its own last: a print is a quote, too.
@@ -42,8 +53,8 @@ absl::Status CheckRequest(const JobRequest& request);
 absl::Status CheckLabels(const std::map<std::string, std::string>& labels);
 absl::Status CheckRequestId(const std::string& request_id);
 
-/// CheckRequest, and the settings resolved. `result_tenant`: whose results the job may take and
-/// leave (job_results.h). Errors also: those of config::Resolve.
+/// CheckRequest, and the plate resolved. `result_tenant`: whose results the job may take and
+/// leave (job_results.h). Errors also: those of config::ResolvePlate.
 absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view build_id,
                                        std::string_view result_tenant);
 

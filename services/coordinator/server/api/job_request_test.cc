@@ -44,9 +44,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Unit", [](auto& r) { r.objects[0].placement.unit_mm = 25.4; }},
                     Case{"Scale", [](auto& r) { r.objects[0].placement.scale[2] = 1 + 1e-15; }},
                     Case{"Rotation", [](auto& r) { r.objects[0].placement.rotate_deg[1] = 1; }},
-                    Case{"Copies",
+                    Case{"Centers",
                          [](auto& r) {
                            r.objects[0].placement.centers = {{1, 2}};
+                         }},
+                    Case{"Copies", [](auto& r) { r.objects[0].copies = 2; }},
+                    Case{"SettingOfAnObject",
+                         [](auto& r) {
+                           r.objects[0].settings.push_back({"fill_density", "35%"});
                          }},
                     Case{"Objects", [](auto& r) { r.objects.push_back(r.objects[0]); }},
                     Case{"Setting",
@@ -82,6 +87,40 @@ TEST(CheckRequest, CountsCopies) {
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(status).metadata.at("limit"), "1000");
   EXPECT_EQ(DetailOf(status).metadata.at("got"), "1001");
+}
+
+TEST(CheckRequest, CountsCopiesWithoutCenters) {
+  JobRequest request = SimpleRequest();
+  request.objects[0].copies = limits::kMaxObjects;
+  EXPECT_TRUE(CheckRequest(request).ok());
+  request.objects.push_back(SimpleRequest().objects[0]);
+  EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("got"), "1001");
+  request = SimpleRequest();
+  request.objects[0].copies = -1;
+  EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "objects[0].copies");
+}
+
+TEST(ResolveJob, AMeshIsTakenOnceForAllItsObjects) {
+  JobRequest request = SimpleRequest();
+  request.objects.resize(3, request.objects[0]);
+  request.objects[1].mesh_sha256 = Sha256Hex("other");
+  request.objects[2].settings = {{"fill_density", "35%"}};
+  const auto job = ResolveJob(request, "b", "");
+  ASSERT_TRUE(job.ok()) << job.status();
+  ASSERT_EQ(job->meshes.size(), 2);
+  EXPECT_EQ(job->meshes[1].sha256, Sha256Hex("other"));
+  ASSERT_EQ(job->plate.objects.size(), 3);
+  EXPECT_EQ(job->plate.objects[1].parts.at(0).mesh.file, 1);
+  EXPECT_EQ(job->plate.objects[2].parts.at(0).mesh.file, 0);
+}
+
+TEST(ResolveJob, SettingsOfTheJobAreRefusedForAnObject) {
+  JobRequest request = SimpleRequest();
+  request.objects[0].settings = {{"temperature", "210"}};
+  const absl::Status status = ResolveJob(request, "b", "").status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kSettingMisplaced);
+  EXPECT_EQ(DetailOf(status).metadata.at("object"), "part.stl");
+  EXPECT_EQ(DetailOf(status).metadata.at("setting"), "temperature");
 }
 
 std::vector<std::string> HostileTexts() {

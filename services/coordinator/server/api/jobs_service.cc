@@ -197,16 +197,16 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   if (!resolved.ok()) return resolved.status();
   const auto blobs = backend_.blobs.Of(caller.tenant);
   if (!blobs.ok()) return blobs.status();
-  const auto room = RoomForMeshes(resolved->request, **blobs, backend_.mesh_memory, call.cancel);
+  const auto room = RoomForMeshes(*resolved, **blobs, backend_.mesh_memory, call.cancel);
   if (!room.ok()) return room.status();
-  auto meshes = LoadMeshes(resolved->request, **blobs);
+  auto meshes = LoadMeshes(*resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
   StageCall stage_call;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
   const auto found =
       LookAt(stage_call,
-             {*std::move(meshes), resolved->settings.settings, "", resolved->settings.warnings},
+             {*std::move(meshes), resolved->plate.settings, "", resolved->plate.warnings},
              backend_.slicing);
   if (!found.ok()) return found.status();
   v1::Job job;
@@ -219,7 +219,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   job.mutable_warnings()->Assign(found->warnings.begin(), found->warnings.end());
   *job.mutable_preflight() = ToProto(
       *found, CostOf(backend_.rates, found->estimate.print_time_s, found->estimate.filament.mass_g,
-                     resolved->settings.settings.motion.filament_cost_per_kg));
+                     resolved->plate.settings.motion.filament_cost_per_kg));
   return job;
 }
 

@@ -23,7 +23,8 @@ absl::StatusOr<ObjectRequest> ObjectFromProto(const v1::Object& proto) {
   if (!format.ok()) return format.status();
   auto placement = slicefarm::FromProto(proto.placement());
   if (!placement.ok()) return Within("placement", placement.status());
-  return ObjectRequest{proto.mesh_sha256(), proto.name(), *format, *std::move(placement)};
+  return ObjectRequest{proto.mesh_sha256(),   proto.name(),   *format,
+                       *std::move(placement), proto.copies(), SettingsFromProto(proto.settings())};
 }
 
 absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
@@ -219,6 +220,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
   for (const JobRecord& job : jobs) {
     v1::Job listed = ToProto(job);
     listed.mutable_spec()->clear_settings();
+    for (v1::Object& object : *listed.mutable_spec()->mutable_objects()) object.clear_settings();
     bytes += listed.ByteSizeLong();
     if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
     *response.add_jobs() = std::move(listed);

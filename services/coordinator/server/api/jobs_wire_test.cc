@@ -17,6 +17,10 @@ v1::JobSpec SpecOfTwo() {
   }
   spec.mutable_objects(1)->set_format(v1::MESH_FORMAT_OBJ);
   spec.mutable_objects(1)->mutable_placement()->add_scale(2);
+  spec.mutable_objects(1)->set_copies(4);
+  v1::Setting* own = spec.mutable_objects(1)->add_settings();
+  own->set_key("fill_density");
+  own->set_value("35%");
   v1::Setting* setting = spec.add_settings();
   setting->set_key("perimeters");
   setting->set_value("2");
@@ -52,6 +56,12 @@ TEST(JobsWire, ReadsASpec) {
   EXPECT_EQ(request->objects[0].format, MeshFormat::kUnknown);
   EXPECT_EQ(request->objects[1].format, MeshFormat::kObj);
   EXPECT_EQ(request->objects[1].placement.scale[2], 2);
+  EXPECT_EQ(request->objects[0].copies, 0);
+  EXPECT_EQ(request->objects[1].copies, 4);
+  EXPECT_TRUE(request->objects[0].settings.empty());
+  ASSERT_EQ(request->objects[1].settings.size(), 1u);
+  EXPECT_EQ(request->objects[1].settings[0],
+            (config::Setting{"fill_density", "35%", config::Source::kRequest}));
   ASSERT_EQ(request->settings.size(), 2u);
   EXPECT_EQ(request->settings[0], (config::Setting{"perimeters", "2", config::Source::kRequest}));
   EXPECT_EQ(request->settings[1].source, config::Source::kProfile);

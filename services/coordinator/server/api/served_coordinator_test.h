@@ -43,7 +43,8 @@ class ServedCoordinatorTest : public testing::Test {
 
   void Serve(const CoordinatorOptions& options) {
     auto coordinator =
-        Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+        Coordinator::Open(options, {slicing_, planning_, motion_}, dispatcher_,
+                          rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
     auto server =
@@ -71,6 +72,7 @@ class ServedCoordinatorTest : public testing::Test {
 
   TempDirectory directory_;
   FakeSlicing slicing_;
+  FakePlanning planning_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;

@@ -224,6 +224,34 @@ TEST_F(SubmissionTest, APreflightKeepsNothing) {
   EXPECT_NE(Create(request)->id(), "") << "its request_id is not taken";
 }
 
+TEST_F(SubmissionTest, APreflightCountsCopies) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  request.set_validate_only(true);
+  request.mutable_spec()->mutable_objects(0)->set_copies(3);
+  const auto job = Create(request);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->preflight().layers(), 3);
+  EXPECT_DOUBLE_EQ(job->preflight().first_layer_area_mm2(), 3 * 81);
+}
+
+TEST_F(SubmissionTest, AnObjectHasSettingsOfItsOwn) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  *request.mutable_spec()->add_objects() = request.spec().objects(0);
+  v1::Setting* own = request.mutable_spec()->mutable_objects(1)->add_settings();
+  own->set_key("fill_density");
+  own->set_value("35%");
+  const v1::Job job = MakeAndEnd(request);
+  EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error().message();
+  EXPECT_EQ(job.spec().objects(1).settings(0).key(), "fill_density");
+  EXPECT_FALSE(MakeAndEnd(RequestFor("xxx")).result().cached());
+  EXPECT_TRUE(MakeAndEnd(request).result().cached());
+  own->set_key("temperature");
+  own->set_value("210");
+  EXPECT_EQ(ReasonOf(Create(request).status()), Reason::kSettingMisplaced);
+}
+
 TEST_F(SubmissionTest, APreflightFindsWhatAJobWouldFailFor) {
   ASSERT_TRUE(Upload("x!").ok());
   v1::CreateJobRequest bad_mesh = RequestFor("x!");

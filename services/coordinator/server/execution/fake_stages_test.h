@@ -38,15 +38,19 @@ class FakeSlicing : public SlicingStage {
     if (bytes.find('~') != std::string::npos && unavailable_-- > 0) {
       return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "not there");
     }
-    for (size_t i = 0; i < bytes.size(); ++i) {
+    for (int32_t i = 0; i < std::ssize(bytes); ++i) {
       SlicedLayer layer;
-      layer.frame = {static_cast<int32_t>(i), FromMm(0.2) * (static_cast<Coord>(i) + 1),
-                     FromMm(0.2)};
-      layer.objects = {{0, MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)")}};
+      layer.frame = {i, FromMm(0.2) * (i + 1), FromMm(0.2)};
+      for (const ObjectInput& object : input.objects)
+        layer.sections.push_back(Square(object, layer, std::ssize(bytes)));
       job.layers.push_back(std::move(layer));
     }
-    job.meshes.resize(1);
-    job.object_names = {input.files.at(0).name};
+    job.meshes.resize(input.objects.size());
+    for (const ObjectInput& object : input.objects) {
+      const auto index = static_cast<int32_t>(job.object_names.size());
+      job.object_names.push_back(object.name);
+      job.copies.insert(job.copies.end(), object.copies.size(), PlacedCopy{index, {}, {}});
+    }
     return job;
   }
 
@@ -60,21 +64,48 @@ class FakeSlicing : public SlicingStage {
   mutable std::atomic<int> mismatches_ = 0;   ///< calls that `?` makes fail
 
  private:
+  /// The section of the layer's next object.
+  static ObjectSection Square(const ObjectInput& object, const SlicedLayer& layer,
+                              int64_t layer_count) {
+    ObjectSection section;
+    section.object = static_cast<int32_t>(layer.sections.size());
+    section.layer = layer.frame.index;
+    section.layer_count = static_cast<int32_t>(layer_count);
+    section.height_nm = layer.frame.height_nm;
+    section.regions = {{.settings = object.parts.at(0).regions.back(),
+                        .outlines = MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)")}};
+    return section;
+  }
+
   mutable std::atomic<int> runs_ = 0;
   mutable std::mutex mutex_;
   mutable std::vector<TraceContext> traces_;
 };
 
+/// Plans nothing but the copies that there are.
+class FakePlanning : public PlanningStage {
+ public:
+  absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
+                               const PlanningOptions&) const override {
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+    JobPlan plan;
+    plan.layers.resize(job.layers.size());
+    for (const PlacedCopy& copy : job.copies) plan.copies.push_back({copy.object, copy.shift});
+    return plan;
+  }
+};
+
 class FakeMotion : public MotionStage {
  public:
   absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&, std::vector<OrderedLayer>,
+                                                    const JobFacts&,
                                                     const MotionOptions&) const override {
     return absl::UnimplementedError("");
   }
   absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary& summary,
                                      const MotionOptions&) const override {
     ProgramFrame frame;
-    frame.prologue = "; " + summary.object_names.at(0) + "\n";
+    frame.prologue = "; " + summary.copies.at(0).name.object_name + "\n";
     frame.epilogue = "; end\n";
     frame.time_s = summary.total.TimeS();
     return frame;

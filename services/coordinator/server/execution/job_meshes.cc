@@ -4,25 +4,25 @@
 
 namespace slicefarm::coordinator {
 
-absl::StatusOr<ByteBudget::Share> RoomForMeshes(const JobRequest& request, BlobStore& blobs,
+absl::StatusOr<ByteBudget::Share> RoomForMeshes(const ResolvedJob& job, BlobStore& blobs,
                                                 ByteBudget& memory, const CancelToken& cancel) {
   int64_t bytes = 0;
-  for (const ObjectRequest& object : request.objects) {
-    const auto mesh = blobs.Status(object.mesh_sha256);
-    if (!mesh.ok()) return mesh.status();
-    bytes += mesh->committed_size;
+  for (const MeshRequest& mesh : job.meshes) {
+    const auto status = blobs.Status(mesh.sha256);
+    if (!status.ok()) return status.status();
+    bytes += status->committed_size;
   }
   return memory.Take(bytes, cancel);
 }
 
-absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request, BlobStore& blobs) {
+absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs) {
   SliceInput input;
-  for (const ObjectRequest& object : request.objects) {
-    auto bytes = blobs.Get(object.mesh_sha256);
+  for (const MeshRequest& mesh : job.meshes) {
+    auto bytes = blobs.Get(mesh.sha256);
     if (!bytes.ok()) return bytes.status();
-    input.files.push_back({object.name, object.format, *std::move(bytes)});
-    input.placements.push_back(object.placement);
+    input.files.push_back({mesh.name, mesh.format, *std::move(bytes)});
   }
+  input.objects = job.plate.objects;
   return input;
 }
 

@@ -10,10 +10,10 @@ namespace slicefarm::coordinator {
 
 /// Room for the files of a job beside those that others have in memory. Errors: those of
 /// BlobStore::Status; `cancel`'s.
-absl::StatusOr<ByteBudget::Share> RoomForMeshes(const JobRequest& request, BlobStore& blobs,
+absl::StatusOr<ByteBudget::Share> RoomForMeshes(const ResolvedJob& job, BlobStore& blobs,
                                                 ByteBudget& memory, const CancelToken& cancel);
 
-/// The files of a job with their places on the bed. Errors: those of BlobStore::Get.
-absl::StatusOr<SliceInput> LoadMeshes(const JobRequest& request, BlobStore& blobs);
+/// The files of a job and its objects. Errors: those of BlobStore::Get.
+absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs);
 
 }  // namespace slicefarm::coordinator

@@ -86,7 +86,7 @@ absl::StatusOr<bool> JobResults::Complete(const JobResult& result) {
 
 Cost JobResults::CostOfJob(const ResolvedJob& job, const JobResult& result) const {
   return CostOf(rates_, result.print_time_s, result.filament_g,
-                job.settings.settings.motion.filament_cost_per_kg);
+                job.plate.settings.motion.filament_cost_per_kg);
 }
 
 }  // namespace slicefarm::coordinator

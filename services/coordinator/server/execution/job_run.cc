@@ -19,7 +19,7 @@ namespace {
 RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view build_id) {
   JobReport& report = output.report;
   RunOutput run;
-  run.report_json = ReportJson(report, {.settings_without_effect = job.settings.no_effect,
+  run.report_json = ReportJson(report, {.settings_without_effect = job.plate.no_effect,
                                         .settings_digest = job.settings_digest,
                                         .build_id = std::string(build_id)});
   run.gcode = std::move(output.gcode);
@@ -98,9 +98,9 @@ absl::StatusOr<bool> JobRun::Compute() {
   const auto blobs = environment_.blobs.Of(job_.tenant);
   if (!blobs.ok()) return blobs.status();
   const CancelToken given_up([this] { return wishes_->GivenUp(environment_.now_us()); });
-  auto room = RoomForMeshes(resolved_->request, **blobs, environment_.mesh_memory, given_up);
+  auto room = RoomForMeshes(*resolved_, **blobs, environment_.mesh_memory, given_up);
   if (!room.ok()) return room.status();
-  auto meshes = LoadMeshes(resolved_->request, **blobs);
+  auto meshes = LoadMeshes(*resolved_, **blobs);
   if (!meshes.ok()) return meshes.status();
   loading.reset();
   StageCall call;
@@ -109,8 +109,8 @@ absl::StatusOr<bool> JobRun::Compute() {
   call.trace = ChildSpan(TraceOf(job_), absl::StrCat("run ", job_.owner_epoch));
   call.spans = &spans_;
   call.cancel = given_up;
-  const config::ResolvedSettings& settings = resolved_->settings;
-  JobInput input{*std::move(meshes), settings.settings, settings.effective_text, settings.warnings};
+  const config::ResolvedPlate& plate = resolved_->plate;
+  JobInput input{*std::move(meshes), plate.settings, plate.effective_text, plate.warnings};
   std::optional<ByteBudget::Share> room_until_sliced(*std::move(room));
   auto output = environment_.pipeline.Run(call, std::move(input), [&](PipelineProgress progress) {
     room_until_sliced.reset();  // progress comes when the meshes have gone

@@ -123,10 +123,11 @@ class JobRunnerTest : public testing::Test {
   FailingJobStore failing_{*jobs_};
   std::unique_ptr<BlobStores> blobs_ = *OpenDirectoryBlobs(directory_.path());
   FakeSlicing slicing_;
+  FakePlanning planning_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
-  JobPipeline pipeline_{slicing_, motion_, dispatcher_};
+  JobPipeline pipeline_{slicing_, planning_, motion_, dispatcher_};
   ByteBudget mesh_memory_{3};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;

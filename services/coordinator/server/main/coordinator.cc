@@ -21,18 +21,16 @@ int64_t SteadyUs() {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOptions options,
-                                                               const SlicingStage& slicing,
-                                                               const MotionStage& motion,
+                                                               const JobStages& stages,
                                                                RangeExecutor& executor,
                                                                const rpc::JsonLog& log) {
   auto stores = OpenStores(options.stores);
   if (!stores.ok()) return stores.status();
   return std::unique_ptr<Coordinator>(
-      new Coordinator(std::move(options), *std::move(stores), slicing, motion, executor, log));
+      new Coordinator(std::move(options), *std::move(stores), stages, executor, log));
 }
 
-Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
-                         const MotionStage& motion, RangeExecutor& executor,
+Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages, RangeExecutor& executor,
                          const rpc::JsonLog& log)
     : options_(std::move(options)),
       stores_(std::move(stores)),
@@ -41,7 +39,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
       runs_(*stores_.runs, Registry()),
       blobs_(*stores_.blobs, Registry()),
       stage_seconds_(Registry()),
-      pipeline_(slicing, motion, executor),
+      pipeline_(stages.slicing, stages.planning, stages.motion, executor),
       results_(runs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),
@@ -53,7 +51,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const Slicin
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
       jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                                *stores_.webhooks, options_.webhooks, slicing, mesh_memory_,
+                                *stores_.webhooks, options_.webhooks, stages.slicing, mesh_memory_,
                                 options_.rates, NowUs, log},
                     options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}

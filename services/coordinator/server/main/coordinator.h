@@ -35,6 +35,14 @@ struct CoordinatorOptions {
   prometheus::Registry* metrics = nullptr;  ///< outlives the coordinator; null: nobody looks
 };
 
+/// The stages that a job goes through once, besides those of its ranges. They outlive the
+/// coordinator.
+struct JobStages {
+  const SlicingStage& slicing;
+  const PlanningStage& planning;
+  const MotionStage& motion;
+};
+
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
 /// share one PostgreSQL database; all of them are active.
 class Coordinator {
@@ -42,8 +50,7 @@ class Coordinator {
   /// The stages and the executor must outlive it. Errors: those of the stores; Unavailable if
   /// another process uses the directory.
   static absl::StatusOr<std::unique_ptr<Coordinator>> Open(CoordinatorOptions options,
-                                                           const SlicingStage& slicing,
-                                                           const MotionStage& motion,
+                                                           const JobStages& stages,
                                                            RangeExecutor& executor,
                                                            const rpc::JsonLog& log);
   ~Coordinator();
@@ -61,8 +68,8 @@ class Coordinator {
   JobStore& jobs() { return jobs_; }
 
  private:
-  Coordinator(CoordinatorOptions options, Stores stores, const SlicingStage& slicing,
-              const MotionStage& motion, RangeExecutor& executor, const rpc::JsonLog& log);
+  Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
+              RangeExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
 

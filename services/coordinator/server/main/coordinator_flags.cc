@@ -114,6 +114,7 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->capture_default_str();
   app.add_option("--slicing", flags->slicing, "Addresses of slicing services, host:port,...")
       ->required();
+  app.add_option("--planning", flags->planning, "Addresses of planning services")->required();
   app.add_option("--motion", flags->motion, "Addresses of motion services")->required();
   app.add_option("--workers", flags->workers, "Addresses of fused workers");
   auto* beading = app.add_option("--beading", flags->beading,

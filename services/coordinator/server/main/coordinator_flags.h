@@ -16,6 +16,7 @@ struct CoordinatorFlags {
   rpc::ServeFlags serve;
   StoreOptions stores;
   std::string slicing;
+  std::string planning;
   std::string motion;
   std::string workers;  ///< fused; or the three below
   std::string beading;

@@ -515,7 +515,8 @@ TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
   options.stores.state_dir = directory_.path();
   const auto second =
-      Coordinator::Open(options, slicing_, motion_, dispatcher_, rpc::JsonLog("test"));
+      Coordinator::Open(options, {slicing_, planning_, motion_}, dispatcher_,
+                        rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
 }
 

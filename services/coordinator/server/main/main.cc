@@ -44,9 +44,12 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   // Made in the order of use, and so ended in the reverse one.
   StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log(),
                          pool_options("slicing"));
+  StagePool planning_pool("planning", SplitAddresses(flags.planning), program.log(),
+                          pool_options("planning"));
   StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
                         pool_options("motion"));
   const RemoteSlicing slicing(slicing_pool);
+  const RemotePlanning planning(planning_pool);
   const RemoteMotion motion(motion_pool);
   std::optional<SplitStages> split;
   if (flags.split()) split.emplace(flags.split_names(), pool_options, motion_pool, program.log());
@@ -97,7 +100,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .metrics = &program.metrics().registry()};
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
-      Coordinator::Open(std::move(options), slicing, motion, dispatcher, program.log());
+      Coordinator::Open(std::move(options), {slicing, planning, motion}, dispatcher,
+                        program.log());
   if (!coordinator.ok()) {
     program.log().Error("cannot open the state",
                         {{"error", std::string(coordinator.status().message())}});
@@ -106,6 +110,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
       (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
   std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
+                                                    {"planning", &planning_pool},
                                                     {"motion", &motion_pool}};
   if (split) stages.merge(split->Pools());
   const StatusBoard board({.name = flags.runner.owner,

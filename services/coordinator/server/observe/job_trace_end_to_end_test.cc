@@ -98,7 +98,7 @@ TEST_F(JobTraceTest, TellsWhereTheTimeWent) {
   EXPECT_EQ(trace["otherData"]["job"], id);
   EXPECT_EQ(trace["otherData"]["state"], "SUCCEEDED");
   EXPECT_EQ(trace["otherData"]["cached"], "false");
-  EXPECT_THAT(Names(trace), IsSupersetOf({"queued", "run", "cache", "meshes", "slicing", "plan",
+  EXPECT_THAT(Names(trace), IsSupersetOf({"queued", "run", "cache", "meshes", "slicing", "planning",
                                           "ranges", "frame", "assembly", "artifacts"}));
   const json run = Spans(trace, "run").at(0);
   EXPECT_EQ(run["args"]["coordinator"], "coordinator");

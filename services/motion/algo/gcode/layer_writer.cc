@@ -24,18 +24,41 @@ void WriteFan(int32_t percent, GcodeText& out) {
   out.Integer(std::lround(std::min(percent, 100) * 2.55)) << '\n';
 }
 
-void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, GcodeText& out) {
-  for (size_t i = first; i < last; ++i) WriteMove(path.moves[i], out);
+void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
+                        GcodeText& out) {
+  for (size_t i = first; i < last; ++i) WriteMove(path.moves[i], shift, out);
 }
 
-void LayerWriter::WriteMove(const Move& move, GcodeText& out) {
+void LayerWriter::BeginBlock() {
+  Forget();
+  type_ = -1;
+}
+
+void LayerWriter::EndBlock(GcodeText& out) {
+  SetFan(state_.fan_percent, out);
+  SetHeight(state_.height_um, out);
+}
+
+void LayerWriter::SetFan(int32_t percent, GcodeText& out) {
+  if (percent != fan_percent_) WriteFan(percent, out);
+  fan_percent_ = percent;
+}
+
+void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
+  if (height_um == height_um_) return;
+  height_um_ = height_um;
+  out << ";HEIGHT:";
+  out.Real(static_cast<double>(height_um) / kUmPerMm, 3) << '\n';
+}
+
+void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
   if (move.kind == MoveKind::kPrint) Describe(move, out);
   SetAcceleration(move, out);
   out << "G1";
   if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {
     out << " X";
-    out.Micrometers(move.x_um) << " Y";
-    out.Micrometers(move.y_um);
+    out.Micrometers(move.x_um + shift.x) << " Y";
+    out.Micrometers(move.y_um + shift.y);
   }
   if (move.kind == MoveKind::kLift) {
     out << " Z";
@@ -62,21 +85,14 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
     type_ = type;
     width_um_ = -1;
     out << ";TYPE:" << FeatureName(move.feature) << '\n';
-    const int32_t fan =
-        NeedsBridgeFan(move.feature) ? state_.bridge_fan_percent : state_.fan_percent;
-    if (fan != fan_percent_) WriteFan(fan, out);
-    fan_percent_ = fan;
+    SetFan(NeedsBridgeFan(move.feature) ? state_.bridge_fan_percent : state_.fan_percent, out);
   }
   if (width_um_ == -1 || std::abs(move.width_um - width_um_) >= kWidthStepUm) {
     width_um_ = move.width_um;
     out << ";WIDTH:";
     out.Real(static_cast<double>(move.width_um) / kUmPerMm, 3) << '\n';
   }
-  if (move.height_um != height_um_) {
-    height_um_ = move.height_um;
-    out << ";HEIGHT:";
-    out.Real(static_cast<double>(move.height_um) / kUmPerMm, 3) << '\n';
-  }
+  SetHeight(move.height_um, out);
 }
 
 void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {

@@ -7,6 +7,12 @@
 
 namespace slicefarm::motion {
 
+/// What is added to the places of moves.
+struct ShiftUm {
+  int32_t x = 0;
+  int32_t y = 0;
+};
+
 /// What the head of a layer has told already, and what its fan is to be.
 struct LayerState {
   int32_t height_um = -1;
@@ -26,8 +32,13 @@ class LayerWriter {
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
-  /// Appends the moves [first, last). May be called for one stretch after the other.
-  void Write(const Toolpath& path, size_t first, size_t last, GcodeText& out);
+  /// Appends the moves [first, last), shifted. May be called for one stretch after the other.
+  void Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
+
+  /// Around a block: its text is the same whatever comes before it, and fan and height are then as
+  /// the head of the layer has told them.
+  void BeginBlock();
+  void EndBlock(GcodeText& out);
 
   /// After text of others, which may have set feed rate and acceleration: they are told anew. A fan
   /// that it sets stays as it is.
@@ -37,7 +48,9 @@ class LayerWriter {
   }
 
  private:
-  void WriteMove(const Move& move, GcodeText& out);
+  void WriteMove(const Move& move, ShiftUm shift, GcodeText& out);
+  void SetFan(int32_t percent, GcodeText& out);
+  void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
   void FeedRate(const Move& move, GcodeText& out);

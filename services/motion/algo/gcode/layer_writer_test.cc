@@ -31,7 +31,7 @@ std::string Written(const std::vector<Move>& moves, GcodeFlavor flavor = GcodeFl
   Toolpath path;
   path.moves = moves;
   GcodeText out;
-  LayerWriter(flavor, accelerations, state).Write(path, 0, moves.size(), out);
+  LayerWriter(flavor, accelerations, state).Write(path, 0, moves.size(), {}, out);
   return out.Take();
 }
 
@@ -75,10 +75,10 @@ TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
   path.moves = {Travel(1'000), Travel(2'000), Travel(3'000)};
   GcodeText out;
   LayerWriter writer(GcodeFlavor::kMarlin2, {}, {});
-  writer.Write(path, 0, 1, out);
-  writer.Write(path, 1, 2, out);
+  writer.Write(path, 0, 1, {}, out);
+  writer.Write(path, 1, 2, {}, out);
   writer.Forget();
-  writer.Write(path, 2, 3, out);
+  writer.Write(path, 2, 3, {}, out);
   EXPECT_EQ(out.text(), "G1 X1 Y0 F9000\nG1 X2 Y0\nG1 X3 Y0 F9000\n");
 }
 
@@ -91,9 +91,9 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   accelerations.travel = 3'000;
   GcodeText out;
   LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
-  writer.Write(path, 0, 1, out);
+  writer.Write(path, 0, 1, {}, out);
   writer.Forget();
-  writer.Write(path, 1, 2, out);
+  writer.Write(path, 1, 2, {}, out);
   EXPECT_EQ(out.text(),
             ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000 T3000\nG1 X1 Y0 E.03 F1800\n"
             "M204 P1000 T3000\nG1 X2 Y0 E.03 F1800\n");
@@ -116,6 +116,35 @@ TEST(LayerWriter, FanIsOnFromTheStartOfABridge) {
       Written({Print(1'000, Feature::kBridgeInfill)}, GcodeFlavor::kMarlin2, {}, {200, 35, 100})
           .find("M106 S255"),
       std::string::npos);
+}
+
+TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
+  Toolpath path;
+  Move thick = Print(2'000, Feature::kBridgeInfill);
+  thick.height_um = 300;
+  path.moves = {Travel(500), Print(1'000, Feature::kPerimeter), thick};
+  GcodeText out;
+  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {200, 35, 100});
+  std::vector<std::string> texts;
+  for (int i = 0; i < 2; ++i) {
+    writer.BeginBlock();
+    writer.Write(path, 0, 3, {}, out);
+    writer.EndBlock(out);
+    texts.push_back(out.Take());
+  }
+  EXPECT_EQ(texts[0],
+            "G1 X.5 Y0 F9000\n;TYPE:Perimeter\n;WIDTH:0.45\nG1 X1 Y0 E.03 F1800\n"
+            ";TYPE:Bridge infill\nM106 S255\n;WIDTH:0.45\n;HEIGHT:0.3\nG1 X2 Y0 E.03\n"
+            "M106 S89\n;HEIGHT:0.2\n");
+  EXPECT_EQ(texts[1], texts[0]);
+}
+
+TEST(LayerWriter, ShiftsPlaces) {
+  Toolpath path;
+  path.moves = {Travel(500)};
+  GcodeText out;
+  LayerWriter(GcodeFlavor::kMarlin2, {}, {}).Write(path, 0, 1, {100'000, -2'500}, out);
+  EXPECT_EQ(out.Take(), "G1 X100.5 Y-2.5 F9000\n");
 }
 
 std::string AccelerationsOnly(GcodeFlavor flavor, const Accelerations& accelerations) {

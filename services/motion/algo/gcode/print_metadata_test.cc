@@ -37,7 +37,7 @@ ProgramSummary Summary() {
   }
   summary.total.features[0].filament_mm = 1234.567;
   summary.total.features[0].volume_mm3 = 2969.5;
-  summary.object_names = {"benchy", "benchy"};
+  summary.copies = {{{"benchy", 0, 0, 2}, {}}, {{"benchy", 0, 1, 2}, {}}};
   return summary;
 }
 
@@ -130,7 +130,9 @@ TEST(Metadata, EveryLineIsAComment) {
   options.filament_type = options.filament_colour = options.filament_settings_id =
       options.printer_model = hostile;
   ProgramSummary summary = Summary();
-  summary.object_names = {hostile, "\n", "\\"};
+  summary.copies.clear();
+  for (const std::string& name : {hostile, std::string("\n"), std::string("\\")})
+    summary.copies.push_back({{name, 0, 0, 1}, {}});
   summary.settings_text = "notes = a\rM112\nM112\nkey\x01 = \x02 b\n = M112\n";
   const std::string text = MetadataHead(summary) + MetadataTail(options, summary, 60);
   std::istringstream lines(text);

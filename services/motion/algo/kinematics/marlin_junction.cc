@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/base/portable_math.h"
+
 namespace slicefarm::motion {
 namespace {
 
@@ -72,7 +74,7 @@ double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& mov
   const double sin_half = std::sqrt((1 - inner_cos) / 2);
   double v2 = a * limits.junction_deviation_mm * sin_half / (1 - sin_half);
   if (move.length_mm < kShortMoveMm && inner_cos < kCos135) {
-    v2 = std::min(v2, move.length_mm * a / std::acos(-inner_cos));
+    v2 = std::min(v2, move.length_mm * a / Acos(-inner_cos));
   }
   const double speed = std::min(before.speed_mm_s, move.speed_mm_s);
   return std::min(v2, speed * speed);

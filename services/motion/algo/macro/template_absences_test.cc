@@ -19,7 +19,7 @@ TEST(WhyAbsent, GivesTheReason) {
 }
 
 TEST(WhyAbsent, KnowsAllThatOnlyTheWholePrintHas) {
-  const TemplateVariables layer = LayerVariables(MotionOptions{}, {});
+  const TemplateVariables layer = LayerVariables(MotionOptions{}, {}, {});
   for (const auto& [name, value] : ProgramVariables(MotionOptions{}, {}, 0)) {
     EXPECT_EQ(WhyAbsent(name).empty(), layer.contains(name)) << name;
   }

@@ -168,20 +168,21 @@ void AddTime(double time_s, TemplateVariables& variables) {
   }
 }
 
-void AddObjects(const std::vector<std::string>& names, TemplateVariables& variables) {
+void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variables) {
   // Start G-code may print it, outside of any comment.
-  const std::string name = names.empty() ? "" : CommentLine(names.front());
-  variables["num_objects"] = variables["num_instances"] = {static_cast<int64_t>(names.size())};
+  const std::string name = copies.empty() ? "" : CommentLine(copies.front().name.object_name);
+  variables["num_objects"] = variables["num_instances"] = {static_cast<int64_t>(copies.size())};
   variables["input_filename"] = {name};
   variables["input_filename_base"] = {name.substr(0, name.rfind('.'))};
 }
 
 }  // namespace
 
-TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame) {
+TemplateVariables LayerVariables(const MotionOptions& options, const JobFacts& facts,
+                                 const LayerFrame& frame) {
   TemplateVariables variables = SettingVariables(options, options.layer_settings);
   AddLayer(frame, variables);
-  if (options.layer_count > 0) variables["total_layer_count"] = {int64_t{options.layer_count}};
+  if (facts.layer_count > 0) variables["total_layer_count"] = {int64_t{facts.layer_count}};
   return variables;
 }
 
@@ -194,7 +195,7 @@ TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSu
   AddBox("first_layer_print", summary.total.bounds, variables);
   AddUse(options, summary.total, variables);
   AddTime(time_s, variables);
-  AddObjects(summary.object_names, variables);
+  AddObjects(summary.copies, variables);
   return variables;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/model/job_facts.h"
 #include "common/model/layer.h"
 #include "common/model/motion_options.h"
 #include "common/model/program_summary.h"
@@ -10,9 +11,10 @@ namespace slicefarm::motion {
 /// What the templates of a layer may name: settings by their names in a config.ini (those of
 /// motion, those in `layer_settings`, and TemplateDefaults() for what was not given), the extruder
 /// in use, layer_num, layer_z and max_layer_z, the highest so far (mm), and total_layer_count if
-/// the options have it: as planned, with layers at the very top that turn out to be too thin for a
+/// the facts have it: as planned, with layers at the very top that turn out to be too thin for a
 /// bead.
-TemplateVariables LayerVariables(const MotionOptions& options, const LayerFrame& frame);
+TemplateVariables LayerVariables(const MotionOptions& options, const JobFacts& facts,
+                                 const LayerFrame& frame);
 
 /// What start and end G-code may name: the same, with all settings that the summary quotes, and
 /// what is known of the whole print:

@@ -12,7 +12,7 @@ TEST(LayerVariables, SettingsAndPlace) {
   MotionOptions options;
   options.first_layer_temperature_c = 215;
   options.filament_type = "PETG";
-  const TemplateVariables variables = LayerVariables(options, {3, 800'000, 200'000});
+  const TemplateVariables variables = LayerVariables(options, {}, {3, 800'000, 200'000});
   EXPECT_THAT(variables.at("first_layer_temperature"), ElementsAre(TemplateValue(int64_t{215})));
   EXPECT_THAT(variables.at("filament_type"), ElementsAre(TemplateValue(std::string("PETG"))));
   EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{3})));
@@ -23,16 +23,17 @@ TEST(LayerVariables, SettingsAndPlace) {
 TEST(LayerVariables, WhatItsGcodeNames) {
   MotionOptions options;
   options.layer_settings = "layer_height = 0.2\nmax_print_height = 210\nbed_shape = 0x0,9x0,9x8\n";
-  options.layer_count = 40;
-  const TemplateVariables variables = LayerVariables(options, {3, 800'000, 200'000});
+  JobFacts facts;
+  facts.layer_count = 40;
+  const TemplateVariables variables = LayerVariables(options, facts, {3, 800'000, 200'000});
   EXPECT_THAT(variables.at("layer_height"), ElementsAre(TemplateValue(0.2)));
   EXPECT_THAT(variables.at("max_print_height"), ElementsAre(TemplateValue(int64_t{210})));
   EXPECT_THAT(variables.at("print_bed_max"), ElementsAre(TemplateValue(9.0), TemplateValue(8.0)));
   EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.8)));
   EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{40})));
   EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{0})));
-  options.layer_count = 0;
-  EXPECT_FALSE(LayerVariables(options, {}).contains("total_layer_count"));
+  facts.layer_count = 0;
+  EXPECT_FALSE(LayerVariables(options, facts, {}).contains("total_layer_count"));
 }
 
 TEST(ProgramVariables, WholePrintAndAllSettings) {
@@ -41,7 +42,7 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
   summary.layers[1].frame = {1, 400'000, 200'000};
   summary.total.bounds = {{FromMm(10), FromMm(20)}, {FromMm(40), FromMm(25)}};
   summary.total.features[0].filament_mm = 1'500;
-  summary.object_names = {"a.b.stl"};
+  summary.copies = {{{"a.b.stl", 0, 0, 2}, {}}, {{"a.b.stl", 0, 1, 2}, {}}};
   summary.settings_text =
       "bed_shape = -10x0,200x0,200x180.5,oops,1x,x\n"
       "fill_density = 20%\nperimeters = 3\ntemperature = 999\nnotes = \"a\\nb\"\n";
@@ -56,7 +57,8 @@ TEST(ProgramVariables, WholePrintAndAllSettings) {
               ElementsAre(TemplateValue(200.0), TemplateValue(180.5)));
   EXPECT_THAT(variables.at("used_filament"), ElementsAre(TemplateValue(1.5)));
   EXPECT_THAT(variables.at("input_filename_base"), ElementsAre(TemplateValue(std::string("a.b"))));
-  summary.object_names = {"a\nM112.stl"};
+  EXPECT_THAT(variables.at("num_objects"), ElementsAre(TemplateValue(int64_t{2})));
+  summary.copies[0].name.object_name = "a\nM112.stl";
   EXPECT_THAT(ProgramVariables(MotionOptions{}, summary, 0).at("input_filename_base"),
               ElementsAre(TemplateValue(std::string("a M112"))));
   EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));

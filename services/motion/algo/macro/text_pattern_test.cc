@@ -34,7 +34,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"[]x]+", "]x", true}, Case{"[a-]+", "-a", true},
                     Case{"\\d+\\.\\d", "12.5", true}, Case{"\\w\\s\\W", "a !", true},
                     Case{"^a$", "a", true}, Case{"[\\d.]+", "1.5", true}, Case{"a.c", "a\nc", true},
-                    Case{".*MODEL_MK3.*", "keep\nMODEL_MK3\n", true}));
+                    Case{".*MODEL_MK3.*", "keep\nMODEL_MK3\n", true},
+                    // Lines have ends of their own, as in PrusaSlicer's notes.
+                    Case{".*^MODEL_MK3$.*", "keep\nMODEL_MK3\n", true},
+                    Case{".*^MODEL_MK3$.*", "keep MODEL_MK3\n", false}, Case{"a^b", "ab", false},
+                    Case{"mk3", "MK3", false}, Case{"(?i)mk3", "MK3", true},
+                    Case{"a{2,3}", "aaa", true}, Case{"a{2,3}", "aaaa", false},
+                    Case{"\\bMK3\\b.*", "MK3 S", true}, Case{"[[:digit:]]+", "17", true},
+                    Case{"a.*?b", "a b b", true}, Case{"\xc3.", "\xc3\xa9", true},
+                    Case{".", "\xc3\xa9", false}, Case{"..", "\xff\xfe", true}));
 
 class BadPatternTest : public testing::TestWithParam<std::string> {};
 
@@ -44,7 +52,9 @@ TEST_P(BadPatternTest, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Patterns, BadPatternTest,
                          testing::Values("(", ")", "a)", "(a", "[a", "*", "a|*", "\\",
-                                         std::string(1'001, 'a'), std::string(100, '(')));
+                                         std::string(1'001, 'a'), std::string(100, '('), "(a)\\1",
+                                         "(?=a)a", "a{1001}", "((a{100}){100}){100}", "a**",
+                                         "[b-a]"));
 
 TEST(MatchesPattern, AgreesWithTheStandardLibrary) {
   std::mt19937 random(4);
@@ -69,6 +79,9 @@ TEST(MatchesPattern, HostilePatternsEnd) {
   const std::string text(2'000, 'a');
   EXPECT_FALSE(*MatchesPattern(text + "b", "(a|a)*(a*)*(a+)+c"));
   EXPECT_TRUE(*MatchesPattern(text, "((a*)*)*"));
+  // An automaton of more states than there is room for.
+  EXPECT_TRUE(*MatchesPattern(text, "(a|b)*a(a|b){12}"));
+  EXPECT_FALSE(*MatchesPattern(text + "c", "(a|b)*a(a|b){12}"));
 }
 
 }  // namespace

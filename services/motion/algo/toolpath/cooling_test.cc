@@ -13,7 +13,7 @@ namespace {
 /// `count` squares of 15 mm a side, 40 mm apart.
 Toolpath Squares(int count) {
   static const MotionOptions options;
-  ToolpathBuilder builder(options, {2, 600'000, 200'000});
+  ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000);
   for (int i = 0; i < count; ++i) {
     Path path;
     path.feature = Feature::kExternalPerimeter;
@@ -39,7 +39,10 @@ double Time(const Toolpath& path) {
 /// Slows `path` down and gives the time it takes then.
 double Slowed(const CoolingOptions& cooling, Toolpath& path) {
   LayerTiming timing(GcodeFlavor::kMarlin2, {});
-  return Sum(SlowDown(cooling, timing, path));
+  std::vector<TimedToolpath> paths = {{path}};
+  SlowDown(cooling, 0, timing, paths);
+  path = paths[0].path;
+  return paths[0].TimeS();
 }
 
 TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
@@ -98,6 +101,18 @@ TEST(SlowDown, TravelsKeepTheirSpeed) {
     if (path.moves[i].kind == MoveKind::kPrint) continue;
     EXPECT_EQ(path.moves[i], before.moves[i]);
   }
+}
+
+TEST(SlowDown, CopiesAndTravelBetweenThemCount) {
+  CoolingOptions cooling;
+  cooling.min_print_speed_mm_s = 1;
+  cooling.slowdown_below_layer_time_s = 30;
+  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  std::vector<TimedToolpath> paths = {{Squares(1), 3}, {Squares(2), 1}};
+  SlowDown(cooling, 4.5, timing, paths);
+  const double time = paths[0].TimeS() + 2 * paths[0].TimeAfterApproachS() +
+                      paths[1].TimeAfterApproachS() + 4.5;
+  EXPECT_NEAR(time, 30, 0.003 * 30);
 }
 
 TEST(SlowDown, EmptyLayer) {

@@ -47,8 +47,9 @@ void LayerTiming::PlanRun(const Toolpath& path, size_t first, size_t last) {
   for (size_t i = first; i < last; ++i) times_[i] = profiles[i - first].time_s;
 }
 
-void AddTimes(const Toolpath& path, std::span<const double> times, ProgramStats& stats) {
-  for (size_t i = 0; i < times.size(); ++i) {
+void AddTimes(const Toolpath& path, std::span<const double> times, size_t first,
+              ProgramStats& stats) {
+  for (size_t i = first; i < times.size(); ++i) {
     const Move& move = path.moves[i];
     if (move.kind == MoveKind::kPrint) {
       stats.features[static_cast<size_t>(move.feature)].time_s += times[i];

@@ -28,7 +28,8 @@ class LayerTiming {
   std::vector<double> times_;
 };
 
-/// Adds times up: those of beads by feature, all others as travel.
-void AddTimes(const Toolpath& path, std::span<const double> times, ProgramStats& stats);
+/// Adds the times of the moves from `first` on up: those of beads by feature, all others as travel.
+void AddTimes(const Toolpath& path, std::span<const double> times, size_t first,
+              ProgramStats& stats);
 
 }  // namespace slicefarm::motion

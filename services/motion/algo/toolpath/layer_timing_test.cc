@@ -60,7 +60,7 @@ TEST(AddTimes, ByFeatureAndTravel) {
   LayerTiming timing(GcodeFlavor::kMarlin2, {});
   const auto times = timing.Times(path);
   ProgramStats stats;
-  AddTimes(path, times, stats);
+  AddTimes(path, times, 0, stats);
   EXPECT_EQ(stats.features[static_cast<size_t>(Feature::kSolidInfill)].time_s, times[3]);
   EXPECT_DOUBLE_EQ(stats.travel_time_s, times[0] + times[2] + times[4]);
   EXPECT_DOUBLE_EQ(stats.TimeS(), std::accumulate(times.begin(), times.end(), 0.0));

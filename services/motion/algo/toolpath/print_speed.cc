@@ -18,11 +18,11 @@ bool IsSmallLoop(const Path& path, double length_mm) {
 }  // namespace
 
 double PrintSpeeds::Of(const Path& path, double length_mm) const {
-  double speed = options_.speed_mm_s[static_cast<size_t>(path.feature)];
-  if (IsSmallLoop(path, length_mm) && options_.small_perimeter_speed_mm_s > 0) {
-    speed = options_.small_perimeter_speed_mm_s;
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  double speed = region.speed_mm_s[static_cast<size_t>(path.feature)];
+  if (IsSmallLoop(path, length_mm) && region.small_perimeter_speed_mm_s > 0) {
+    speed = region.small_perimeter_speed_mm_s;
   }
-  if (path.speed_mm_s > 0) speed = path.speed_mm_s;
   if (first_layer_) {
     speed = options_.first_layer_speed_mm_s > 0 ? options_.first_layer_speed_mm_s
                                                 : speed * options_.first_layer_speed_ratio;

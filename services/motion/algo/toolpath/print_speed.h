@@ -8,7 +8,7 @@ namespace slicefarm::motion {
 /// Loops of no more than this length count as small: a radius of 6.5 mm.
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
-/// How fast a path may be printed, in mm/s, by the settings: its own speed, the feature's, that of
+/// How fast a path may be printed, in mm/s, by its region's settings: the feature's speed, that of
 /// small loops, the first layer's; never above max_print_speed where the settings leave it open,
 /// nor above max_volumetric_speed. `section_mm2`: of its bead, flow included.
 class PrintSpeeds {
@@ -16,7 +16,7 @@ class PrintSpeeds {
   PrintSpeeds(const MotionOptions& options, int32_t layer_index)
       : options_(options), first_layer_(layer_index == 0) {}
 
-  /// Without regard to the volume.
+  /// Without regard to the volume. REQUIRES: the path's settings have a row.
   double Of(const Path& path, double length_mm) const;
   /// `speed_mm_s`, lowered until no more than the greatest volume flows.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;

@@ -7,8 +7,8 @@ namespace {
 
 MotionOptions Options() {
   MotionOptions options;
-  options.speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
-  options.small_perimeter_speed_mm_s = 15;
+  options.speeds[0].speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
+  options.speeds[0].small_perimeter_speed_mm_s = 15;
   options.first_layer_speed_mm_s = 25;
   options.max_print_speed_mm_s = 77;
   return options;
@@ -45,13 +45,21 @@ TEST(PrintSpeeds, FirstLayer) {
   EXPECT_EQ(PrintSpeeds(options, 0).Of(OfFeature(Feature::kPerimeter), 100), 30);
 }
 
-TEST(PrintSpeeds, OwnSpeedAndDefaults) {
+TEST(PrintSpeeds, EachRegionHasItsOwn) {
   MotionOptions options = Options();
+  options.speeds.push_back(options.speeds[0]);
+  options.speeds[1].speed_mm_s[static_cast<size_t>(Feature::kPerimeter)] = 33;
   Path path = OfFeature(Feature::kPerimeter);
-  path.speed_mm_s = 33;
+  path.settings = 1;
   EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 33);
-  path.speed_mm_s = 0;
-  options.speed_mm_s = {};
+  path.settings = 0;
+  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 60);
+}
+
+TEST(PrintSpeeds, Defaults) {
+  MotionOptions options = Options();
+  const Path path = OfFeature(Feature::kPerimeter);
+  options.speeds[0].speed_mm_s = {};
   EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 77);
   options.max_print_speed_mm_s = 0;
   EXPECT_GT(PrintSpeeds(options, 1).Of(path, 100), 0);

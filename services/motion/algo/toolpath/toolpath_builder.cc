@@ -1,9 +1,9 @@
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
@@ -20,13 +20,14 @@ int32_t Units(double filament_mm) {
 
 }  // namespace
 
-ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame)
+ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
+                                 Coord bead_height_nm)
     : options_(options),
       speeds_(options, frame.index),
       accelerations_(AccelerationsFor(options, frame.index)),
       filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
                          options.filament_diameter_mm),
-      layer_height_nm_(frame.height_nm) {
+      bead_height_nm_(bead_height_nm) {
   const RetractionOptions& retraction = options.retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
@@ -41,7 +42,7 @@ void ToolpathBuilder::Add(const Path& path) {
   const double length_mm = ToMm(PathLength(path));
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
-  at_.height_um = ToUm(path.height_nm > 0 ? path.height_nm : layer_height_nm_);
+  at_.height_um = ToUm(bead_height_nm_);
   const int64_t filament_before = filament_;
   GoTo(StartOf(path));
   if (retracted_) Restart();
@@ -54,22 +55,19 @@ Toolpath ToolpathBuilder::Finish() {
   return std::move(path_);
 }
 
-ToolpathBuilder::Bead ToolpathBuilder::BeadOf(const Path& path, Coord width_nm,
-                                              double speed_mm_s) const {
-  const Coord height_nm = path.height_nm > 0 ? path.height_nm : layer_height_nm_;
-  const double section_mm2 =
-      SectionMm2(width_nm, height_nm) * path.flow * options_.extrusion_multiplier;
+ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
+  const double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier;
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
           FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
 }
 
 void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
-  Bead bead = BeadOf(path, path.widths_nm.front(), speed_mm_s);
+  Bead bead = BeadOf(path.widths_nm.front(), speed_mm_s);
   const size_t count = path.points.size();
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t to = i < count ? i : 0;
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
-    if (width_nm != bead.width_nm) bead = BeadOf(path, width_nm, speed_mm_s);
+    if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
     PrintTo(path.points[i - 1], path.points[to], bead);
   }
 }
@@ -100,7 +98,7 @@ void ToolpathBuilder::GoTo(Point to) {
     return;
   }
   if (x_um == at_.x_um && y_um == at_.y_um) return;
-  const double way_mm = std::hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
+  const double way_mm = Hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
   if (way_mm >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);

@@ -11,14 +11,14 @@ namespace slicefarm::motion {
 /// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
 /// their filament.
 ///
-/// Filament is that of the bead's section (SectionMm2) times flow and extrusion multiplier; a path
+/// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; a path
 /// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
 /// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
 /// their filament is not.
 class ToolpathBuilder {
  public:
-  /// `options` must outlive the builder.
-  ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame);
+  /// `options` must outlive the builder. `bead_height_nm`: of the paths.
+  ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm);
 
   void Add(const Path& path);
 
@@ -36,7 +36,7 @@ class ToolpathBuilder {
     int32_t feed_rate = 0;
   };
 
-  Bead BeadOf(const Path& path, Coord width_nm, double speed_mm_s) const;
+  Bead BeadOf(Coord width_nm, double speed_mm_s) const;
   void GoTo(Point to);
   void PrintSegments(const Path& path, double speed_mm_s);
   void PrintTo(Point from, Point to, const Bead& bead);
@@ -51,7 +51,7 @@ class ToolpathBuilder {
   PrintSpeeds speeds_;
   Accelerations accelerations_;
   double filament_area_mm2_;
-  Coord layer_height_nm_;
+  Coord bead_height_nm_;
   int32_t z_um_;
   int32_t lift_um_;
   int32_t retract_units_;

@@ -29,8 +29,8 @@ struct Built {
 };
 
 Built Build(const std::vector<Path>& paths, const MotionOptions& options = {},
-            const LayerFrame& frame = kFrame) {
-  ToolpathBuilder builder(options, frame);
+            Coord bead_height_nm = kFrame.height_nm) {
+  ToolpathBuilder builder(options, kFrame, bead_height_nm);
   for (const Path& path : paths) builder.Add(path);
   Toolpath toolpath = builder.Finish();
   return {std::move(toolpath), builder.stats()};
@@ -74,10 +74,8 @@ TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
 TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
   MotionOptions options;
   options.extrusion_multiplier = 0.95;
-  Path line = Line("(0 0, 30 40)");
-  line.flow = 1.1;
-  const Built built = Build({line}, options);
-  const double volume = 50 * SectionMm2(450'000, 200'000) * 1.1 * 0.95;
+  const Built built = Build({Line("(0 0, 30 40)")}, options);
+  const double volume = 50 * SectionMm2(450'000, 200'000) * 0.95;
   EXPECT_NEAR(static_cast<double>(Printed(built.path)), volume / FilamentArea(options) * 1e5, 0.5);
   const FeatureUse& use = built.stats.features[static_cast<size_t>(Feature::kPerimeter)];
   EXPECT_NEAR(use.volume_mm3, volume, 3e-5);
@@ -173,12 +171,32 @@ TEST(ToolpathBuilder, ZOffsetShiftsEverything) {
 }
 
 TEST(ToolpathBuilder, OwnHeightAndWidthAreToldPerMove) {
-  Path path = Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000});
-  path.height_nm = 150'000;
-  const Built built = Build({path});
+  const Built built =
+      Build({Line("(0 0, 10 0, 20 0)", {400'000, 500'000, 600'000})}, {}, 150'000);
   EXPECT_EQ(built.path.moves[3].width_um, 450);
   EXPECT_EQ(built.path.moves[4].width_um, 550);
   EXPECT_EQ(built.path.moves[4].height_um, 150);
+}
+
+// An object of its own layer height prints beads that are not as high as the layer.
+TEST(ToolpathBuilder, OwnHeightIsOfTheBeadsAlone) {
+  const MotionOptions options;
+  const Built built = Build({Line("(0 0, 30 40)")}, options, 150'000);
+  EXPECT_NEAR(static_cast<double>(Printed(built.path)),
+              50 * SectionMm2(450'000, 150'000) / FilamentArea(options) * 1e5, 0.5);
+  EXPECT_EQ(built.path.start_z_um, 200);
+  EXPECT_EQ(built.path.moves[0].z_um, 400);
+}
+
+TEST(ToolpathBuilder, EachPathHasTheSpeedOfItsRegion) {
+  MotionOptions options;
+  options.speeds.resize(2);
+  options.speeds[1].speed_mm_s.fill(25);
+  Path other = Line("(10 0, 20 0)");
+  other.settings = 1;
+  const Built built = Build({Line("(0 0, 10 0)"), other}, options);
+  EXPECT_EQ(built.path.moves[3].feed_rate, 60 * 60);
+  EXPECT_EQ(built.path.moves[4].feed_rate, 25 * 60);
 }
 
 TEST(ToolpathBuilder, WideBeadsAreSlowerWhereVolumeIsLimited) {
@@ -200,10 +218,9 @@ TEST(ToolpathBuilder, BoundsAreThoseOfTheBeads) {
 }
 
 TEST(ToolpathBuilder, AnAbsurdSegmentDoesNotOverflow) {
-  Path path = Line("(-2000 0, 2000 0)", {90'000'000});
-  path.height_nm = 90'000'000;
-  path.flow = 1000;
-  const Built built = Build({path});
+  MotionOptions options;
+  options.extrusion_multiplier = 1000;
+  const Built built = Build({Line("(-2000 0, 2000 0)", {90'000'000})}, options, 90'000'000);
   EXPECT_GT(built.path.moves[3].filament, 0);
 }
 

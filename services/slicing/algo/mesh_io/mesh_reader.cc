@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/obj_reader.h"
+#include "services/slicing/algo/mesh_io/ply_reader.h"
 #include "services/slicing/algo/mesh_io/stl_reader.h"
+#include "services/slicing/algo/mesh_io/threemf/threemf_reader.h"
 
 namespace slicefarm::slicing {
 namespace {
 
 /// How files begin that people take for meshes we can read.
-constexpr std::array<std::string_view, 9> kForeignMarks = {
-    "PK\x03\x04", "<?xml", "glTF", "ply", "\x89PNG", "%PDF", "OFF", "\x1f\x8b", "ISO-10303-21"};
+constexpr std::array<std::string_view, 7> kForeignMarks = {
+    "<?xml", "glTF", "\x89PNG", "%PDF", "OFF", "\x1f\x8b", "ISO-10303-21"};
 
 bool IsForeign(std::string_view bytes) {
   return std::any_of(kForeignMarks.begin(), kForeignMarks.end(),
@@ -27,11 +30,52 @@ absl::StatusOr<RawMesh> ReadStl(std::string_view bytes, double coordinate_limit,
   return ReadBinaryStl(bytes, coordinate_limit, cancel);
 }
 
+/// The formats of one mesh.
+absl::StatusOr<RawMesh> ReadOneMesh(std::string_view bytes, MeshFormat format,
+                                    double coordinate_limit, const CancelToken& cancel) {
+  switch (format) {
+    case MeshFormat::kStl:
+      return ReadStl(bytes, coordinate_limit, cancel);
+    case MeshFormat::kObj:
+      return ReadObj(bytes, coordinate_limit, cancel);
+    case MeshFormat::kPly:
+      return ReadPly(bytes, coordinate_limit, cancel);
+    case MeshFormat::k3mf:
+    case MeshFormat::kUnknown:
+      break;
+  }
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
+                   "neither STL, OBJ nor PLY; export the part in one of these formats");
+}
+
+/// One object with the file's only mesh, to be put anywhere.
+Project ProjectOfOneMesh() {
+  Instance instance;
+  instance.placed = false;
+  SceneObject object;
+  object.parts.emplace_back();
+  object.instances.push_back(instance);
+  Project project;
+  project.objects.push_back(std::move(object));
+  return project;
+}
+
+absl::Status CheckSize(std::string_view bytes) {
+  if (bytes.empty())
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty, "the file is empty");
+  if (static_cast<int64_t>(bytes.size()) > limits::kMaxMeshBytes)
+    return LimitError(Reason::kMeshTooLarge, "bytes of the mesh file", limits::kMaxMeshBytes,
+                      static_cast<int64_t>(bytes.size()));
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 MeshFormat DetectFormat(std::string_view bytes) {
   constexpr size_t kSmallestBinaryStl = 84;
   if (IsBinaryStl(bytes) || LooksLikeAsciiStl(bytes)) return MeshFormat::kStl;
+  if (LooksLikePly(bytes)) return MeshFormat::kPly;
+  if (LooksLike3mf(bytes)) return MeshFormat::k3mf;
   if (LooksLikeObj(bytes)) return MeshFormat::kObj;
   if (bytes.size() < kSmallestBinaryStl || IsForeign(bytes)) return MeshFormat::kUnknown;
   return MeshFormat::kStl;
@@ -39,22 +83,27 @@ MeshFormat DetectFormat(std::string_view bytes) {
 
 absl::StatusOr<RawMesh> ReadMesh(std::string_view bytes, MeshFormat format, double coordinate_limit,
                                  const CancelToken& cancel) {
-  if (bytes.empty())
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty, "the file is empty");
-  if (static_cast<int64_t>(bytes.size()) > limits::kMaxMeshBytes)
-    return LimitError(Reason::kMeshTooLarge, "bytes of the mesh file", limits::kMaxMeshBytes,
-                      static_cast<int64_t>(bytes.size()));
+  if (absl::Status status = CheckSize(bytes); !status.ok()) return status;
   if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
-  if (format == MeshFormat::kUnknown)
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                     "neither STL nor OBJ; export the part in one of these formats");
-  absl::StatusOr<RawMesh> mesh = format == MeshFormat::kObj
-                                     ? ReadObj(bytes, coordinate_limit, cancel)
-                                     : ReadStl(bytes, coordinate_limit, cancel);
+  absl::StatusOr<RawMesh> mesh = ReadOneMesh(bytes, format, coordinate_limit, cancel);
   if (mesh.ok() && mesh->triangles.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                      "the file has no triangles");
   return mesh;
+}
+
+absl::StatusOr<MeshFileContents> ReadMeshFile(std::string_view bytes, MeshFormat format,
+                                              double coordinate_limit, ReadDepth depth,
+                                              const CancelToken& cancel) {
+  if (absl::Status status = CheckSize(bytes); !status.ok()) return status;
+  if (format == MeshFormat::kUnknown) format = DetectFormat(bytes);
+  if (format == MeshFormat::k3mf) return Read3mf(bytes, coordinate_limit, depth, cancel);
+  absl::StatusOr<RawMesh> mesh = ReadMesh(bytes, format, coordinate_limit, cancel);
+  if (!mesh.ok()) return mesh.status();
+  MeshFileContents contents;
+  contents.project = ProjectOfOneMesh();
+  if (depth == ReadDepth::kMeshes) contents.meshes.push_back(*std::move(mesh));
+  return contents;
 }
 
 }  // namespace slicefarm::slicing

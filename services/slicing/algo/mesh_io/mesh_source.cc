@@ -7,9 +7,10 @@ namespace {
 
 class DirectMeshSource : public MeshSource {
  public:
-  absl::StatusOr<RawMesh> Read(std::string bytes, MeshFormat format, double coordinate_limit,
-                               const CancelToken& cancel) const override {
-    return ReadMesh(bytes, format, coordinate_limit, cancel);
+  absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
+                                        double coordinate_limit, ReadDepth depth,
+                                        const CancelToken& cancel) const override {
+    return ReadMeshFile(bytes, format, coordinate_limit, depth, cancel);
   }
 };
 

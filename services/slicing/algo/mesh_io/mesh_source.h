@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/model/mesh.h"
-#include "services/slicing/algo/mesh_io/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/mesh_file_contents.h"
 
 namespace slicefarm::slicing {
 
@@ -16,14 +16,14 @@ class MeshSource {
  public:
   virtual ~MeshSource() = default;
 
-  /// Reads as ReadMesh does, whose errors it passes on; may add some of its own. Takes the bytes by
-  /// value and frees them as early as it can. Safe to call from many threads.
-  virtual absl::StatusOr<RawMesh> Read(std::string bytes, MeshFormat format,
-                                       double coordinate_limit,
-                                       const CancelToken& cancel) const = 0;
+  /// Reads as ReadMeshFile does, whose errors it passes on; may add some of its own. Takes the
+  /// bytes by value and frees them as early as it can. Safe to call from many threads.
+  virtual absl::StatusOr<MeshFileContents> Read(std::string bytes, MeshFormat format,
+                                                double coordinate_limit, ReadDepth depth,
+                                                const CancelToken& cancel) const = 0;
 };
 
-/// ReadMesh in this process: for files that the user of the process trusts.
+/// ReadMeshFile in this process: for files that the user of the process trusts.
 std::unique_ptr<MeshSource> MakeDirectMeshSource();
 
 }  // namespace slicefarm::slicing

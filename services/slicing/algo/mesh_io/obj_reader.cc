@@ -11,8 +11,8 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
-#include "services/slicing/algo/mesh_io/weld.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -60,7 +60,7 @@ class ObjParser {
   absl::StatusOr<RawMesh> Finish() && {
     if (highest_ > mesh_.positions.size())
       return IndexError(static_cast<int64_t>(highest_), highest_line_);
-    return Welded();
+    return Welded(mesh_);
   }
 
  private:
@@ -117,23 +117,6 @@ class ObjParser {
     for (size_t i = 2; i < corners_.size(); ++i)
       mesh_.triangles.push_back({corners_[0], corners_[i - 1], corners_[i]});
     return absl::OkStatus();
-  }
-
-  /// The triangles over the distinct positions that they use.
-  RawMesh Welded() const {
-    Welder<Position> welder(std::min(mesh_.positions.size(), 3 * mesh_.triangles.size()));
-    RawMesh welded;
-    welded.triangles.reserve(mesh_.triangles.size());
-    for (const auto& t : mesh_.triangles)
-      welded.triangles.push_back({Weld(welder, t[0]), Weld(welder, t[1]), Weld(welder, t[2])});
-    welded.positions = std::move(welder).TakePoints();
-    return welded;
-  }
-
-  /// Adding zero makes -0 and +0 the same bits.
-  uint32_t Weld(Welder<Position>& welder, uint32_t corner) const {
-    const Position& p = mesh_.positions[corner];
-    return welder.Add({p.x + 0.0, p.y + 0.0, p.z + 0.0});
   }
 
   /// An index may be ahead of its vertex, so whether it is good shows at the end.

@@ -10,8 +10,6 @@
 #include "common/geometry/offset.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/placement/footprint.h"
-#include "services/slicing/algo/placement/placement.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -25,10 +23,9 @@ std::string Quoted(std::string_view name) {
   return absl::StrCat("\"", absl::CEscape(absl::string_view(name.data(), name.size())), "\"");
 }
 
-/// What the mesh's outlines lie in once they are grown by `grow_nm`.
-Polygon HullOf(const IndexedMesh& mesh, Coord grow_nm) {
-  Polygon hull = Footprint(mesh);
-  if (grow_nm == 0) return hull;
+/// What the object's outlines lie in.
+Polygon Grown(const Polygon& hull, Coord grow_nm) {
+  if (grow_nm <= 0) return hull;
   const MultiPolygon grown = Offset({{hull, {}}}, grow_nm);
   return grown.empty() ? hull : grown[0].outer;
 }
@@ -92,23 +89,19 @@ Point BedCenter(const Polygon& bed) {
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
 }
 
-absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
+absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
                               const std::vector<Point>& centers, const SlicingOptions& options) {
-  const Extent extent = ExtentOf(mesh);
-  const Coord grow = std::max<Coord>(0, options.xy_compensation_nm);
-  const Box box{{extent.min.x - grow, extent.min.y - grow},
-                {extent.max.x + grow, extent.max.y + grow}};
-  const Polygon corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  if (options.max_print_height_nm > 0 && extent.max.z > options.max_print_height_nm)
-    return HeightError(name, extent.max.z, options.max_print_height_nm);
-  Polygon hull;  // sorted out only when a box does not fit
+  if (options.max_print_height_nm > 0 && bulk.top_nm > options.max_print_height_nm)
+    return HeightError(name, bulk.top_nm, options.max_print_height_nm);
+  if (bulk.footprint.empty()) return absl::OkStatus();
+  const Polygon hull = Grown(bulk.footprint, bulk.xy_compensation_nm);
+  const Box box = Bounds(hull);
   for (const Point center : centers) {
     // Far centres would overflow the sums.
     constexpr Coord kFar = 2 * limits::kMaxCoord;
     const bool near = std::abs(center.x) <= kFar && std::abs(center.y) <= kFar;
     if (!near || !InRange(box, center)) return CentersError(name);
-    if (options.bed.size() < 3 || ExcessNm(corners, center, options.bed) == 0) continue;
-    if (hull.empty()) hull = HullOf(mesh, grow);
+    if (options.bed.size() < 3) continue;
     const double excess = ExcessNm(hull, center, options.bed);
     if (excess > 0) return BedError(name, box, options.bed, excess);
   }

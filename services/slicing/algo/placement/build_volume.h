@@ -12,14 +12,21 @@ namespace slicefarm::slicing {
 /// The middle of the bed's box; the origin for a bed without points.
 Point BedCenter(const Polygon& bed);
 
-/// Whether the mesh, grown by xy_compensation and moved to each of `centers`, stays within the bed, under max_print_height and
-/// within 32-bit nanometres. A bed of less than three points is unlimited.
+/// The room that an object takes.
+struct Bulk {
+  const Polygon& footprint;     ///< convex
+  Coord top_nm = 0;             ///< above the bed
+  Coord xy_compensation_nm = 0;  ///< by which its outlines grow
+};
+
+/// Whether the object, grown and moved to each of `centers`, stays within the bed, under
+/// max_print_height and within 32-bit nanometres. A bed of less than three points is unlimited.
 ///
-/// A part fits if all corners of its convex hull lie in the bed or on its edge; exact for convex
-/// beds, which all printers have. Errors: OUT_OF_BUILD_VOLUME with `object` (the file's name),
+/// An object fits if all corners of its convex hull lie in the bed or on its edge; exact for convex
+/// beds, which all printers have. Errors: OUT_OF_BUILD_VOLUME with `object` (the object's name),
 /// `excess_mm` (how far it reaches out), `limit` and `got` (sizes in mm); OUT_OF_RANGE. Cost:
-/// O(centers) for parts whose box fits, else O(n log n).
-absl::Status CheckBuildVolume(const IndexedMesh& mesh, std::string_view name,
+/// O(corners) a centre.
+absl::Status CheckBuildVolume(const Bulk& bulk, std::string_view name,
                               const std::vector<Point>& centers, const SlicingOptions& options);
 
 }  // namespace slicefarm::slicing

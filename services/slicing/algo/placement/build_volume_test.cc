@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/model/rotation.h"
+#include "services/slicing/algo/placement/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
-#include "services/slicing/algo/placement/rotation.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
@@ -13,7 +14,15 @@ namespace {
 constexpr Coord kMm = kNmPerMm;
 
 IndexedMesh Box(double x, double y, double z) {
-  return *PlaceMesh(BoxMesh({0, 0, 0}, {x, y, z}), {});
+  return *PlaceMesh(BoxMesh({0, 0, 0}, {x, y, z}));
+}
+
+absl::Status Check(const IndexedMesh& mesh, std::string_view name,
+                   const std::vector<Point>& centers, const SlicingOptions& options) {
+  const IndexedMesh* const meshes[] = {&mesh};
+  return CheckBuildVolume({Footprint(meshes), ExtentOf(mesh).max.z,
+                           options.objects[0].xy_compensation_nm},
+                          name, centers, options);
 }
 
 SlicingOptions Bed(double x, double y, double height = 0) {
@@ -31,22 +40,22 @@ TEST(BedCenter, IsTheMiddleOfTheBox) {
 
 TEST(CheckBuildVolume, AcceptsExactFits) {
   EXPECT_TRUE(
-      CheckBuildVolume(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
+      Check(Box(100, 50, 30), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)).ok());
 }
 
 TEST(CheckBuildVolume, CountsWhatOutlinesAreGrownBy) {
   SlicingOptions options = Bed(100, 50, 30);
   const std::vector<Point> centre = {{50 * kMm, 25 * kMm}};
-  options.xy_compensation_nm = 2 * kMm;
-  EXPECT_TRUE(CheckBuildVolume(Box(96, 46, 30), "a", centre, options).ok());
-  const ErrorDetail detail = DetailOf(CheckBuildVolume(Box(98, 46, 30), "a", centre, options));
+  options.objects[0].xy_compensation_nm = 2 * kMm;
+  EXPECT_TRUE(Check(Box(96, 46, 30), "a", centre, options).ok());
+  const ErrorDetail detail = DetailOf(Check(Box(98, 46, 30), "a", centre, options));
   EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
-  options.xy_compensation_nm = -2 * kMm;
-  EXPECT_FALSE(CheckBuildVolume(Box(102, 46, 30), "a", centre, options).ok());
+  options.objects[0].xy_compensation_nm = -2 * kMm;
+  EXPECT_FALSE(Check(Box(102, 46, 30), "a", centre, options).ok());
 }
 
 TEST(CheckBuildVolume, SaysHowFarAPartReachesOut) {
-  const absl::Status status = CheckBuildVolume(
+  const absl::Status status = Check(
       Box(100, 50, 30), "a\n.stl", {{50 * kMm, 25 * kMm}, {53 * kMm, 25 * kMm}}, Bed(100, 50));
   const ErrorDetail detail = DetailOf(status);
   EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
@@ -57,7 +66,7 @@ TEST(CheckBuildVolume, SaysHowFarAPartReachesOut) {
 
 TEST(CheckBuildVolume, SaysHowMuchTooHighAPartIs) {
   const ErrorDetail detail =
-      DetailOf(CheckBuildVolume(Box(10, 10, 30.5), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)));
+      DetailOf(Check(Box(10, 10, 30.5), "a", {{50 * kMm, 25 * kMm}}, Bed(100, 50, 30)));
   EXPECT_EQ(detail.reason, Reason::kOutOfBuildVolume);
   EXPECT_EQ(detail.metadata.at("excess_mm"), "0.500");
 }
@@ -70,19 +79,19 @@ TEST(CheckBuildVolume, ARoundPartFitsARoundBedThatItsBoxDoesNot) {
   }
   SlicingOptions options;
   options.bed = round;
-  const IndexedMesh torus = *PlaceMesh(TorusMesh({}), {});
-  EXPECT_TRUE(CheckBuildVolume(torus, "ring", {{0, 0}}, options).ok());
-  EXPECT_FALSE(CheckBuildVolume(torus, "ring", {{5 * kMm, 0}}, options).ok());
-  EXPECT_FALSE(CheckBuildVolume(Box(80, 80, 20), "box", {{0, 0}}, options).ok());
+  const IndexedMesh torus = *PlaceMesh(TorusMesh({}));
+  EXPECT_TRUE(Check(torus, "ring", {{0, 0}}, options).ok());
+  EXPECT_FALSE(Check(torus, "ring", {{5 * kMm, 0}}, options).ok());
+  EXPECT_FALSE(Check(Box(80, 80, 20), "box", {{0, 0}}, options).ok());
 }
 
 TEST(CheckBuildVolume, NoBedIsNoLimitButTheNumbersAre) {
   SlicingOptions options;
   options.bed = {};
-  EXPECT_TRUE(CheckBuildVolume(Box(1000, 1000, 10), "a", {{0, 0}}, options).ok());
+  EXPECT_TRUE(Check(Box(1000, 1000, 10), "a", {{0, 0}}, options).ok());
   for (const Point center :
        {Point{2'099 * kMm, 0}, Point{0, -2'099 * kMm}, Point{INT64_MAX, INT64_MIN}}) {
-    const absl::Status status = CheckBuildVolume(Box(10, 10, 10), "a", {center}, options);
+    const absl::Status status = Check(Box(10, 10, 10), "a", {center}, options);
     EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
   }
 }

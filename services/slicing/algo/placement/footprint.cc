@@ -1,34 +1,39 @@
 #include "services/slicing/algo/placement/footprint.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "common/geometry/boolean.h"
+#include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/predicates.h"
 
 namespace slicefarm::slicing {
 namespace {
 
-/// Andrew's monotone chain.
-Polygon ConvexHull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  Polygon hull;
-  const auto add_chain = [&hull](auto begin, auto end) {
-    const size_t base = hull.size();
-    for (auto it = begin; it != end; ++it) {
-      while (hull.size() >= base + 2 && Orientation(hull.end()[-2], hull.back(), *it) <= 0)
-        hull.pop_back();
-      hull.push_back(*it);
+using Octagon = std::array<Point, 8>;
+
+/// The farthest vertices in eight directions: most others lie inside of them, and are no corners of
+/// the hull. Source: Akl and Toussaint 1978.
+Octagon ExtremePoints(std::span<const IndexedMesh* const> meshes) {
+  constexpr std::array<Point, 8> kDirections = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  Octagon points;
+  points.fill({INT64_MAX, INT64_MAX});
+  std::array<Coord, 8> farthest;
+  farthest.fill(INT64_MIN);
+  for (const IndexedMesh* mesh : meshes) {
+    for (const Vertex& v : mesh->vertices) {
+      for (size_t i = 0; i < kDirections.size(); ++i) {
+        const Coord reach = kDirections[i].x * v.x + kDirections[i].y * v.y;
+        if (reach <= farthest[i]) continue;
+        farthest[i] = reach;
+        points[i] = {v.x, v.y};
+      }
     }
-    hull.pop_back();
-  };
-  if (points.size() < 3) return points;
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
+  }
+  return points;
 }
 
 struct Copy {
@@ -60,11 +65,17 @@ bool Overlap(const Copy& a, const Copy& b, std::span<const Copies> parts) {
 
 }  // namespace
 
-Polygon Footprint(const IndexedMesh& mesh) {
-  std::vector<Point> points;
-  points.reserve(mesh.vertices.size());
-  for (const Vertex& v : mesh.vertices) points.push_back({v.x, v.y});
-  return ConvexHull(std::move(points));
+Polygon Footprint(std::span<const IndexedMesh* const> meshes) {
+  const Octagon inner = ExtremePoints(meshes);
+  std::vector<Point> points(inner.begin(), inner.end());
+  const Polygon core = ConvexHull(points);
+  for (const IndexedMesh* mesh : meshes) {
+    for (const Vertex& v : mesh->vertices) {
+      const Point p{v.x, v.y};
+      if (core.size() < 3 || Locate(p, core) == Side::kOutside) points.push_back(p);
+    }
+  }
+  return points.front() == Point{INT64_MAX, INT64_MAX} ? Polygon{} : ConvexHull(std::move(points));
 }
 
 std::vector<int64_t> CountOverlapping(std::span<const Copies> parts) {

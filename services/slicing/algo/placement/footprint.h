@@ -8,9 +8,9 @@
 
 namespace slicefarm::slicing {
 
-/// The convex hull of a mesh as seen from above, counter-clockwise. Fewer than three points if it
-/// has no area. Cost: O(n log n).
-Polygon Footprint(const IndexedMesh& mesh);
+/// The convex hull of meshes as seen from above, counter-clockwise. Fewer than three points if it
+/// has no area. Cost: O(n), and O(h log h) for the h vertices that are not well inside.
+Polygon Footprint(std::span<const IndexedMesh* const> meshes);
 
 /// A footprint, and where the copies of what it belongs to stand.
 struct Copies {

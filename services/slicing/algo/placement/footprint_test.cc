@@ -3,10 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/geometry/convex.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::slicing {
 namespace {
+
+Polygon HullOf(const IndexedMesh& mesh) {
+  const IndexedMesh* const meshes[] = {&mesh};
+  return Footprint(meshes);
+}
 
 using testing::ElementsAre;
 
@@ -14,6 +20,34 @@ Point At(double x_mm, double y_mm) { return {FromMm(x_mm), FromMm(y_mm)}; }
 
 const Polygon kSquare = MakePolygonsOrDie("(-5 -5, 5 -5, 5 5, -5 5)")[0].outer;
 const Polygon kDiamond = MakePolygonsOrDie("(-5 0, 0 -5, 5 0, 0 5)")[0].outer;
+
+TEST(Footprint, IsTheHullOfAllCorners) {
+  uint64_t seed = 1;
+  const auto next = [&seed](Coord range) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<Coord>((seed >> 33) % static_cast<uint64_t>(2 * range + 1)) - range;
+  };
+  for (const Coord range : {Coord{2}, Coord{9}, Coord{1'000}, Coord{100'000'000}}) {
+    for (int round = 0; round < 200; ++round) {
+      IndexedMesh mesh;
+      std::vector<Point> points;
+      for (int i = 0; i < 1 + round % 60; ++i) {
+        mesh.vertices.push_back({next(range), next(range), next(range)});
+        points.push_back({mesh.vertices.back().x, mesh.vertices.back().y});
+      }
+      ASSERT_EQ(HullOf(mesh), ConvexHull(points)) << range << " " << round;
+    }
+  }
+}
+
+TEST(Footprint, OfSeveralMeshesAndOfNone) {
+  const IndexedMesh left = {{{0, 0, 0}, {0, 10, 5}, {5, 5, 9}}, {}};
+  const IndexedMesh right = {{{20, 0, 0}, {20, 10, 5}}, {}};
+  const IndexedMesh* const meshes[] = {&left, &right};
+  EXPECT_EQ(Footprint(meshes), (Polygon{{0, 0}, {20, 0}, {20, 10}, {0, 10}}));
+  EXPECT_TRUE(Footprint({}).empty());
+  EXPECT_TRUE(HullOf({}).empty());
+}
 
 TEST(CountOverlapping, CountsCopiesThatStandOnOthers) {
   const std::vector<Point> row = {At(0, 0), At(20, 0), At(29, 9), At(60, 0)};

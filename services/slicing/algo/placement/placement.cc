@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/placement/rotation.h"
 #include "services/slicing/algo/mesh_io/weld.h"
 
 namespace slicefarm::slicing {
@@ -18,26 +18,16 @@ namespace {
 /// Beyond this, in nm, doubles are no longer exact integers.
 constexpr double kRoundable = 9e15;
 
-absl::Status FactorError(std::string_view name, double got) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("{} must be a finite number{}, not {}", name,
-                               name == "rotate_deg" ? "" : " above 0", got),
-                   {{"setting", std::string(name)}, {"got", fmt::format("{}", got)}});
+using Row = std::array<double, 4>;
+
+/// A row of the transform, in nm.
+Row RowOf(const Transform& transform, int row) {
+  return {transform(row, 0) * kNmPerMm, transform(row, 1) * kNmPerMm, transform(row, 2) * kNmPerMm,
+          transform(row, 3) * kNmPerMm};
 }
 
-bool IsFactor(double value) { return std::isfinite(value) && value > 0; }
-
-/// From the units of the file to nanometres.
-Matrix3 TransformOf(const Placement& placement) {
-  Matrix3 transform = RotationXyz(placement.rotate_deg);
-  for (auto& row : transform)
-    for (int axis = 0; axis < 3; ++axis)
-      row[axis] *= placement.unit_mm * placement.scale[axis] * kNmPerMm;
-  return transform;
-}
-
-std::optional<Coord> Rounded(const std::array<double, 3>& row, const Position& p) {
-  const double value = row[0] * p.x + row[1] * p.y + row[2] * p.z;
+std::optional<Coord> Rounded(const Row& row, const Position& p) {
+  const double value = row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
   if (!(std::abs(value) < kRoundable)) return std::nullopt;
   return std::llround(value);
 }
@@ -49,29 +39,6 @@ absl::Status RangeError(double got_mm) {
                                got_mm, ToMm(limits::kMaxCoord)),
                    {{"limit", fmt::format("{:.3f}", ToMm(limits::kMaxCoord))},
                     {"got", fmt::format("{:.3f}", got_mm)}});
-}
-
-/// Welds what falls onto the same nanometre; the triangles follow.
-absl::StatusOr<IndexedMesh> Quantized(const RawMesh& raw, const Matrix3& transform) {
-  Welder<Vertex> welder(raw.positions.size());
-  std::vector<uint32_t> renumbered;
-  renumbered.reserve(raw.positions.size());
-  for (const Position& p : raw.positions) {
-    const auto x = Rounded(transform[0], p), y = Rounded(transform[1], p),
-               z = Rounded(transform[2], p);
-    if (!x || !y || !z) return RangeError(kRoundable / kNmPerMm);
-    renumbered.push_back(welder.Add({*x, *y, *z}));
-  }
-  IndexedMesh mesh;
-  mesh.triangles = raw.triangles;
-  for (auto& triangle : mesh.triangles)
-    for (uint32_t& corner : triangle) corner = renumbered[corner];
-  mesh.vertices = std::move(welder).TakePoints();
-  return mesh;
-}
-
-void MoveBy(IndexedMesh& mesh, const Vertex& by) {
-  for (Vertex& v : mesh.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
 }
 
 /// Rounds down also below zero.
@@ -90,30 +57,50 @@ Extent ExtentOf(const IndexedMesh& mesh) {
   return extent;
 }
 
-absl::Status CheckPlacement(const Placement& placement) {
-  if (!IsFactor(placement.unit_mm)) return FactorError("unit_mm", placement.unit_mm);
-  for (const double scale : placement.scale)
-    if (!IsFactor(scale)) return FactorError("scale", scale);
-  for (const double angle : placement.rotate_deg)
-    if (!std::isfinite(angle)) return FactorError("rotate_deg", angle);
-  return absl::OkStatus();
+void Extent::Add(const Extent& other) {
+  min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
+  max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
 }
 
-double CoordinateLimit(const Placement& placement) {
-  return limits::kMaxMeshCoordinateMm / placement.unit_mm;
+absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& transform) {
+  const Row row_x = RowOf(transform, 0), row_y = RowOf(transform, 1), row_z = RowOf(transform, 2);
+  Welder<Vertex> welder(raw.positions.size());
+  std::vector<uint32_t> renumbered;
+  renumbered.reserve(raw.positions.size());
+  for (const Position& p : raw.positions) {
+    const auto x = Rounded(row_x, p), y = Rounded(row_y, p), z = Rounded(row_z, p);
+    if (!x || !y || !z) return RangeError(kRoundable / kNmPerMm);
+    renumbered.push_back(welder.Add({*x, *y, *z}));
+  }
+  IndexedMesh mesh;
+  mesh.triangles = raw.triangles;
+  for (auto& triangle : mesh.triangles)
+    for (uint32_t& corner : triangle) corner = renumbered[corner];
+  mesh.vertices = std::move(welder).TakePoints();
+  return mesh;
 }
 
-absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw, const Placement& placement) {
-  if (absl::Status status = CheckPlacement(placement); !status.ok()) return status;
-  absl::StatusOr<IndexedMesh> mesh = Quantized(raw, TransformOf(placement));
+void MoveBy(IndexedMesh& mesh, const Vertex& by) {
+  for (Vertex& v : mesh.vertices) v = {v.x + by.x, v.y + by.y, v.z + by.z};
+}
+
+Vertex ToOrigin(const Extent& extent, Coord sunk_nm) {
+  return {-Middle(extent.min.x, extent.max.x), -Middle(extent.min.y, extent.max.y),
+          -extent.min.z - sunk_nm};
+}
+
+absl::Status CheckReach(const Extent& extent) {
+  const Coord reach = std::max({extent.max.x, extent.max.y, extent.max.z, -extent.min.x,
+                                -extent.min.y, -extent.min.z});
+  if (reach <= limits::kMaxCoord) return absl::OkStatus();
+  return RangeError(ToMm(static_cast<double>(reach)));
+}
+
+absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw, const Transform& transform) {
+  absl::StatusOr<IndexedMesh> mesh = TransformMesh(raw, transform);
   if (!mesh.ok()) return mesh;
-  const Extent extent = ExtentOf(*mesh);
-  MoveBy(*mesh,
-         {-Middle(extent.min.x, extent.max.x), -Middle(extent.min.y, extent.max.y), -extent.min.z});
-  const Extent placed = ExtentOf(*mesh);
-  const Coord reach =
-      std::max({placed.max.x, placed.max.y, placed.max.z, -placed.min.x, -placed.min.y});
-  if (reach > limits::kMaxCoord) return RangeError(ToMm(static_cast<double>(reach)));
+  MoveBy(*mesh, ToOrigin(ExtentOf(*mesh), 0));
+  if (absl::Status reach = CheckReach(ExtentOf(*mesh)); !reach.ok()) return reach;
   return mesh;
 }
 

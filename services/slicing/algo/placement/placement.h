@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
 #include "common/model/mesh.h"
+#include "common/model/transform.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {
@@ -15,24 +16,27 @@ namespace slicefarm::slicing {
 struct Extent {
   Vertex min{INT64_MAX, INT64_MAX, INT64_MAX};
   Vertex max{INT64_MIN, INT64_MIN, INT64_MIN};
+
+  void Add(const Extent& other);
 };
 Extent ExtentOf(const IndexedMesh& mesh);
 
-/// Errors: SETTING_OUT_OF_RANGE for units, scale or angles that are not finite, or not above zero.
-absl::Status CheckPlacement(const Placement& placement);
+/// Brings a mesh to nanometres: transformed, rounded (half away from zero, so mirror images stay
+/// mirror images), welded by exact position. Errors: OUT_OF_RANGE for coordinates that cannot be
+/// rounded. Cost: O(n).
+absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& transform);
 
-/// The largest absolute coordinate, in the units of the file, that `placement` leaves within
-/// limits.h's 10 m.
-double CoordinateLimit(const Placement& placement);
+void MoveBy(IndexedMesh& mesh, const Vertex& by);
 
-/// Brings a mesh to nanometres: units, scale, rotation about x, y, z in this order, rounding (half
-/// away from zero, so mirror images stay mirror images), welding by exact position. The result
-/// stands on z = 0 with the middle of its box at x = y = 0 (rounded down to nm).
-///
-/// The rotation's sines are computed from + and * alone, so they have the same bits on every
-/// machine, and right angles are exact. Errors: SETTING_OUT_OF_RANGE for units, scale or angles
-/// that are not finite or not above zero; OUT_OF_RANGE if the placed part does not fit 32-bit
-/// nanometres. Cost: O(n).
-absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw, const Placement& placement);
+/// What moves a box to where objects are cut: the middle over x = y = 0 (rounded down to nm), the
+/// bottom at z = -sunk_nm.
+Vertex ToOrigin(const Extent& extent, Coord sunk_nm);
+
+/// OUT_OF_RANGE unless a box, so moved, fits 32-bit nanometres.
+absl::Status CheckReach(const Extent& extent);
+
+/// Both at once, for a mesh that is an object by itself.
+absl::StatusOr<IndexedMesh> PlaceMesh(const RawMesh& raw,
+                                      const Transform& transform = Transform::Identity());
 
 }  // namespace slicefarm::slicing

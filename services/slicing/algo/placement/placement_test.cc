@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/model/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
@@ -35,7 +35,7 @@ TEST(PlaceMesh, ScalesAndTurnsAndStandsOnTheBed) {
       {"ScaleThenTurn", {.scale = {2, 1, 1}, .rotate_deg = {0, 0, 90}}, {20, 20, 30}},
   };
   for (const Case& c : cases) {
-    const auto mesh = PlaceMesh(Box(), c.placement);
+    const auto mesh = PlaceMesh(Box(), TransformOf(c.placement));
     ASSERT_TRUE(mesh.ok()) << c.name << mesh.status();
     const Vertex size = SizeOf(*mesh);
     EXPECT_EQ(size,
@@ -53,7 +53,7 @@ TEST(PlaceMesh, RoundsHalvesAwayFromZeroSoThatMirrorImagesStay) {
   // 0.49999999999999994 to 1.
   for (const double nm : {2.5, 0.49999999999999994, 1.5, 12345.5}) {
     const RawMesh raw = {{{nm * 1e-6, 0, 0}, {-nm * 1e-6, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-    const auto mesh = PlaceMesh(raw, {});
+    const auto mesh = PlaceMesh(raw);
     ASSERT_TRUE(mesh.ok());
     EXPECT_EQ(mesh->vertices[0].x, -mesh->vertices[1].x) << nm;
   }
@@ -61,45 +61,31 @@ TEST(PlaceMesh, RoundsHalvesAwayFromZeroSoThatMirrorImagesStay) {
 
 TEST(PlaceMesh, WeldsWhatRoundsToTheSameNanometre) {
   const RawMesh raw = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-15, 0, 0}}, {{0, 1, 2}, {3, 2, 1}}};
-  const auto mesh = PlaceMesh(raw, {});
+  const auto mesh = PlaceMesh(raw);
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->vertices.size(), 3u);
   EXPECT_EQ(mesh->triangles[1][0], mesh->triangles[0][0]);
 }
 
 TEST(PlaceMesh, FarFromTheOriginIsFineIfThePartIsSmall) {
-  const auto mesh = PlaceMesh(Moved(Box(), {9000, -9000, 9000}), {});
+  const auto mesh = PlaceMesh(Moved(Box(), {9000, -9000, 9000}));
   ASSERT_TRUE(mesh.ok()) << mesh.status();
   EXPECT_EQ(SizeOf(*mesh), (Vertex{10'000'000, 20'000'000, 30'000'000}));
 }
 
 TEST(PlaceMesh, RefusesWhatDoesNotFitTheNumbers) {
-  const auto high = PlaceMesh(BoxMesh({0, 0, 0}, {1, 1, 2101}), {});
+  const auto high = PlaceMesh(BoxMesh({0, 0, 0}, {1, 1, 2101}));
   EXPECT_EQ(DetailOf(high.status()).reason, Reason::kOutOfRange);
   EXPECT_EQ(DetailOf(high.status()).metadata.at("limit"), "2100.000");
   EXPECT_EQ(DetailOf(high.status()).metadata.at("got"), "2101.000");
-  EXPECT_TRUE(PlaceMesh(BoxMesh({0, 0, 0}, {4200, 4200, 2100}), {}).ok());
-  EXPECT_FALSE(PlaceMesh(BoxMesh({0, 0, 0}, {4201, 1, 1}), {}).ok());
-  const auto huge = PlaceMesh(Box(), {.scale = {1e300, 1e300, 1}});
+  EXPECT_TRUE(PlaceMesh(BoxMesh({0, 0, 0}, {4200, 4200, 2100})).ok());
+  EXPECT_FALSE(PlaceMesh(BoxMesh({0, 0, 0}, {4201, 1, 1})).ok());
+  const auto huge = PlaceMesh(Box(), TransformOf({.scale = {1e300, 1e300, 1}}));
   EXPECT_EQ(DetailOf(huge.status()).reason, Reason::kOutOfRange);
 }
 
-TEST(PlaceMesh, RefusesSenselessFactors) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Placement> cases = {
-      {.unit_mm = 0},
-      {.unit_mm = nan},
-      {.scale = {1, -1, 1}},
-      {.scale = {1, 1, 0}},
-      {.rotate_deg = {0, nan, 0}},
-      {.rotate_deg = {0, 0, std::numeric_limits<double>::infinity()}}};
-  for (const Placement& placement : cases)
-    EXPECT_EQ(DetailOf(PlaceMesh(Box(), placement).status()).reason, Reason::kSettingOutOfRange);
-}
-
-TEST(CoordinateLimit, IsTenMetresWhateverTheUnit) {
-  EXPECT_EQ(CoordinateLimit({}), 10'000);
-  EXPECT_EQ(CoordinateLimit({.unit_mm = 1000}), 10);
+TEST(ToOrigin, LeavesWhatIsSunkBelowTheBed) {
+  EXPECT_EQ(ToOrigin({{0, 10, 20}, {10, 20, 40}}, 5), (Vertex{-5, -15, -25}));
 }
 
 }  // namespace

@@ -17,31 +17,47 @@ absl::Status HeightError(std::string_view setting, Coord got_nm) {
                    {{"setting", std::string(setting)}, {"got", std::to_string(got_nm)}});
 }
 
+/// A range whose start lies no more than this above a layer's bottom holds the layer.
+constexpr Coord kReachNm = 35'000;
+
+Coord HeightAt(Coord bottom_nm, const LayerHeights& heights) {
+  const Coord at = bottom_nm + kReachNm;
+  for (const RangeInput& range : heights.ranges)
+    if (range.from_nm <= at && at < range.to_nm) return range.layer_height_nm;
+  return heights.others_nm;
+}
+
+absl::Status CheckHeights(const LayerHeights& heights) {
+  if (heights.first_nm <= 0) return HeightError("first_layer_height", heights.first_nm);
+  if (heights.others_nm <= 0) return HeightError("layer_height", heights.others_nm);
+  for (const RangeInput& range : heights.ranges)
+    if (range.layer_height_nm <= 0) return HeightError("layer_height", range.layer_height_nm);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
-absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const SlicingOptions& options) {
-  const Coord first = options.first_layer_height_nm, height = options.layer_height_nm;
-  if (first <= 0) return HeightError("first_layer_height", first);
-  if (height <= 0) return HeightError("layer_height", height);
+absl::StatusOr<std::vector<LayerPlane>> LayerPlanes(Coord top_nm, const LayerHeights& heights) {
+  if (absl::Status ok = CheckHeights(heights); !ok.ok()) return ok;
+  const Coord first = heights.first_nm;
   if (first / 2 >= top_nm)
     return MakeError(
         absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
         fmt::format("the part is {} mm high, which is less than half of the first layer",
                     ToMm(top_nm)),
         {{"limit", std::to_string(first / 2)}, {"got", std::to_string(top_nm)}});
-  // Layer k >= 1 is cut at first + (k - 1) height + height / 2 < top.
-  const Coord room = top_nm - first - height / 2;
-  const int64_t count = 1 + (room > 0 ? (room + height - 1) / height : 0);
-  if (count > limits::kMaxLayers)
-    return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, count);
-  std::vector<LayerPlane> planes;
-  planes.reserve(static_cast<size_t>(count));
-  planes.push_back({{0, first, first}, first / 2});
-  for (int32_t k = 1; k < count; ++k) {
-    const Coord bottom = first + (k - 1) * height;
-    planes.push_back({{k, bottom + height, height}, bottom + height / 2});
+  std::vector<LayerPlane> planes = {{{0, first, first}, first / 2}};
+  for (Coord bottom = first;;) {
+    const Coord height = HeightAt(bottom, heights);
+    if (bottom + height / 2 >= top_nm) return planes;
+    const auto index = static_cast<int32_t>(planes.size());
+    if (index == limits::kMaxLayers) {
+      const int64_t wanted = index + 1 + (top_nm - bottom - height / 2) / height;
+      return LimitError(Reason::kMeshTooLarge, "layers", limits::kMaxLayers, wanted);
+    }
+    planes.push_back({{index, bottom + height, height}, bottom + height / 2});
+    bottom += height;
   }
-  return planes;
 }
 
 }  // namespace slicefarm::slicing

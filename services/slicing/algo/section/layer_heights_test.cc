@@ -9,12 +9,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-SlicingOptions Heights(Coord first, Coord layer) {
-  SlicingOptions options;
-  options.first_layer_height_nm = first;
-  options.layer_height_nm = layer;
-  return options;
-}
+LayerHeights Heights(Coord first, Coord layer) { return {first, layer, {}}; }
 
 TEST(LayerPlanes, CutsInTheMiddle) {
   const auto planes = LayerPlanes(1'000, Heights(300, 200));
@@ -59,6 +54,18 @@ TEST(LayerPlanes, RefusesWhatCannotBe) {
   EXPECT_EQ(reason(100, 200, 200), Reason::kNothingToPrint);
   EXPECT_EQ(reason(0, 200, 200), Reason::kNothingToPrint);
   EXPECT_EQ(reason(2'000'000'000, 200, 200), Reason::kMeshTooLarge);
+}
+
+TEST(LayerPlanes, RangesHaveHeightsOfTheirOwn) {
+  LayerHeights heights = Heights(200'000, 200'000);
+  heights.ranges = {{400'000, 1'000'000, 100'000}, {800'000, 2'000'000, 300'000}};
+  const auto planes = LayerPlanes(1'900'000, heights);
+  ASSERT_TRUE(planes.ok());
+  std::vector<Coord> got;
+  for (const LayerPlane& plane : *planes) got.push_back(plane.frame.height_nm / 1'000);
+  // The first range that holds counts; the last layer's middle lies below the top.
+  EXPECT_EQ(got, (std::vector<Coord>{200, 200, 100, 100, 100, 100, 100, 100, 300, 300, 300}));
+  EXPECT_EQ(planes->back().frame.print_z_nm, 1'900'000);
 }
 
 }  // namespace

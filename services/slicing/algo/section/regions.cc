@@ -1,11 +1,13 @@
 #include "services/slicing/algo/section/regions.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "common/geometry/offset.h"
 #include "common/geometry/ring_cleaning.h"
 #include "common/geometry/simplify.h"
+#include "services/slicing/algo/section/elephant_foot.h"
 #include "services/slicing/algo/section/loop_nesting.h"
 
 namespace slicefarm::slicing {
@@ -58,9 +60,12 @@ MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord re
   return Cleaned(Union(simple, rule));
 }
 
-RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options) {
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options) {
+  const Coord foot_nm = layer == 0 ? options.elephant_foot_nm : 0;
   return {.closing_radius_nm = closed_mesh ? 0 : options.closing_radius_nm,
-          .grow_nm = options.xy_compensation_nm - (layer == 0 ? options.elephant_foot_nm : 0),
+          .grow_nm = options.xy_compensation_nm - std::min<Coord>(foot_nm, 0),
+          .foot_nm = std::max<Coord>(foot_nm, 0),
+          .foot_min_width_nm = foot_nm > 0 ? options.elephant_foot_min_width_nm : 0,
           .widen_holes_nm = options.hole_compensation_nm};
 }
 
@@ -69,6 +74,7 @@ MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolut
   if (edits.closing_radius_nm > 0)
     region = OffsetTwice(region, edits.closing_radius_nm, -edits.closing_radius_nm);
   region = Offset(region, edits.grow_nm);
+  region = ElephantFootCompensated(region, edits.foot_nm, edits.foot_min_width_nm);
   if (edits.widen_holes_nm != 0) region = WithWiderHoles(region, edits.widen_holes_nm);
   return RegionOf(Rings(region), FillRule::kNonZero, resolution_nm);
 }

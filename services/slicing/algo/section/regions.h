@@ -21,15 +21,18 @@ MultiPolygon RegionOf(const std::vector<Polygon>& loops, FillRule rule, Coord re
 struct RegionEdits {
   Coord closing_radius_nm = 0;  ///< cracks up to twice this wide are closed
   Coord grow_nm = 0;            ///< all outlines move outwards, into holes too; may be negative
-  Coord widen_holes_nm = 0;     ///< holes grow; may be negative
+  Coord foot_nm = 0;            ///< then shrinks by this, but where that leaves less than:
+  Coord foot_min_width_nm = 0;
+  Coord widen_holes_nm = 0;  ///< holes grow; may be negative
 
   friend bool operator==(const RegionEdits&, const RegionEdits&) = default;
 };
 
-/// The edits for layer `layer` of a mesh that is closed or not: xy_size_compensation grows, on the
-/// first layer less elefant_foot_compensation; xy_hole_compensation widens holes;
-/// slice_closing_radius works on meshes that are not closed manifolds only.
-RegionEdits EditsFor(int32_t layer, bool closed_mesh, const SlicingOptions& options);
+/// The edits for layer `layer` of a mesh that is closed or not: xy_size_compensation grows;
+/// elefant_foot_compensation shrinks the first layer, see ElephantFootCompensated (one below 0
+/// grows it evenly); xy_hole_compensation widens holes; slice_closing_radius works on meshes that
+/// are not closed manifolds only.
+RegionEdits EditsFor(int32_t layer, bool closed_mesh, const ObjectSlicingOptions& options);
 
 /// Offsets have mitred corners. Free of cost if there is nothing to edit.
 MultiPolygon Edited(MultiPolygon region, const RegionEdits& edits, Coord resolution_nm);

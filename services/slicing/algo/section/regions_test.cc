@@ -87,14 +87,17 @@ TEST(RegionOf, ScrapsVanish) {
 }
 
 TEST(EditsFor, NamesWhatEachSettingDoes) {
-  SlicingOptions options;
+  ObjectSlicingOptions options;
   options.closing_radius_nm = 49'000;
   options.xy_compensation_nm = 100'000;
   options.hole_compensation_nm = 20'000;
   options.elephant_foot_nm = 150'000;
-  EXPECT_EQ(EditsFor(0, true, options), (RegionEdits{0, -50'000, 20'000}));
-  EXPECT_EQ(EditsFor(1, true, options), (RegionEdits{0, 100'000, 20'000}));
-  EXPECT_EQ(EditsFor(1, false, options), (RegionEdits{49'000, 100'000, 20'000}));
+  options.elephant_foot_min_width_nm = 757'000;
+  EXPECT_EQ(EditsFor(0, true, options), (RegionEdits{0, 100'000, 150'000, 757'000, 20'000}));
+  EXPECT_EQ(EditsFor(1, true, options), (RegionEdits{0, 100'000, 0, 0, 20'000}));
+  EXPECT_EQ(EditsFor(1, false, options), (RegionEdits{49'000, 100'000, 0, 0, 20'000}));
+  options.elephant_foot_nm = -150'000;
+  EXPECT_EQ(EditsFor(0, true, options), (RegionEdits{0, 250'000, 0, 0, 20'000}));
 }
 
 const MultiPolygon& Frame() {
@@ -106,6 +109,16 @@ const MultiPolygon& Frame() {
 TEST(Edited, GrowsOutlinesAndShrinksHoles) {
   EXPECT_NEAR(AreaMm2(Edited(Frame(), {.grow_nm = kMm}, 0)), 22 * 22 - 8 * 8, 1e-6);
   EXPECT_NEAR(AreaMm2(Edited(Frame(), {.grow_nm = -kMm}, 0)), 18 * 18 - 12 * 12, 1e-6);
+}
+
+TEST(Edited, TheFootIsTakenOffWhereTheMaterialIsWide) {
+  EXPECT_NEAR(AreaMm2(Edited(Frame(), {.foot_nm = kMm / 5, .foot_min_width_nm = kMm}, 0)),
+              19.6 * 19.6 - 10.4 * 10.4, 0.05);
+  const MultiPolygon bar = {{{{0, 0}, {20 * kMm, 0}, {20 * kMm, 5 * kMm}, {0, 5 * kMm}}, {}}};
+  EXPECT_NEAR(AreaMm2(Edited(bar, {.foot_nm = kMm / 5, .foot_min_width_nm = 4'900'000}, 0)),
+              19.9 * 4.9, 0.01);
+  EXPECT_NEAR(AreaMm2(Edited(Frame(), {.grow_nm = kMm, .foot_nm = kMm / 5}, 0)),
+              21.6 * 21.6 - 8.4 * 8.4, 0.05);
 }
 
 TEST(Edited, WidensOrNarrowsHolesOnly) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "common/model/placement.h"
+#include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/local_slicing_stage.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
@@ -73,9 +75,9 @@ void ExpectLayersMatch(const std::string& name, const std::string& bytes) {
   const Placement at_origin{.centers = {{0, 0}}};
   SlicingOptions options;
   options.bed = {};
-  const auto job = MakeLocalSlicing()->Slice({}, {{file}, {at_origin}}, options);
+  const auto job = MakeLocalSlicing()->Slice({}, InputOf({file}, {at_origin}), options);
   ASSERT_TRUE(job.ok()) << name << job.status();
-  const SolidOracle oracle(*PlaceMesh(*ReadMesh(file.bytes, file.format, 1e4, {}), at_origin));
+  const SolidOracle oracle(*PlaceMesh(*ReadMesh(file.bytes, file.format, 1e4, {}), TransformOf(at_origin)));
   const Box box = oracle.BoundsXy();
   std::mt19937 random(7);
   const auto between = [&random](Coord low, Coord high) {
@@ -84,7 +86,7 @@ void ExpectLayersMatch(const std::string& name, const std::string& bytes) {
   int inside = 0, compared = 0;
   for (int sample = 0; sample < 150; ++sample) {
     const SlicedLayer& layer = job->layers[random() % job->layers.size()];
-    const MultiPolygon& outlines = layer.objects.at(0).outlines;
+    const MultiPolygon& outlines = OutlineOf(layer.sections.at(0));
     const Point p{between(box.min.x, box.max.x), between(box.min.y, box.max.y)};
     // Simplification moves the outline by up to outline_resolution.
     if (DistanceToOutlines(p, outlines) < 6'000) continue;

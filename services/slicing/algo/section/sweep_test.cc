@@ -13,6 +13,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/topology/mesh_measure.h"
+#include "common/model/placement.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 constexpr Coord kMm = kNmPerMm;
 
-ConnectedMesh Connected(const RawMesh& raw) { return *Connect(*PlaceMesh(raw, {}), {}); }
+ConnectedMesh Connected(const RawMesh& raw) { return *Connect(*PlaceMesh(raw), {}); }
 
 std::vector<Section> CutAll(const ConnectedMesh& mesh, const std::vector<Coord>& planes) {
   const auto sweep = Sweep::Prepare(mesh, planes);
@@ -92,7 +93,7 @@ std::vector<TorusCase> TorusCases() {
 }
 
 ConnectedMesh ConnectedTorus(const TorusCase& c) {
-  IndexedMesh placed = *PlaceMesh(TorusMesh(c.shape), {});
+  IndexedMesh placed = *PlaceMesh(TorusMesh(c.shape));
   // Placing drops the lowest ring to 0; it belongs on the first plane.
   if (c.shape.snap_to_layer > 0)
     for (Vertex& v : placed.vertices) v.z += c.layer / 2;
@@ -157,7 +158,7 @@ TEST(Sweep, AreasIntegrateToTheVolume) {
   for (const RawMesh& raw : meshes) {
     for (const std::array<double, 3>& turn :
          {std::array{0.0, 0.0, 0.0}, {90.0, 0.0, 0.0}, {30.0, 40.0, 50.0}}) {
-      const ConnectedMesh mesh = *Connect(*PlaceMesh(raw, {.rotate_deg = turn}), {});
+      const ConnectedMesh mesh = *Connect(*PlaceMesh(raw, TransformOf({.rotate_deg = turn})), {});
       const double volume = VolumeMm3(mesh.mesh);
       EXPECT_NEAR(IntegralOfAreaMm3(mesh), volume, 1e-6 * std::abs(volume));
     }
@@ -177,7 +178,7 @@ TEST(Sweep, DoesNotDependOnTheOrderOfTriangles) {
 TEST(Sweep, MirrorImagesHaveMirrorSections) {
   const RawMesh torus = Joined(TorusMesh({.around = 17}), Cube(20, 30, 1));
   const std::vector<Coord> planes = Planes(700'000, 20 * kMm);
-  const IndexedMesh placed = *PlaceMesh(torus, {});
+  const IndexedMesh placed = *PlaceMesh(torus);
   IndexedMesh mirrored = placed;
   for (Vertex& v : mirrored.vertices) v.x = -v.x;
   for (auto& t : mirrored.triangles) std::swap(t[1], t[2]);

@@ -162,9 +162,9 @@ class DepthBuffer {
   std::vector<uint8_t> shade_;
 };
 
-Frame FitFrame(std::span<const SceneObject> scene, int32_t width, int32_t height) {
+Frame FitFrame(std::span<const SceneMesh> scene, int32_t width, int32_t height) {
   Vector low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
-  for (const SceneObject& object : scene) {
+  for (const SceneMesh& object : scene) {
     for (const Vertex& vertex : object.mesh->vertices) {
       const Vector view = ToView(vertex, object.center);
       low.x = std::min(low.x, view.x), low.y = std::min(low.y, view.y);
@@ -178,7 +178,7 @@ Frame FitFrame(std::span<const SceneObject> scene, int32_t width, int32_t height
   return {scale, (low.x + high.x - width / scale) / 2, (low.y + high.y + height / scale) / 2};
 }
 
-absl::Status DrawObject(const SceneObject& object, const Frame& frame, DepthBuffer& buffer,
+absl::Status DrawObject(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
                         const CancelToken& cancel) {
   std::vector<Vector> corners;
   corners.reserve(object.mesh->vertices.size());
@@ -203,7 +203,7 @@ absl::Status SizeError(const std::array<int32_t, 2>& size_px) {
 
 }  // namespace
 
-absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneObject> scene,
+absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
                                           const std::array<int32_t, 2>& size_px,
                                           const CancelToken& cancel) {
   const auto [width, height] = size_px;
@@ -212,7 +212,7 @@ absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneObject> scene,
   const int32_t fine = std::max(width, height) <= 128 ? 4 : 2;
   const Frame frame = FitFrame(scene, width * fine, height * fine);
   DepthBuffer buffer(width * fine, height * fine);
-  for (const SceneObject& object : scene)
+  for (const SceneMesh& object : scene)
     if (absl::Status status = DrawObject(object, frame, buffer, cancel); !status.ok())
       return status;
   std::vector<Rgba> pixels;

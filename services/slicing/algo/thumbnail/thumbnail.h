@@ -12,7 +12,7 @@
 namespace slicefarm::slicing {
 
 /// A mesh in a picture, moved to `center`.
-struct SceneObject {
+struct SceneMesh {
   const IndexedMesh* mesh = nullptr;
   Point center;
   bool solid = false;  ///< closed and the right side out: faces that look away need not be drawn
@@ -26,7 +26,7 @@ struct SceneObject {
 /// brightest shows, so the order of the triangles plays no part. The same bytes for the same input
 /// on every machine: no sine, no threads. Errors: SETTING_OUT_OF_RANGE for a size outside [1,
 /// 2048]; Cancelled. Cost: O(triangles + samples).
-absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneObject> scene,
+absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
                                           const std::array<int32_t, 2>& size_px,
                                           const CancelToken& cancel);
 

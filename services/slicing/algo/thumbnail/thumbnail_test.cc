@@ -23,7 +23,7 @@ std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
   return pixels;
 }
 
-Thumbnail Render(const std::vector<SceneObject>& scene, std::array<int32_t, 2> size) {
+Thumbnail Render(const std::vector<SceneMesh>& scene, std::array<int32_t, 2> size) {
   const auto thumbnail = RenderThumbnail(scene, size, {});
   EXPECT_TRUE(thumbnail.ok()) << thumbnail.status();
   return *thumbnail;
@@ -36,7 +36,7 @@ double CoveredShare(const std::vector<Rgba>& pixels) {
 }
 
 TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
-  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
   const std::vector<Rgba> pixels = Pixels(Render({{&cube, {}, true}}, {100, 100}));
   // A regular hexagon as high as the picture less its margin: 3 sqrt(3) / 8 of the square.
   EXPECT_NEAR(CoveredShare(pixels), 0.6495 / (1.08 * 1.08), 0.01);
@@ -49,7 +49,7 @@ TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
 }
 
 TEST(RenderThumbnail, SolidObjectsLookTheSameWithoutTheirBacks) {
-  const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}), {});
+  const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}));
   const std::vector<Rgba> solid = Pixels(Render({{&torus, {}, true}}, {64, 64}));
   const std::vector<Rgba> open = Pixels(Render({{&torus, {}, false}}, {64, 64}));
   EXPECT_NEAR(CoveredShare(solid), CoveredShare(open), 0.002);
@@ -57,8 +57,8 @@ TEST(RenderThumbnail, SolidObjectsLookTheSameWithoutTheirBacks) {
 
 TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
   const RawMesh raw = Joined(TorusMesh({}), BoxMesh({0, 0, 0}, {25, 25, 25}));
-  const IndexedMesh mesh = *PlaceMesh(raw, {}), shuffled = *PlaceMesh(Shuffled(raw, 5), {});
-  const SceneObject object{&mesh, {}, false};
+  const IndexedMesh mesh = *PlaceMesh(raw), shuffled = *PlaceMesh(Shuffled(raw, 5));
+  const SceneMesh object{&mesh, {}, false};
   IndexedMesh reordered = mesh;
   std::reverse(reordered.triangles.begin(), reordered.triangles.end());
   EXPECT_EQ(Render({object}, {300, 300}).png, Render({{&reordered, {}, false}}, {300, 300}).png);
@@ -67,8 +67,8 @@ TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
 }
 
 TEST(RenderThumbnail, FitsAllObjectsIn) {
-  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
-  const std::vector<SceneObject> scene = {{&cube, {}, true}, {&cube, {100 * kNmPerMm, 0}, true}};
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const std::vector<SceneMesh> scene = {{&cube, {}, true}, {&cube, {100 * kNmPerMm, 0}, true}};
   const std::vector<Rgba> pixels = Pixels(Render(scene, {60, 40}));
   bool left = false, right = false;
   for (size_t at = 0; at < pixels.size(); ++at) {
@@ -80,8 +80,8 @@ TEST(RenderThumbnail, FitsAllObjectsIn) {
 }
 
 TEST(RenderThumbnail, RefusesSenselessSizes) {
-  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}), {});
-  const SceneObject object{&cube, {}, true};
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const SceneMesh object{&cube, {}, true};
   for (const std::array<int32_t, 2>& size : {std::array{0, 10}, {10, -1}, {2049, 10}}) {
     const auto thumbnail = RenderThumbnail({&object, 1}, size, {});
     EXPECT_EQ(DetailOf(thumbnail.status()).reason, Reason::kSettingOutOfRange);

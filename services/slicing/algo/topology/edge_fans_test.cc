@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/model/placement.h"
 #include "services/slicing/algo/placement/placement.h"
-#include "services/slicing/algo/placement/rotation.h"
+#include "common/model/rotation.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
@@ -33,7 +34,7 @@ Paired PairLeaves(const std::vector<Leaf>& leaves, const std::array<double, 3>& 
     raw.triangles.push_back(leaf.up ? std::array<uint32_t, 3>{0, 1, apex}
                                     : std::array<uint32_t, 3>{1, 0, apex});
   }
-  Paired result{*PlaceMesh(raw, {.rotate_deg = rotate_deg}), {}};
+  Paired result{*PlaceMesh(raw, TransformOf({.rotate_deg = rotate_deg})), {}};
   result.table = BuildEdgeTable(result.mesh.triangles, result.mesh.vertices.size());
   PairFans(result.mesh, result.table);
   return result;
@@ -105,7 +106,7 @@ TEST(PairFans, DoesNotDependOnTheOrderOfTheFaces) {
 TEST(PairFans, TakesFlatFaces) {
   RawMesh raw{{{0, 0, 0}, {0, 0, 10}, {0, 0, 5}, {4, 0, 0}, {0, 4, 0}},
               {{0, 1, 2}, {1, 0, 2}, {1, 0, 3}, {0, 1, 4}}};
-  Paired paired{*PlaceMesh(raw, {}), {}};
+  Paired paired{*PlaceMesh(raw), {}};
   paired.table = BuildEdgeTable(paired.mesh.triangles, paired.mesh.vertices.size());
   ASSERT_EQ(paired.table.fan_count(), 1);
   PairFans(paired.mesh, paired.table);

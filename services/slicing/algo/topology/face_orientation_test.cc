@@ -22,7 +22,7 @@ struct Oriented {
 };
 
 Oriented Orient(const RawMesh& raw) {
-  Oriented result{*PlaceMesh(raw, {}), {}, 0};
+  Oriented result{*PlaceMesh(raw), {}, 0};
   result.table = BuildEdgeTable(result.mesh.triangles, result.mesh.vertices.size());
   result.turned = OrientFaces(result.mesh, result.table);
   return result;
@@ -36,7 +36,7 @@ void ExpectConsistent(const Oriented& oriented) {
 
 TEST(OrientFaces, TurnsTheMinority) {
   RawMesh torus = TorusMesh({.around = 16, .sides = 8});
-  const double volume = VolumeMm3(*PlaceMesh(torus, {}));
+  const double volume = VolumeMm3(*PlaceMesh(torus));
   for (const size_t face : {0, 17, 18, 100, 255}) Turn(torus, face);
   const Oriented oriented = Orient(torus);
   EXPECT_EQ(oriented.turned, 5);

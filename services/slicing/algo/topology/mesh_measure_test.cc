@@ -9,7 +9,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-IndexedMesh Placed(const RawMesh& raw) { return *PlaceMesh(raw, {}); }
+IndexedMesh Placed(const RawMesh& raw) { return *PlaceMesh(raw); }
 
 TEST(VolumeMm3, OfKnownShapes) {
   EXPECT_DOUBLE_EQ(VolumeMm3(Placed(BoxMesh({1, 2, 3}, {11, 22, 33}))), 6000);

@@ -44,7 +44,7 @@ TEST(Connect, ReportsWhatTheMeshIsLike) {
       {"ExtraFace", WithFace(Cube(0, 0, 0), {0, 1, 7}), 1, 2, 1, 0, 0, false},
   };
   for (const Case& c : cases) {
-    const auto mesh = Connect(*PlaceMesh(c.mesh, {}), {});
+    const auto mesh = Connect(*PlaceMesh(c.mesh), {});
     ASSERT_TRUE(mesh.ok()) << c.name;
     EXPECT_EQ(mesh->triangles, static_cast<int64_t>(c.mesh.triangles.size())) << c.name;
     EXPECT_EQ(mesh->bodies, c.bodies) << c.name;
@@ -61,7 +61,7 @@ TEST(Connect, KeepsFacesWithoutAreaThatJoinTheirNeighbours) {
   RawMesh mesh = TetrahedronMesh(10);
   mesh.positions.push_back({5, 0, 0});
   mesh.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}};
-  const auto connected = Connect(*PlaceMesh(mesh, {}), {});
+  const auto connected = Connect(*PlaceMesh(mesh), {});
   ASSERT_TRUE(connected.ok());
   EXPECT_EQ(connected->degenerate_faces, 1);
   EXPECT_TRUE(connected->closed);
@@ -70,17 +70,17 @@ TEST(Connect, KeepsFacesWithoutAreaThatJoinTheirNeighbours) {
 
 TEST(Connect, RefusesAMeshOfDegenerateFacesOnly) {
   const RawMesh mesh = {{{0, 0, 0}, {1e-9, 0, 0}, {0, 1e-9, 0}}, {{0, 1, 2}}};
-  const auto connected = Connect(*PlaceMesh(mesh, {}), {});
+  const auto connected = Connect(*PlaceMesh(mesh), {});
   EXPECT_EQ(DetailOf(connected.status()).reason, Reason::kMeshEmpty);
 }
 
 TEST(Connect, CanBeCancelled) {
-  const auto connected = Connect(*PlaceMesh(TorusMesh({}), {}), CancelToken([] { return true; }));
+  const auto connected = Connect(*PlaceMesh(TorusMesh({})), CancelToken([] { return true; }));
   EXPECT_EQ(connected.status().code(), absl::StatusCode::kCancelled);
 }
 
 TEST(ReportOf, TellsWhereTheFirstCopyStands) {
-  const auto connected = Connect(*PlaceMesh(Cube(3, 4, 5), {}), {});
+  const auto connected = Connect(*PlaceMesh(Cube(3, 4, 5)), {});
   const MeshReport report = ReportOf(*connected, {100 * kNmPerMm, 50 * kNmPerMm});
   EXPECT_EQ(report.triangles, 12);
   EXPECT_EQ(report.vertices, 8);

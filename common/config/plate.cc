@@ -1,0 +1,342 @@
+#include "common/config/plate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+#include "common/base/error.h"
+#include "common/config/known_keys.h"
+#include "common/config/region_table.h"
+#include "common/config/setting_scope.h"
+#include "common/config/settings_table.h"
+
+namespace slicefarm::config {
+namespace {
+
+using Settings = std::vector<Setting>;
+
+std::string Quoted(const std::string& name) { return "\"" + absl::Utf8SafeCEscape(name) + "\""; }
+
+absl::Status OfObject(const std::string& name, const absl::Status& status) {
+  ErrorDetail detail = DetailOf(status);
+  detail.metadata["object"] = name;
+  return MakeError(status.code(), detail.reason,
+                   fmt::format("object {}: {}", Quoted(name),
+                               std::string_view(status.message().data(), status.message().size())),
+                   std::move(detail.metadata));
+}
+
+absl::Status Misplaced(const Setting& setting, Scope place) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMisplaced,
+                   fmt::format("{} is a setting of {} and cannot be given to {}", setting.key,
+                               ScopeName(ScopeOf(setting.key)), ScopeName(place)),
+                   {{"setting", setting.key}});
+}
+
+/// A range has a layer height of its own, besides what regions have.
+bool MayBeGiven(const Setting& setting, Scope place, bool of_range) {
+  if (FindSetting(setting.key) < 0) return true;  // Resolve says what it is
+  if (of_range && setting.key == "layer_height") return true;
+  return ScopeOf(setting.key) >= place;
+}
+
+/// Resolves settings of places inside a job, each set of settings once.
+class Resolver {
+ public:
+  Resolver(std::span<const Setting> job, ResolvedPlate& plate)
+      : job_(job.begin(), job.end()), plate_(plate) {}
+
+  absl::Status ResolveJob() {
+    absl::StatusOr<ResolvedSettings> base = Resolve(job_);
+    if (!base.ok()) return base.status();
+    plate_.settings = base->settings;
+    plate_.effective_text = base->effective_text;
+    plate_.no_effect = base->no_effect;
+    plate_.warnings = base->warnings;
+    told_.insert(base->no_effect.begin(), base->no_effect.end());
+    known_[Settings{}] = base->settings;
+    return absl::OkStatus();
+  }
+
+  /// The job's settings with `own` over them.
+  absl::StatusOr<JobSettings> With(const std::string& object, const Settings& own) {
+    if (const auto known = known_.find(own); known != known_.end()) return known->second;
+    Settings all = job_;
+    all.insert(all.end(), own.begin(), own.end());
+    absl::StatusOr<ResolvedSettings> resolved = Resolve(all);
+    if (!resolved.ok()) return OfObject(object, resolved.status());
+    for (const std::string& note : resolved->no_effect)
+      if (told_.insert(note).second && !IsOverride(note, own))
+        plate_.no_effect.push_back(object + ": " + note);
+    known_[own] = resolved->settings;
+    return resolved->settings;
+  }
+
+  /// Those of `settings` that the place may have. Others are errors if a person asked for them, and
+  /// reported if a file has them.
+  absl::StatusOr<Settings> Fitting(const std::string& object, const Settings& settings, Scope place,
+                                   bool of_range = false) {
+    Settings fitting;
+    for (const Setting& setting : settings) {
+      if (MayBeGiven(setting, place, of_range)) {
+        fitting.push_back(setting);
+      } else if (setting.source == Source::kRequest) {
+        return OfObject(object, Misplaced(setting, place));
+      } else {
+        plate_.no_effect.push_back(fmt::format("{}: {} = {}: is a setting of {}", object,
+                                               setting.key, setting.value,
+                                               ScopeName(ScopeOf(setting.key))));
+      }
+    }
+    return fitting;
+  }
+
+ private:
+  struct Less {
+    bool operator()(const Settings& a, const Settings& b) const {
+      return std::ranges::lexicographical_compare(a, b, [](const Setting& x, const Setting& y) {
+        return std::tie(x.key, x.value, x.source) < std::tie(y.key, y.value, y.source);
+      });
+    }
+  };
+
+  /// That an object's own value takes the place of the job's is what it is for.
+  static bool IsOverride(const std::string& note, const Settings& own) {
+    return std::ranges::any_of(own, [&](const Setting& setting) {
+      return note.ends_with("overridden by a later " + setting.key);
+    });
+  }
+
+  const Settings job_;
+  ResolvedPlate& plate_;
+  std::set<std::string> told_;
+  std::map<Settings, JobSettings, Less> known_;  ///< by own settings
+};
+
+Settings Joined(Settings first, const Settings& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// The rows of an object's parts, by settings: what modifiers start from.
+using RowSettings = std::map<int32_t, Settings>;
+
+/// Resolves one object.
+class ObjectResolver {
+ public:
+  ObjectResolver(const SceneObject& object, Resolver& resolver, RegionTable& table)
+      : object_(object), resolver_(resolver), table_(table) {}
+
+  struct Result {
+    ObjectInput input;  ///< without copies
+    ObjectSlicingOptions slicing;
+    ObjectPlanOptions planning;
+  };
+
+  absl::StatusOr<Result> Resolve() {
+    auto own = resolver_.Fitting(object_.name, object_.settings, Scope::kObject);
+    if (!own.ok()) return own.status();
+    own_ = *std::move(own);
+    absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own_);
+    if (!settings.ok()) return settings.status();
+    Result result;
+    result.slicing = settings->slicing.objects.front();
+    result.planning = settings->planning.objects.front();
+    result.input.name = object_.name;
+    if (absl::Status ok = AddRanges(result.input); !ok.ok()) return ok;
+    for (const Part& part : object_.parts)
+      if (absl::Status ok = AddPart(part, result.input); !ok.ok()) return ok;
+    return result;
+  }
+
+ private:
+  absl::Status AddRanges(ObjectInput& input) {
+    for (const HeightRange& range : object_.ranges) {
+      if (!(0 <= range.from_mm && range.from_mm < range.to_mm && range.to_mm < 1e4))
+        return OfObject(object_.name,
+                        MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                                  fmt::format("from {} mm to {} mm is no range of heights",
+                                              range.from_mm, range.to_mm)));
+      auto own = resolver_.Fitting(object_.name, range.settings, Scope::kRegion, true);
+      if (!own.ok()) return own.status();
+      absl::StatusOr<JobSettings> settings =
+          resolver_.With(object_.name, Joined(own_, *own));
+      if (!settings.ok()) return settings.status();
+      input.ranges.push_back({FromMm(range.from_mm), FromMm(range.to_mm),
+                              settings->slicing.objects.front().layer_height_nm});
+      ranges_.push_back(*std::move(own));
+    }
+    ranges_.push_back({});  // all other heights
+    return absl::OkStatus();
+  }
+
+  absl::Status AddPart(const Part& part, ObjectInput& input) {
+    auto own = resolver_.Fitting(object_.name, part.settings, Scope::kRegion);
+    if (!own.ok()) return own.status();
+    PartInput added;
+    added.name = part.name;
+    added.mesh = part.mesh;
+    added.role = part.role;
+    added.to_object = part.to_object;
+    added.regions.clear();
+    absl::Status ok = part.role == PartRole::kModifier ? AddChanges(*own, added)
+                                                       : AddRows(*own, added);
+    if (part.role == PartRole::kModifier) added.regions.assign(ranges_.size(), 0);
+    input.parts.push_back(std::move(added));
+    return ok;
+  }
+
+  absl::Status AddRows(const Settings& own, PartInput& part) {
+    for (const Settings& range : ranges_) {
+      const Settings all = Joined(Joined(own_, own), range);
+      absl::StatusOr<int32_t> row = RowOf(all);
+      if (!row.ok()) return row.status();
+      part.regions.push_back(*row);
+      if (part.role == PartRole::kSolid) rows_.try_emplace(*row, all);
+    }
+    return absl::OkStatus();
+  }
+
+  /// What the modifier makes of each row there is so far, among them those that earlier modifiers
+  /// have made.
+  absl::Status AddChanges(const Settings& own, PartInput& modifier) {
+    RowSettings made;
+    for (const auto& [row, settings] : rows_) {
+      const Settings all = Joined(settings, own);
+      absl::StatusOr<int32_t> inside = RowOf(all);
+      if (!inside.ok()) return inside.status();
+      modifier.changes[row] = *inside;
+      made.try_emplace(*inside, all);
+    }
+    rows_.merge(made);
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<int32_t> RowOf(const Settings& own) {
+    absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, own);
+    if (!settings.ok()) return settings.status();
+    return table_.RowOf(*settings);
+  }
+
+  const SceneObject& object_;
+  Resolver& resolver_;
+  RegionTable& table_;
+  Settings own_;
+  std::vector<Settings> ranges_;
+  RowSettings rows_;
+};
+
+/// Copies that differ by a shift along the bed alone.
+struct CopyGroup {
+  Transform to_plate;  ///< without x and y
+  std::vector<CopyInput> copies;
+};
+
+CopyInput CopyOf(const Instance& instance) {
+  const Point at{FromMm(instance.to_plate(0, 3)), FromMm(instance.to_plate(1, 3))};
+  if (!instance.placed) return {CopyInput::Place::kAnywhere, {}};
+  return {instance.by_middle ? CopyInput::Place::kMiddleAt : CopyInput::Place::kOriginAt, at};
+}
+
+std::vector<CopyGroup> GroupsOf(const std::vector<Instance>& instances) {
+  std::vector<CopyGroup> groups;
+  for (const Instance& instance : instances) {
+    if (!instance.printable) continue;
+    Transform fixed = instance.to_plate;
+    fixed(0, 3) = fixed(1, 3) = 0;
+    const auto same = std::ranges::find_if(
+        groups, [&](const CopyGroup& group) { return group.to_plate == fixed; });
+    CopyGroup& group = same != groups.end() ? *same : groups.emplace_back(CopyGroup{fixed, {}});
+    group.copies.push_back(CopyOf(instance));
+  }
+  return groups;
+}
+
+/// Settings of objects, for people and for the cache's key.
+nlohmann::ordered_json ToJson(const Settings& settings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const Setting& setting : settings) json[setting.key] = setting.value;
+  return json;
+}
+
+bool HasOwnSettings(const SceneObject& object) {
+  return !object.settings.empty() || !object.ranges.empty() ||
+         std::ranges::any_of(object.parts,
+                             [](const Part& part) { return !part.settings.empty(); });
+}
+
+std::string ObjectsText(std::span<const SceneObject> objects) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const SceneObject& object : objects) {
+    if (!HasOwnSettings(object)) continue;
+    nlohmann::ordered_json json = {{"object", object.name}, {"settings", ToJson(object.settings)}};
+    for (const Part& part : object.parts)
+      if (!part.settings.empty())
+        json["parts"].push_back({{"part", part.name}, {"settings", ToJson(part.settings)}});
+    for (const HeightRange& range : object.ranges)
+      json["heights"].push_back({{"from_mm", range.from_mm},
+                                 {"to_mm", range.to_mm},
+                                 {"settings", ToJson(range.settings)}});
+    all.push_back(std::move(json));
+  }
+  if (all.empty()) return {};
+  return "object_settings = " +
+         all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// Adds the object, or its copies to an equal one.
+void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
+  JobSettings& settings = plate.settings;
+  for (size_t i = 0; i < plate.objects.size(); ++i) {
+    std::vector<CopyInput> copies = plate.objects[i].copies;
+    plate.objects[i].copies = object.input.copies;
+    const bool equal = plate.objects[i] == object.input &&
+                       settings.slicing.objects[i] == object.slicing &&
+                       settings.planning.objects[i] == object.planning;
+    plate.objects[i].copies = std::move(copies);
+    if (!equal) continue;
+    std::ranges::move(object.input.copies, std::back_inserter(plate.objects[i].copies));
+    return;
+  }
+  plate.objects.push_back(std::move(object.input));
+  settings.slicing.objects.push_back(object.slicing);
+  settings.planning.objects.push_back(object.planning);
+}
+
+}  // namespace
+
+absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
+                                           std::span<const SceneObject> objects) {
+  ResolvedPlate plate;
+  Resolver resolver(job, plate);
+  if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
+  plate.settings.slicing.objects.clear();
+  plate.settings.planning.objects.clear();
+  RegionTable table;
+  for (const SceneObject& object : objects) {
+    absl::StatusOr<ObjectResolver::Result> resolved =
+        ObjectResolver(object, resolver, table).Resolve();
+    if (!resolved.ok()) return resolved.status();
+    for (CopyGroup& group : GroupsOf(object.instances)) {
+      ObjectResolver::Result one = *resolved;
+      one.input.sunk_mm = 0;
+      one.input.to_plate = group.to_plate;
+      one.input.copies = std::move(group.copies);
+      Add(std::move(one), plate);
+    }
+  }
+  if (plate.objects.empty())
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                     "no object has a printable copy");
+  table.PutInto(plate.settings);
+  plate.effective_text += ObjectsText(objects);
+  return plate;
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,260 @@
+#include "common/config/plate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::config {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::Pair;
+using testing::SizeIs;
+using testing::UnorderedElementsAre;
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<Setting> Settings(const Pairs& pairs, Source source = Source::kRequest) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : pairs) settings.push_back({key, value, source});
+  return settings;
+}
+
+SceneObject ObjectNamed(const std::string& name, const Pairs& own = {}, int32_t copies = 1) {
+  SceneObject object = ObjectOfFile(name, 0, {}, copies);
+  object.settings = Settings(own);
+  return object;
+}
+
+Part PartOf(int32_t file, PartRole role, const Pairs& own) {
+  Part part;
+  part.mesh.file = file;
+  part.role = role;
+  part.settings = Settings(own);
+  return part;
+}
+
+Instance StandingAt(double x_mm, double y_mm, double turn_deg = 0) {
+  Instance instance;
+  Placement placement;
+  placement.rotate_deg = {0, 0, turn_deg};
+  instance.to_plate = TransformOf(placement);
+  instance.to_plate(0, 3) = x_mm;
+  instance.to_plate(1, 3) = y_mm;
+  return instance;
+}
+
+ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objects) {
+  auto plate = ResolvePlate(Settings(job), objects);
+  if (!plate.ok()) {
+    ADD_FAILURE() << plate.status();
+    return {};
+  }
+  return *std::move(plate);
+}
+
+absl::Status Refusal(const Pairs& job, const std::vector<SceneObject>& objects) {
+  return ResolvePlate(Settings(job), objects).status();
+}
+
+double Density(const ResolvedPlate& plate, int32_t row) {
+  return plate.settings.infill[static_cast<size_t>(row)].density;
+}
+
+TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
+  const ResolvedPlate plate = PlateOrDie({{"fill_density", "30%"}}, {ObjectNamed("box")});
+  ASSERT_THAT(plate.objects, SizeIs(1));
+  EXPECT_EQ(plate.objects[0].name, "box");
+  EXPECT_THAT(plate.objects[0].parts[0].regions, ElementsAre(0));
+  ASSERT_THAT(plate.settings.infill, SizeIs(1));
+  EXPECT_DOUBLE_EQ(Density(plate, 0), 0.3);
+  EXPECT_THAT(plate.settings.slicing.objects, SizeIs(1));
+  EXPECT_THAT(plate.effective_text, Not(HasSubstr("object_settings")));
+}
+
+TEST(ResolvePlate, TheNarrowerPlaceWins) {
+  SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});
+  object.parts.push_back(PartOf(1, PartRole::kSolid, {{"fill_density", "40%"}}));
+  object.ranges.push_back({5, 10, Settings({{"fill_density", "80%"}})});
+  const ResolvedPlate plate = PlateOrDie({{"fill_density", "10%"}}, {object});
+  const std::vector<PartInput>& parts = plate.objects[0].parts;
+  ASSERT_THAT(parts, SizeIs(2));
+  ASSERT_THAT(parts[0].regions, SizeIs(2));
+  EXPECT_DOUBLE_EQ(Density(plate, parts[0].regions[0]), 0.8);  // in the range
+  EXPECT_DOUBLE_EQ(Density(plate, parts[0].regions[1]), 0.2);
+  EXPECT_DOUBLE_EQ(Density(plate, parts[1].regions[0]), 0.8);
+  EXPECT_DOUBLE_EQ(Density(plate, parts[1].regions[1]), 0.4);
+  EXPECT_EQ(parts[0].regions[0], parts[1].regions[0]);  // alike: one row
+}
+
+TEST(ResolvePlate, AModifierChangesWhatItLiesIn) {
+  SceneObject object = ObjectNamed("box");
+  object.parts.push_back(PartOf(1, PartRole::kModifier, {{"fill_density", "60%"}}));
+  object.parts.push_back(PartOf(2, PartRole::kModifier, {{"perimeters", "5"}}));
+  const ResolvedPlate plate = PlateOrDie({{"fill_density", "10%"}, {"perimeters", "2"}}, {object});
+  const std::vector<PartInput>& parts = plate.objects[0].parts;
+  const int32_t part = parts[0].regions[0];
+  const int32_t dense = parts[1].changes.at(part);
+  const int32_t thick = parts[2].changes.at(part);
+  const int32_t both = parts[2].changes.at(dense);
+  EXPECT_DOUBLE_EQ(Density(plate, dense), 0.6);
+  EXPECT_DOUBLE_EQ(Density(plate, thick), 0.1);
+  EXPECT_DOUBLE_EQ(Density(plate, both), 0.6);
+  const auto walls = [&](int32_t row) {
+    return plate.settings.beading[static_cast<size_t>(row)].perimeters;
+  };
+  EXPECT_EQ(walls(part), 2);
+  EXPECT_EQ(walls(dense), 2);
+  EXPECT_EQ(walls(thick), 5);
+  EXPECT_EQ(walls(both), 5);
+}
+
+TEST(ResolvePlate, ARangeHasALayerHeightOfItsOwn) {
+  SceneObject object = ObjectNamed("tower");
+  object.ranges.push_back({5, 10, Settings({{"layer_height", "0.1"}})});
+  const ResolvedPlate plate = PlateOrDie({{"layer_height", "0.3"}}, {object});
+  EXPECT_THAT(plate.objects[0].ranges, ElementsAre(RangeInput{5'000'000, 10'000'000, 100'000}));
+  EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 300'000);
+}
+
+TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
+  const ResolvedPlate plate =
+      PlateOrDie({{"seam_position", "rear"}},
+                 {ObjectNamed("a", {{"layer_height", "0.1"}}),
+                  ObjectNamed("b", {{"layer_height", "0.3"}, {"seam_position", "nearest"}})});
+  ASSERT_THAT(plate.settings.slicing.objects, SizeIs(2));
+  EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 100'000);
+  EXPECT_EQ(plate.settings.slicing.objects[1].layer_height_nm, 300'000);
+  EXPECT_EQ(plate.settings.planning.objects[0].seam, SeamPosition::kRear);
+  EXPECT_EQ(plate.settings.planning.objects[1].seam, SeamPosition::kNearest);
+}
+
+TEST(ResolvePlate, CopiesOfAnObjectAreOneObject) {
+  const ResolvedPlate plate = PlateOrDie({}, {ObjectNamed("benchy", {}, 12)});
+  ASSERT_THAT(plate.objects, SizeIs(1));
+  EXPECT_THAT(plate.objects[0].copies, SizeIs(12));
+}
+
+TEST(ResolvePlate, EqualObjectsAreCopiesOfOne) {
+  SceneObject left = ObjectNamed("box");
+  left.instances = {StandingAt(20, 30)};
+  SceneObject right = left;
+  right.instances = {StandingAt(80, 30)};
+  const ResolvedPlate plate = PlateOrDie({}, {left, right});
+  ASSERT_THAT(plate.objects, SizeIs(1));
+  EXPECT_THAT(plate.objects[0].copies,
+              ElementsAre(CopyInput{CopyInput::Place::kOriginAt, {20'000'000, 30'000'000}},
+                          CopyInput{CopyInput::Place::kOriginAt, {80'000'000, 30'000'000}}));
+}
+
+TEST(ResolvePlate, ObjectsOfDifferentSettingsStayTwo) {
+  EXPECT_THAT(PlateOrDie({}, {ObjectNamed("box"), ObjectNamed("box", {{"fill_density", "77%"}})})
+                  .objects,
+              SizeIs(2));
+}
+
+TEST(ResolvePlate, ATurnedCopyIsAnObjectOfItsOwn) {
+  SceneObject object = ObjectNamed("box");
+  object.instances = {StandingAt(20, 30), StandingAt(80, 30, 45), StandingAt(140, 30)};
+  const ResolvedPlate plate = PlateOrDie({}, {object});
+  ASSERT_THAT(plate.objects, SizeIs(2));
+  EXPECT_THAT(plate.objects[0].copies, SizeIs(2));
+  EXPECT_THAT(plate.objects[1].copies, SizeIs(1));
+}
+
+TEST(ResolvePlate, AnUnprintableCopyIsLeftOut) {
+  SceneObject object = ObjectNamed("box", {}, 2);
+  object.instances[0].printable = false;
+  EXPECT_THAT(PlateOrDie({}, {object}).objects[0].copies, SizeIs(1));
+  object.instances[1].printable = false;
+  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kNothingToPrint);
+}
+
+TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
+  const absl::Status refusal = Refusal({}, {ObjectNamed("box \"1\"", {{"temperature", "200"}})});
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMisplaced);
+  EXPECT_THAT(std::string(refusal.message()),
+              HasSubstr("temperature is a setting of the job and cannot be given to an object"));
+  EXPECT_THAT(DetailOf(refusal).metadata, Contains(Pair("setting", "temperature")));
+  EXPECT_THAT(DetailOf(refusal).metadata, Contains(Pair("object", "box \"1\"")));
+}
+
+TEST(ResolvePlate, ASettingOfTheObjectIsMisplacedInAPart) {
+  SceneObject object = ObjectNamed("box");
+  object.parts[0].settings = Settings({{"layer_height", "0.1"}});
+  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kSettingMisplaced);
+}
+
+// Project files carry what their program wrote; that is told, and no reason to refuse the job.
+TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
+  SceneObject object = ObjectNamed("box");
+  object.settings = Settings({{"temperature", "200"}}, Source::kProfile);
+  EXPECT_THAT(PlateOrDie({}, {object}).no_effect,
+              Contains("box: temperature = 200: is a setting of the job"));
+}
+
+TEST(ResolvePlate, AnErrorSaysWhichObject) {
+  const absl::Status refusal =
+      Refusal({}, {ObjectNamed("good"), ObjectNamed("bad", {{"fill_density", "many"}})});
+  EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMalformed);
+  EXPECT_THAT(std::string(refusal.message()), HasSubstr("object \"bad\""));
+}
+
+TEST(ResolvePlate, AnUnknownSettingOfAnObjectIsRefused) {
+  EXPECT_EQ(DetailOf(Refusal({}, {ObjectNamed("box", {{"fill_densty", "10%"}})})).reason,
+            Reason::kSettingUnknown);
+}
+
+TEST(ResolvePlate, ARangeMustBeOne) {
+  for (const auto& [from, to] : {std::pair{5.0, 5.0}, {7.0, 5.0}, {-1.0, 5.0}, {0.0, 1e9}}) {
+    SceneObject object = ObjectNamed("box");
+    object.ranges.push_back({from, to, {}});
+    EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kRequestMalformed) << from << " " << to;
+  }
+}
+
+TEST(ResolvePlate, TooManySetsOfSettings) {
+  std::vector<SceneObject> objects;
+  for (int i = 0; i <= limits::kMaxRegionSettings; ++i)
+    objects.push_back(ObjectNamed("box", {{"top_infill_extrusion_width",
+                                           std::to_string(0.3 + i * 0.0001)}}));
+  EXPECT_EQ(DetailOf(Refusal({}, objects)).reason, Reason::kRequestTooLarge);
+  objects.pop_back();
+  EXPECT_TRUE(ResolvePlate({}, objects).ok());
+}
+
+// The text is the cache's key and the G-code's last lines: settings of objects are part of it.
+TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
+  SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});
+  object.ranges.push_back({5, 10, Settings({{"perimeters", "4"}})});
+  const std::string text = PlateOrDie({}, {object}).effective_text;
+  EXPECT_THAT(text, HasSubstr(R"(object_settings = [{"object":"box","settings":{"fill_density":"20%"})"));
+  EXPECT_THAT(text, HasSubstr(R"("perimeters":"4")"));
+}
+
+// Regions whose walls are alike are of one class: walls go round both together.
+TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
+  SceneObject object = ObjectNamed("box");
+  object.parts.push_back(PartOf(1, PartRole::kModifier, {{"fill_density", "60%"}}));
+  object.parts.push_back(PartOf(2, PartRole::kModifier, {{"perimeters", "7"}}));
+  const ResolvedPlate plate = PlateOrDie({}, {object});
+  const auto wall_class = [&](int32_t row) {
+    return plate.settings.beading[static_cast<size_t>(row)].wall_class;
+  };
+  const auto& parts = plate.objects[0].parts;
+  const int32_t part = parts[0].regions[0];
+  EXPECT_EQ(wall_class(part), wall_class(parts[1].changes.at(part)));
+  EXPECT_NE(wall_class(part), wall_class(parts[2].changes.at(part)));
+}
+
+}  // namespace
+}  // namespace slicefarm::config

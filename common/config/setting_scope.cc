@@ -1,0 +1,91 @@
+#include "common/config/setting_scope.h"
+
+#include <algorithm>
+
+namespace slicefarm::config {
+namespace {
+
+constexpr std::string_view kOfObjects[] = {
+    "brim_separation",
+    "brim_type",
+    "brim_width",
+    "elefant_foot_compensation",
+    "extrusion_width",
+    "layer_height",
+    "lock_outer_width",
+    "max_bead_width",
+    "min_bead_width",
+    "min_feature_size",
+    "perimeter_generator",
+    "raft_contact_distance",
+    "raft_expansion",
+    "raft_first_layer_density",
+    "raft_first_layer_expansion",
+    "raft_layers",
+    "seam_position",
+    "slice_closing_radius",
+    "slicing_mode",
+    "support_material_speed",
+    "wall_distribution_count",
+    "wall_transition_angle",
+    "wall_transition_filter_deviation",
+    "wall_transition_length",
+    "xy_hole_compensation",
+    "xy_size_compensation",
+};
+
+constexpr std::string_view kOfRegions[] = {
+    "bottom_fill_pattern",
+    "bottom_solid_layers",
+    "bottom_solid_min_thickness",
+    "bridge_speed",
+    "external_perimeter_extrusion_width",
+    "external_perimeter_speed",
+    "external_perimeters_first",
+    "fill_angle",
+    "fill_density",
+    "fill_pattern",
+    "gap_fill_enabled",
+    "gap_fill_max_width",
+    "gap_fill_min_width",
+    "gap_fill_speed",
+    "infill_extrusion_width",
+    "infill_overlap",
+    "infill_speed",
+    "inner_outer_inner",
+    "perimeter_extrusion_width",
+    "perimeter_speed",
+    "perimeters",
+    "small_perimeter_speed",
+    "solid_fill_pattern",
+    "solid_infill_below_area",
+    "solid_infill_extrusion_width",
+    "solid_infill_speed",
+    "thin_walls",
+    "top_fill_pattern",
+    "top_infill_extrusion_width",
+    "top_solid_infill_speed",
+    "top_solid_layers",
+    "top_solid_min_thickness",
+};
+
+}  // namespace
+
+Scope ScopeOf(std::string_view key) {
+  if (std::ranges::binary_search(kOfRegions, key)) return Scope::kRegion;
+  if (std::ranges::binary_search(kOfObjects, key)) return Scope::kObject;
+  return Scope::kJob;
+}
+
+std::string_view ScopeName(Scope scope) {
+  switch (scope) {
+    case Scope::kJob:
+      return "the job";
+    case Scope::kObject:
+      return "an object";
+    default:
+      return "a region";
+  }
+}
+
+}  // namespace slicefarm::config

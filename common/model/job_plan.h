@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/geometry/point.h"
+#include "common/model/path.h"
+#include "common/model/region.h"
+
+namespace slicefarm {
+
+/// A copy of an object on the plate. Its toolpaths are the object's, shifted.
+struct Copy {
+  int32_t object = 0;
+  Point shift;       ///< in whole micrometres, so that it moves rounded coordinates exactly
+  int32_t pass = 0;  ///< copies of a pass are printed layer by layer, one pass after the other
+
+  friend bool operator==(const Copy&, const Copy&) = default;
+};
+
+/// What is decided for a section of one object, in the object's own coordinates.
+struct SectionPlan {
+  int32_t object = 0;
+  Point entry;               ///< start the section near here
+  std::vector<Point> seams;  ///< where walls start, by the ring of OutlineOf; empty: near the nozzle
+
+  friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
+};
+
+/// What is decided for a layer before the fan-out, so that layers are independent afterwards.
+struct LayerPlan {
+  Point entry;                        ///< start the layer near here, in plate coordinates
+  std::vector<SectionPlan> sections;  ///< by ascending object
+  std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
+
+  friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
+};
+
+/// What planning puts on the plate besides the objects: regions (brim, raft) and finished paths
+/// (skirt), in plate coordinates.
+struct PlateAddition {
+  int32_t layer = 0;
+  Coord height_nm = 0;  ///< of the regions' layer
+  std::vector<Region> regions;
+  std::vector<Path> paths;
+
+  friend bool operator==(const PlateAddition&, const PlateAddition&) = default;
+};
+
+/// What planning makes of the outlines of a whole job.
+struct JobPlan {
+  std::vector<LayerPlan> layers;         ///< one a layer; without paths, which are additions
+  std::vector<PlateAddition> additions;  ///< by ascending layer, at most one each
+  std::vector<Copy> copies;              ///< as in SlicedJob::copies
+
+  friend bool operator==(const JobPlan&, const JobPlan&) = default;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,149 @@
+#include "common/stage/layer_chain.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "common/base/error.h"
+
+namespace slicefarm {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Notes which layers it sees; each walled layer has as many plain islands as its index.
+struct Beading : BeadingStage {
+  absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& hood,
+                                                std::span<const BeadingOptions>) const override {
+    seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
+    std::vector<WalledLayer> walled(static_cast<size_t>(hood.range.size()));
+    for (size_t i = 0; i < walled.size(); ++i) {
+      walled[i].frame.index = hood.range.first + static_cast<int32_t>(i);
+      walled[i].plain_islands = walled[i].frame.index;
+    }
+    return walled;
+  }
+  mutable LayerRange seen;
+};
+
+struct Infill : InfillStage {
+  absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer> walled,
+                                                const Neighbourhood& hood,
+                                                std::span<const InfillOptions>) const override {
+    seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
+    if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "infill");
+    return std::vector<FilledLayer>(walled.size());
+  }
+  bool fails = false;
+  mutable LayerRange seen;
+};
+
+struct Ordering : OrderingStage {
+  absl::StatusOr<std::vector<OrderedLayer>> Order(const StageCall&, std::vector<FilledLayer> layers,
+                                                  std::span<const LayerPlan> plans,
+                                                  std::span<const Copy> copies,
+                                                  const OrderingOptions&) const override {
+    plan_count = plans.size();
+    copy_count = copies.size();
+    return std::vector<OrderedLayer>(layers.size());
+  }
+  mutable size_t plan_count = 0;
+  mutable size_t copy_count = 0;
+};
+
+struct Motion : MotionStage {
+  absl::StatusOr<std::vector<LayerProgram>> Program(const StageCall&,
+                                                    std::vector<OrderedLayer> layers,
+                                                    const JobFacts& facts,
+                                                    const MotionOptions&) const override {
+    called = true;
+    std::vector<LayerProgram> programs(layers.size());
+    for (LayerProgram& program : programs) program.frame.index = static_cast<int32_t>(facts.copies.size());
+    return programs;
+  }
+  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,
+                                     const MotionOptions&) const override {
+    return ProgramFrame{};
+  }
+  mutable bool called = false;
+};
+
+class LayerChainTest : public testing::Test {
+ protected:
+  LayerChainTest() {
+    for (int32_t i = 0; i < 20; ++i) {
+      SlicedLayer& layer = layers_.emplace_back();
+      layer.frame.index = i;
+      ObjectSection& section = layer.sections.emplace_back();
+      section.layer = i;
+      section.layer_count = 20;
+    }
+    copies_.resize(3);
+    facts_.copies.resize(3);
+  }
+
+  absl::StatusOr<RangeResult> Run(LayerRange range, LayerRange sent) {
+    plans_.resize(static_cast<size_t>(range.size()));
+    return chain_.Run(StageCall{},
+                      {.range = range,
+                       .layers = std::span(layers_).subspan(static_cast<size_t>(sent.first),
+                                                            static_cast<size_t>(sent.size())),
+                       .plans = plans_,
+                       .copies = copies_,
+                       .facts = &facts_,
+                       .settings = &settings_});
+  }
+
+  std::vector<SlicedLayer> layers_;
+  std::vector<LayerPlan> plans_;
+  std::vector<Copy> copies_;
+  JobFacts facts_;
+  JobSettings settings_;
+  Beading beading_;
+  Infill infill_;
+  Ordering ordering_;
+  Motion motion_;
+  LayerChain chain_{beading_, infill_, ordering_, motion_};
+};
+
+TEST_F(LayerChainTest, EachStageIsGivenWhatItWorksFrom) {
+  const auto result = Run({8, 11}, {0, 20});
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_EQ(result->programs.size(), 3u);
+  EXPECT_EQ(result->programs[0].frame.index, 3);  // the facts came through
+  EXPECT_EQ(ordering_.plan_count, 3u);
+  EXPECT_EQ(ordering_.copy_count, 3u);
+}
+
+// Beading elsewhere is not sent outlines that only infill looks at.
+TEST_F(LayerChainTest, AStageIsSentItsOwnHaloOnly) {
+  ASSERT_TRUE(Run({8, 11}, {0, 20}).ok());
+  const int32_t halo = BeadingHaloLayers(settings_);
+  EXPECT_EQ(beading_.seen, (LayerRange{8 - halo, 11 + halo}));
+  EXPECT_EQ(infill_.seen, (LayerRange{0, 20}));
+}
+
+TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
+  const auto result = Run({0, 3}, {0, 20});
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_THAT(result->warnings, ElementsAre(LayerWarning{.layer = 1, .plain_islands = 1},
+                                            LayerWarning{.layer = 2, .plain_islands = 2}));
+}
+
+TEST_F(LayerChainTest, AHaloTooSmallIsRefused) {
+  const auto result = Run({8, 11}, {8, 11});
+  EXPECT_EQ(DetailOf(result.status()).reason, Reason::kRequestMalformed);
+  EXPECT_FALSE(motion_.called);
+}
+
+TEST_F(LayerChainTest, AStagesErrorEndsTheChain) {
+  infill_.fails = true;
+  const auto result = Run({8, 11}, {0, 20});
+  EXPECT_EQ(DetailOf(result.status()).reason, Reason::kInternal);
+  EXPECT_FALSE(motion_.called);
+}
+
+}  // namespace
+}  // namespace slicefarm

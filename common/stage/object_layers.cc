@@ -1,0 +1,111 @@
+#include "common/stage/object_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "common/base/error.h"
+
+namespace slicefarm {
+namespace {
+
+/// The first and the last of an object's own layers that a range has.
+struct OwnLayers {
+  int32_t first = 0;
+  int32_t last = 0;
+  int32_t count = 0;  ///< of the object
+};
+
+std::map<int32_t, OwnLayers> LayersOfObjects(std::span<const SlicedLayer> layers) {
+  std::map<int32_t, OwnLayers> own;
+  for (const SlicedLayer& layer : layers) {
+    for (const ObjectSection& section : layer.sections) {
+      if (section.object == kPlate) continue;
+      const auto [place, is_new] = own.try_emplace(
+          section.object, OwnLayers{section.layer, section.layer, section.layer_count});
+      place->second.first = std::min(place->second.first, section.layer);
+      place->second.last = std::max(place->second.last, section.layer);
+    }
+  }
+  return own;
+}
+
+const ObjectSection* SectionOf(const SlicedLayer& layer, int32_t object) {
+  const auto found = std::ranges::lower_bound(layer.sections, object, {}, &ObjectSection::object);
+  return found != layer.sections.end() && found->object == object ? &*found : nullptr;
+}
+
+/// Steps from layer `from` until the object's own layer `wanted` is reached; the index of the layer
+/// that has it, or of the last one there is.
+int32_t Reach(std::span<const SlicedLayer> layers, int32_t object, int32_t from, int32_t step,
+              int32_t wanted) {
+  int32_t at = from;
+  for (int32_t i = from; i >= 0 && i < std::ssize(layers); i += step) {
+    const ObjectSection* section = SectionOf(layers[static_cast<size_t>(i)], object);
+    if (section == nullptr) continue;
+    at = i;
+    if (step < 0 ? section->layer <= wanted : section->layer >= wanted) break;
+  }
+  return at;
+}
+
+}  // namespace
+
+ObjectLayers::ObjectLayers(std::span<const SlicedLayer> layers) {
+  for (const SlicedLayer& layer : layers) {
+    for (const ObjectSection& section : layer.sections) {
+      if (section.object == kPlate) continue;
+      Sections& own = objects_[section.object];
+      if (own.sections.empty()) own.first = section.layer;
+      // A gap or a step back breaks SlicedLayer's promise: what does not follow is not found.
+      if (section.layer == own.first + std::ssize(own.sections)) own.sections.push_back(&section);
+    }
+  }
+}
+
+const ObjectSection* ObjectLayers::Find(int32_t object, int32_t layer) const {
+  const auto found = objects_.find(object);
+  if (found == objects_.end()) return nullptr;
+  const int64_t at = int64_t{layer} - found->second.first;
+  if (at < 0 || at >= std::ssize(found->second.sections)) return nullptr;
+  return found->second.sections[static_cast<size_t>(at)];
+}
+
+LayerRange WithHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo) {
+  LayerRange all = range;
+  const auto own = LayersOfObjects(
+      layers.subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())));
+  for (const auto& [object, has] : own) {
+    all.first = std::min(all.first, Reach(layers, object, range.first, -1, has.first - halo));
+    all.last = std::max(all.last, 1 + Reach(layers, object, range.last - 1, 1, has.last + halo));
+  }
+  return all;
+}
+
+absl::Status CheckHalo(std::span<const SlicedLayer> layers, LayerRange range, int32_t halo) {
+  const int32_t sent_from = layers.empty() ? 0 : layers.front().frame.index;
+  if (range.first < sent_from || range.size() < 0 ||
+      int64_t{range.last} - sent_from > std::ssize(layers))
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("layers [{}, {}) did not all come", range.first, range.last),
+                     {{"field", "layer"}});
+  const auto in_range = layers.subspan(static_cast<size_t>(range.first - sent_from),
+                                       static_cast<size_t>(range.size()));
+  const ObjectLayers there(layers);
+  for (const auto& [object, has] : LayersOfObjects(in_range)) {
+    const int32_t first = std::max(0, has.first - halo);
+    const int32_t last = std::min(has.count, has.last + 1 + halo);
+    for (int32_t layer = first; layer < last; ++layer) {
+      if (there.Find(object, layer) != nullptr) continue;
+      return MakeError(
+          absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+          fmt::format("layer {} of object {} did not come; the settings want the object's layers "
+                      "[{}, {}) for the range",
+                      layer, object, first, last),
+          {{"field", "layer"}});
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "common/model/placement.h"
+#include "common/stage/stages.h"
+
+namespace slicefarm {
+
+/// A file as an object of one part.
+inline ObjectInput ObjectOf(const MeshFile& file, int32_t index, const Placement& placement = {}) {
+  ObjectInput object;
+  object.name = file.name;
+  object.parts.resize(1);
+  object.parts[0].mesh.file = index;
+  object.to_plate = TransformOf(placement);
+  if (!placement.centers.empty()) object.copies.clear();
+  for (const Point center : placement.centers)
+    object.copies.push_back({CopyInput::Place::kMiddleAt, center});
+  return object;
+}
+
+/// Each file as an object of its own; placements beyond the end of the list are the usual ones.
+inline SliceInput InputOf(std::vector<MeshFile> files, std::vector<Placement> placements = {}) {
+  SliceInput input;
+  placements.resize(files.size());
+  for (size_t i = 0; i < files.size(); ++i)
+    input.objects.push_back(ObjectOf(files[i], static_cast<int32_t>(i), placements[i]));
+  input.files = std::move(files);
+  return input;
+}
+
+/// Options for as many objects, all alike.
+inline SlicingOptions ForObjects(SlicingOptions options, size_t objects) {
+  options.objects.resize(objects, options.objects.front());
+  return options;
+}
+
+}  // namespace slicefarm

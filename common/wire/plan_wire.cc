@@ -1,0 +1,148 @@
+#include "common/wire/plan_wire.h"
+
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/path_wire.h"
+#include "common/wire/region_wire.h"
+#include "common/wire/repeated_wire.h"
+
+namespace slicefarm {
+namespace {
+
+absl::Status CheckObject(int32_t object) {
+  if (0 <= object && object < limits::kMaxObjects) return absl::OkStatus();
+  return Malformed("object", "is not the index of an object");
+}
+
+bool IsWholeUm(Point shift) { return shift.x % 1000 == 0 && shift.y % 1000 == 0; }
+
+}  // namespace
+
+absl::Status ToProto(const Copy& copy, v1::Copy* proto) {
+  proto->set_object(copy.object);
+  proto->set_pass(copy.pass);
+  return ToProto(copy.shift, proto->mutable_shift());
+}
+
+absl::StatusOr<Copy> FromProto(const v1::Copy& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  const Point shift = FromProto(proto.shift());
+  if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
+  return Copy{proto.object(), shift, proto.pass()};
+}
+
+absl::Status ToProto(const PlacedCopy& copy, v1::PlacedCopy* proto) {
+  proto->set_object(copy.object);
+  absl::Status status = ToProto(copy.shift, proto->mutable_shift());
+  if (!status.ok()) return status;
+  return PackPoints(copy.footprint, proto->mutable_footprint_xy_nm());
+}
+
+absl::StatusOr<PlacedCopy> FromProto(const v1::PlacedCopy& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  const Point shift = FromProto(proto.shift());
+  if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
+  absl::StatusOr<Polygon> footprint = UnpackPoints(proto.footprint_xy_nm(), "footprint_xy_nm");
+  if (!footprint.ok()) return footprint.status();
+  return PlacedCopy{proto.object(), shift, *std::move(footprint)};
+}
+
+absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
+  proto->set_object(plan.object);
+  if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
+}
+
+absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
+  if (!seams.ok()) return seams.status();
+  return SectionPlan{proto.object(), FromProto(proto.entry()), *std::move(seams)};
+}
+
+absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
+  if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  absl::Status status = AllToProto(plan.sections, "sections", proto->mutable_sections());
+  if (!status.ok()) return status;
+  return AllToProto(plan.paths, "paths", proto->mutable_paths());
+}
+
+absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
+  LayerPlan plan{FromProto(proto.entry()), {}, {}};
+  absl::Status status = AllFromProto(proto.sections(), "sections", &plan.sections);
+  status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
+  if (!status.ok()) return status;
+  for (size_t i = 1; i < plan.sections.size(); ++i) {
+    if (plan.sections[i - 1].object >= plan.sections[i].object) {
+      return Malformed("sections", "their objects do not ascend");
+    }
+  }
+  return plan;
+}
+
+absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto) {
+  proto->set_layer(addition.layer);
+  proto->set_height_nm(addition.height_nm);
+  absl::Status status = AllToProto(addition.regions, "regions", proto->mutable_regions());
+  if (!status.ok()) return status;
+  return AllToProto(addition.paths, "paths", proto->mutable_paths());
+}
+
+absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto) {
+  absl::Status status = CheckSection(kPlate, proto.layer(), proto.height_nm());
+  if (!status.ok()) return status;
+  PlateAddition addition{proto.layer(), proto.height_nm(), {}, {}};
+  status.Update(AllFromProto(proto.regions(), "regions", &addition.regions));
+  status.Update(AllFromProto(proto.paths(), "paths", &addition.paths));
+  if (!status.ok()) return status;
+  return addition;
+}
+
+v1::CopyName ToProto(const CopyName& name) {
+  v1::CopyName proto;
+  proto.set_object_name(name.object_name);
+  proto.set_object(name.object);
+  proto.set_copy(name.copy);
+  proto.set_copies(name.copies);
+  return proto;
+}
+
+absl::StatusOr<CopyName> FromProto(const v1::CopyName& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.copy() < 0 || proto.copy() >= proto.copies() ||
+      proto.copies() > limits::kMaxObjects) {
+    return Malformed("copy", "is not one of the object's copies");
+  }
+  return CopyName{proto.object_name(), proto.object(), proto.copy(), proto.copies()};
+}
+
+v1::JobFacts ToProto(const JobFacts& facts) {
+  v1::JobFacts proto;
+  proto.set_layer_count(facts.layer_count);
+  for (const CopyName& name : facts.copies) *proto.add_copies() = ToProto(name);
+  return proto;
+}
+
+absl::StatusOr<JobFacts> FromProto(const v1::JobFacts& proto) {
+  if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayers) {
+    return Malformed("layer_count", "is not a number of layers");
+  }
+  if (proto.copies_size() > limits::kMaxObjects) {
+    return LimitError(Reason::kRequestTooLarge, "copies", limits::kMaxObjects,
+                      proto.copies_size());
+  }
+  JobFacts facts{proto.layer_count(), {}};
+  absl::Status status = AllFromProto(proto.copies(), "copies", &facts.copies);
+  if (!status.ok()) return status;
+  return facts;
+}
+
+}  // namespace slicefarm

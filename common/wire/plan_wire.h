@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/job_facts.h"
+#include "common/model/job_plan.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/layer.pb.h"
+#include "slicefarm/v1/planning.pb.h"
+
+namespace slicefarm {
+
+/// What planning is told and what it answers. Errors: those of geometry_wire.h and path_wire.h, with
+/// the way to the field; REQUEST_MALFORMED for numbers that no job has.
+
+absl::Status ToProto(const Copy& copy, v1::Copy* proto);
+absl::StatusOr<Copy> FromProto(const v1::Copy& proto);
+
+absl::Status ToProto(const PlacedCopy& copy, v1::PlacedCopy* proto);
+absl::StatusOr<PlacedCopy> FromProto(const v1::PlacedCopy& proto);
+
+absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto);
+absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto);
+
+absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
+absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
+
+absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto);
+absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto);
+
+v1::JobFacts ToProto(const JobFacts& facts);
+absl::StatusOr<JobFacts> FromProto(const v1::JobFacts& proto);
+
+v1::CopyName ToProto(const CopyName& name);
+absl::StatusOr<CopyName> FromProto(const v1::CopyName& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

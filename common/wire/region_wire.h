@@ -1,0 +1,26 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/layer.h"
+#include "slicefarm/v1/layer.pb.h"
+
+namespace slicefarm {
+
+/// Regions, and where sections stand among an object's layers. Errors are those of geometry_wire.h,
+/// and REQUEST_MALFORMED for numbers that no job has.
+
+absl::Status ToProto(const Region& region, v1::Region* proto);
+absl::StatusOr<Region> FromProto(const v1::Region& proto);
+
+absl::Status ToProto(const FillArea& area, v1::FillArea* proto);
+absl::StatusOr<FillArea> FromProto(const v1::FillArea& proto);
+
+/// An object's number, or kPlate; the object's own layer; the height of beads.
+absl::Status CheckSection(int32_t object, int32_t layer, int64_t height_nm);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

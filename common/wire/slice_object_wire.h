@@ -1,0 +1,25 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/stage/stages.h"
+#include "slicefarm/v1/slicing.pb.h"
+
+namespace slicefarm {
+
+/// An object as slicing is given it. Errors: OUT_OF_RANGE for what does not fit in 32-bit
+/// nanometres; REQUEST_MALFORMED, with the way to the field, for numbers that are not finite and
+/// indices that are negative.
+absl::Status ToProto(const ObjectInput& object, v1::SliceObject* proto);
+absl::StatusOr<ObjectInput> FromProto(const v1::SliceObject& proto);
+
+/// Row by row.
+void PutTransform(const Transform& transform, google::protobuf::RepeatedField<double>* proto);
+absl::StatusOr<Transform> TakeTransform(const google::protobuf::RepeatedField<double>& proto,
+                                        std::string_view field);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

@@ -1,0 +1,100 @@
+#include "services/beading/algo/section_walls.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+#include "services/beading/algo/local_beading_stage.h"
+
+namespace slicefarm::beading {
+namespace {
+
+double Mm2(const MultiPolygon& area) { return Area(area) * 1e-12; }
+
+/// A square of 20 mm, its right half of row 1.
+ObjectSection Halves() {
+  ObjectSection section{0, 3, 9, 200'000, {}, MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)")};
+  section.regions = {{Role::kPart, 0, 0, MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)")},
+                     {Role::kPart, 1, 0, MakePolygonsOrDie("(10 0, 20 0, 20 20, 10 20)")}};
+  return section;
+}
+
+WalledSection Walled(const ObjectSection& section, const std::vector<BeadingOptions>& regions) {
+  const NeighbourOutlines neighbours({&OutlineOf(section)});
+  auto result = WallSection({section, false, neighbours, 0}, regions, {});
+  EXPECT_TRUE(result.ok()) << result.status();
+  return result->walled;
+}
+
+TEST(WallSection, WallsRunOnWhereOnlyTheInfillChanges) {
+  const WalledSection walled = Walled(Halves(), {{}, {}});
+  ASSERT_EQ(walled.islands.size(), 1u);
+  EXPECT_EQ(walled.islands[0].walls.size(), 3u);
+  EXPECT_EQ(walled.islands[0].walls, Walled({0, 3, 9, 200'000,
+                                             {{Role::kPart, 0, 0, Halves().whole}}, {}},
+                                            {{}})
+                                         .islands[0]
+                                         .walls);
+  ASSERT_EQ(walled.islands[0].fill_areas.size(), 2u);
+  for (int32_t row : {0, 1}) {
+    const FillArea& area = walled.islands[0].fill_areas[static_cast<size_t>(row)];
+    EXPECT_EQ(area.settings, row);
+    const MultiPolygon inside =
+        Intersection(area.area, Halves().regions[static_cast<size_t>(row)].outlines);
+    EXPECT_NEAR(Mm2(area.area), Mm2(inside), 1e-6);
+  }
+  EXPECT_NEAR(Mm2(walled.islands[0].fill_areas[0].area),
+              Mm2(walled.islands[0].fill_areas[1].area), 1e-6);
+}
+
+TEST(WallSection, RegionsWithOtherWallsGetTheirOwn) {
+  std::vector<BeadingOptions> regions(2);
+  regions[1].perimeters = 1;
+  regions[1].wall_class = 1;
+  const WalledSection walled = Walled(Halves(), regions);
+  ASSERT_EQ(walled.islands.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(walled.islands[i].walls.size(), i == 0 ? 3u : 1u);
+    for (const Path& wall : walled.islands[i].walls)
+      EXPECT_EQ(wall.settings, static_cast<int32_t>(i));
+    ASSERT_EQ(walled.islands[i].fill_areas.size(), 1u);
+    EXPECT_EQ(walled.islands[i].fill_areas[0].settings, static_cast<int32_t>(i));
+  }
+}
+
+TEST(WallSection, OutermostWallsNameTheirRing) {
+  const ObjectSection section{
+      0,
+      3,
+      9,
+      200'000,
+      {{Role::kPart, 0, 0,
+        MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 12 12, 12 8)"
+                          " ; (30 0, 40 0, 40 9, 30 9)")}},
+      {}};
+  std::set<int32_t> rings;
+  for (const WalledIsland& island : Walled(section, {{}}).islands)
+    for (const Path& wall : island.walls)
+      if (wall.inset == 0 && wall.closed) rings.insert(wall.ring);
+  EXPECT_EQ(rings, (std::set<int32_t>{0, 1, 2}));
+}
+
+TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
+  ObjectSection section = Halves();
+  section.object = kPlate;
+  section.regions.resize(1);
+  section.regions[0].role = Role::kBrim;
+  section.whole = {};
+  const auto walled = Walled(section, {{}});
+  ASSERT_FALSE(walled.islands.empty());
+  for (const Path& wall : walled.islands[0].walls) {
+    EXPECT_EQ(wall.feature, Feature::kSkirt);
+    EXPECT_EQ(wall.ring, -1);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::beading

@@ -1,0 +1,198 @@
+#include "services/infill/algo/section_fill.h"
+
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "common/model/bead_section.h"
+#include "services/infill/algo/bridge_angle.h"
+#include "services/infill/algo/rectilinear.h"
+#include "services/infill/algo/skins.h"
+#include "services/infill/algo/solid.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// A section as all its fill areas see it.
+struct SectionView {
+  int32_t object = 0;
+  int32_t layer = 0;  ///< of the object's own
+  Coord height_nm = 0;
+  bool on_bed = false;
+  const ObjectLayers& objects;
+  const MultiPolygon* outline = nullptr;  ///< of the object's section
+
+  const MultiPolygon* OutlineAt(int32_t own_layer) const {
+    const ObjectSection* section = objects.Find(object, own_layer);
+    return section == nullptr ? nullptr : &OutlineOf(*section);
+  }
+};
+
+/// The outlines above or below. In a prism all layers are equal: that is found out here, once for
+/// all islands.
+std::vector<const MultiPolygon*> Side(const SectionView& view, int32_t step, int32_t count) {
+  std::vector<const MultiPolygon*> side;
+  const MultiPolygon* nearer = view.outline;
+  for (int32_t i = 1; i <= count; ++i) {
+    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step);
+    for (const MultiPolygon* same : {view.outline, nearer})
+      if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
+    side.push_back(layer);
+    nearer = layer;
+  }
+  return side;
+}
+
+Cover CoverOf(const SectionView& view, const InfillOptions& options) {
+  return {.above = Side(view, 1, options.top_solid_layers),
+          .below = Side(view, -1, options.bottom_solid_layers),
+          .on_bed = view.layer == 0};
+}
+
+/// Lines closer than nothing to each other would be infinitely many.
+absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
+  if (view.on_bed) {
+    return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
+                        view.height_nm);
+  }
+  absl::Status status =
+      CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
+  status.Update(
+      CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
+  if (options.density > 0) {
+    status.Update(
+        CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
+  }
+  return status;
+}
+
+/// Fills the areas of one region's settings in a section.
+class RegionFill {
+ public:
+  /// `view` and `options` must outlive this.
+  RegionFill(const SectionView& view, const InfillOptions& options)
+      : view_(view), options_(options), cover_(CoverOf(view, options)) {}
+
+  absl::Status Fill(const FillArea& fill_area, std::vector<FillGroup>& fills) const {
+    static const MultiPolygon kNone;
+    const Skins skins = PartFillArea(
+        fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
+        {.width_nm = Width(options_.solid_width_nm),
+         .solid_below_area_mm2 = options_.solid_below_area_mm2,
+         .all_solid = options_.density >= 1});
+    const SolidPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
+    absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
+                                      options_.top_width_nm, fills);
+    if (status.ok()) status = AppendBridges(skins.bridge, fills);
+    if (status.ok())
+      status =
+          AppendSolid(skins.solid, Feature::kSolidInfill, inner, options_.solid_width_nm, fills);
+    if (status.ok()) status = AppendSparse(skins.sparse, fills);
+    return status;
+  }
+
+ private:
+  Coord Width(Coord width_nm) const {
+    return view_.on_bed ? options_.first_layer_width_nm : width_nm;
+  }
+
+  /// Solid lines turn by a right angle from layer to layer.
+  double SolidAngle() const {
+    return options_.angle_rad + (view_.layer % 2 != 0 ? std::numbers::pi / 2 : 0);
+  }
+
+  absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, SolidPattern pattern,
+                           Coord width_nm, std::vector<FillGroup>& fills) const {
+    for (const PolygonWithHoles& region : regions) {
+      const absl::Status status =
+          AppendSolidRegion(region, feature, pattern, SolidAngle(), width_nm, fills);
+      if (!status.ok()) return status;
+    }
+    return absl::OkStatus();
+  }
+
+  /// Each bridge in the direction in which it is borne best.
+  absl::Status AppendBridges(const MultiPolygon& regions, std::vector<FillGroup>& fills) const {
+    const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
+    for (const PolygonWithHoles& region : regions) {
+      const auto angle =
+          below == nullptr ? std::nullopt : BridgeAngle(region, *below, options_.solid_width_nm);
+      const absl::Status status =
+          AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
+                            angle.value_or(SolidAngle()), options_.solid_width_nm, fills);
+      if (!status.ok()) return status;
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status AppendSolidRegion(const PolygonWithHoles& region, Feature feature,
+                                 SolidPattern pattern, double angle_rad, Coord width_nm,
+                                 std::vector<FillGroup>& fills) const {
+    auto group = FillSolid(region, {.feature = feature,
+                                    .pattern = pattern,
+                                    .angle_rad = angle_rad,
+                                    .width_nm = Width(width_nm),
+                                    .height_nm = view_.height_nm,
+                                    .overlap_nm = options_.overlap_nm});
+    if (!group.ok()) return group.status();
+    if (!group->paths.empty()) fills.push_back(*std::move(group));
+    return absl::OkStatus();
+  }
+
+  absl::Status AppendSparse(const MultiPolygon& region, std::vector<FillGroup>& fills) const {
+    auto paths = FillSparse(region, {.pattern = options_.pattern,
+                                     .density = options_.density,
+                                     .angle_rad = options_.angle_rad,
+                                     .layer_index = view_.layer,
+                                     .width_nm = Width(options_.sparse_width_nm),
+                                     .height_nm = view_.height_nm,
+                                     .overlap_nm = options_.overlap_nm});
+    if (!paths.ok()) return paths.status();
+    if (!paths->empty()) fills.push_back({false, *std::move(paths)});
+    return absl::OkStatus();
+  }
+
+  const SectionView& view_;
+  const InfillOptions& options_;
+  const Cover cover_;
+};
+
+/// Says of each path whose it is.
+void Sign(const FillArea& area, std::span<FillGroup> fills) {
+  for (FillGroup& group : fills) {
+    for (Path& path : group.paths) {
+      path.settings = area.settings;
+      path.tool = area.tool;
+      path.feature = FeatureFor(area.role, path.feature);
+    }
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
+                                          const ObjectLayers& objects,
+                                          std::span<const InfillOptions> regions) {
+  SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
+  view.outline = view.OutlineAt(walled.layer);
+  FilledSection filled{walled.object, walled.layer, walled.height_nm, {}};
+  std::map<int32_t, RegionFill> fillers;  // by row
+  for (WalledIsland& island : walled.islands) {
+    FilledIsland result;
+    result.walls = std::move(island.walls);
+    for (const FillArea& area : island.fill_areas) {
+      const InfillOptions& options = regions[static_cast<size_t>(area.settings)];
+      if (absl::Status ok = CheckWidths(view, options); !ok.ok()) return ok;
+      const auto filler = fillers.try_emplace(area.settings, view, options).first;
+      const size_t first = result.fills.size();
+      if (absl::Status ok = filler->second.Fill(area, result.fills); !ok.ok()) return ok;
+      Sign(area, std::span(result.fills).subspan(first));
+    }
+    filled.islands.push_back(std::move(result));
+  }
+  return filled;
+}
+
+}  // namespace slicefarm::infill

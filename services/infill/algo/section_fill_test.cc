@@ -1,0 +1,92 @@
+#include "services/infill/algo/section_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+/// Ten equal layers of a square of 20 mm.
+std::vector<SlicedLayer> Prism() {
+  std::vector<SlicedLayer> layers(10);
+  for (int i = 0; i < 10; ++i) {
+    layers[i].frame = {i, 200'000 * (i + 1), 200'000};
+    layers[i].sections = {{0, i, 10, 200'000,
+                           {{Role::kPart, 0, 0, P("(0 0, 20 0, 20 20, 0 20)")}}, {}}};
+  }
+  return layers;
+}
+
+/// The section of one layer, its fill area in two halves of a row each.
+WalledSection Halves(int32_t layer) {
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")},
+                       {Role::kPart, 1, 0, P("(10 1, 19 1, 19 19, 10 19)")}};
+  return {0, layer, 200'000, {island}};
+}
+
+std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
+  std::set<Feature> features;
+  for (const FilledIsland& island : section.islands)
+    for (const FillGroup& group : island.fills)
+      for (const Path& path : group.paths)
+        if (path.settings == row) features.insert(path.feature);
+  return features;
+}
+
+TEST(FillSection, EachAreaHasItsRegionsSettings) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2);
+  regions[0].top_solid_layers = regions[0].bottom_solid_layers = 1;
+  regions[1].density = 1;
+  const auto filled = FillSection(Halves(5), false, objects, regions);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
+  EXPECT_EQ(FeaturesOf(*filled, 1), std::set{Feature::kSolidInfill});
+}
+
+TEST(FillSection, SkinsAreAsManyLayersAsTheRegionSays) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2);
+  regions[0].top_solid_layers = 2;
+  regions[1].top_solid_layers = 4;
+  regions[0].bottom_solid_layers = regions[1].bottom_solid_layers = 0;
+  const auto filled = FillSection(Halves(7), false, objects, regions);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
+  EXPECT_EQ(FeaturesOf(*filled, 1), std::set{Feature::kSolidInfill});
+}
+
+// The lowest layer of an object is its bottom, and no bridge, on a raft as on the bed.
+TEST(FillSection, TheLowestLayerIsNoBridge) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  const std::vector<InfillOptions> regions(2);
+  for (const bool on_bed : {true, false}) {
+    const auto filled = FillSection(Halves(0), on_bed, objects, regions);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+    EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSolidInfill});
+  }
+}
+
+TEST(FillSection, ThePlateHasNoNeighbours) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(1);
+  regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
+  WalledIsland island;
+  island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
+  const auto filled = FillSection({kPlate, 0, 300'000, {island}}, true, objects, regions);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

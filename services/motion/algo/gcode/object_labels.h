@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "common/model/job_facts.h"
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+
+namespace slicefarm::motion {
+
+/// Tells hosts and firmwares which copy is printed, so that one of them can be cancelled. By
+/// gcode_label_objects: `octoprint` writes comments, `firmware` EXCLUDE_OBJECT_* for Klipper and
+/// M486 for Marlin. Characters of a name that could end its line or its word are replaced.
+/// Source: PrusaSlicer's labels; Klipper, "Exclude Objects"; Marlin, "M486".
+
+/// `NAME id:2 copy 0` in comments; `NAME_(Instance_2)-5` for Klipper; else `NAME (Instance 2)`.
+/// `index`: of the copy in its job.
+std::string LabelOf(const CopyName& name, size_t index, const MotionOptions& options);
+
+/// Before and after what is printed of a copy; nothing if labels are off.
+void BeginCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);
+void EndCopy(const CopyName& name, size_t index, const MotionOptions& options, GcodeText& out);
+
+/// What the head of the file says of all copies.
+void DefineCopies(std::span<const CopySummary> copies, const MotionOptions& options,
+                  GcodeText& out);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,120 @@
+#include "services/ordering/algo/section_order.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "services/ordering/algo/fill_order.h"
+#include "services/ordering/algo/path_key.h"
+#include "services/ordering/algo/route.h"
+#include "services/ordering/algo/wall_order.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+template <typename Visitor>
+void ForEachPath(FilledIsland& island, const Visitor& visit) {
+  for (Path& wall : island.walls) visit(wall);
+  for (FillGroup& group : island.fills) {
+    for (Path& path : group.paths) visit(path);
+  }
+}
+
+/// An island on the way through the section.
+struct Stop {
+  FilledIsland* island;
+  Point middle;
+  Point least;
+};
+
+std::vector<Stop> StopsOf(FilledSection& section) {
+  std::vector<Stop> stops;
+  for (FilledIsland& island : section.islands) {
+    Box box;
+    Point least{INT64_MAX, INT64_MAX};
+    ForEachPath(island, [&](const Path& path) {
+      box.Add(Bounds(path.points));
+      least = std::min(least, LeastPoint(path));
+    });
+    if (box.Empty()) continue;
+    const Point middle{box.min.x + (box.max.x - box.min.x) / 2,
+                       box.min.y + (box.max.y - box.min.y) / 2};
+    stops.push_back({&island, middle, least});
+  }
+  std::stable_sort(stops.begin(), stops.end(),
+                   [](const Stop& a, const Stop& b) { return a.least < b.least; });
+  return stops;
+}
+
+std::vector<FillBlock> BlocksOf(std::vector<FillGroup>& fills) {
+  std::vector<FillBlock> blocks;
+  for (FillGroup& group : fills) {
+    if (group.paths.empty()) continue;
+    if (group.keep_order) blocks.emplace_back();
+    for (Path& path : group.paths) {
+      if (!group.keep_order) blocks.emplace_back();
+      blocks.back().paths.push_back(&path);
+    }
+  }
+  return blocks;
+}
+
+InsetOrder OrderOf(const WallOrder& walls) {
+  if (walls.inner_outer_inner) return InsetOrder::kInnerOuterInner;
+  return walls.external_perimeters_first ? InsetOrder::kOuterFirst : InsetOrder::kInnerFirst;
+}
+
+/// An island's walls have the settings of one region, or of regions whose walls are alike.
+InsetOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
+  if (island.walls.empty()) return InsetOrder::kInnerFirst;
+  return OrderOf(options.walls[static_cast<size_t>(island.walls.front().settings)]);
+}
+
+void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
+                 std::span<const Point> seams, Route& route, WorkBudget& budget) {
+  const WallRules rules{OrderOf(island, options), seams};
+  std::vector<Path*> walls;
+  std::vector<FillBlock> gaps;
+  for (Path& wall : island.walls) {
+    if (wall.feature == Feature::kGapFill) {
+      gaps.push_back({{&wall}});
+    } else {
+      walls.push_back(&wall);
+    }
+  }
+  std::vector<FillBlock> fills = BlocksOf(island.fills);
+  if (options.infill_first) {
+    PrintFills(std::move(fills), {}, route, budget);
+    PrintWalls(walls, rules, route, budget);
+    PrintFills(std::move(gaps), next, route, budget);
+    return;
+  }
+  PrintWalls(walls, rules, route, budget);
+  // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
+  std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
+  PrintFills(std::move(fills), next, route, budget);
+}
+
+}  // namespace
+
+std::vector<Path> OrderSection(FilledSection section, const SectionPlan& plan,
+                               const OrderingOptions& options, WorkBudget& budget) {
+  const std::vector<Stop> stops = StopsOf(section);
+  std::vector<Leg> legs;
+  legs.reserve(stops.size());
+  for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
+  const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
+
+  Route route(plan.entry);
+  for (size_t i = 0; i < visits.size(); ++i) {
+    std::optional<Point> next;
+    if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
+    PrintIsland(*stops[visits[i].leg].island, next, options, plan.seams, route, budget);
+  }
+  return route.TakePaths();
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::planning {
+
+enum class BrimType {
+  kNone,
+  kOuterOnly,      ///< around the object
+  kInnerOnly,      ///< in its holes
+  kOuterAndInner,  ///< both
+  kEars,           ///< discs at sharp corners of the outer rings only
+};
+
+/// Names in the comments are the settings' (PrusaSlicer's; ears: OrcaSlicer's).
+struct BrimOptions {
+  BrimType type = BrimType::kNone;  ///< brim_type
+  Coord width_nm = 0;               ///< brim_width
+  Coord separation_nm = 0;          ///< brim_separation
+  Coord line_width_nm = 400'000;    ///< of the brim's lines; below half of it nothing is left
+  double ear_max_angle_rad =
+      2.18166;                      ///< brim_ears_max_angle: inner angle of a corner, 125 degrees
+  Coord ear_radius_nm = 5'000'000;  ///< of the disc around a corner
+  Coord ear_detection_nm = 50'000;  ///< corners are those of the outline simplified to this
+
+  friend bool operator==(const BrimOptions&, const BrimOptions&) = default;
+};
+
+/// One object on the plate.
+struct BrimObject {
+  MultiPolygon outlines;  ///< what its first layer prints, elephant foot compensation applied
+  BrimOptions options;
+};
+
+/// The regions that the objects' brims cover, one for each object, disjoint.
+///
+/// An object's brim is what lies farther than its separation, and no farther than separation +
+/// width, from its outlines: on the outside of its outer rings, in its holes, or both. What stands
+/// in a hole of the same object counts as inside: kOuterOnly gives it none. Another object that
+/// stands there is an object like any other.
+/// - No brim comes closer to any object than that object's separation (its brim or no brim).
+/// - A piece that lost its own object, such as in the hole of a part beside it, is left out.
+/// - Where brims overlap, the object that comes first in `objects` has the place; the seam between
+///   two leaves no piece thinner than half a line, the first one takes that too.
+/// - What is thinner than half a line is left out.
+/// - Nothing lies outside of `bed`; an empty one is no limit.
+///
+/// Shapes: objects may touch or overlap. Units: nm, in plate coordinates; distances are exact to
+/// 0.008 mm, joins round. Errors: none; negative width or separation count as 0.
+/// Cost: O(n log n) an object and its neighbours.
+/// Source: measured, PrusaSlicer 2.5.0, box, frame, and frame with a pin in it: the brim starts at
+/// brim_separation from the compensated outline, floor(width / spacing) lines, the outermost
+/// printed first; outer_only gives a pin in the frame's hole nothing, inner_only and
+/// outer_and_inner give it its ring; no brim with a raft. Here the region is as wide as asked.
+std::vector<MultiPolygon> BrimRegions(std::span<const BrimObject> objects, const Polygon& bed);
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,182 @@
+#include "services/planning/algo/adhesion/skirt.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+MultiPolygon P(const std::string& text) { return MakePolygonsOrDie(text); }
+
+const MultiPolygon& Box20() {
+  static const auto* box = new MultiPolygon(P("(0 0, 20 0, 20 20, 0 20)"));
+  return *box;
+}
+
+double Mm(const Path& path) { return ToMm(PathLength(path)); }
+
+struct Case {
+  std::string name;
+  SkirtOptions options;
+  MultiPolygon parts, brims;
+  std::vector<double> distances_mm;  ///< of the centre lines from the 20 mm box, as printed
+};
+
+TEST(SkirtLoops, StandWhereTheSettingsSay) {
+  const double s = 0.4 - 0.2 * (1 - kPi / 4);
+  const MultiPolygon brim = P("(-4 -4, 24 -4, 24 24, -4 24) (0 0, 20 0, 20 20, 0 20)");
+  const std::vector<Case> cases = {
+      {"Default", {}, Box20(), {}, {6.2}},
+      {"Three", {.loops = 3}, Box20(), {}, {6.2 + 2 * s, 6.2 + s, 6.2}},
+      {"OutsideOfTheBrim", {.loops = 2}, Box20(), brim, {10.2 + s, 10.2}},
+      {"Close", {.distance_nm = 0}, Box20(), {}, {0.2}},
+      {"Wide", {.loops = 2, .width_nm = 600'000}, Box20(), {}, {6.3 + s + 0.2, 6.3}},
+      {"ShieldBesideTheBrim",
+       {.distance_nm = 2'000'000, .draft_shield = DraftShield::kLimited},
+       Box20(),
+       brim,
+       {2.2}},
+      {"None", {.loops = 0, .min_length_nm = 1'000'000}, Box20(), {}, {}},
+      {"NoneForAShield", {.loops = 0, .draft_shield = DraftShield::kEnabled}, Box20(), {}, {}},
+      {"NothingToGoRound", {}, {}, {}, {}},
+      {"NoSpacing", {.width_nm = 100'000, .height_nm = 600'000}, Box20(), {}, {}},
+  };
+  for (const Case& c : cases) {
+    const std::vector<Path> loops = SkirtLoops(c.parts, c.brims, c.options);
+    ASSERT_EQ(loops.size(), c.distances_mm.size()) << c.name;
+    for (size_t i = 0; i < loops.size(); ++i) {
+      const Box box = Bounds(loops[i].points);
+      EXPECT_NEAR(ToMm(static_cast<double>(box.max.x)), 20 + c.distances_mm[i], 1e-3) << c.name;
+      EXPECT_NEAR(ToMm(static_cast<double>(box.min.y)), -c.distances_mm[i], 1e-3) << c.name;
+    }
+  }
+}
+
+TEST(SkirtLoops, CornersAreRound) {
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {});
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_NEAR(Mm(loops[0]), 80 + 2 * kPi * 6.2, 0.05);
+  EXPECT_TRUE(loops[0].closed);
+  EXPECT_EQ(loops[0].feature, Feature::kSkirt);
+  EXPECT_TRUE(WellFormed(loops[0]));
+  EXPECT_GT(SignedArea(loops[0].points), 0);
+}
+
+TEST(SkirtLoops, GoRoundTheHullOfAll) {
+  const MultiPolygon apart = P("(0 0, 5 0, 5 5, 0 5) ; (15 15, 20 15, 20 20, 15 20)");
+  const MultiPolygon hull = P("(0 0, 5 0, 20 15, 20 20, 15 20, 0 5)");
+  EXPECT_EQ(SkirtLoops(apart, {}, {}), SkirtLoops(hull, {}, {}));
+  EXPECT_EQ(SkirtLoops(Union(Box20(), apart), {}, {}), SkirtLoops(Box20(), {}, {}));
+}
+
+// PrusaSlicer's count: 6 loops where 20 mm of filament are asked for.
+TEST(SkirtLoops, AreAddedUntilTheLengthIsReached) {
+  const SkirtOptions options{.min_length_nm = 20'000'000};
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
+  EXPECT_EQ(loops.size(), 6u);
+  double filament_mm = 0;
+  for (const Path& loop : loops)
+    filament_mm += Mm(loop) * SectionMm2(400'000, 200'000) / options.filament_area_mm2;
+  EXPECT_GE(filament_mm, 20);
+  EXPECT_LT(filament_mm - Mm(loops.front()) * 0.0297, 20);
+  EXPECT_EQ(SkirtLoops(Box20(), {}, {.min_length_nm = INT64_MAX / 2}).size(), 500u);
+}
+
+TEST(SkirtLayers, AreAllWithAShieldOnly) {
+  EXPECT_EQ(SkirtLayers({.height_layers = 3}, 10), 3);
+  EXPECT_EQ(SkirtLayers({.height_layers = 30}, 10), 10);
+  EXPECT_EQ(SkirtLayers({.height_layers = 0}, 10), 0);
+  EXPECT_EQ(SkirtLayers({.height_layers = 3, .draft_shield = DraftShield::kLimited}, 10), 3);
+  EXPECT_EQ(SkirtLayers({.height_layers = 3, .draft_shield = DraftShield::kEnabled}, 10), 10);
+  EXPECT_EQ(SkirtLayers({.loops = 0, .draft_shield = DraftShield::kEnabled}, 10), 0);
+}
+
+TEST(ShieldKeepOut, IsTheBandOfItsLoops) {
+  const SkirtOptions options{.loops = 2, .draft_shield = DraftShield::kEnabled};
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
+  const MultiPolygon band = ShieldKeepOut(loops, options);
+  const double s = 0.4 - 0.2 * (1 - kPi / 4), outer = 6.4 + s, inner = 6;
+  EXPECT_NEAR(Area(band) * 1e-12, 80 * (outer - inner) + kPi * (outer * outer - inner * inner),
+              0.2);
+  EXPECT_TRUE(ShieldKeepOut(loops, {}).empty());
+  EXPECT_TRUE(ShieldKeepOut({}, options).empty());
+}
+
+TEST(SkirtLoops, SurviveCrumbs) {
+  EXPECT_TRUE(SkirtLoops({{{{0, 0}, {5, 5}}, {}}}, {}, {}).empty());
+  EXPECT_TRUE(SkirtLoops({{{}, {}}}, {}, {}).empty());
+  EXPECT_LE(SkirtLoops({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, {}).size(), 1u);
+  EXPECT_EQ(SkirtLoops(P("(0 0, 50 0.000001, 100 0)"), {}, {}).size(), 1u);
+}
+
+double Reach(const std::vector<Point>& points, double x, double y) {
+  double reach = -INFINITY;
+  for (const Point p : points)
+    reach = std::max(reach, static_cast<double>(p.x) * x + static_cast<double>(p.y) * y);
+  return reach;
+}
+
+/// How far the loop stands out beyond the parts in any direction.
+void ExpectStandsOut(const Path& loop, const MultiPolygon& parts, double by_nm, int trial) {
+  std::vector<Point> points;
+  ForEachRing(parts,
+              [&](const Polygon& ring) { points.insert(points.end(), ring.begin(), ring.end()); });
+  for (int k = 0; k < 48; ++k) {
+    const double x = std::cos(2 * kPi * k / 48), y = std::sin(2 * kPi * k / 48);
+    ASSERT_NEAR(Reach(loop.points, x, y) - Reach(points, x, y), by_nm, 8'000) << trial;
+  }
+}
+
+MultiPolygon RandomPlate(std::mt19937& random) {
+  MultiPolygon plate;
+  for (int i = 1 + static_cast<int>(random() % 4); i > 0; --i) {
+    const Point middle = RandomPoint(random, {{0, 0}, {80'000'000, 80'000'000}});
+    const MultiPolygon island = RandomIsland(random, middle, Uniform(random, 1, 15));
+    plate.insert(plate.end(), island.begin(), island.end());
+  }
+  return plate;
+}
+
+TEST(SkirtLoops, KeepTheirDistanceOnRandomPlates) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const MultiPolygon parts = RandomPlate(random);
+    const SkirtOptions options{.loops = 1 + trial % 3,
+                               .distance_nm = std::llround(Uniform(random, 0, 9e6)),
+                               .width_nm = std::llround(Uniform(random, 3e5, 8e5))};
+    const std::vector<Path> loops = SkirtLoops(parts, {}, options);
+    ASSERT_EQ(loops.size(), static_cast<size_t>(options.loops));
+    for (size_t i = 0; i < loops.size(); ++i) {
+      const auto turn = static_cast<Coord>(loops.size() - 1 - i);
+      const Coord by_nm = options.distance_nm + options.width_nm / 2 +
+                          turn * Spacing(options.width_nm, options.height_nm);
+      ExpectStandsOut(loops[i], parts, static_cast<double>(by_nm), trial);
+    }
+  }
+}
+
+TEST(SkirtLoops, DoNotDependOnOrderAndFollowTheParts) {
+  std::mt19937 random(6);
+  for (int trial = 0; trial < 100; ++trial) {
+    MultiPolygon parts = RandomPlate(random);
+    const std::vector<Path> loops = SkirtLoops(parts, {}, {});
+    std::reverse(parts.begin(), parts.end());
+    EXPECT_EQ(SkirtLoops(parts, {}, {}), loops);
+    EXPECT_NEAR(Mm(SkirtLoops(QuarterTurned(parts), {}, {})[0]), Mm(loops[0]), 0.01);
+    EXPECT_NEAR(Mm(SkirtLoops(Mirrored(parts), {}, {})[0]), Mm(loops[0]), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/planning_options.h"
+#include "common/stage/stages.h"
+#include "services/planning/algo/planner.h"
+
+namespace slicefarm::planning {
+
+/// Plans a job layer by layer, bottom up, so that layers can stream in and plans out. What is kept
+/// is what the planners keep, which is no more than a few layers each. The planners, in the order in
+/// which they look at a layer:
+///
+///   1 seams    where walls start (seams/seam_planner.h)
+///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
+///
+/// One thread; the plan depends on nothing but the arguments.
+class JobPlanner {
+ public:
+  /// `options` and `copies` must outlive this. Errors: REQUEST_MALFORMED for copies of objects that
+  /// have no options.
+  static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
+                                         std::span<const PlacedCopy> copies);
+
+  /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
+  absl::StatusOr<LayerPlan> Next(const SlicedLayer& layer);
+
+  /// Everything but the layers' plans. To be called once, after the last layer.
+  absl::StatusOr<JobPlan> Finish();
+
+ private:
+  JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies);
+
+  const PlanningOptions* options_;
+  std::span<const PlacedCopy> copies_;
+  std::vector<std::unique_ptr<Planner>> planners_;
+};
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,44 @@
+#include "services/planning/algo/job_planner.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "services/planning/algo/layers_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr std::string_view kSquare = "(-5 -5, 5 -5, 5 5, -5 5)";
+
+TEST(JobPlanner, EachPlannerAddsToTheSameSections) {
+  const PlanningOptions options;
+  const std::vector<PlacedCopy> copies = {{0, {FromMm(100), FromMm(50)}, {}}};
+  auto planner = JobPlanner::Make(options, copies);
+  ASSERT_TRUE(planner.ok());
+  const auto layers = LayersOrDie({kSquare, kSquare});
+  ASSERT_TRUE(planner->Next(layers[0]).ok());
+  const auto plan = planner->Next(layers[1]);
+  ASSERT_TRUE(plan.ok());
+  ASSERT_EQ(plan->sections.size(), 1u);
+  EXPECT_EQ(plan->sections[0].seams.size(), 1u);
+  EXPECT_EQ(plan->entry, copies[0].shift + plan->sections[0].entry);
+  const auto job = planner->Finish();
+  ASSERT_TRUE(job.ok());
+  EXPECT_EQ(job->copies, (std::vector<Copy>{{0, copies[0].shift, 0}}));
+}
+
+TEST(JobPlanner, RefusesObjectsWithoutOptions) {
+  const PlanningOptions options;
+  const std::vector<PlacedCopy> copies = {{1, {}, {}}};
+  EXPECT_EQ(DetailOf(JobPlanner::Make(options, copies).status()).reason,
+            Reason::kRequestMalformed);
+  auto planner = JobPlanner::Make(options, {});
+  SlicedLayer layer;
+  for (const int32_t object : {1, kPlate}) {
+    layer.sections = {SectionOrDie(object, 0, kSquare)};
+    EXPECT_EQ(DetailOf(planner->Next(layer).status()).reason, Reason::kRequestMalformed);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

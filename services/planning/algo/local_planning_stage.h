@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "common/stage/stages.h"
+
+namespace slicefarm::planning {
+
+/// The planning stage in this process: a JobPlanner over the layers. Stateless.
+/// Errors: JobPlanner's; Cancelled, polled once a layer.
+std::unique_ptr<PlanningStage> MakeLocalPlanning();
+
+}  // namespace slicefarm::planning

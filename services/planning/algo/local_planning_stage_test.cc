@@ -1,0 +1,28 @@
+#include "services/planning/algo/local_planning_stage.h"
+
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/layers_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+TEST(LocalPlanning, PlansEachLayer) {
+  const auto layers = LayersOrDie({"(0 0, 9 0, 9 9)", "", "(0 0, 9 0, 9 9)"});
+  const std::vector<PlacedCopy> copies = {{0, {}, {}}};
+  const auto plan = MakeLocalPlanning()->Plan({}, {layers, copies}, {});
+  ASSERT_TRUE(plan.ok()) << plan.status();
+  EXPECT_EQ(plan->layers.size(), 3u);
+  EXPECT_EQ(plan->copies.size(), 1u);
+  EXPECT_TRUE(plan->additions.empty());
+}
+
+TEST(LocalPlanning, IsCancelled) {
+  const auto layers = LayersOrDie({"(0 0, 9 0, 9 9)"});
+  StageCall call;
+  call.cancel = CancelToken([] { return true; });
+  EXPECT_TRUE(absl::IsCancelled(MakeLocalPlanning()->Plan(call, {layers, {}}, {}).status()));
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,104 @@
+#include "services/planning/algo/travel/travel_planner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/geometry/measure.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// Sections of more islands are visited in the order in which they come.
+constexpr size_t kMaxVisited = 2000;
+/// Objects are entered from the front left, where the nozzle comes from at first.
+constexpr Point kFrontLeft{-1'000 * kNmPerMm, -1'000 * kNmPerMm};
+
+double DistanceToBox(Point p, const Box& box) {
+  const Point nearest{std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)};
+  return Distance(p, nearest);
+}
+
+Point Nearest(const Polygon& ring, Point to) {
+  return *std::min_element(ring.begin(), ring.end(), [to](Point a, Point b) {
+    return SquaredNorm(a - to) < SquaredNorm(b - to);
+  });
+}
+
+struct Island {
+  const Polygon* ring = nullptr;
+  Box box;
+};
+
+/// Where a section that is entered at `entry` is left: its islands by nearest neighbour, each left
+/// where it was entered. To guess that fill ends at an island's far side costs up to a quarter more
+/// travel.
+Point LikelyExit(const MultiPolygon& outlines, Point entry) {
+  std::vector<Island> left;
+  for (const PolygonWithHoles& island : outlines)
+    left.push_back({&island.outer, Bounds(island.outer)});
+  if (left.empty()) return entry;
+  if (left.size() > kMaxVisited) return left.back().ring->front();
+  Point at = entry;
+  while (!left.empty()) {
+    const auto next =
+        std::min_element(left.begin(), left.end(), [&](const Island& a, const Island& b) {
+          return DistanceToBox(at, a.box) < DistanceToBox(at, b.box);
+        });
+    at = Nearest(*next->ring, at);
+    left.erase(next);
+  }
+  return at;
+}
+
+bool Has(const std::vector<int32_t>& objects, int32_t object) {
+  return std::ranges::binary_search(objects, object);
+}
+
+}  // namespace
+
+void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
+  std::vector<int32_t> objects;
+  for (const ObjectSection& section : layer.sections) {
+    const auto [left_at, is_new] = left_at_.try_emplace(section.object, kFrontLeft);
+    PlanOf(section.object, plan).entry = left_at->second;
+    left_at->second = LikelyExit(OutlineOf(section), left_at->second);
+    if (!section.regions.empty()) objects.push_back(section.object);
+  }
+  plan.entry = plate_left_at_;
+  if (objects.empty() || copies_.empty()) return;
+  const int32_t last = LastCopy({objects, NearestCopy(objects)});
+  if (last < 0) return;
+  const PlacedCopy& copy = copies_[static_cast<size_t>(last)];
+  plate_left_at_ = copy.shift + left_at_[copy.object];
+}
+
+int32_t TravelPlanner::NearestCopy(const std::vector<int32_t>& objects) const {
+  int32_t nearest = -1;
+  for (size_t i = 0; i < copies_.size(); ++i) {
+    if (!Has(objects, copies_[i].object)) continue;
+    if (nearest < 0 || Distance(copies_[i].shift, plate_left_at_) <
+                           Distance(copies_[static_cast<size_t>(nearest)].shift, plate_left_at_))
+      nearest = static_cast<int32_t>(i);
+  }
+  return nearest;
+}
+
+int32_t TravelPlanner::LastCopy(const Beginning& beginning) {
+  if (beginning.second < 0) return -1;
+  const auto [known, is_new] = last_copies_.try_emplace(beginning, beginning.second);
+  if (!is_new) return known->second;
+  std::vector<int32_t> left;
+  for (size_t i = 0; i < copies_.size(); ++i)
+    if (Has(beginning.first, copies_[i].object)) left.push_back(static_cast<int32_t>(i));
+  int32_t at = beginning.second;
+  const auto away = [&](int32_t copy) {
+    return Distance(copies_[static_cast<size_t>(copy)].shift,
+                    copies_[static_cast<size_t>(at)].shift);
+  };
+  for (std::erase(left, at); !left.empty(); std::erase(left, at))
+    at = *std::ranges::min_element(left, {}, away);
+  known->second = at;
+  return at;
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/stage/stages.h"
+#include "services/planning/algo/planner.h"
+
+namespace slicefarm::planning {
+
+/// Where each layer is entered: where the one before ends, as far as outlines tell. So islands of an
+/// object, and copies on the plate, are printed to and fro from layer to layer.
+///
+/// An object's islands are visited by nearest neighbour in the object's own coordinates, whatever
+/// stands around it: its toolpaths are the same wherever it stands. Copies are visited by nearest
+/// neighbour over their places.
+/// Cost: O(points + islands^2) a section; O(copies^2) for each way in which layers begin.
+class TravelPlanner : public Planner {
+ public:
+  /// `copies` must outlive this.
+  explicit TravelPlanner(std::span<const PlacedCopy> copies) : copies_(copies) {}
+
+  void Look(const SlicedLayer& layer, LayerPlan& plan) override;
+
+ private:
+  /// Objects with outlines in a layer, by number, and the copy where the layer begins.
+  using Beginning = std::pair<std::vector<int32_t>, int32_t>;
+
+  int32_t LastCopy(const Beginning& beginning);
+  int32_t NearestCopy(const std::vector<int32_t>& objects) const;
+
+  const std::span<const PlacedCopy> copies_;
+  std::map<int32_t, Point> left_at_;       ///< by object, in its own coordinates
+  Point plate_left_at_;                    ///< at first the corner of the bed, where start G-code ends
+  std::map<Beginning, int32_t> last_copies_;  ///< known answers
+};
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,7 @@
+#include "common/rpc/server/serve.h"
+#include "services/planning/server/planning_service.h"
+
+int main(int argc, char** argv) {
+  return slicefarm::rpc::ServeStage<slicefarm::planning::PlanningService>(
+      argc, argv, "planning", "What is decided over a whole job");
+}

@@ -1,0 +1,71 @@
+#include "services/planning/server/planning_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
+#include "common/wire/start_wire.h"
+#include "services/planning/algo/job_planner.h"
+
+namespace slicefarm::planning {
+namespace {
+
+template <typename Stream>
+absl::Status Answer(const JobPlan& plan, Stream& stream) {
+  absl::Status status = WriteEach<v1::PlanResponse>(
+      stream, plan.layers, [](const LayerPlan& layer, v1::PlanResponse* proto) {
+        return ToProto(layer, proto->mutable_layer());
+      });
+  if (!status.ok()) return status;
+  status = WriteEach<v1::PlanResponse>(
+      stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
+        return ToProto(addition, proto->mutable_addition());
+      });
+  if (!status.ok()) return status;
+  v1::PlanResponse end;
+  end.mutable_end();
+  for (const Copy& copy : plan.copies) {
+    status = ToProto(copy, end.mutable_end()->add_copies());
+    if (!status.ok()) return status;
+  }
+  stream.Write(end);  // a client that is gone needs no error
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+grpc::Status PlanningService::PlanJob(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "PlanJob", [&](rpc::Call& call) { return Plan(call, buffered); });
+}
+
+absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
+  absl::StatusOr<PlanStart> start = ReadStart<v1::PlanRequest>(stream, call.cancel);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  absl::StatusOr<JobPlanner> planner = JobPlanner::Make(start->options, start->copies);
+  if (!planner.ok()) return planner.status();
+  std::vector<LayerPlan> plans;
+  absl::Status status = ReadEach<v1::PlanRequest>(
+      stream, [&](const v1::PlanRequest& request) -> absl::Status {
+        if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+        const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
+        if (!layer.ok()) return layer.status();
+        if (layer->frame.index != std::ssize(plans)) {
+          return Malformed("layer", "does not follow the one before");
+        }
+        return Append(planner->Next(*layer), &plans);
+      });
+  status.Update(call.cancel.Check());
+  if (!status.ok()) return status;
+  absl::StatusOr<JobPlan> plan = planner->Finish();
+  if (!plan.ok()) return plan.status();
+  plan->layers = std::move(plans);
+  return Answer(*plan, stream);
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,99 @@
+#include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/indexed_weld.h"
+#include "services/slicing/algo/mesh_io/text_lines.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
+
+absl::Status Bad(Reason reason, std::string_view what) {
+  return MakeError(absl::StatusCode::kInvalidArgument, reason, what);
+}
+
+std::optional<uint32_t> ParseIndex(std::string_view text) {
+  uint32_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+/// By the names of PrusaSlicer (which have a prefix), then of Bambu Studio and OrcaSlicer.
+uint8_t PaintOf(std::string_view name) {
+  name = name.substr(name.find(':') + 1);  // all of it if there is none
+  if (name == "custom_supports" || name == "paint_supports") return kPaintedSupports;
+  if (name == "custom_seam" || name == "paint_seam") return kPaintedSeams;
+  if (name == "mmu_segmentation" || name == "paint_color") return kPaintedColours;
+  if (name == "fuzzy_skin" || name == "paint_fuzzy_skin") return kPaintedFuzzySkin;
+  return 0;
+}
+
+}  // namespace
+
+absl::Status MeshCollector::Vertex(XmlAttributes attributes) {
+  std::array<double, 3> at;
+  unsigned seen = 0;
+  for (const XmlAttribute& attribute : attributes) {
+    if (attribute.name.size() != 1 || attribute.name[0] < 'x' || attribute.name[0] > 'z') continue;
+    const auto axis = static_cast<size_t>(attribute.name[0] - 'x');
+    std::optional<double> number = ParseNumber(attribute.value);
+    if (!number) number = ParseNumber(Words(attribute.value).Next());
+    if (!number) return Malformed("a coordinate is not a number");
+    at[axis] = *number * unit_mm_;
+    if (!(std::abs(at[axis]) <= reading_.coordinate_limit_mm))
+      return std::isfinite(*number)
+                 ? Bad(Reason::kOutOfRange, "a coordinate is farther out than 10 m")
+                 : Bad(Reason::kMeshNotFinite, "a coordinate is not a finite number");
+    seen |= 1u << axis;
+  }
+  if (seen != 7) return Malformed("a vertex must have x, y and z");
+  if (++reading_.vertices > kMaxVertices)
+    return LimitError(Reason::kMeshTooLarge, "vertices", kMaxVertices, reading_.vertices);
+  ++vertices_;
+  if (reading_.keep) mesh_.positions.push_back({at[0], at[1], at[2]});
+  return absl::OkStatus();
+}
+
+absl::Status MeshCollector::Triangle(XmlAttributes attributes) {
+  std::array<uint32_t, 3> corners;
+  unsigned seen = 0;
+  for (const XmlAttribute& attribute : attributes) {
+    const std::string_view name = attribute.name;
+    if (name.size() != 2 || name[0] != 'v' || name[1] < '1' || name[1] > '3') {
+      Note(attribute);
+      continue;
+    }
+    const auto corner = static_cast<size_t>(name[1] - '1');
+    const std::optional<uint32_t> index = ParseIndex(attribute.value);
+    if (!index) return Malformed("a corner is not the index of a vertex");
+    if (*index >= vertices_)
+      return LimitError(Reason::kMeshMalformed, "a corner's vertex, from 0", vertices_ - 1, *index);
+    corners[corner] = *index;
+    seen |= 1u << corner;
+  }
+  if (seen != 7) return Malformed("a triangle must have v1, v2 and v3");
+  if (++reading_.triangles > limits::kMaxTriangles)
+    return LimitError(Reason::kMeshTooLarge, "triangles", limits::kMaxTriangles,
+                      reading_.triangles);
+  ++triangles_;
+  if (reading_.keep) mesh_.triangles.push_back(corners);
+  return absl::OkStatus();
+}
+
+void MeshCollector::Note(const XmlAttribute& attribute) {
+  if (attribute.value.empty()) return;
+  if (attribute.name == "pid" || attribute.name == "p1") coloured_ = true;
+  paint_ |= PaintOf(attribute.name);
+}
+
+RawMesh MeshCollector::Take() && { return Welded(mesh_); }
+
+}  // namespace slicefarm::slicing::threemf

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+#include "services/slicing/algo/mesh_io/threemf/model_file.h"
+#include "services/slicing/algo/mesh_io/threemf/xml.h"
+
+namespace slicefarm::slicing::threemf {
+
+/// A model file, element by element: the core specification, and of the production extension the
+/// paths to other model files. What else there is, is passed over, unless the file says that nobody
+/// may. Source: 3MF Consortium, Core Specification 1.3, Production Extension 1.1.
+class ModelHandler : public XmlHandler {
+ public:
+  /// `meshes`: takes the meshes, one for each object that has one.
+  ModelHandler(MeshReading& reading, std::vector<RawMesh>& meshes)
+      : reading_(reading), meshes_(meshes) {}
+
+  absl::Status Start(std::string_view name, XmlAttributes attributes, int64_t line) override;
+  absl::Status End(std::string_view name) override;
+  absl::Status Text(std::string_view text) override;
+
+  /// Whether nothing came yet after the tag that millions of equal elements may follow. Whoever
+  /// finds them may tell of them by Element, and not tell the parser.
+  bool RunBegins() const { return run_begins_; }
+  /// The name of these elements, with its prefix: `vertex`, `triangle`.
+  std::string_view Repeated() const;
+  absl::Status Element(XmlAttributes attributes);
+
+  /// After the last element. Errors: MESH_MALFORMED if there was no `model`.
+  absl::StatusOr<ModelFile> Take() &&;
+
+ private:
+  /// Where in the document, as far as we know our way.
+  enum class At : uint8_t {
+    kDocument,
+    kModel,
+    kMetadata,
+    kResources,
+    kObject,
+    kMesh,
+    kVertices,
+    kTriangles,
+    kComponents,
+    kBuild,
+    kLeaf,
+    kUnknown,  ///< and everything in it
+  };
+
+  absl::StatusOr<At> Enter(std::string_view name, XmlAttributes attributes);
+  absl::StatusOr<At> EnterInModel(std::string_view name, XmlAttributes attributes);
+  absl::StatusOr<At> EnterInObject(std::string_view name);
+  absl::Status Model(XmlAttributes attributes);
+  absl::Status Object(XmlAttributes attributes);
+  absl::Status Component(XmlAttributes attributes);
+  absl::Status Item(XmlAttributes attributes);
+  void FinishMesh();
+
+  MeshReading& reading_;
+  std::vector<RawMesh>& meshes_;
+  std::string prefix_;  ///< of the core's elements, with the colon
+  std::string vertex_, triangle_;
+  std::vector<At> path_ = {At::kDocument};
+  ModelFile file_;
+  bool has_model_ = false;
+  std::optional<MeshCollector> mesh_;
+  std::string metadata_name_;
+  int64_t line_ = 0;
+  bool run_begins_ = false;
+};
+
+}  // namespace slicefarm::slicing::threemf

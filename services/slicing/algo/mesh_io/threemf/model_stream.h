@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "services/slicing/algo/mesh_io/raw_mesh.h"
+#include "services/slicing/algo/mesh_io/threemf/archive.h"
+#include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+#include "services/slicing/algo/mesh_io/threemf/model_file.h"
+
+namespace slicefarm::slicing::threemf {
+
+/// Reads a model file as it is expanded: an XML parser for its structure, a scanner for the runs of
+/// vertices and triangles. The result does not depend on where the pieces end.
+/// `meshes`: takes the meshes, in the order of the file. Errors: those of the archive, of XmlParser
+/// and of ModelHandler; Cancelled. Cost: one pass; memory for the meshes and a piece of text.
+absl::StatusOr<ModelFile> ReadModelFile(const Archive& archive, const ArchiveEntry& entry,
+                                        MeshReading& reading, std::vector<RawMesh>& meshes,
+                                        const CancelToken& cancel);
+
+}  // namespace slicefarm::slicing::threemf

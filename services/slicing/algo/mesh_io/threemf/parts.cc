@@ -1,0 +1,116 @@
+#include "services/slicing/algo/mesh_io/threemf/parts.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+#include "services/slicing/algo/mesh_io/threemf/place.h"
+#include "services/slicing/algo/mesh_io/threemf/xml.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+void NotePaint(const ObjectResource& object, std::string_view name, Notes& notes) {
+  if (object.paint & kPaintedSupports) notes.Add("painted supports", name);
+  if (object.paint & kPaintedSeams) notes.Add("painted seams", name);
+  if (object.paint & kPaintedColours) notes.Add("painted filaments", name);
+  if (object.paint & kPaintedFuzzySkin) notes.Add("painted fuzzy skin", name);
+  if (object.coloured) notes.Add("materials and colours", name);
+}
+
+/// The ranges in the order of their triangles must not meet, nor end beyond the last of them.
+absl::Status CheckRanges(const std::vector<PartSettings>& parts, int64_t triangles,
+                         const std::string& file) {
+  std::vector<const PartSettings*> sorted;
+  for (const PartSettings& part : parts) sorted.push_back(&part);
+  std::sort(sorted.begin(), sorted.end(), [](const PartSettings* a, const PartSettings* b) {
+    return a->first_triangle < b->first_triangle;
+  });
+  int64_t next = 0;
+  for (const PartSettings* part : sorted) {
+    const int64_t first = part->first_triangle, last = part->last_triangle;
+    if (first < next || last < first || last >= triangles)
+      return PlacedAt({file, part->line},
+                      Malformed(fmt::format("a volume of triangles {} to {} of {}, where {} is the "
+                                            "first that no other volume has",
+                                            first, last, triangles, next)));
+    next = last + 1;
+  }
+  return absl::OkStatus();
+}
+
+/// PrusaSlicer's volumes of an object with a mesh.
+absl::StatusOr<std::vector<Part>> Volumes(const PartsSource& source, const ObjectResource& object,
+                                          const ObjectSettings& settings) {
+  absl::Status status = CheckRanges(settings.parts, object.triangles, source.settings.part);
+  if (!status.ok()) return status;
+  std::vector<Part> parts;
+  for (const PartSettings& volume : settings.parts) {
+    Part part;
+    part.name = volume.name;
+    part.role = volume.role;
+    part.settings = volume.settings;
+    part.mesh.mesh = object.mesh;
+    part.mesh.first_triangle = volume.first_triangle;
+    part.mesh.triangle_count = volume.last_triangle - volume.first_triangle + 1;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+const PartSettings* SettingsOf(const ObjectSettings* object, ResourceId component) {
+  if (object == nullptr) return nullptr;
+  const auto found =
+      std::find_if(object->parts.begin(), object->parts.end(),
+                   [component](const auto& part) { return part.component == component; });
+  return found == object->parts.end() ? nullptr : &*found;
+}
+
+Part PartOf(const FlatPart& flat, const ObjectResource& mesh, const PartSettings* settings) {
+  Part part;
+  part.name = mesh.name;
+  part.mesh.mesh = mesh.mesh;
+  part.to_object = flat.to_object;
+  if (settings == nullptr) return part;
+  if (!settings->name.empty()) part.name = settings->name;
+  part.role = settings->role;
+  part.settings = settings->settings;
+  return part;
+}
+
+bool HasVolumes(const ObjectResource& object, const ObjectSettings* settings) {
+  return settings != nullptr && object.mesh >= 0 && !settings->parts.empty() &&
+         settings->parts.front().component == 0;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,
+                                          std::string_view name, Notes& notes) {
+  const ObjectResource& object = source.package.At(key);
+  const ObjectSettings* settings = key.file == 0 ? source.settings.Of(object.id) : nullptr;
+  if (HasVolumes(object, settings)) {
+    NotePaint(object, name, notes);
+    absl::StatusOr<std::vector<Part>> volumes = Volumes(source, object, *settings);
+    if (!volumes.ok()) return volumes;
+    int64_t used = 0;
+    for (const Part& part : *volumes) used += part.mesh.triangle_count;
+    if (used < object.triangles) notes.Add("triangles of no part", name);
+    return volumes;
+  }
+  const absl::StatusOr<std::vector<FlatPart>> flat = source.tree.Flatten(key);
+  if (!flat.ok()) return flat.status();
+  std::vector<Part> parts;
+  for (const FlatPart& each : *flat) {
+    const ObjectResource& mesh = source.package.At(each.mesh_object);
+    NotePaint(mesh, name, notes);
+    if (mesh.triangles == 0)
+      notes.Add("parts without a triangle", name);
+    else
+      parts.push_back(PartOf(each, mesh, SettingsOf(settings, each.component)));
+  }
+  return parts;
+}
+
+}  // namespace slicefarm::slicing::threemf

@@ -1,0 +1,97 @@
+#include "services/slicing/algo/mesh_io/threemf/parts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+Package MeshOf24() {
+  Package package;
+  ModelFile& file = package.files.emplace_back();
+  ObjectResource object;
+  object.id = 5;
+  object.name = "own";
+  object.mesh = 0;
+  object.triangles = 24;
+  file.by_id[5] = 0;
+  file.objects.push_back(object);
+  return package;
+}
+
+ModelSettings Volumes(const std::vector<std::pair<int64_t, int64_t>>& ranges) {
+  ModelSettings settings;
+  settings.part = "config";
+  ObjectSettings& object = settings.objects.emplace_back();
+  object.object = 5;
+  for (const auto& [first, last] : ranges) {
+    PartSettings& part = object.parts.emplace_back();
+    part.name = "v" + std::to_string(first);
+    part.first_triangle = first;
+    part.last_triangle = last;
+    part.line = 9;
+  }
+  return settings;
+}
+
+absl::StatusOr<std::vector<Part>> Parts(const Package& package, const ModelSettings& settings,
+                                        Notes& notes) {
+  const auto tree = ComponentTree::Make(package);
+  return PartsOf({package, *tree, settings}, {0, 0}, "thing", notes);
+}
+
+TEST(PartsOf, AreAllOfTheMeshWithoutVolumes) {
+  Notes notes;
+  const auto parts = Parts(MeshOf24(), {}, notes);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  ASSERT_EQ(parts->size(), 1u);
+  EXPECT_EQ((*parts)[0].name, "own");
+  EXPECT_EQ((*parts)[0].mesh, MeshRef());
+}
+
+TEST(PartsOf, AreVolumesInTheirOrder) {
+  Notes notes;
+  const auto parts = Parts(MeshOf24(), Volumes({{12, 20}, {0, 11}}), notes);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  ASSERT_EQ(parts->size(), 2u);
+  EXPECT_EQ((*parts)[0].mesh.first_triangle, 12);
+  EXPECT_EQ((*parts)[0].mesh.triangle_count, 9);
+  EXPECT_EQ((*parts)[1].name, "v0");
+  EXPECT_THAT(notes.Lines(), testing::ElementsAre("triangles of no part of `thing`"));
+}
+
+TEST(PartsOf, RefusesVolumesThatCannotBe) {
+  for (const auto& ranges :
+       std::vector<std::vector<std::pair<int64_t, int64_t>>>{{{0, 24}},
+                                                             {{24, 24}},
+                                                             {{5, 4}},
+                                                             {{0, 11}, {11, 23}},
+                                                             {{0, 0}, {0, 0}},
+                                                             {{0, 1'000'000'000'000}}}) {
+    Notes notes;
+    const auto parts = Parts(MeshOf24(), Volumes(ranges), notes);
+    ASSERT_FALSE(parts.ok());
+    EXPECT_EQ(DetailOf(parts.status()).reason, Reason::kMeshMalformed);
+    EXPECT_EQ(DetailOf(parts.status()).metadata["line"], "9");
+    EXPECT_EQ(DetailOf(parts.status()).metadata["part"], "config");
+  }
+}
+
+TEST(PartsOf, NotesPaintAndEmptyMeshes) {
+  Package package = MeshOf24();
+  package.files[0].objects[0].paint = kPaintedSeams | kPaintedColours;
+  package.files[0].objects[0].triangles = 0;
+  Notes notes;
+  const auto parts = Parts(package, {}, notes);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  EXPECT_TRUE(parts->empty());
+  EXPECT_THAT(notes.Lines(),
+              testing::ElementsAre("painted seams of `thing`", "painted filaments of `thing`",
+                                   "parts without a triangle of `thing`"));
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing::threemf

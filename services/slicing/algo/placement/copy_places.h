@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/geometry/polygon.h"
+#include "common/model/slicing_options.h"
+#include "common/stage/stages.h"
+
+namespace slicefarm::slicing {
+
+/// An object whose copies want places.
+struct ObjectToPlace {
+  const Polygon& footprint;  ///< around the middle of the object's box
+  Point middle;              ///< of that box, from the object's origin
+  std::span<const CopyInput> copies;
+};
+
+/// Where the middle of each object's box stands, one point a copy, by object; whole micrometres.
+/// Copies with a place stand there, whatever else does. A copy that may stand anywhere is put into
+/// the middle of the bed if it is alone, else arranged around those with a place (arrange.h), 6 mm
+/// apart.
+/// Errors: OUT_OF_BUILD_VOLUME if not all fit on the bed, those of Arrange. An object alone is not
+/// checked.
+absl::StatusOr<std::vector<std::vector<Point>>> PlaceCopies(std::span<const ObjectToPlace> objects,
+                                                            const SlicingOptions& options,
+                                                            const CancelToken& cancel);
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,38 @@
+#!/bin/bash
+# What copies of a model cost: CPU seconds, user and system, of slicing one and a plate of N, and of PrusaSlicer for the same
+# plate, in turn with the settings of tests/corpus/config/peers.ini; the least of ROUNDS of each.
+#   tests/bench/copies.sh MODEL N [ROUNDS]
+# Prints `key value` rows: cpu_one cpu_n ratio prusa_cpu_n prusa_ratio. ratio: cpu_n of N times cpu_one; prusa_ratio: cpu_n of
+# prusa_cpu_n. Without prusa-slicer there are no rows of it.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+model=$1 count=$2 rounds=${3:-3}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+bed=0x0,2000x0,2000x2000,0x2000
+
+seconds() {  # what a command takes
+  local TIMEFORMAT='%U %S'
+  { time "$@" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }; } 2>&1 | awk '{ print $1 + $2 }'
+}
+ours() {  # so many copies
+  seconds build/bin/slicefarm slice "$model" -q -o "$out/$1.gcode" --threads 1 --copies "$model=$1" \
+    --config tests/corpus/config/peers.ini --set bed_shape=$bed
+}
+theirs() {
+  seconds prusa-slicer --export-gcode --load tests/corpus/config/peers.ini --bed-shape $bed --duplicate "$count" \
+    -o "$out/theirs.gcode" "$model"
+}
+least() { sort -n "$out/$1" | head -1; }
+
+for ((i = 0; i < rounds; ++i)); do
+  ours 1 >>"$out/one"
+  ours "$count" >>"$out/many"
+  if command -v prusa-slicer >/dev/null; then theirs >>"$out/theirs"; fi
+done
+awk -v one="$(least one)" -v many="$(least many)" -v n="$count" \
+  'BEGIN { printf "cpu_one %.2f\ncpu_n %.2f\nratio %.3f\n", one, many, many / (n * one) }'
+if [ -f "$out/theirs" ]; then
+  awk -v many="$(least many)" -v theirs="$(least theirs)" \
+    'BEGIN { printf "prusa_cpu_n %.2f\nprusa_ratio %.3f\n", theirs, many / theirs }'
+fi

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""check_layers.py must find what is planted into a small tree, and nothing else."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+CHECK = pathlib.Path(__file__).with_name("check_layers.py")
+OWN = '#include "%s"\n'
+# path: (text, words of each violation that must be told of that file)
+TREE = {
+    "common/geometry/turn.h": ("double Turn(double sin, double cos);  // sin(a), std::cos(a)\n", []),
+    "common/geometry/turn.cc": ("double f(double a) { return std::sin(a); }\n", ["sin of libm"]),
+    "common/geometry/turn_test.cc": ("double g = std::tan(1.0);\n", []),
+    "common/geometry/root.cc": ("double r = std::sqrt(2) + x.log() + std::fmod(3, 2) + Sin(1) + my_exp(2);\n", []),
+    "common/geometry/root_test.cc": ("", []),
+    "common/base/power.cc": ("double p = ::pow(2, 3);\n", ["pow of libm"]),
+    "common/model/arc.cc": ("double a = atan2(1, 2);\n", ["atan2 of libm"]),
+    "common/config/log.cc": ("auto f = std::log10;\n", ["log10 of libm"]),
+    "common/stage/far.h": ("inline float h = hypotf (3, 4);\n", ["hypot of libm"]),
+    "services/beading/algo/bead.cc": ("double e = std::exp(1.0);\n", ["exp of libm"]),
+    "services/beading/algo/bead_test.cc": ("", []),
+    "services/load/algo/plot.cc": ("double e = std::exp(1.0);\n", []),
+    "services/load/algo/plot_test.cc": ("", []),
+    "services/cli/drawing.cc": ("double e = std::pow(10, 1);\n", []),
+    "common/geometry/up.h": (OWN % "common/model/arc.h", ["geometry must not include model"]),
+    "common/model/wire.h": (OWN % "slicefarm/v1/layer.pb.h", ["model must not include slicefarm"]),
+    "common/geometry/lonely.cc": ("", ["no lonely_test.cc beside it"]),
+    "common/geometry/loud.h": ("inline void f() { printf(0); }\n", ["printf in pure code"]),
+    "common/elsewhere/a.h": ("", ["in no known layer"]),
+    "services/infill/algo/other.h": (OWN % "services/beading/algo/bead.h", ["must not include service beading"]),
+    "services/infill/algo/clip.h": ("#include <clipper.hpp>\n", ["Clipper is private"]),
+    "services/infill/algo/from.h": (OWN % "a_test.h", ["only a file named"]),
+    "services/infill/algo/long.h": ("\n" * 501, ["501 lines, at most 500"]),
+}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as root:
+        for path, (text, _) in TREE.items():
+            file = pathlib.Path(root, path)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+        run = subprocess.run([sys.executable, CHECK, root], capture_output=True, text=True)
+    assert run.returncode == 1, run
+    left = run.stdout.splitlines()
+    for path, (_, violations) in TREE.items():
+        for words in violations:
+            found = [line for line in left if line.startswith(path + ":") and words in line]
+            assert len(found) == 1, f"{path}: {words!r} is told {len(found)} times in\n{run.stdout}"
+            left.remove(found[0])
+    assert not left, "told without reason:\n" + "\n".join(left)
+    print(f"{sum(len(v) for _, v in TREE.values())} planted violations found, nothing else")
+
+
+if __name__ == "__main__":
+    main()
