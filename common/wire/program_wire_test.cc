@@ -10,7 +10,7 @@
 
 #include "common/base/build_info.h"
 #include "common/base/error.h"
-#include "common/wire/every_field.h"
+#include "common/wire/round_trip_test.h"
 #include "common/wire/stage_call_wire.h"
 #include "google/protobuf/util/message_differencer.h"
 
@@ -99,14 +99,6 @@ StageTimes DistinctTimes() {
   motion = 5;
   planning = 6;
   return times;
-}
-
-template <typename Proto, typename Model>
-Proto ProtoOf(const Model& model) {
-  Proto proto;
-  const absl::Status status = ToProto(model, &proto);
-  EXPECT_TRUE(status.ok()) << status;
-  return proto;
 }
 
 /// With each field changed alone, the message returns from the model.

@@ -228,7 +228,8 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                                 "Default: the middle of the bed; several parts: arranged")
                      ->type_name("X,Y")
                      ->allow_extra_args(false);
-  app.add_flag("--arrange", options.arrange, "Find places for all parts and copies, as without --center")
+  app.add_flag("--arrange")
+      ->description("Find places for all parts and copies, as without --center")
       ->excludes(center);
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");

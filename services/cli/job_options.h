@@ -27,7 +27,6 @@ struct JobOptions : SettingOptions {
   double rotate_z_deg = 0;
   std::string rotate;                ///< X,Y,Z
   std::vector<std::string> centers;  ///< X,Y
-  bool arrange = false;              ///< excludes centers, without which it is what happens anyway
   std::string report;
   bool quiet = false;
 };

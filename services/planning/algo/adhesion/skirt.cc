@@ -3,33 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
-#include "common/geometry/predicates.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::planning {
 namespace {
-
-/// Andrew's monotone chain, counter-clockwise.
-Polygon ConvexHull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return {};
-  Polygon hull;
-  const auto add_chain = [&hull](auto begin, auto end) {
-    const size_t base = hull.size();
-    for (auto it = begin; it != end; ++it) {
-      while (hull.size() >= base + 2 && Orientation(hull.end()[-2], hull.back(), *it) <= 0)
-        hull.pop_back();
-      hull.push_back(*it);
-    }
-    hull.pop_back();
-  };
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull.size() < 3 ? Polygon{} : hull;
-}
 
 void AppendOuterPoints(const MultiPolygon& polygons, std::vector<Point>& points) {
   for (const PolygonWithHoles& island : polygons)
@@ -67,7 +47,7 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   AppendOuterPoints(parts, points);
   if (options.draft_shield == DraftShield::kDisabled) AppendOuterPoints(brims, points);
   const Polygon hull = ConvexHull(std::move(points));
-  if (hull.empty()) return {};
+  if (hull.size() < 3) return {};
 
   std::vector<Path> loops;
   double filament_nm = 0;

@@ -92,7 +92,6 @@ absl::StatusOr<PlacedPart> Place(const RawMesh& raw, const Transform& transform)
 struct PlacedObject {
   std::vector<PlacedPart> parts;
   Vertex to_origin;    ///< what was added to all vertices
-  Extent extent;       ///< of all parts
   Coord top_nm = 0;    ///< of the solid ones
   Polygon footprint;
 };
@@ -120,13 +119,15 @@ absl::StatusOr<PlacedObject> PlaceParts(const ObjectInput& input, Meshes& meshes
     if (!placed.ok()) return placed.status();
     object.parts.push_back(*std::move(placed));
   }
-  object.to_origin = ToOrigin(SolidExtent(input, object.parts), FromMm(input.sunk_mm));
+  const Extent solid = SolidExtent(input, object.parts);
+  object.to_origin = ToOrigin(solid, FromMm(input.sunk_mm));
+  Extent extent;
   for (PlacedPart& part : object.parts) {
     MoveBy(part.mesh, object.to_origin);
-    object.extent.Add(ExtentOf(part.mesh));
+    extent.Add(ExtentOf(part.mesh));
   }
-  if (absl::Status reach = CheckReach(object.extent); !reach.ok()) return reach;
-  object.top_nm = SolidExtent(input, object.parts).max.z;
+  if (absl::Status reach = CheckReach(extent); !reach.ok()) return reach;
+  object.top_nm = solid.max.z + object.to_origin.z;
   object.footprint = SolidFootprint(input, object.parts);
   return object;
 }
