@@ -274,13 +274,4 @@ absl::StatusOr<Arrangement> Arrange(std::span<const ArrangeItem> items,
   return Result(prepared, packing);
 }
 
-absl::Status CheckAllPlaced(const Arrangement& arrangement) {
-  if (arrangement.left_over.empty()) return absl::OkStatus();
-  const std::string items = fmt::format("{}", fmt::join(arrangement.left_over, ","));
-  return MakeError(kInvalid, Reason::kOutOfBuildVolume,
-                   fmt::format("{} of {} parts find no place: {}", arrangement.left_over.size(),
-                               arrangement.places.size(), items),
-                   {{"items", items}});
-}
-
 }  // namespace slicefarm::slicing

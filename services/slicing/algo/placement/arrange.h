@@ -58,8 +58,7 @@ struct Arrangement {
 /// Errors:  INVALID_ARGUMENT: SETTING_OUT_OF_RANGE for a bed that is not convex, negative lengths
 ///          or plates; REQUEST_MALFORMED for an item without points or ways round; OUT_OF_RANGE for
 ///          coordinates beyond kMaxCoord; REQUEST_TOO_LARGE for more than kMaxObjects; each names
-///          the `item` or `setting`. CANCELLED. What does not fit is no error here: see
-///          CheckAllPlaced.
+///          the `item` or `setting`. CANCELLED. What does not fit is left over.
 /// Cost:    see the figures; footprints of many corners are packed as at most 12 convex pieces.
 ///
 /// Why not libnest2d 5.0, with which PrusaSlicer arranged before 2.6: its concave parts overlap.
@@ -77,9 +76,5 @@ struct Arrangement {
 absl::StatusOr<Arrangement> Arrange(std::span<const ArrangeItem> items,
                                     std::span<const FixedFootprint> fixed,
                                     const ArrangeOptions& options, const CancelToken& cancel);
-
-/// OK, or OUT_OF_BUILD_VOLUME, INVALID_ARGUMENT, with the indices of all items without a place in
-/// `items` ("3,17").
-absl::Status CheckAllPlaced(const Arrangement& arrangement);
 
 }  // namespace slicefarm::slicing

@@ -193,7 +193,7 @@ TEST(Arrange, PacksAroundFixedParts) {
   EXPECT_EQ(result.plates, 2);
 }
 
-TEST(Arrange, NamesEachPartWithoutAPlace) {
+TEST(Arrange, ListsEachPartWithoutAPlace) {
   std::vector<ArrangeItem> items = Copies(Rectangle(100, 100), 6);
   items[3].footprint = Rectangle(251, 10);
   ArrangeOptions options = OnBed();
@@ -201,13 +201,9 @@ TEST(Arrange, NamesEachPartWithoutAPlace) {
   const Arrangement result = ArrangeOrDie(items, options);
   ExpectSound(items, options, result);
   EXPECT_THAT(result.left_over, ElementsAre(3, 5));
-  const absl::Status status = CheckAllPlaced(result);
-  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
-  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
-  EXPECT_EQ(DetailOf(status).metadata["items"], "3,5");
   options.max_plates = 0;
   EXPECT_THAT(ArrangeOrDie(items, options).left_over, ElementsAre(3));
-  EXPECT_TRUE(CheckAllPlaced(ArrangeOrDie({}, options)).ok());
+  EXPECT_TRUE(ArrangeOrDie({}, options).left_over.empty());
 }
 
 TEST(Arrange, TakesFootprintsWithoutArea) {

@@ -1,10 +1,14 @@
 #include "services/slicing/algo/placement/copy_places.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
+#include "absl/strings/escaping.h"
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
 #include "services/slicing/algo/placement/arrange.h"
@@ -35,10 +39,20 @@ Coord LargestGrowth(const SlicingOptions& options) {
   return growth;
 }
 
-absl::Status NoRoom(size_t left_over, size_t copies) {
+/// `copies`: of all objects, those with a place included.
+absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
+                    const std::vector<size_t>& left_over, size_t copies) {
+  std::map<size_t, int> counts;  // by object
+  for (const size_t item : left_over) ++counts[free[item].object];
+  std::vector<std::string> which;
+  for (const auto& [object, count] : counts) {
+    const std::string name(objects[object].name);
+    which.push_back(fmt::format("{} of \"{}\"", count, absl::Utf8SafeCEscape(name)));
+  }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
-                   fmt::format("{} of {} copies have no room on the bed", left_over, copies),
-                   {{"limit", fmt::format("{}", copies - left_over)},
+                   fmt::format("{} of {} copies have no room on the bed: {}", left_over.size(),
+                               copies, fmt::join(which, ", ")),
+                   {{"limit", fmt::format("{}", copies - left_over.size())},
                     {"got", fmt::format("{}", copies)}});
 }
 
@@ -56,7 +70,7 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
               cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
-    return NoRoom(arranged->left_over.size(), free.size() + standing.size());
+    return NoRoom(objects, free, arranged->left_over, free.size() + standing.size());
   for (size_t i = 0; i < free.size(); ++i)
     places[free[i].object][free[i].copy] = arranged->places[i]->translation;
   return absl::OkStatus();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -13,6 +14,7 @@ namespace slicefarm::slicing {
 
 /// An object whose copies want places.
 struct ObjectToPlace {
+  std::string_view name;
   const Polygon& footprint;  ///< around the middle of the object's box
   Point middle;              ///< of that box, from the object's origin
   std::span<const CopyInput> copies;
@@ -22,8 +24,8 @@ struct ObjectToPlace {
 /// Copies with a place stand there, whatever else does. A copy that may stand anywhere is put into
 /// the middle of the bed if it is alone, else arranged around those with a place (arrange.h), 6 mm
 /// apart.
-/// Errors: OUT_OF_BUILD_VOLUME if not all fit on the bed, those of Arrange. An object alone is not
-/// checked.
+/// Errors: OUT_OF_BUILD_VOLUME if not all fit on the bed, naming each object with copies left over and
+/// how many; those of Arrange. A copy alone is not checked.
 absl::StatusOr<std::vector<std::vector<Point>>> PlaceCopies(std::span<const ObjectToPlace> objects,
                                                             const SlicingOptions& options,
                                                             const CancelToken& cancel);

@@ -31,7 +31,7 @@ absl::StatusOr<std::vector<std::vector<Point>>> PlaceOne(const Polygon& footprin
                                                          Coord growth_nm = 0) {
   SlicingOptions options;
   options.objects[0].xy_compensation_nm = growth_nm;
-  const ObjectToPlace object{footprint, {}, copies};
+  const ObjectToPlace object{"part", footprint, {}, copies};
   return PlaceCopies({&object, 1}, options, {});
 }
 
@@ -47,10 +47,10 @@ TEST(PlaceCopies, ACopyAloneIsNotChecked) {
 }
 
 TEST(PlaceCopies, PlacesAreKeptToTheMicrometre) {
-  const ObjectToPlace object{Rectangle(10, 10), {2 * kMm + 400, 0}, {}};
+  const ObjectToPlace object{"part", Rectangle(10, 10), {2 * kMm + 400, 0}, {}};
   const std::vector<CopyInput> copies = {MiddleAt(50, 60),
                                          {CopyInput::Place::kOriginAt, {50 * kMm, 60 * kMm}}};
-  const ObjectToPlace placed{object.footprint, object.middle, copies};
+  const ObjectToPlace placed{"part", object.footprint, object.middle, copies};
   const auto places = PlaceCopies({&placed, 1}, {}, {});
   ASSERT_TRUE(places.ok()) << places.status();
   EXPECT_THAT(places->at(0),
@@ -80,6 +80,15 @@ TEST(PlaceCopies, SaysHowManyHaveNoRoom) {
   const auto places = PlaceOne(Rectangle(120, 100), std::vector<CopyInput>(9, kAnywhere));
   EXPECT_EQ(DetailOf(places.status()).reason, Reason::kOutOfBuildVolume);
   EXPECT_THAT(std::string(places.status().message()), testing::HasSubstr("of 9 copies have no room"));
+}
+
+TEST(PlaceCopies, NamesTheObjectsWithoutRoom) {
+  const Polygon small = Rectangle(10, 10), large = Rectangle(200, 200);
+  const std::vector<CopyInput> one(1, kAnywhere), two(2, kAnywhere);
+  const std::vector<ObjectToPlace> objects = {{"small", small, {}, one}, {"lar\nge", large, {}, two}};
+  const absl::Status status = PlaceCopies(objects, {}, {}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
+  EXPECT_EQ(status.message(), "1 of 3 copies have no room on the bed: 1 of \"lar\\nge\"");
 }
 
 TEST(PlaceCopies, OutlinesThatGrowStayOnTheBed) {

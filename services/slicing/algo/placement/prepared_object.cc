@@ -201,7 +201,7 @@ absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<Objec
     if (absl::Status ok = check(i, {BedCenter(options.bed)}); !ok.ok() && IsFree(inputs[i]))
       return ok;
     const Vertex& moved = placed[i].to_origin;
-    objects.push_back({placed[i].footprint, {-moved.x, -moved.y}, inputs[i].copies});
+    objects.push_back({inputs[i].name, placed[i].footprint, {-moved.x, -moved.y}, inputs[i].copies});
   }
   auto places = PlaceCopies(objects, options, cancel);
   if (!places.ok()) return places.status();
