@@ -22,9 +22,9 @@ struct SparseFill {
 /// spacing, exactly. So the pitch is spacing / density, and twice that for each of the two
 /// directions of a grid.
 ///
-/// Lines lie on one grid through the origin, the same for all layers, islands and regions. Ends
-/// that are neighbours along the edge are joined, the nearest first, as long as that does not bring
-/// the region's length more than 3 % over what the density asks for.
+/// Lines lie on one grid, a quarter pitch beside the origin, the same for all layers, islands and
+/// regions. Ends that are neighbours along the edge are joined, the nearest first, as long as that
+/// does not bring the region's length more than 3 % over what the density asks for.
 ///
 /// Errors: as CutLines. Cost: O(n log n) for the inset, O(n + k) for the lines.
 /// Source: the spacing law is that of every slicer; see also "density" in tests.

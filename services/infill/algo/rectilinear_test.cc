@@ -104,7 +104,7 @@ TEST(Sparse, LinesOfAllRegionsLieOnOneGrid) {
     for (const Path& path : *paths) {
       for (size_t i = 1; i < path.points.size(); ++i) {
         if (path.points[i].y != path.points[i - 1].y) continue;
-        const double rows = static_cast<double>(path.points[i].y) / pitch;
+        const double rows = static_cast<double>(path.points[i].y) / pitch - 0.25;
         EXPECT_NEAR(rows, std::round(rows), 1e-5);
       }
     }
