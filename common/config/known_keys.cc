@@ -51,6 +51,7 @@ constexpr KnownKey kSwitches[] = {
     {"ensure_vertical_shell_thickness", kNotYet, "0", true},
     {"extra_perimeters", kNotYet, "0", true},
     {"extra_perimeters_on_overhangs", kNotYet, "0", true},
+    {"extruder", kNotYet, "1", true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
     {"filament_retract_layer_change", "every layer starts with the filament retracted", "1", true},

@@ -11,6 +11,7 @@ SceneObject ObjectOfFile(const std::string& name, int32_t file, const Placement&
   Part part;
   part.name = name;
   part.mesh.file = file;
+  part.mesh.mesh = kOnlyMesh;
   object.parts.push_back(part);
   Instance instance;
   instance.to_plate = TransformOf(placement);

@@ -12,10 +12,13 @@
 
 namespace slicefarm {
 
-/// One of the meshes of a file, or some of its triangles. STL, OBJ and PLY files have one mesh.
+/// MeshRef::mesh of a file that must have no more than one, as STL, OBJ and PLY files do.
+inline constexpr int32_t kOnlyMesh = -1;
+
+/// One of the meshes of a file, or some of its triangles.
 struct MeshRef {
   int32_t file = 0;
-  int32_t mesh = 0;             ///< by the order in which the file has them
+  int32_t mesh = 0;             ///< by the order in which the file has them, or kOnlyMesh
   int64_t first_triangle = 0;   ///< of the mesh as the file lists it
   int64_t triangle_count = -1;  ///< -1: all from first_triangle on
 
@@ -61,6 +64,15 @@ struct Instance {
   bool by_middle = false;
 
   bool operator==(const Instance&) const = default;
+};
+
+/// A mesh file by its content: what jobs refer to once it was uploaded.
+struct StoredMesh {
+  std::string sha256;
+  std::string name;
+  MeshFormat format = MeshFormat::kUnknown;
+
+  friend bool operator==(const StoredMesh&, const StoredMesh&) = default;
 };
 
 /// What stands on the plate as one: solid parts, what changes them, and its copies.

@@ -55,7 +55,7 @@ absl::StatusOr<PartInput> FromProto(const v1::SlicePart& proto) {
   const auto role = EnumFromProto<PartRole>(proto.role(), kPartRoles, "role");
   if (!role.ok()) return role.status();
   const v1::MeshRef& mesh = proto.mesh();
-  if (mesh.file() < 0 || mesh.mesh() < 0 || mesh.first_triangle() < 0 ||
+  if (mesh.file() < 0 || mesh.mesh() < kOnlyMesh || mesh.first_triangle() < 0 ||
       mesh.triangle_count() < -1) {
     return Malformed("mesh", "has negative numbers");
   }

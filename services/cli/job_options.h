@@ -6,8 +6,6 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
-#include "common/model/mesh.h"
-#include "common/model/scene.h"
 
 namespace slicefarm::cli {
 
@@ -27,6 +25,8 @@ struct JobOptions : SettingOptions {
   double rotate_z_deg = 0;
   std::string rotate;                ///< X,Y,Z
   std::vector<std::string> centers;  ///< X,Y
+  bool arrange = false;              ///< what has a place, too
+  int plate = 0;                     ///< of a project, from 1; 0: the only one
   std::string report;
   bool quiet = false;
 };
@@ -39,25 +39,7 @@ void AddJobOptions(CLI::App& app, JobOptions& options);
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
-struct GivenObject {
-  std::string name;
-  int32_t file = 0;
-  Placement placement;
-  int32_t copies = 0;  ///< 0: one, or one at each of the placement's centers
-  std::vector<Setting> settings;
-};
-
-/// The files of the models, and the objects that are made of them. A model that is named twice is
-/// one file.
-struct GivenModels {
-  std::vector<MeshFile> files;
-  std::vector<GivenObject> objects;
-};
-
-/// Reads the models; an object is named for its file without folders, as UTF-8 without control
-/// characters. Errors: REQUEST_MALFORMED naming the option or the file; MESH_TOO_LARGE.
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
-
-std::vector<SceneObject> SceneOf(const GivenModels& given);
+/// `KEY=VALUE` as a setting that was asked for. `option`: for errors, as GivenSettings' are.
+absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);
 
 }  // namespace slicefarm::cli

@@ -80,7 +80,7 @@ ExitCode Main(int argc, char** argv) {
   app.set_version_flag("--version", VersionLine());
   app.require_subcommand(1);
   for (const auto add :
-       {AddSlice, AddSubmit, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
+       {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
         AddProfile, AddRender, AddBeads, AddSettings, AddHealth, AddToken, AddVersion}) {
     add(app, context);
   }

@@ -16,9 +16,10 @@ struct CommandContext {
 };
 
 /// Each adds its subcommand. `app` and `context` must outlive the parsing and the run.
-void AddSlice(CLI::App& app, CommandContext& context);   ///< slice_command.cc
-void AddSubmit(CLI::App& app, CommandContext& context);  ///< submit_command.cc
-void AddWatch(CLI::App& app, CommandContext& context);   ///< job_commands.cc, as the next five
+void AddSlice(CLI::App& app, CommandContext& context);    ///< slice_command.cc
+void AddSubmit(CLI::App& app, CommandContext& context);   ///< submit_command.cc
+void AddInspect(CLI::App& app, CommandContext& context);  ///< inspect_command.cc
+void AddWatch(CLI::App& app, CommandContext& context);    ///< job_commands.cc, as the next five
 void AddList(CLI::App& app, CommandContext& context);
 void AddGet(CLI::App& app, CommandContext& context);
 void AddCancel(CLI::App& app, CommandContext& context);

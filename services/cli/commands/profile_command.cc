@@ -6,12 +6,12 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/wire/given_settings_wire.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
 #include "services/cli/server_options.h"
-#include "services/cli/setting_wire.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -28,7 +28,7 @@ ExitCode Put(const ProfileOptions& options, Interrupt& interrupt) {
   if (!settings.ok()) return Fail(settings.status());
   v1::PutProfileRequest request;
   request.set_name(options.name);
-  for (const config::Setting& setting : *settings) *request.add_settings() = ToProto(setting);
+  SettingsToProto(*settings, request.mutable_settings());
   JobsClient client(ClientOptions(options.server, &interrupt));
   const auto profile = client.PutProfile(request);
   if (!profile.ok()) return Fail(profile.status());

@@ -13,6 +13,7 @@
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/job_options.h"
+#include "services/cli/models/given_models.h"
 #include "services/cli/local_pipeline.h"
 #include "services/cli/summary.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
@@ -31,6 +32,17 @@ struct SliceOptions {
 int ThreadsOf(const SliceOptions& options) {
   if (options.threads > 0) return options.threads;
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
+}
+
+absl::StatusOr<config::ResolvedPlate> Resolve(const GivenModels& models,
+                                              const std::vector<Setting>& given) {
+  std::vector<Setting> settings = models.settings;
+  settings.insert(settings.end(), given.begin(), given.end());
+  absl::StatusOr<config::ResolvedPlate> plate = config::ResolvePlate(settings, models.objects);
+  if (plate.ok())
+    plate->no_effect.insert(plate->no_effect.begin(), models.without_effect.begin(),
+                            models.without_effect.end());
+  return plate;
 }
 
 coordinator::JobInput InputOf(GivenModels given, const config::ResolvedPlate& plate) {
@@ -84,7 +96,7 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (!given.ok()) return Fail(given.status());
   auto models = ReadModels(options.job);
   if (!models.ok()) return Fail(models.status());
-  const auto resolved = config::ResolvePlate(*given, SceneOf(*models));
+  const auto resolved = Resolve(*models, *given);
   if (!resolved.ok()) return Fail(resolved.status());
 
   auto output = Run(options, InputOf(*std::move(models), *resolved), interrupt);
@@ -103,7 +115,7 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
 }  // namespace
 
 void AddSlice(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("slice", "Make G-code of a model, in this process");
+  CLI::App* command = app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
   command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
@@ -119,6 +131,7 @@ void AddSlice(CLI::App& app, CommandContext& context) {
       "7).\n"
       "Examples:\n"
       "  slicefarm slice part.stl -o part.gcode --config prusa.ini\n"
+      "  slicefarm slice project.3mf -o plate2.gcode --plate 2\n"
       "  slicefarm slice part.obj -o part.gcode --set layer_height=0.15 --set fill_density=30%\n"
       "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz");
   command->callback([options, &context] {

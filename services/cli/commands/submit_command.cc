@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/wire/mesh_wire.h"
+#include "common/wire/given_settings_wire.h"
+#include "common/wire/scene_wire.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"
 #include "services/cli/jobs_client.h"
+#include "services/cli/models/given_models.h"
 #include "services/cli/server_options.h"
-#include "services/cli/setting_wire.h"
 #include "services/cli/summary.h"
 
 namespace slicefarm::cli {
@@ -47,7 +48,7 @@ TraceContext TraceOf(const SubmitOptions& options) {
   return trace.value_or(TraceContext());
 }
 
-/// All of the spec but the meshes' digests.
+/// All of the spec but the objects, which need the meshes' digests.
 absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const GivenModels& models) {
   const JobOptions& options = submit.job;
   const auto settings = GivenSettings(options);
@@ -55,17 +56,10 @@ absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const GivenModel
   v1::JobSpec spec;
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
-  for (const config::Setting& setting : *settings) *spec.add_settings() = ToProto(setting);
-  for (const GivenObject& given : models.objects) {
-    v1::Object* object = spec.add_objects();
-    object->set_name(given.name);
-    object->set_format(ToProto(models.files[static_cast<size_t>(given.file)].format));
-    object->set_copies(given.copies);
-    for (const config::Setting& setting : given.settings)
-      *object->add_settings() = ToProto(setting);
-    absl::Status status = ToProto(given.placement, object->mutable_placement());
-    if (!status.ok()) return status;
-  }
+  SettingsToProto(*settings, spec.mutable_settings());
+  SettingsToProto(models.settings, spec.mutable_project_settings());
+  spec.mutable_without_effect()->Assign(models.without_effect.begin(),
+                                        models.without_effect.end());
   return spec;
 }
 
@@ -74,7 +68,7 @@ v1::JobPriority PriorityOf(const std::string& name) {
   return name == "interactive" ? v1::JOB_PRIORITY_INTERACTIVE : v1::JOB_PRIORITY_NORMAL;
 }
 
-/// All of the request but the meshes' digests.
+/// All of the request but the objects.
 absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
                                                const GivenModels& models) {
   const auto labels = ReadLabels(options.labels);
@@ -96,30 +90,35 @@ absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
   return request;
 }
 
+absl::StatusOr<std::vector<StoredMesh>> UploadMeshes(const std::vector<MeshFile>& files,
+                                                     JobsClient& client, ProgressBar& bar) {
+  constexpr int64_t kKib = 1024;
+  int64_t total = 0;
+  for (const MeshFile& file : files) total += std::ssize(file.bytes);
+  std::vector<StoredMesh> meshes;
+  int64_t before = 0;
+  for (const MeshFile& file : files) {
+    const auto sha256 = client.UploadMesh(file.bytes, [&](int64_t sent) {
+      bar.Show("upload, KiB", static_cast<int>((before + sent) / kKib),
+               static_cast<int>(total / kKib));
+    });
+    if (!sha256.ok()) return sha256.status();
+    meshes.push_back({*sha256, file.name, file.format});
+    before += std::ssize(file.bytes);
+  }
+  return meshes;
+}
+
 absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
   const auto models = ReadModels(options.job);
   if (!models.ok()) return models.status();
   auto request = RequestOf(options, *models);
   if (!request.ok()) return request.status();
 
-  constexpr int64_t kKib = 1024;
-  int64_t total = 0;
-  for (const MeshFile& file : models->files) total += std::ssize(file.bytes);
-  std::vector<std::string> digests;
-  int64_t before = 0;
-  for (const MeshFile& file : models->files) {
-    const auto sha256 = client.UploadMesh(file.bytes, [&](int64_t sent) {
-      bar.Show("upload, KiB", static_cast<int>((before + sent) / kKib),
-               static_cast<int>(total / kKib));
-    });
-    if (!sha256.ok()) return sha256.status();
-    digests.push_back(*sha256);
-    before += std::ssize(file.bytes);
-  }
-  for (size_t i = 0; i < models->objects.size(); ++i) {
-    const auto file = static_cast<size_t>(models->objects[i].file);
-    request->mutable_spec()->mutable_objects(static_cast<int>(i))->set_mesh_sha256(digests[file]);
-  }
+  const auto meshes = UploadMeshes(models->files, client, bar);
+  if (!meshes.ok()) return meshes.status();
+  for (const SceneObject& object : models->objects)
+    slicefarm::ToProto(object, *meshes, request->mutable_spec()->add_objects());
   return client.CreateJob(*std::move(request));
 }
 

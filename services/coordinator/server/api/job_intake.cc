@@ -60,7 +60,7 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
   job.max_open = submission.max_open_jobs;
   job.build_id = build_id_;
   if (resolved.ok()) {
-    for (const MeshRequest& mesh : resolved->meshes) job.inputs.push_back(mesh.sha256);
+    for (const StoredMesh& mesh : resolved->request.scene.meshes) job.inputs.push_back(mesh.sha256);
     job.settings_digest = resolved->settings_digest;
     job.action_digest = resolved->action_digest;
   }
@@ -73,7 +73,7 @@ absl::Status JobIntake::CheckMeshes(const std::string& tenant, const ResolvedJob
   const auto blobs = blobs_.Of(tenant);
   if (!blobs.ok()) return blobs.status();
   int64_t bytes = 0;
-  for (const MeshRequest& mesh : job.meshes) {
+  for (const StoredMesh& mesh : job.request.scene.meshes) {
     const auto status = (*blobs)->Keep(mesh.sha256);
     if (!status.ok()) return status.status();
     if (!status->complete) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "common/base/error.h"
@@ -20,61 +19,95 @@ absl::Status CheckText(const std::string& field, const std::string& text) {
   return Malformed(field, "has control characters");
 }
 
-absl::Status CheckObject(const ObjectRequest& object, size_t index) {
-  const auto field = [index](const char* name) {
-    return fmt::format("objects[{}].{}", index, name);
-  };
-  if (!IsSha256Hex(object.mesh_sha256)) {
-    return Malformed(field("mesh_sha256"), "is not a SHA-256, 64 lower-case hex digits");
-  }
-  if (object.copies < 0) return Malformed(field("copies"), "are negative");
-  if (absl::Status ok = CheckPlacement(object.placement); !ok.ok()) return ok;
-  const auto name_bytes = static_cast<int64_t>(object.name.size());
-  if (name_bytes > limits::kMaxNameBytes) {
+absl::Status CheckName(const std::string& field, const std::string& name) {
+  if (std::ssize(name) > limits::kMaxNameBytes) {
     return LimitError(Reason::kRequestTooLarge, "bytes of an object's name", limits::kMaxNameBytes,
-                      name_bytes);
+                      std::ssize(name));
   }
   // Names end up in G-code comments, where a line end would begin a command.
-  return CheckText(field("name"), object.name);
+  return CheckText(field, name);
 }
 
-int64_t CopiesOf(const ObjectRequest& object) {
-  const auto centers = std::ssize(object.placement.centers);
-  return std::max<int64_t>({1, centers, object.copies});
-}
-
-/// The meshes of the objects, each once, and the objects as they stand on the plate.
-std::vector<SceneObject> SceneOf(const JobRequest& request, std::vector<MeshRequest>& meshes) {
-  std::map<std::pair<std::string, MeshFormat>, int32_t> known;
-  std::vector<SceneObject> scene;
-  for (const ObjectRequest& object : request.objects) {
-    const auto [mesh, is_new] = known.try_emplace({object.mesh_sha256, object.format},
-                                                  static_cast<int32_t>(meshes.size()));
-    if (is_new) meshes.push_back({object.mesh_sha256, object.name, object.format});
-    scene.push_back(ObjectOfFile(object.name, mesh->second, object.placement, object.copies));
-    scene.back().settings = object.settings;
+absl::Status CheckNames(const SceneObject& object, size_t index) {
+  if (absl::Status ok = CheckName(fmt::format("objects[{}].name", index), object.name); !ok.ok())
+    return ok;
+  for (size_t i = 0; i < object.parts.size(); ++i) {
+    const absl::Status ok =
+        CheckName(fmt::format("objects[{}].parts[{}].name", index, i), object.parts[i].name);
+    if (!ok.ok()) return ok;
   }
-  return scene;
+  return absl::OkStatus();
 }
 
-/// The text of all that decides the result. Texts that may hold anything come with their length.
+/// Appends what decides the result. Texts that may hold anything come with their length, numbers
+/// with all their bits.
+class ActionWriter {
+ public:
+  explicit ActionWriter(std::string& text) : out_(text) {}
+
+  void Add(const SubmittedScene& scene) {
+    for (const StoredMesh& mesh : scene.meshes) {
+      Out("mesh {} {} ", mesh.sha256, static_cast<int>(mesh.format));
+      Text(mesh.name);
+    }
+    for (const SceneObject& object : scene.objects) Add(object);
+  }
+
+ private:
+  void Add(const SceneObject& object) {
+    Out("object ");
+    Text(object.name);
+    Add(object.settings);
+    for (const Part& part : object.parts) Add(part);
+    for (const HeightRange& range : object.ranges) {
+      Out("range {:a} {:a}\n", range.from_mm, range.to_mm);
+      Add(range.settings);
+    }
+    for (const Instance& instance : object.instances) {
+      Out("copy {:d}{:d}{:d}", instance.printable, instance.placed, instance.by_middle);
+      Add(instance.to_plate);
+    }
+  }
+
+  void Add(const Part& part) {
+    const MeshRef& mesh = part.mesh;
+    Out("part {} {} {} {} {} ", static_cast<int>(part.role), mesh.file, mesh.mesh,
+        mesh.first_triangle, mesh.triangle_count);
+    Text(part.name);
+    Add(part.to_object);
+    Add(part.settings);
+  }
+
+  void Add(const Transform& transform) {
+    for (int i = 0; i < 12; ++i) Out(" {:a}", transform(i / 4, i % 4));
+    Out("\n");
+  }
+
+  void Add(const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings) {
+      Out("own {} ", static_cast<int>(setting.source));
+      Text(setting.key);
+      Text(setting.value);
+    }
+  }
+
+  void Text(const std::string& text) { Out("{}:{}\n", text.size(), text); }
+
+  template <typename... Args>
+  void Out(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+
+  std::string& out_;
+};
+
+/// The text of all that decides the result.
 std::string ActionText(const JobRequest& request, const config::ResolvedPlate& settings,
                        std::string_view build_id, std::string_view result_tenant) {
   std::string text = fmt::format("build {}\n", build_id);
   auto out = std::back_inserter(text);
   if (!result_tenant.empty()) fmt::format_to(out, "tenant {}\n", result_tenant);
-  for (const ObjectRequest& object : request.objects) {
-    const Placement& p = object.placement;
-    fmt::format_to(out, "object {} {} {}:{}\n", object.mesh_sha256, static_cast<int>(object.format),
-                   object.name.size(), object.name);
-    fmt::format_to(out, "placed {:a} {:a} {:a} {:a} {:a} {:a} {:a}", p.unit_mm, p.scale[0],
-                   p.scale[1], p.scale[2], p.rotate_deg[0], p.rotate_deg[1], p.rotate_deg[2]);
-    for (const Point center : p.centers) fmt::format_to(out, " {} {}", center.x, center.y);
-    fmt::format_to(out, "\ncopies {}\n", object.copies);
-    for (const Setting& setting : object.settings)
-      fmt::format_to(out, "own {}:{} {}:{}\n", setting.key.size(), setting.key,
-                     setting.value.size(), setting.value);
-  }
+  ActionWriter(text).Add(request.scene);
   text += settings.effective_text;
   // The report names these, so they belong to the result as well.
   for (const std::string& line : settings.no_effect) {
@@ -86,12 +119,15 @@ std::string ActionText(const JobRequest& request, const config::ResolvedPlate& s
 }  // namespace
 
 absl::Status CheckRequest(const JobRequest& request) {
-  if (request.objects.empty()) return Malformed("objects", "are missing: a job has at least one");
+  const std::vector<SceneObject>& objects = request.scene.objects;
+  if (objects.empty()) return Malformed("objects", "are missing: a job has at least one");
   int64_t copies = 0;
-  for (size_t i = 0; i < request.objects.size(); ++i) {
-    if (absl::Status ok = CheckObject(request.objects[i], i); !ok.ok()) return ok;
-    copies += CopiesOf(request.objects[i]);
+  for (size_t i = 0; i < objects.size(); ++i) {
+    if (absl::Status ok = CheckNames(objects[i], i); !ok.ok()) return ok;
+    copies += std::ssize(objects[i].instances);
   }
+  for (const std::string& text : request.without_effect)
+    if (absl::Status ok = CheckText("without_effect", text); !ok.ok()) return ok;
   if (copies <= limits::kMaxObjects) return absl::OkStatus();
   return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
                     copies);
@@ -126,9 +162,10 @@ absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view buil
                                        std::string_view result_tenant) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
   ResolvedJob job;
-  const std::vector<SceneObject> scene = SceneOf(request, job.meshes);
-  auto settings = config::ResolvePlate(request.settings, scene);
+  auto settings = config::ResolvePlate(request.settings, request.scene.objects);
   if (!settings.ok()) return settings.status();
+  settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
+                             request.without_effect.end());
   job.settings_digest = Sha256Hex(settings->effective_text);
   job.action_digest = Sha256Hex(ActionText(request, *settings, build_id, result_tenant));
   job.serving_actions = {job.action_digest};

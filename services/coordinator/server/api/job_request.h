@@ -7,41 +7,24 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/plate.h"
-#include "common/model/mesh.h"
-#include "common/model/placement.h"
+#include "common/wire/scene_wire.h"
 
 namespace slicefarm::coordinator {
-
-struct ObjectRequest {
-  std::string mesh_sha256;
-  std::string name;
-  MeshFormat format = MeshFormat::kUnknown;
-  Placement placement;
-  int32_t copies = 0;  ///< of an object without centers; 0: 1
-  std::vector<Setting> settings = {};
-};
-
-/// A mesh that objects of a job are made of.
-struct MeshRequest {
-  std::string sha256;
-  std::string name;
-  MeshFormat format = MeshFormat::kUnknown;
-};
 
 enum class JobMode { kPrint, kQuote };
 
 /// What a client asks for: objects, and settings as text.
 struct JobRequest {
   JobMode mode = JobMode::kPrint;
-  std::vector<ObjectRequest> objects;
+  SubmittedScene scene;
   std::vector<config::Setting> settings;
+  std::vector<std::string> without_effect = {};  ///< as the client knows: the report names it
 };
 
 /// A request that can be worked on.
 struct ResolvedJob {
   JobRequest request;
   config::ResolvedPlate plate;
-  std::vector<MeshRequest> meshes;  ///< each once; the plate's parts refer to them by index
   std::string settings_digest;  ///< of the effective settings
   std::string action_digest;    ///< of all that the result depends on, build and tenant included
   /// Actions whose results serve as this one's, its own last: a print is a quote, too.

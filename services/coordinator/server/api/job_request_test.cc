@@ -14,11 +14,12 @@ namespace {
 
 JobRequest SimpleRequest() {
   JobRequest request;
-  request.objects.resize(1);
-  request.objects[0].mesh_sha256 = Sha256Hex("mesh");
-  request.objects[0].name = "part.stl";
+  request.scene.meshes = {{Sha256Hex("mesh"), "part.stl", MeshFormat::kUnknown}};
+  request.scene.objects = {ObjectOfFile("part.stl", 0, {}, 1)};
   return request;
 }
+
+SceneObject& FirstOf(JobRequest& request) { return request.scene.objects[0]; }
 
 struct Case {
   std::string name;
@@ -38,22 +39,43 @@ TEST_P(ActionDigestTest, DependsOnThis) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ActionDigestTest,
-    testing::Values(Case{"Mesh", [](auto& r) { r.objects[0].mesh_sha256 = Sha256Hex("other"); }},
-                    Case{"Name", [](auto& r) { r.objects[0].name = "other.stl"; }},
-                    Case{"Format", [](auto& r) { r.objects[0].format = MeshFormat::kObj; }},
-                    Case{"Unit", [](auto& r) { r.objects[0].placement.unit_mm = 25.4; }},
-                    Case{"Scale", [](auto& r) { r.objects[0].placement.scale[2] = 1 + 1e-15; }},
-                    Case{"Rotation", [](auto& r) { r.objects[0].placement.rotate_deg[1] = 1; }},
-                    Case{"Centers",
-                         [](auto& r) {
-                           r.objects[0].placement.centers = {{1, 2}};
-                         }},
-                    Case{"Copies", [](auto& r) { r.objects[0].copies = 2; }},
-                    Case{"SettingOfAnObject",
-                         [](auto& r) {
-                           r.objects[0].settings.push_back({"fill_density", "35%"});
-                         }},
-                    Case{"Objects", [](auto& r) { r.objects.push_back(r.objects[0]); }},
+    testing::Values(
+        Case{"Mesh", [](auto& r) { r.scene.meshes[0].sha256 = Sha256Hex("other"); }},
+        Case{"NameOfTheMesh", [](auto& r) { r.scene.meshes[0].name = "other.stl"; }},
+        Case{"Format", [](auto& r) { r.scene.meshes[0].format = MeshFormat::kObj; }},
+        Case{"Name", [](auto& r) { FirstOf(r).name = "other.stl"; }},
+        Case{"NameOfAPart", [](auto& r) { FirstOf(r).parts[0].name = "other.stl"; }},
+        Case{"WhichMesh", [](auto& r) { FirstOf(r).parts[0].mesh.mesh = 1; }},
+        Case{"FirstTriangle", [](auto& r) { FirstOf(r).parts[0].mesh.first_triangle = 1; }},
+        Case{"TriangleCount", [](auto& r) { FirstOf(r).parts[0].mesh.triangle_count = 1; }},
+        Case{"Role",
+             [](auto& r) {
+               FirstOf(r).parts.push_back(FirstOf(r).parts[0]);
+               FirstOf(r).parts[1].role = PartRole::kNegative;
+             }},
+        Case{"PlaceInTheObject", [](auto& r) { FirstOf(r).parts[0].to_object(2, 3) = 1e-9; }},
+        Case{"Scale", [](auto& r) { FirstOf(r).instances[0].to_plate(2, 2) = 1 + 1e-15; }},
+        Case{"Placed", [](auto& r) { FirstOf(r).instances[0].placed = true; }},
+        Case{"ByOrigin",
+             [](auto& r) {
+               FirstOf(r).instances[0].placed = true;
+               FirstOf(r).instances[0].by_middle = false;
+             }},
+        Case{"Copies", [](auto& r) { FirstOf(r).instances.resize(2); }},
+        Case{"HeightRange", [](auto& r) { FirstOf(r).ranges.push_back({1, 2, {}}); }},
+        Case{"SettingOfAnObject",
+             [](auto& r) {
+               FirstOf(r).settings.push_back({"fill_density", "35%"});
+             }},
+        Case{"SettingOfAPart",
+             [](auto& r) {
+               FirstOf(r).parts[0].settings.push_back({"fill_density", "35%"});
+             }},
+        Case{"Objects", [](auto& r) { r.scene.objects.push_back(FirstOf(r)); }},
+        Case{"WhatTheClientSaysHasNoEffect",
+             [](auto& r) {
+               r.without_effect = {"painted seams"};
+             }},
                     Case{"Setting",
                          [](auto& r) {
                            r.settings.push_back({"layer_height", "0.15"});
@@ -80,43 +102,29 @@ TEST(ResolveJob, SettingsSaidInAnotherWayAreTheSame) {
 
 TEST(CheckRequest, CountsCopies) {
   JobRequest request = SimpleRequest();
-  request.objects[0].placement.centers.resize(limits::kMaxObjects);
+  FirstOf(request).instances.resize(limits::kMaxObjects);
   EXPECT_TRUE(CheckRequest(request).ok());
-  request.objects.push_back(SimpleRequest().objects[0]);
+  request.scene.objects.push_back(FirstOf(request));
+  request.scene.objects[1].instances.resize(1);
   const absl::Status status = CheckRequest(request);
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge);
   EXPECT_EQ(DetailOf(status).metadata.at("limit"), "1000");
   EXPECT_EQ(DetailOf(status).metadata.at("got"), "1001");
 }
 
-TEST(CheckRequest, CountsCopiesWithoutCenters) {
-  JobRequest request = SimpleRequest();
-  request.objects[0].copies = limits::kMaxObjects;
-  EXPECT_TRUE(CheckRequest(request).ok());
-  request.objects.push_back(SimpleRequest().objects[0]);
-  EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("got"), "1001");
-  request = SimpleRequest();
-  request.objects[0].copies = -1;
-  EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "objects[0].copies");
+TEST(CheckRequest, WantsAnObject) {
+  EXPECT_EQ(DetailOf(CheckRequest({})).metadata.at("field"), "objects");
 }
 
-TEST(ResolveJob, AMeshIsTakenOnceForAllItsObjects) {
+TEST(ResolveJob, ReportsWhatTheClientSaysHasNoEffect) {
   JobRequest request = SimpleRequest();
-  request.objects.resize(3, request.objects[0]);
-  request.objects[1].mesh_sha256 = Sha256Hex("other");
-  request.objects[2].settings = {{"fill_density", "35%"}};
-  const auto job = ResolveJob(request, "b", "");
-  ASSERT_TRUE(job.ok()) << job.status();
-  ASSERT_EQ(job->meshes.size(), 2);
-  EXPECT_EQ(job->meshes[1].sha256, Sha256Hex("other"));
-  ASSERT_EQ(job->plate.objects.size(), 3);
-  EXPECT_EQ(job->plate.objects[1].parts.at(0).mesh.file, 1);
-  EXPECT_EQ(job->plate.objects[2].parts.at(0).mesh.file, 0);
+  request.without_effect = {"painted seams"};
+  EXPECT_EQ(ResolveJob(request, "b", "")->plate.no_effect.front(), "painted seams");
 }
 
 TEST(ResolveJob, SettingsOfTheJobAreRefusedForAnObject) {
   JobRequest request = SimpleRequest();
-  request.objects[0].settings = {{"temperature", "210"}};
+  FirstOf(request).settings = {{"temperature", "210"}};
   const absl::Status status = ResolveJob(request, "b", "").status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingMisplaced);
   EXPECT_EQ(DetailOf(status).metadata.at("object"), "part.stl");
@@ -131,10 +139,16 @@ std::vector<std::string> HostileTexts() {
 TEST(CheckRequest, NamesStayOnTheirLine) {
   for (const std::string& name : HostileTexts()) {
     JobRequest request = SimpleRequest();
-    request.objects[0].name = name;
+    FirstOf(request).name = name;
     const absl::Status status = CheckRequest(request);
     EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
     EXPECT_EQ(DetailOf(status).metadata.at("field"), "objects[0].name");
+    request = SimpleRequest();
+    FirstOf(request).parts[0].name = name;
+    EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "objects[0].parts[0].name");
+    request = SimpleRequest();
+    request.without_effect = {name};
+    EXPECT_EQ(DetailOf(CheckRequest(request)).metadata.at("field"), "without_effect");
   }
 }
 

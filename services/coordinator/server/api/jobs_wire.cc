@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/model/limits.h"
+#include "common/wire/given_settings_wire.h"
 #include "common/wire/mesh_wire.h"
 #include "common/wire/wire_error.h"
 
@@ -17,15 +18,6 @@ constexpr int64_t kMaxSeconds = 253'402'300'799;
 
 /// A page ends before it; one job is less than the rest of a message (limits::kMaxSpecBytes).
 constexpr size_t kMaxPageBytes = 1 << 20;
-
-absl::StatusOr<ObjectRequest> ObjectFromProto(const v1::Object& proto) {
-  const auto format = slicefarm::FromProto(proto.format());
-  if (!format.ok()) return format.status();
-  auto placement = slicefarm::FromProto(proto.placement());
-  if (!placement.ok()) return Within("placement", placement.status());
-  return ObjectRequest{proto.mesh_sha256(),   proto.name(),   *format,
-                       *std::move(placement), proto.copies(), SettingsFromProto(proto.settings())};
-}
 
 absl::StatusOr<JobState> StateFromProto(v1::JobState proto) {
   if (proto == v1::JOB_STATE_UNSPECIFIED || !v1::JobState_IsValid(proto)) {
@@ -67,6 +59,17 @@ absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
   return absl::OkStatus();
 }
 
+void ClearSettings(v1::JobSpec& spec) {
+  spec.clear_settings();
+  spec.clear_project_settings();
+  spec.clear_without_effect();
+  for (v1::Object& object : *spec.mutable_objects()) {
+    object.clear_settings();
+    for (v1::Part& part : *object.mutable_parts()) part.clear_settings();
+    for (v1::HeightRange& range : *object.mutable_height_ranges()) range.clear_settings();
+  }
+}
+
 /// All but the spec.
 v1::Job SummaryToProto(const JobRecord& job) {
   v1::Job proto;
@@ -101,24 +104,14 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   JobRequest request;
   if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
   if (spec.mode() == v1::JOB_MODE_QUOTE) request.mode = JobMode::kQuote;
-  for (int i = 0; i < spec.objects_size(); ++i) {
-    auto object = ObjectFromProto(spec.objects(i));
-    if (!object.ok()) return Within("objects", i, object.status());
-    request.objects.push_back(*std::move(object));
-  }
-  request.settings = SettingsFromProto(spec.settings());
+  auto scene = slicefarm::FromProto(spec.objects());
+  if (!scene.ok()) return scene.status();
+  request.scene = *std::move(scene);
+  request.settings = SettingsFromProto(spec.project_settings());
+  for (Setting& setting : SettingsFromProto(spec.settings()))
+    request.settings.push_back(std::move(setting));
+  request.without_effect.assign(spec.without_effect().begin(), spec.without_effect().end());
   return request;
-}
-
-std::vector<config::Setting> SettingsFromProto(
-    const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
-  std::vector<config::Setting> given;
-  for (const v1::Setting& setting : settings) {
-    const auto source =
-        setting.from_profile() ? config::Source::kProfile : config::Source::kRequest;
-    given.push_back({setting.key(), setting.value(), source});
-  }
-  return given;
 }
 
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {
@@ -219,8 +212,7 @@ v1::ListJobsResponse ToProto(const std::vector<JobRecord>& jobs, const ListQuery
   for (const JobRecord& job : jobs) read_bytes += std::ssize(job.spec);
   for (const JobRecord& job : jobs) {
     v1::Job listed = ToProto(job);
-    listed.mutable_spec()->clear_settings();
-    for (v1::Object& object : *listed.mutable_spec()->mutable_objects()) object.clear_settings();
+    ClearSettings(*listed.mutable_spec());
     bytes += listed.ByteSizeLong();
     if (bytes > kMaxPageBytes && response.jobs_size() > 0) break;
     *response.add_jobs() = std::move(listed);

@@ -14,8 +14,6 @@ namespace slicefarm::coordinator {
 /// common/wire/mesh_wire.h.
 
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
-std::vector<config::Setting> SettingsFromProto(
-    const google::protobuf::RepeatedPtrField<v1::Setting>& settings);
 
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority);
 /// Microseconds since 1970. Errors: also for times before that.

@@ -51,20 +51,34 @@ JobRecord DoneJob() {
 TEST(JobsWire, ReadsASpec) {
   const auto request = ReadSpec(SpecBytes(SpecOfTwo()));
   ASSERT_TRUE(request.ok()) << request.status();
-  ASSERT_EQ(request->objects.size(), 2u);
-  EXPECT_EQ(request->objects[0].name, "a.stl");
-  EXPECT_EQ(request->objects[0].format, MeshFormat::kUnknown);
-  EXPECT_EQ(request->objects[1].format, MeshFormat::kObj);
-  EXPECT_EQ(request->objects[1].placement.scale[2], 2);
-  EXPECT_EQ(request->objects[0].copies, 0);
-  EXPECT_EQ(request->objects[1].copies, 4);
-  EXPECT_TRUE(request->objects[0].settings.empty());
-  ASSERT_EQ(request->objects[1].settings.size(), 1u);
-  EXPECT_EQ(request->objects[1].settings[0],
+  ASSERT_EQ(request->scene.meshes.size(), 2u);
+  EXPECT_EQ(request->scene.meshes[0].format, MeshFormat::kUnknown);
+  EXPECT_EQ(request->scene.meshes[1].format, MeshFormat::kObj);
+  const std::vector<SceneObject>& objects = request->scene.objects;
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].name, "a.stl");
+  EXPECT_EQ(objects[1].parts.at(0).mesh.file, 1);
+  EXPECT_EQ(objects[1].instances.at(0).to_plate(2, 2), 2);
+  EXPECT_EQ(objects[0].instances.size(), 1u);
+  EXPECT_EQ(objects[1].instances.size(), 4u);
+  EXPECT_TRUE(objects[0].settings.empty());
+  ASSERT_EQ(objects[1].settings.size(), 1u);
+  EXPECT_EQ(objects[1].settings[0],
             (config::Setting{"fill_density", "35%", config::Source::kRequest}));
   ASSERT_EQ(request->settings.size(), 2u);
   EXPECT_EQ(request->settings[0], (config::Setting{"perimeters", "2", config::Source::kRequest}));
   EXPECT_EQ(request->settings[1].source, config::Source::kProfile);
+}
+
+TEST(JobsWire, SettingsOfAProjectComeFirst) {
+  v1::JobSpec spec = SpecOfTwo();
+  spec.add_project_settings()->set_key("fill_density");
+  spec.add_without_effect("painted seams");
+  const auto request = FromProto(spec);
+  ASSERT_TRUE(request.ok()) << request.status();
+  ASSERT_EQ(request->settings.size(), 3u);
+  EXPECT_EQ(request->settings[0].key, "fill_density");
+  EXPECT_EQ(request->without_effect, std::vector<std::string>{"painted seams"});
 }
 
 TEST(JobsWire, ErrorsSayWhere) {

@@ -9,6 +9,7 @@
 #include "common/model/limits.h"
 #include "common/base/sha256.h"
 #include "common/rpc/status_mapping.h"
+#include "common/wire/given_settings_wire.h"
 #include "common/wire/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/profile_settings.h"

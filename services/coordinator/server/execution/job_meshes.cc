@@ -7,7 +7,7 @@ namespace slicefarm::coordinator {
 absl::StatusOr<ByteBudget::Share> RoomForMeshes(const ResolvedJob& job, BlobStore& blobs,
                                                 ByteBudget& memory, const CancelToken& cancel) {
   int64_t bytes = 0;
-  for (const MeshRequest& mesh : job.meshes) {
+  for (const StoredMesh& mesh : job.request.scene.meshes) {
     const auto status = blobs.Status(mesh.sha256);
     if (!status.ok()) return status.status();
     bytes += status->committed_size;
@@ -17,7 +17,7 @@ absl::StatusOr<ByteBudget::Share> RoomForMeshes(const ResolvedJob& job, BlobStor
 
 absl::StatusOr<SliceInput> LoadMeshes(const ResolvedJob& job, BlobStore& blobs) {
   SliceInput input;
-  for (const MeshRequest& mesh : job.meshes) {
+  for (const StoredMesh& mesh : job.request.scene.meshes) {
     auto bytes = blobs.Get(mesh.sha256);
     if (!bytes.ok()) return bytes.status();
     input.files.push_back({mesh.name, mesh.format, *std::move(bytes)});

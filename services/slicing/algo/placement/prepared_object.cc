@@ -22,14 +22,14 @@ absl::Status Malformed(std::string_view message) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
 }
 
-/// A project says how its meshes are turned, scaled and combined: to print one as it lies in the
+/// A project says how its meshes are turned, scaled and combined: to print them as they lie in the
 /// file would be wrong.
 absl::Status CheckNoProject(const MeshFile& file) {
   const MeshFormat format =
       file.format == MeshFormat::kUnknown ? DetectFormat(file.bytes) : file.format;
   if (format != MeshFormat::k3mf) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                   "3MF projects are not sliced yet; export the part as STL, OBJ or PLY");
+  return Malformed(
+      "a 3MF project is no single mesh: the job must name its objects, their parts and places");
 }
 
 /// The meshes of the files, each file's freed after their last use.
@@ -48,15 +48,17 @@ class Meshes {
     if (!Has(ref)) return Malformed("a part refers to a file that is not there");
     const auto file = static_cast<size_t>(ref.file);
     if (!meshes_[file]) {
-      if (absl::Status ok = CheckNoProject(files_[file]); !ok.ok()) return ok;
+      if (ref.mesh == kOnlyMesh)
+        if (absl::Status ok = CheckNoProject(files_[file]); !ok.ok()) return ok;
       auto read = source_.Read(std::exchange(files_[file].bytes, {}), files_[file].format,
                                limits::kMaxMeshCoordinateMm, ReadDepth::kMeshes, cancel_);
       if (!read.ok()) return read.status();
       meshes_[file] = std::move(read->meshes);
     }
-    if (ref.mesh < 0 || ref.mesh >= std::ssize(*meshes_[file]))
+    const int32_t mesh = ref.mesh == kOnlyMesh ? 0 : ref.mesh;
+    if (mesh < 0 || mesh >= std::ssize(*meshes_[file]))
       return Malformed("a part refers to a mesh that is not in its file");
-    absl::StatusOr<RawMesh> part = MeshPart((*meshes_[file])[static_cast<size_t>(ref.mesh)], ref);
+    absl::StatusOr<RawMesh> part = MeshPart((*meshes_[file])[static_cast<size_t>(mesh)], ref);
     if (--uses_[file] == 0) meshes_[file].reset();
     return part;
   }

@@ -1,0 +1,204 @@
+#include "services/cli/models/given_models.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/config/project.h"
+#include "common/model/limits.h"
+#include "common/model/placement.h"
+#include "services/cli/files.h"
+#include "services/cli/models/model_arguments.h"
+#include "services/slicing/algo/mesh_io/mesh_reader.h"
+
+namespace slicefarm::cli {
+namespace {
+
+absl::Status Malformed(const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
+
+/// An object, and by which names the command line may call it.
+struct NamedObject {
+  SceneObject object;
+  std::vector<std::string> names;  ///< of its file, and its own
+
+  bool IsCalled(const std::string& name) const {
+    return std::ranges::find(names, name) != names.end();
+  }
+  bool IsPlaced() const {
+    return std::ranges::any_of(object.instances,
+                               [](const Instance& instance) { return instance.placed; });
+  }
+};
+
+class ModelReader {
+ public:
+  explicit ModelReader(const JobOptions& options) : options_(options) {}
+
+  absl::StatusOr<GivenModels> Run() && {
+    const auto placement = PlacementOf(options_);
+    if (!placement.ok()) return placement.status();
+    if (absl::Status ok = CheckPlacement(*placement); !ok.ok()) return ok;
+    placement_ = *placement;
+    for (const std::string& path : options_.models)
+      if (absl::Status ok = Read(path); !ok.ok()) return ok;
+    if (options_.plate > 0 && !has_project_)
+      return Malformed("--plate: none of the models is a 3MF project");
+    absl::Status ok = TakeCopies();
+    if (ok.ok()) ok = TakeSettings();
+    if (!ok.ok()) return ok;
+    for (NamedObject& named : objects_) given_.objects.push_back(std::move(named.object));
+    return std::move(given_);
+  }
+
+ private:
+  absl::Status Read(const std::string& path) {
+    const auto [file, is_new] =
+        files_.try_emplace(path, static_cast<int32_t>(given_.files.size()));
+    if (is_new) {
+      auto read = ReadModelFile(path);
+      if (!read.ok()) return read.status();
+      given_.files.push_back(*std::move(read));
+    }
+    const MeshFile& model = given_.files[static_cast<size_t>(file->second)];
+    if (slicing::DetectFormat(model.bytes) == MeshFormat::k3mf)
+      return AddProject(path, file->second);
+    Add(path, ObjectOfFile(NameOf(path), file->second, placement_, 0));
+    return absl::OkStatus();
+  }
+
+  absl::Status AddProject(const std::string& path, int32_t file) {
+    has_project_ = true;
+    MeshFile& model = given_.files[static_cast<size_t>(file)];
+    model.format = MeshFormat::k3mf;
+    const auto project = ReadProject(path, model);
+    if (!project.ok()) return project.status();
+    auto job = config::JobOfProject(*project, options_.plate);
+    if (!job.ok()) return InFile(path, job.status());
+    for (SceneObject& object : job->objects) {
+      for (Part& part : object.parts) part.mesh.file = file;
+      if (options_.arrange)
+        for (Instance& instance : object.instances) instance.placed = false;
+      if (absl::Status ok = PlaceAgain(path, job->objects.size(), object); !ok.ok()) return ok;
+      Add(path, std::move(object));
+    }
+    std::ranges::move(job->settings, std::back_inserter(given_.settings));
+    std::ranges::move(job->without_effect, std::back_inserter(given_.without_effect));
+    return absl::OkStatus();
+  }
+
+  /// Gives an object of a project the place of the command line, if there is one.
+  absl::Status PlaceAgain(const std::string& path, size_t objects, SceneObject& object) const {
+    if (placement_.unit_mm != 1)
+      return Malformed("--units: the unit of " + path + " is said in the file");
+    const std::vector<Point>& centers = placement_.centers;
+    Placement turn = placement_;
+    turn.centers.clear();
+    if (turn == Placement() && centers.empty()) return absl::OkStatus();
+    for (Instance& instance : object.instances) {
+      if (instance.placed) {
+        return Malformed(fmt::format("--scale, --rotate, --rotate-z and --center would move what "
+                                     "{} has placed; with --arrange it is placed anew",
+                                     path));
+      }
+      instance.to_plate = Combined(TransformOf(turn), instance.to_plate);
+    }
+    if (centers.empty()) return absl::OkStatus();
+    if (objects != 1 || object.instances.size() != 1)
+      return Malformed(fmt::format("--center: {} has several objects or copies", path));
+    Instance instance = object.instances.front();
+    instance.placed = instance.by_middle = true;
+    object.instances.clear();
+    for (const Point center : centers) {
+      instance.to_plate(0, 3) = ToMm(static_cast<double>(center.x));
+      instance.to_plate(1, 3) = ToMm(static_cast<double>(center.y));
+      object.instances.push_back(instance);
+    }
+    return absl::OkStatus();
+  }
+
+  void Add(const std::string& path, SceneObject object) {
+    NamedObject named{std::move(object), {path, NameOf(path)}};
+    named.names.push_back(named.object.name);
+    objects_.push_back(std::move(named));
+  }
+
+  std::vector<std::string> KnownNames() const {
+    std::vector<std::string> names;
+    for (const NamedObject& named : objects_)
+      names.insert(names.end(), named.names.begin(), named.names.end());
+    return names;
+  }
+
+  absl::Status TakeCopies() {
+    for (const std::string& text : options_.copies) {
+      const OfModel of = TakeApart(text, '=', KnownNames());
+      const auto count = CopiesOf(text, of);
+      if (!count.ok()) return count.status();
+      if (!options_.centers.empty()) return Malformed("--copies and --center exclude each other");
+      for (NamedObject& named : objects_) {
+        if (!named.IsCalled(of.name)) continue;
+        if (named.IsPlaced()) {
+          return Malformed(fmt::format("--copies {}: the project has placed it; with --arrange its "
+                                       "copies are placed anew",
+                                       text));
+        }
+        named.object.instances.assign(static_cast<size_t>(*count), named.object.instances.front());
+      }
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status TakeSettings() {
+    for (const std::string& text : options_.object_sets) {
+      const OfModel of = TakeApart(text, ':', KnownNames());
+      if (of.name.empty()) {
+        return Malformed(fmt::format("--object-set {}: MODEL:key=value is needed, with one of the "
+                                     "models",
+                                     text));
+      }
+      const auto setting = ParseSet("--object-set", of.what);
+      if (!setting.ok()) return setting.status();
+      for (NamedObject& named : objects_)
+        if (named.IsCalled(of.name)) named.object.settings.push_back(*setting);
+    }
+    return absl::OkStatus();
+  }
+
+  const JobOptions& options_;
+  Placement placement_;
+  GivenModels given_;
+  std::vector<NamedObject> objects_;
+  std::map<std::string, int32_t> files_;  ///< by path
+  bool has_project_ = false;
+};
+
+}  // namespace
+
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
+  return ModelReader(options).Run();
+}
+
+absl::StatusOr<MeshFile> ReadModelFile(const std::string& path) {
+  auto bytes = ReadFile(path, limits::kMaxMeshBytes);
+  if (!bytes.ok()) {
+    const ErrorDetail detail = DetailOf(bytes.status());
+    if (detail.reason != Reason::kRequestTooLarge) return bytes.status();
+    return MakeError(bytes.status().code(), Reason::kMeshTooLarge,
+                     std::string(bytes.status().message()), detail.metadata);
+  }
+  return MeshFile{.name = NameOf(path), .bytes = *std::move(bytes)};
+}
+
+absl::StatusOr<Project> ReadProject(const std::string& path, const MeshFile& file) {
+  auto read = slicing::ReadMeshFile(file.bytes, file.format, limits::kMaxMeshCoordinateMm,
+                                    slicing::ReadDepth::kStructure, {});
+  if (!read.ok()) return InFile(path, read.status());
+  return std::move(read->project);
+}
+
+}  // namespace slicefarm::cli

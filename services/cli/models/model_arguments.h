@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/placement.h"
+#include "services/cli/job_options.h"
+
+namespace slicefarm::cli {
+
+/// What the command line says about models, read and checked. Errors: REQUEST_MALFORMED naming the
+/// option.
+
+/// --units, --scale, --rotate, --rotate-z and --center.
+absl::StatusOr<Placement> PlacementOf(const JobOptions& options);
+
+/// What is said of one model or object: `NAME=...`.
+struct OfModel {
+  std::string name;  ///< empty: none of the known ones
+  std::string what;  ///< after the separator
+};
+
+/// Takes the longest of the known names that the text begins with: names may hold the separator.
+OfModel TakeApart(const std::string& text, char separator, const std::vector<std::string>& known);
+
+/// The number of --copies NAME=N, from 1 to limits::kMaxObjects.
+absl::StatusOr<int> CopiesOf(const std::string& text, const OfModel& of);
+
+/// A file's name as a part's: it goes over the wire as UTF-8, and into G-code comments, where a
+/// line end would begin a command.
+std::string PartName(std::string_view file);
+
+/// Of a file, without its folders.
+std::string NameOf(const std::string& path);
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,99 @@
+#include "services/cli/models/project_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "common/config/project.h"
+
+namespace slicefarm::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const std::vector<Setting>& settings) {
+  Json json = Json::object();
+  for (const Setting& setting : settings) json[setting.key] = setting.value;
+  return json;
+}
+
+Json ToJson(const Transform& transform) {
+  Json json = Json::array();
+  for (int i = 0; i < 12; ++i) json.push_back(transform(i / 4, i % 4));
+  return json;
+}
+
+std::string_view NameOf(PartRole role) {
+  switch (role) {
+    case PartRole::kSolid:
+      return "solid";
+    case PartRole::kNegative:
+      return "negative";
+    case PartRole::kModifier:
+      return "modifier";
+    case PartRole::kSupportEnforcer:
+      return "support_enforcer";
+    case PartRole::kSupportBlocker:
+      return "support_blocker";
+  }
+  return "unknown";
+}
+
+Json ToJson(const Part& part) {
+  return {{"name", part.name},
+          {"role", NameOf(part.role)},
+          {"mesh", part.mesh.mesh},
+          {"first_triangle", part.mesh.first_triangle},
+          {"triangle_count", part.mesh.triangle_count},
+          {"to_object", ToJson(part.to_object)},
+          {"settings", ToJson(part.settings)}};
+}
+
+Json ToJson(const SceneObject& object) {
+  Json json = {{"name", object.name}, {"settings", ToJson(object.settings)}};
+  json["parts"] = Json::array();
+  for (const Part& part : object.parts) json["parts"].push_back(ToJson(part));
+  json["height_ranges"] = Json::array();
+  for (const HeightRange& range : object.ranges)
+    json["height_ranges"].push_back({{"from_mm", range.from_mm},
+                                     {"to_mm", range.to_mm},
+                                     {"settings", ToJson(range.settings)}});
+  json["copies"] = Json::array();
+  for (const Instance& instance : object.instances)
+    json["copies"].push_back({{"printable", instance.printable},
+                              {"placed", instance.placed},
+                              {"to_plate", ToJson(instance.to_plate)}});
+  return json;
+}
+
+std::vector<ProjectPlate> PlatesOf(const Project& project) {
+  if (!project.plates.empty()) return project.plates;
+  ProjectPlate all;
+  for (size_t object = 0; object < project.objects.size(); ++object)
+    for (size_t copy = 0; copy < project.objects[object].instances.size(); ++copy)
+      all.members.push_back({static_cast<int32_t>(object), static_cast<int32_t>(copy)});
+  return {all};
+}
+
+Json ToJson(const ProjectPlate& plate, size_t number) {
+  Json json = {{"number", number}, {"name", plate.name}, {"settings", ToJson(plate.settings)}};
+  json["objects"] = Json::array();
+  for (const ProjectPlate::Member& member : plate.members)
+    json["objects"].push_back({{"object", member.object}, {"copy", member.instance}});
+  return json;
+}
+
+}  // namespace
+
+std::string ProjectJson(const Project& given) {
+  const Project project = config::InPrusaNames(given);
+  Json json = {{"application", project.application},
+               {"settings", ToJson(project.settings)},
+               {"without_effect", project.without_effect}};
+  json["objects"] = Json::array();
+  for (const SceneObject& object : project.objects) json["objects"].push_back(ToJson(object));
+  json["plates"] = Json::array();
+  const std::vector<ProjectPlate> plates = PlatesOf(project);
+  for (size_t i = 0; i < plates.size(); ++i) json["plates"].push_back(ToJson(plates[i], i + 1));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace slicefarm::cli
