@@ -46,9 +46,14 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                  "STL (binary or ASCII), OBJ or PLY file, or 3MF project; several: a plate of them")
       ->required();
   AddSettingOptions(app, options);
-  app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
-      ->check(CLI::Range(1, static_cast<int>(limits::kMaxProjectPlates)))
-      ->type_name("N");
+  auto* plate =
+      app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
+          ->check(CLI::Range(1, static_cast<int>(limits::kMaxProjectPlates)))
+          ->type_name("N");
+  app.add_flag("--plates", options.plates,
+               "A job for each plate of a project, or for as many beds as all parts and copies take; "
+               "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ...")
+      ->excludes(plate);
   app.add_option("--copies", options.copies,
                  "How often a model, or an object of a project, is printed; may be repeated")
       ->type_name("MODEL=N")

@@ -27,6 +27,7 @@ struct JobOptions : SettingOptions {
   std::vector<std::string> centers;  ///< X,Y
   bool arrange = false;              ///< what has a place, too
   int plate = 0;                     ///< of a project, from 1; 0: the only one
+  bool plates = false;               ///< a job for each plate
   std::string report;
   bool quiet = false;
 };

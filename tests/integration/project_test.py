@@ -6,6 +6,7 @@ usage: project_test.py SLICEFARM
 """
 import collections
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -227,9 +228,31 @@ def check_hostile(program, folder):
     assert not (folder / "bad.gcode").exists()
 
 
+def check_farm(program, folder):
+    """The same bytes from a farm of real processes, where a sandbox reads the file; and a file that only the farm finds out about."""
+    os.environ["SLICEFARM_BIN"] = str(pathlib.Path(program).resolve().parent)
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+    from local_farm import running_farm
+
+    project = write(folder / "prusa.3mf", prusa_files())
+    must(program, "slice", project, "-o", folder / "here.gcode", "--report", folder / "here.json")
+    broken = cad_files()
+    broken["3D/3dmodel.model"] = broken["3D/3dmodel.model"].replace('v1="0"', 'v1="99"', 1)
+    with running_farm() as farm:
+        done = farm.client("submit", project, "-o", folder / "there.gcode", "--report", folder / "there.json")
+        assert done.returncode == 0, done.stderr
+        refused = farm.client("submit", write(folder / "broken.3mf", broken), "-o", folder / "bad.gcode")
+        plate = farm.client("submit", write(folder / "bambu.3mf", bambu_files()), "--plate", "2", "-o", folder / "plate.gcode")
+    assert (folder / "here.gcode").read_bytes() == (folder / "there.gcode").read_bytes()
+    here, there = (json.loads((folder / name).read_text())["settings_without_effect"] for name in ("here.json", "there.json"))
+    assert here == there, f"{here} and {there}"
+    assert refused.returncode == BAD_MESH and "broken.3mf" in refused.stderr, refused.stderr
+    assert plate.returncode == 0, plate.stderr
+
+
 def main(program):
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_prusa, check_bambu, check_cad, check_what_has_no_effect, check_hostile):
+        for check in (check_prusa, check_bambu, check_cad, check_what_has_no_effect, check_hostile, check_farm):
             check(program, pathlib.Path(name))
             print(f"{check.__name__}: ok")
 

@@ -34,19 +34,17 @@ int ThreadsOf(const SliceOptions& options) {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
 }
 
-absl::StatusOr<config::ResolvedPlate> Resolve(const GivenModels& models,
-                                              const std::vector<Setting>& given) {
-  std::vector<Setting> settings = models.settings;
-  settings.insert(settings.end(), given.begin(), given.end());
-  absl::StatusOr<config::ResolvedPlate> plate = config::ResolvePlate(settings, models.objects);
+absl::StatusOr<config::ResolvedPlate> Resolve(const GivenPlate& given,
+                                              const std::vector<Setting>& settings) {
+  auto plate = config::ResolvePlate(SettingsOf(given, settings), given.objects);
   if (plate.ok())
-    plate->no_effect.insert(plate->no_effect.begin(), models.without_effect.begin(),
-                            models.without_effect.end());
+    plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
+                            given.without_effect.end());
   return plate;
 }
 
-coordinator::JobInput InputOf(GivenModels given, const config::ResolvedPlate& plate) {
-  return {.meshes = {std::move(given.files), plate.objects},
+coordinator::JobInput InputOf(std::vector<MeshFile> files, const config::ResolvedPlate& plate) {
+  return {.meshes = {std::move(files), plate.objects},
           .settings = plate.settings,
           .settings_text = plate.effective_text,
           .warnings = plate.warnings};
@@ -91,15 +89,12 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
         result_on_stdout);
 }
 
-ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
-  const auto given = GivenSettings(options.job);
-  if (!given.ok()) return Fail(given.status());
-  auto models = ReadModels(options.job);
-  if (!models.ok()) return Fail(models.status());
-  const auto resolved = Resolve(*models, *given);
+ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
+                    const GivenPlate& given, const std::vector<Setting>& settings,
+                    Interrupt& interrupt) {
+  const auto resolved = Resolve(given, settings);
   if (!resolved.ok()) return Fail(resolved.status());
-
-  auto output = Run(options, InputOf(*std::move(models), *resolved), interrupt);
+  auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);
   if (!output.ok()) {
     const bool mesh = ExitCodeOf(output.status()) == ExitCode::kBadMesh;
     const bool one = options.job.models.size() == 1;
@@ -109,6 +104,25 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
     return Fail(status);
   }
   PrintSummary(options, output->report, *resolved);
+  return ExitCode::kOk;
+}
+
+ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
+  if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
+  const auto settings = GivenSettings(options.job);
+  if (!settings.ok()) return Fail(settings.status());
+  auto models = ReadModels(options.job, *settings);
+  if (!models.ok()) return Fail(models.status());
+  for (size_t i = 0; i < models->plates.size(); ++i) {
+    SliceOptions one = options;
+    one.output = OutputOf(options.job, options.output, i);
+    one.job.report = OutputOf(options.job, options.job.report, i);
+    const bool last = i + 1 == models->plates.size();
+    std::vector<MeshFile> files = last ? std::move(models->files) : models->files;
+    const ExitCode code =
+        SlicePlate(one, std::move(files), models->plates[i], *settings, interrupt);
+    if (code != ExitCode::kOk) return code;
+  }
   return ExitCode::kOk;
 }
 

@@ -49,17 +49,14 @@ TraceContext TraceOf(const SubmitOptions& options) {
 }
 
 /// All of the spec but the objects, which need the meshes' digests.
-absl::StatusOr<v1::JobSpec> SpecOf(const SubmitOptions& submit, const GivenModels& models) {
-  const JobOptions& options = submit.job;
-  const auto settings = GivenSettings(options);
-  if (!settings.ok()) return settings.status();
+v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
+                   const std::vector<Setting>& settings) {
   v1::JobSpec spec;
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
-  SettingsToProto(*settings, spec.mutable_settings());
-  SettingsToProto(models.settings, spec.mutable_project_settings());
-  spec.mutable_without_effect()->Assign(models.without_effect.begin(),
-                                        models.without_effect.end());
+  SettingsToProto(settings, spec.mutable_settings());
+  SettingsToProto(plate.settings, spec.mutable_project_settings());
+  spec.mutable_without_effect()->Assign(plate.without_effect.begin(), plate.without_effect.end());
   return spec;
 }
 
@@ -70,13 +67,12 @@ v1::JobPriority PriorityOf(const std::string& name) {
 
 /// All of the request but the objects.
 absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
-                                               const GivenModels& models) {
+                                               const GivenPlate& plate,
+                                               const std::vector<Setting>& settings) {
   const auto labels = ReadLabels(options.labels);
   if (!labels.ok()) return labels.status();
-  auto spec = SpecOf(options, models);
-  if (!spec.ok()) return spec.status();
   v1::CreateJobRequest request;
-  *request.mutable_spec() = *std::move(spec);
+  *request.mutable_spec() = SpecOf(options, plate, settings);
   request.mutable_labels()->insert(labels->begin(), labels->end());
   request.set_priority(PriorityOf(options.priority));
   request.set_webhook_url(options.webhook);
@@ -109,17 +105,30 @@ absl::StatusOr<std::vector<StoredMesh>> UploadMeshes(const std::vector<MeshFile>
   return meshes;
 }
 
-absl::StatusOr<v1::Job> Upload(const SubmitOptions& options, JobsClient& client, ProgressBar& bar) {
-  const auto models = ReadModels(options.job);
+/// A job for each plate.
+absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
+                                            ProgressBar& bar) {
+  const auto settings = GivenSettings(options.job);
+  if (!settings.ok()) return settings.status();
+  const auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return models.status();
-  auto request = RequestOf(options, *models);
-  if (!request.ok()) return request.status();
-
+  std::vector<v1::CreateJobRequest> requests;
+  for (const GivenPlate& plate : models->plates) {
+    auto request = RequestOf(options, plate, *settings);
+    if (!request.ok()) return request.status();
+    requests.push_back(*std::move(request));
+  }
   const auto meshes = UploadMeshes(models->files, client, bar);
   if (!meshes.ok()) return meshes.status();
-  for (const SceneObject& object : models->objects)
-    slicefarm::ToProto(object, *meshes, request->mutable_spec()->add_objects());
-  return client.CreateJob(*std::move(request));
+  std::vector<v1::Job> jobs;
+  for (size_t i = 0; i < requests.size(); ++i) {
+    for (const SceneObject& object : models->plates[i].objects)
+      slicefarm::ToProto(object, *meshes, requests[i].mutable_spec()->add_objects());
+    auto job = client.CreateJob(std::move(requests[i]));
+    if (!job.ok()) return job.status();
+    jobs.push_back(*std::move(job));
+  }
+  return jobs;
 }
 
 /// Ctrl-C while we wait for a job means that nobody wants it any more.
@@ -171,7 +180,7 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   if (!gcode && !options.detach && !options.quote && !options.check) {
     return Malformed("say where the G-code goes (-o OUT.gcode), or --detach, --quote or --check");
   }
-  return absl::OkStatus();
+  return CheckOutputs(options.job, options.output);
 }
 
 void PrintPreflight(const v1::Job& job) {
@@ -191,6 +200,46 @@ void PrintPreflight(const v1::Job& job) {
                      .cost = MoneyText(found.cost().total(), found.cost().currency())}));
 }
 
+/// Waits for the job, and fetches what it made.
+ExitCode Fetch(const SubmitOptions& options, const v1::Job& created, JobsClient& client,
+               Interrupt& interrupt) {
+  ProgressBar bar(!options.job.quiet);
+  const auto job =
+      client.WatchJob(created.id(), [&](const v1::Job& event) { ShowProgress(bar, event); });
+  bar.Clear();
+  if (interrupt.Requested()) return CancelAfterInterrupt(options, created.id());
+  if (!job.ok()) {
+    fmt::print(stderr, "job {} goes on; `slicefarm watch {}` follows it\n", created.id(),
+               created.id());
+    return Fail(job.status());
+  }
+  const auto& models = options.job.models;
+  if (!OutcomeOf(*job).ok()) return FailJob(*job, models.size() == 1 ? models[0] : "");
+  const absl::Status fetched =
+      FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
+  if (!fetched.ok()) {
+    fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
+    return Fail(fetched);
+  }
+  PrintSummary(options, *job);
+  return ExitCode::kOk;
+}
+
+/// Fetches all jobs, and goes on when one fails; after Ctrl-C cancels the rest.
+ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs,
+                  JobsClient& client, Interrupt& interrupt) {
+  ExitCode worst = ExitCode::kOk;
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    SubmitOptions one = options;
+    one.output = OutputOf(options.job, options.output, i);
+    one.job.report = OutputOf(options.job, options.job.report, i);
+    const ExitCode code = interrupt.Requested() ? CancelAfterInterrupt(options, jobs[i].id())
+                                                : Fetch(one, jobs[i], client, interrupt);
+    if (code != ExitCode::kOk) worst = code;
+  }
+  return worst;
+}
+
 ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
   for (const std::string& path : {options.output, options.job.report}) {
@@ -200,38 +249,14 @@ ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   client_options.trace = TraceOf(options);
   JobsClient client(std::move(client_options));
   ProgressBar bar(!options.job.quiet);
-  const auto created = Upload(options, client, bar);
-  if (!created.ok()) {
-    bar.Clear();
-    return Fail(created.status());
-  }
-  if (options.check) {
-    bar.Clear();
-    PrintPreflight(*created);
-    return ExitCode::kOk;
-  }
-  if (options.detach) {
-    bar.Clear();
-    Print(created->id() + "\n");
-    return ExitCode::kOk;
-  }
-  const auto job =
-      client.WatchJob(created->id(), [&](const v1::Job& event) { ShowProgress(bar, event); });
+  const auto created = Create(options, client, bar);
   bar.Clear();
-  if (interrupt.Requested()) return CancelAfterInterrupt(options, created->id());
-  if (!job.ok()) {
-    fmt::print(stderr, "job {} goes on; `slicefarm watch {}` follows it\n", created->id(),
-               created->id());
-    return Fail(job.status());
+  if (!created.ok()) return Fail(created.status());
+  if (!options.check && !options.detach) return FetchAll(options, *created, client, interrupt);
+  for (const v1::Job& job : *created) {
+    if (options.check) PrintPreflight(job);
+    if (options.detach) Print(job.id() + "\n");
   }
-  if (!OutcomeOf(*job).ok()) return FailJob(*job, options.job.models.size() == 1 ? options.job.models[0] : "");
-  const absl::Status fetched =
-      FetchResults(client, *job, {.gcode = options.output, .report = options.job.report});
-  if (!fetched.ok()) {
-    fmt::print(stderr, "job {0} is done; `slicefarm get {0} -o OUT.gcode` fetches it\n", job->id());
-    return Fail(fetched);
-  }
-  PrintSummary(options, *job);
   return ExitCode::kOk;
 }
 

@@ -3,16 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/config/plate.h"
 #include "common/config/project.h"
 #include "common/model/limits.h"
 #include "common/model/placement.h"
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
+#include "services/slicing/algo/placement/scene_plates.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -35,9 +38,11 @@ struct NamedObject {
   }
 };
 
-class ModelReader {
+/// Reads the models for one plate.
+class PlateReader {
  public:
-  explicit ModelReader(const JobOptions& options) : options_(options) {}
+  /// `plate`: of a project.
+  PlateReader(const JobOptions& options, int plate) : options_(options), chosen_(plate) {}
 
   absl::StatusOr<GivenModels> Run() && {
     const auto placement = PlacementOf(options_);
@@ -46,12 +51,13 @@ class ModelReader {
     placement_ = *placement;
     for (const std::string& path : options_.models)
       if (absl::Status ok = Read(path); !ok.ok()) return ok;
-    if (options_.plate > 0 && !has_project_)
+    if (chosen_ > 0 && !has_project_)
       return Malformed("--plate: none of the models is a 3MF project");
     absl::Status ok = TakeCopies();
     if (ok.ok()) ok = TakeSettings();
     if (!ok.ok()) return ok;
-    for (NamedObject& named : objects_) given_.objects.push_back(std::move(named.object));
+    for (NamedObject& named : objects_) plate_.objects.push_back(std::move(named.object));
+    given_.plates.push_back(std::move(plate_));
     return std::move(given_);
   }
 
@@ -77,7 +83,7 @@ class ModelReader {
     model.format = MeshFormat::k3mf;
     const auto project = ReadProject(path, model);
     if (!project.ok()) return project.status();
-    auto job = config::JobOfProject(*project, options_.plate);
+    auto job = config::JobOfProject(*project, chosen_);
     if (!job.ok()) return InFile(path, job.status());
     for (SceneObject& object : job->objects) {
       for (Part& part : object.parts) part.mesh.file = file;
@@ -86,8 +92,8 @@ class ModelReader {
       if (absl::Status ok = PlaceAgain(path, job->objects.size(), object); !ok.ok()) return ok;
       Add(path, std::move(object));
     }
-    std::ranges::move(job->settings, std::back_inserter(given_.settings));
-    std::ranges::move(job->without_effect, std::back_inserter(given_.without_effect));
+    std::ranges::move(job->settings, std::back_inserter(plate_.settings));
+    std::ranges::move(job->without_effect, std::back_inserter(plate_.without_effect));
     return absl::OkStatus();
   }
 
@@ -170,17 +176,90 @@ class ModelReader {
   }
 
   const JobOptions& options_;
+  const int chosen_;
   Placement placement_;
   GivenModels given_;
+  GivenPlate plate_;
   std::vector<NamedObject> objects_;
   std::map<std::string, int32_t> files_;  ///< by path
   bool has_project_ = false;
 };
 
+/// Which plates of a project there are to print, from 1; {0} for other models.
+absl::StatusOr<std::vector<int>> PlatesToPrint(const JobOptions& options) {
+  std::vector<int> plates;
+  if (options.models.size() == 1) {
+    const auto file = ReadModelFile(options.models[0]);
+    if (!file.ok()) return file.status();
+    if (slicing::DetectFormat(file->bytes) == MeshFormat::k3mf) {
+      const auto project = ReadProject(options.models[0], *file);
+      if (!project.ok()) return project.status();
+      for (size_t i = 0; i < project->plates.size(); ++i)
+        if (!project->plates[i].members.empty()) plates.push_back(static_cast<int>(i) + 1);
+    }
+  }
+  if (plates.empty()) plates.push_back(0);
+  return plates;
+}
+
+/// The plate's copies on as many beds as it takes.
+absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& files,
+                                               const GivenPlate& plate,
+                                               const std::vector<Setting>& given) {
+  const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects);
+  if (!resolved.ok()) return resolved.status();
+  auto beds = slicing::PutOnPlates(files, plate.objects, resolved->settings.slicing,
+                                   *slicing::MakeDirectMeshSource(), {});
+  if (!beds.ok()) return beds.status();
+  std::vector<GivenPlate> plates;
+  for (std::vector<SceneObject>& objects : *beds) {
+    plates.push_back(plate);
+    plates.back().objects = std::move(objects);
+  }
+  return plates;
+}
+
+absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options,
+                                          const std::vector<Setting>& given) {
+  const auto numbers = PlatesToPrint(options);
+  if (!numbers.ok()) return numbers.status();
+  GivenModels all;
+  for (const int number : *numbers) {
+    auto one = PlateReader(options, number).Run();
+    if (!one.ok()) return one.status();
+    auto beds = OnBeds(one->files, one->plates.front(), given);
+    if (!beds.ok()) return beds.status();
+    all.files = std::move(one->files);
+    std::ranges::move(*beds, std::back_inserter(all.plates));
+  }
+  return all;
+}
+
 }  // namespace
 
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
-  return ModelReader(options).Run();
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
+                                       const std::vector<Setting>& given) {
+  if (options.plates) return ReadAllPlates(options, given);
+  return PlateReader(options, options.plate).Run();
+}
+
+std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given) {
+  std::vector<Setting> settings = plate.settings;
+  settings.insert(settings.end(), given.begin(), given.end());
+  return settings;
+}
+
+absl::Status CheckOutputs(const JobOptions& options, const std::string& output) {
+  if (!options.plates || (output != "-" && options.report != "-")) return absl::OkStatus();
+  return Malformed("--plates makes several files: stdout is no place for them");
+}
+
+std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate) {
+  if (!options.plates || path.empty()) return path;
+  const std::filesystem::path given(path);
+  const std::string name =
+      fmt::format("{}-{}{}", given.stem().string(), plate + 1, given.extension().string());
+  return (given.parent_path() / name).string();
 }
 
 absl::StatusOr<MeshFile> ReadModelFile(const std::string& path) {

@@ -10,22 +10,41 @@
 
 namespace slicefarm::cli {
 
+/// What one job prints.
+struct GivenPlate {
+  std::vector<SceneObject> objects;
+  std::vector<Setting> settings;            ///< of projects; those given by hand win
+  std::vector<std::string> without_effect;  ///< what projects have besides
+};
+
 /// The files of the models, and the objects that are made of them. A model that is named twice is
 /// one file.
 struct GivenModels {
   std::vector<MeshFile> files;
-  std::vector<SceneObject> objects;
-  std::vector<Setting> settings;            ///< of projects; those given by hand win
-  std::vector<std::string> without_effect;  ///< what projects have besides
+  std::vector<GivenPlate> plates;  ///< one, unless --plates asks for all
 };
 
 /// Reads the models. The object of a file with one mesh is named for the file without its folders,
 /// as UTF-8 without control characters; a project's objects, parts, copies and settings are those
 /// of the plate that is chosen.
 ///
+/// With --plates: a project's plates; of other models, as many beds as it takes to arrange them.
+/// `given`: the job's settings, which have the bed.
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move what a
-/// project has placed; MESH_TOO_LARGE; those of reading a project and of config::JobOfProject.
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
+/// project has placed; MESH_TOO_LARGE; those of reading a project, of config::JobOfProject, and with
+/// --plates those of config::ResolvePlate and slicing::PutOnPlates.
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
+                                       const std::vector<Setting>& given);
+
+/// The settings of a plate's projects, then those given by hand.
+std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given);
+
+/// Errors: REQUEST_MALFORMED for --plates to stdout.
+absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
+
+/// Where the result of the plate with this index goes: `out-2.gcode` for index 1 with --plates, else
+/// as it was given. Nothing stays nothing.
+std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);
 
 /// The bytes of a model file. Errors: REQUEST_MALFORMED naming the file; MESH_TOO_LARGE.
 absl::StatusOr<MeshFile> ReadModelFile(const std::string& path);

@@ -33,14 +33,14 @@ JobOptions WithModel() {
 TEST(ReadModels, MakesANameThatCanBePrinted) {
   JobOptions options;
   options.models = {TempFile("M\xfcll\ner \xc3\xa4.stl", "solid")};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->files[0].name, "given_models_M?ll?er \xc3\xa4.stl");
-  EXPECT_EQ(models->objects[0].name, models->files[0].name);
+  EXPECT_EQ(models->plates[0].objects[0].name, models->files[0].name);
 }
 
 TEST(ReadModels, TakesTheNameWithoutFolders) {
-  const auto models = ReadModels(WithModel());
+  const auto models = ReadModels(WithModel(), {});
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 1);
   EXPECT_EQ(models->files[0].name, "given_models_cube.stl");
@@ -71,7 +71,7 @@ TEST(ReadModels, ReadsUnitsScaleRotationAndCenters) {
 }
 
 void ExpectRefused(const JobOptions& options, const std::string& says) {
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_FALSE(models.ok()) << says;
   EXPECT_EQ(DetailOf(models.status()).reason, Reason::kRequestMalformed);
   EXPECT_THAT(std::string(models.status().message()), HasSubstr(says));
@@ -120,15 +120,15 @@ TEST(ReadModels, ReadsAFileOnceHoweverOftenItIsNamed) {
   const std::string b = TempFile("b.stl", "solid b");
   JobOptions options;
   options.models = {a, b, a};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 2);
   EXPECT_EQ(models->files[1].bytes, "solid b");
-  ASSERT_EQ(models->objects.size(), 3);
-  EXPECT_EQ(models->objects[0].parts[0].mesh.file, 0);
-  EXPECT_EQ(models->objects[1].parts[0].mesh.file, 1);
-  EXPECT_EQ(models->objects[1].name, "given_models_b.stl");
-  EXPECT_EQ(models->objects[2].parts[0].mesh.file, 0);
+  ASSERT_EQ(models->plates[0].objects.size(), 3);
+  EXPECT_EQ(models->plates[0].objects[0].parts[0].mesh.file, 0);
+  EXPECT_EQ(models->plates[0].objects[1].parts[0].mesh.file, 1);
+  EXPECT_EQ(models->plates[0].objects[1].name, "given_models_b.stl");
+  EXPECT_EQ(models->plates[0].objects[2].parts[0].mesh.file, 0);
 }
 
 TEST(ReadModels, CopiesAndSettingsAreOfTheModelThatTheyName) {
@@ -139,13 +139,13 @@ TEST(ReadModels, CopiesAndSettingsAreOfTheModelThatTheyName) {
   options.copies = {"given_models_b.stl=3"};
   options.object_sets = {a + ":fill_density=40%", "given_models_a.stl:perimeters=4",
                          "given_models_b.stl:seam_position=rear"};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  EXPECT_EQ(models->objects[0].instances.size(), 1);
-  EXPECT_THAT(models->objects[0].settings, ElementsAre(Setting{"fill_density", "40%"},
+  EXPECT_EQ(models->plates[0].objects[0].instances.size(), 1);
+  EXPECT_THAT(models->plates[0].objects[0].settings, ElementsAre(Setting{"fill_density", "40%"},
                                                        Setting{"perimeters", "4"}));
-  EXPECT_EQ(models->objects[1].instances.size(), 3);
-  EXPECT_THAT(models->objects[1].settings, ElementsAre(Setting{"seam_position", "rear"}));
+  EXPECT_EQ(models->plates[0].objects[1].instances.size(), 3);
+  EXPECT_THAT(models->plates[0].objects[1].settings, ElementsAre(Setting{"seam_position", "rear"}));
 }
 
 TEST(ReadModels, APathMayHoldTheSeparators) {
@@ -155,12 +155,12 @@ TEST(ReadModels, APathMayHoldTheSeparators) {
   options.models = {start, odd};
   options.copies = {odd + "=2"};
   options.object_sets = {odd + ":perimeters=4"};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  EXPECT_EQ(models->objects[0].instances.size(), 1);
-  EXPECT_TRUE(models->objects[0].settings.empty());
-  EXPECT_EQ(models->objects[1].instances.size(), 2);
-  EXPECT_THAT(models->objects[1].settings, ElementsAre(Setting{"perimeters", "4"}));
+  EXPECT_EQ(models->plates[0].objects[0].instances.size(), 1);
+  EXPECT_TRUE(models->plates[0].objects[0].settings.empty());
+  EXPECT_EQ(models->plates[0].objects[1].instances.size(), 2);
+  EXPECT_THAT(models->plates[0].objects[1].settings, ElementsAre(Setting{"perimeters", "4"}));
 }
 
 TEST(ReadModels, CopiesHaveNoPlaceThatIsGiven) {
@@ -179,21 +179,21 @@ JobOptions WithProject(const threemf::Files& files) {
 }
 
 TEST(ReadModels, TakesAProjectAsItIs) {
-  const auto models = ReadModels(WithProject(threemf::PrusaFiles()));
+  const auto models = ReadModels(WithProject(threemf::PrusaFiles()), {});
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 1);
   EXPECT_EQ(models->files[0].format, MeshFormat::k3mf);
-  ASSERT_EQ(models->objects.size(), 2);
-  const SceneObject& bracket = models->objects[0];
+  ASSERT_EQ(models->plates[0].objects.size(), 2);
+  const SceneObject& bracket = models->plates[0].objects[0];
   EXPECT_EQ(bracket.name, "Bracket");
   ASSERT_EQ(bracket.instances.size(), 1);
   EXPECT_TRUE(bracket.instances[0].placed);
   EXPECT_EQ(bracket.instances[0].to_plate(0, 3), 50);
   ASSERT_EQ(bracket.parts.size(), 2);
   EXPECT_EQ(bracket.parts[1].role, PartRole::kModifier);
-  EXPECT_EQ(models->objects[1].ranges.size(), 1);
-  EXPECT_THAT(models->settings, testing::Contains(Setting{"layer_height", "0.2", Source::kProfile}));
-  EXPECT_FALSE(models->without_effect.empty());
+  EXPECT_EQ(models->plates[0].objects[1].ranges.size(), 1);
+  EXPECT_THAT(models->plates[0].settings, testing::Contains(Setting{"layer_height", "0.2", Source::kProfile}));
+  EXPECT_FALSE(models->plates[0].without_effect.empty());
 }
 
 TEST(ReadModels, AsksForOnePlateOfSeveral) {
@@ -202,15 +202,49 @@ TEST(ReadModels, AsksForOnePlateOfSeveral) {
   options.plate = 3;
   ExpectRefused(options, "no plate 3");
   for (options.plate = 1; options.plate <= 2; ++options.plate) {
-    const auto models = ReadModels(options);
+    const auto models = ReadModels(options, {});
     ASSERT_TRUE(models.ok()) << models.status();
-    ASSERT_EQ(models->objects.size(), 1);
-    ASSERT_EQ(models->objects[0].instances.size(), 1);
-    EXPECT_EQ(models->objects[0].instances[0].to_plate(0, 3), 128) << options.plate;
+    ASSERT_EQ(models->plates[0].objects.size(), 1);
+    ASSERT_EQ(models->plates[0].objects[0].instances.size(), 1);
+    EXPECT_EQ(models->plates[0].objects[0].instances[0].to_plate(0, 3), 128) << options.plate;
   }
   options = WithModel();
   options.plate = 1;
   ExpectRefused(options, "--plate");
+}
+
+TEST(ReadModels, AllPlatesAreAPlateEach) {
+  JobOptions options = WithProject(threemf::BambuFiles());
+  options.plates = true;
+  const auto models = ReadModels(options, {});
+  ASSERT_TRUE(models.ok()) << models.status();
+  EXPECT_EQ(models->files.size(), 1);
+  ASSERT_EQ(models->plates.size(), 2);
+  for (const GivenPlate& plate : models->plates) EXPECT_EQ(plate.objects.size(), 1);
+}
+
+TEST(ReadModels, CopiesTakeAsManyPlatesAsNeeded) {
+  JobOptions options = WithProject(threemf::CubeFiles());  // of 10 mm
+  options.plates = true;
+  options.copies = {"given_models_plate.3mf=20"};
+  const std::vector<Setting> bed = {{"bed_shape", "0x0,50x0,50x50,0x50"}};
+  const auto models = ReadModels(options, bed);
+  ASSERT_TRUE(models.ok()) << models.status();
+  ASSERT_GE(models->plates.size(), 2);
+  size_t copies = 0;
+  for (const GivenPlate& plate : models->plates) copies += plate.objects[0].instances.size();
+  EXPECT_EQ(copies, 20);
+}
+
+TEST(OutputOf, NumbersThePlates) {
+  JobOptions options;
+  EXPECT_EQ(OutputOf(options, "a/b.gcode", 0), "a/b.gcode");
+  options.plates = true;
+  EXPECT_EQ(OutputOf(options, "a/b.x/out.gcode", 1), "a/b.x/out-2.gcode");
+  EXPECT_EQ(OutputOf(options, "out", 0), "out-1");
+  EXPECT_TRUE(CheckOutputs(options, "out.gcode").ok());
+  EXPECT_FALSE(CheckOutputs(options, "-").ok());
+  EXPECT_EQ(OutputOf(options, "", 0), "");
 }
 
 TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {
@@ -218,10 +252,10 @@ TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {
   options.rotate_z_deg = 90;
   ExpectRefused(options, "--arrange");
   options.arrange = true;
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  EXPECT_FALSE(models->objects[0].instances[0].placed);
-  EXPECT_NEAR(models->objects[0].instances[0].to_plate(1, 0), 1, 1e-12);
+  EXPECT_FALSE(models->plates[0].objects[0].instances[0].placed);
+  EXPECT_NEAR(models->plates[0].objects[0].instances[0].to_plate(1, 0), 1, 1e-12);
   options = WithProject(threemf::PrusaFiles());
   options.units = "inch";
   ExpectRefused(options, "--units");
@@ -233,17 +267,17 @@ TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {
 TEST(ReadModels, AProjectOfACadProgramIsPlacedLikeAnyModel) {
   JobOptions options = WithProject(threemf::CubeFiles());
   options.copies = {"given_models_plate.3mf=3"};
-  auto models = ReadModels(options);
+  auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  ASSERT_EQ(models->objects[0].instances.size(), 3);
-  EXPECT_FALSE(models->objects[0].instances[2].placed);
+  ASSERT_EQ(models->plates[0].objects[0].instances.size(), 3);
+  EXPECT_FALSE(models->plates[0].objects[0].instances[2].placed);
   options.copies = {};
   options.scale = "2";
   options.centers = {"50,60", "80,60"};
-  models = ReadModels(options);
+  models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  ASSERT_EQ(models->objects[0].instances.size(), 2);
-  const Instance& second = models->objects[0].instances[1];
+  ASSERT_EQ(models->plates[0].objects[0].instances.size(), 2);
+  const Instance& second = models->plates[0].objects[0].instances[1];
   EXPECT_TRUE(second.placed && second.by_middle);
   EXPECT_EQ(second.to_plate(0, 3), 80);
   EXPECT_EQ(second.to_plate(0, 0), 2);
@@ -252,17 +286,17 @@ TEST(ReadModels, AProjectOfACadProgramIsPlacedLikeAnyModel) {
 TEST(ReadModels, ObjectsOfAProjectCanBeNamed) {
   JobOptions options = WithProject(threemf::PrusaFiles());
   options.object_sets = {"Block:perimeters=5", "given_models_plate.3mf:fill_density=40%"};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   ASSERT_TRUE(models.ok()) << models.status();
-  EXPECT_THAT(models->objects[0].settings, testing::Contains(Setting{"fill_density", "40%"}));
-  EXPECT_THAT(models->objects[1].settings,
+  EXPECT_THAT(models->plates[0].objects[0].settings, testing::Contains(Setting{"fill_density", "40%"}));
+  EXPECT_THAT(models->plates[0].objects[1].settings,
               ElementsAre(Setting{"perimeters", "5"}, Setting{"fill_density", "40%"}));
 }
 
 TEST(ReadModels, DamagedProjectsAreNamed) {
   JobOptions options;
   options.models = {TempFile("bad.3mf", "PK\x03\x04 and nothing more")};
-  const auto models = ReadModels(options);
+  const auto models = ReadModels(options, {});
   EXPECT_EQ(DetailOf(models.status()).reason, Reason::kMeshTruncated);
   EXPECT_THAT(std::string(models.status().message()), HasSubstr("bad.3mf"));
 }

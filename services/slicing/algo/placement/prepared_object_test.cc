@@ -77,10 +77,15 @@ TEST(PrepareObjects, PassesTheErrorsOn) {
             Reason::kMeshEmpty);
 }
 
-TEST(PrepareObjects, RefusesProjects) {
-  const auto status = Prepare(std::string("PK\3\4 and more"), {}).status();
-  EXPECT_EQ(DetailOf(status).reason, Reason::kMeshFormatUnknown);
-  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("3MF projects"));
+TEST(PrepareObjects, RefusesProjectsAsSingleMeshes) {
+  ObjectInput object = ObjectOf(0);
+  object.parts[0].mesh.mesh = kOnlyMesh;
+  const auto status = Prepare({std::string("PK\3\4 and more")}, {object}).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("3MF project"));
+  // A mesh of it, by its number, is read.
+  EXPECT_EQ(DetailOf(Prepare(std::string("PK\3\4 and more"), {}).status()).reason,
+            Reason::kMeshTruncated);
 }
 
 TEST(PrepareObjects, NamesTheObjectOfSeveral) {
