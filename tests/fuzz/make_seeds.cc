@@ -12,10 +12,12 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
+#include "common/wire/given_settings_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/plan_wire.h"
 #include "common/wire/program_wire.h"
+#include "common/wire/scene_wire.h"
 #include "common/wire/settings_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/start_wire.h"
@@ -78,12 +80,29 @@ void Anonymous(Start* start) {
   start->mutable_call()->clear_build_id();
 }
 
+/// As a project has it: a body and a modifier, a range of heights, two copies.
+SceneObject OfParts() {
+  SceneObject object = ObjectOfFile("body", 0, {}, 2);
+  object.parts.push_back(object.parts[0]);
+  object.parts[1].mesh = {0, 0, 2, 4};
+  object.parts[1].role = PartRole::kModifier;
+  object.parts[1].to_object(2, 3) = 0.5;
+  object.parts[1].settings = {{"fill_density", "40%", Source::kProfile}};
+  object.ranges = {{0.5, 1, {{"layer_height", "0.1", Source::kProfile}}}};
+  object.instances[1].placed = true;
+  return object;
+}
+
 v1::JobSpec Spec() {
   v1::JobSpec spec;
   v1::Object& object = *spec.add_objects();
   object.set_mesh_sha256(Sha256Hex(kBox));
   object.set_name("box.obj");
   object.set_format(v1::MESH_FORMAT_OBJ);
+  const StoredMesh mesh = {Sha256Hex(kBox), "box.obj", MeshFormat::kObj};
+  ToProto(OfParts(), std::span(&mesh, 1), spec.add_objects());
+  *spec.add_project_settings() = ToProto(Setting{"perimeters", "3", Source::kProfile});
+  spec.add_without_effect("painted seams");
   for (const auto& [key, value] : kSettings) {
     v1::Setting& setting = *spec.add_settings();
     setting.set_key(key);
