@@ -24,7 +24,6 @@ using DecidingRadius = std::function<double(double, double, double)>;
 ArachneIslands Islands(int perimeters, bool gap_fill = true, DecidingRadius radius = nullptr) {
   WallPlan plan = WallPlan::Make(perimeters, 450'000, 450'000, kHeight);
   plan.gap_fill = gap_fill;
-  plan.max_gap_width_nm = 800'000;
   return ArachneIslands({}, plan, {}, std::move(radius));
 }
 

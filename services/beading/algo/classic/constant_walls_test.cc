@@ -16,7 +16,6 @@ constexpr Coord kHeight = 200'000;
 WallPlan Plan(int perimeters) {
   WallPlan plan = WallPlan::Make(perimeters, 450'000, 450'000, kHeight);
   plan.gap_fill = plan.thin_walls = true;
-  plan.max_gap_width_nm = 800'000;
   return plan;
 }
 
