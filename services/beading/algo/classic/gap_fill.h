@@ -18,9 +18,8 @@ struct GapFillOptions {
 /// A bead that nothing else can take the place of: one that covers less, a dot 0.16 mm wide, fills
 /// nothing that shows.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
-/// A bead beside an infill that reaches there too: 0.1 mm3 in a layer of 0.2 mm, 1.2 mm of a bead
-/// 0.45 mm wide. On the models of tests/bench/README.md what is below it is 0.2 % of the plastic at
-/// most, and half to all of the lines.
+/// A bead where the infill reaches too: 0.1 mm3 in a layer of 0.2 mm, 1.2 mm of a bead 0.45 mm wide.
+/// What is below it is up to 0.13 % of the plastic of the models in services/beading/README.md.
 inline constexpr double kLeastNeckNm2 = 0.5 * kNmPerMm * kNmPerMm;
 
 /// Beads of varying width along the middle of each gap (see MedialAxis). Beside walls a bead is as
