@@ -6,8 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "services/beading/algo/classic/constant_walls.h"
-#include "services/beading/algo/classic/gap_fill.h"
+#include "services/beading/algo/classic/classic_island.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 #include "services/beading/algo/arachne/wide_walls.h"
 
@@ -31,7 +30,7 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 WallLine LineOf(const Path& path) {
   std::vector<Coord> widths = path.widths_nm;
   widths.resize(path.points.size(), widths.back());
-  return {path.inset, true, {path.closed, path.points, std::move(widths)}};
+  return {path.inset, path.feature == Feature::kGapFill, {path.closed, path.points, std::move(widths)}};
 }
 
 }  // namespace
@@ -79,24 +78,14 @@ VariableWalls BeadMaker::MakeIsland(const PolygonWithHoles& island, BeadTotals& 
 }
 
 VariableWalls BeadMaker::Constant(const PolygonWithHoles& island) const {
-  beading::WallPlan plan;
-  plan.perimeters = walls_ > 0 ? walls_ : kEnoughWalls;
-  plan.external_width_nm = plan.inner_width_nm = width_nm_;
-  plan.external_spacing_nm = plan.inner_spacing_nm = width_nm_;
+  beading::WallPlan plan = beading::WallPlan::Make(walls_ > 0 ? walls_ : kEnoughWalls, width_nm_,
+                                                   width_nm_, kFlatNm);
   plan.gap_fill = plan.thin_walls = true;
-  plan.max_gap_width_nm = 2 * width_nm_;
-  const beading::IslandWalls constant = beading::MakeConstantWalls(island, plan);
+  const auto beads = beading::MakeClassicIsland(island, plan, {least_nm_, 2 * width_nm_, kFlatNm},
+                                                CancelToken());
   VariableWalls walls;
-  for (size_t inset = 0; inset < constant.centre_lines.size(); ++inset) {
-    ForEachRing(constant.centre_lines[inset], [&](const Polygon& ring) {
-      const std::vector<Coord> widths(ring.size(), width_nm_);
-      walls.lines.push_back({static_cast<int>(inset), false, {true, ring, widths}});
-    });
-  }
-  const auto gap_lines =
-      beading::FillGaps(constant.gaps, {least_nm_, plan.max_gap_width_nm, kFlatNm}, CancelToken());
-  if (gap_lines.ok())  // only a cancelled call fails
-    for (const Path& path : *gap_lines) walls.lines.push_back(LineOf(path));
+  if (beads.ok())  // only a cancelled call fails
+    for (const Path& path : beads->walls) walls.lines.push_back(LineOf(path));
   return walls;
 }
 

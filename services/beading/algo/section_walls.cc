@@ -39,7 +39,6 @@ class IslandWaller {
     waller.plan_.gap_fill = options.gap_fill;
     waller.plan_.thin_walls =
         options.thin_walls || options.generator == WallGenerator::kArachne;
-    waller.plan_.max_gap_width_nm = options.max_gap_width_nm;
     waller.gap_options_ = {options.min_gap_width_nm, options.max_gap_width_nm, height};
     if (options.generator == WallGenerator::kArachne && options.perimeters > 0)
       waller.UseArachne(place, options);

@@ -68,9 +68,7 @@ absl::StatusOr<std::optional<IslandBeads>> ArachneIslands::Make(const PolygonWit
   for (WallLine& line : walls->lines) island.walls.push_back(PathOf(std::move(line)));
   island.fill_area = std::move(walls->fill_area);
   if (!plan_.gap_fill) return island;
-  std::vector<Gap> gaps;
-  TakeNarrowParts(plan_.max_gap_width_nm, island.fill_area, gaps);
-  auto gap_paths = FillGaps(gaps, gap_options_, cancel);
+  auto gap_paths = FillNarrowParts(gap_options_, cancel, island.fill_area);
   if (!gap_paths.ok()) return gap_paths.status();
   for (Path& path : *gap_paths) island.walls.push_back(std::move(path));
   return island;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +26,6 @@ using DecidingRadius = std::function<double(double, double, double)>;
 ArachneIslands Islands(int perimeters, bool gap_fill = true, DecidingRadius radius = nullptr) {
   WallPlan plan = WallPlan::Make(perimeters, 450'000, 450'000, kHeight);
   plan.gap_fill = gap_fill;
-  plan.max_gap_width_nm = 800'000;
   return ArachneIslands({}, plan, {}, std::move(radius));
 }
 
@@ -192,6 +193,26 @@ TEST(ArachneIslands, VolumeIsConserved) {
     const double area_mm2 = Area(outline) / 1e12;
     EXPECT_NEAR(mm2, area_mm2 - stripe_mm2, 0.005 * area_mm2) << text;
   }
+}
+
+// Five beads would be a dot within two rings, which has a quarter of the hole's volume.
+TEST(ArachneIslands, ARoundPinIsRingsOfItsVolume) {
+  constexpr int kCorners = 48;
+  PolygonWithHoles pin;
+  for (int i = 0; i < kCorners; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kCorners;
+    pin.outer.push_back({FromMm(1.01 * std::cos(turn)), FromMm(1.01 * std::sin(turn))});
+  }
+  const auto island = Islands(3).Make(pin, {});
+  ASSERT_TRUE(island.ok() && island->has_value());
+  double mm2 = 0;
+  for (const Path& wall : (*island)->walls) {
+    EXPECT_TRUE(wall.closed);
+    mm2 += VolumeMm3(wall) / 0.2;
+  }
+  EXPECT_EQ((*island)->walls.size(), 2u);
+  EXPECT_TRUE((*island)->fill_area.empty());
+  EXPECT_NEAR(mm2, Area(pin) / 1e12 - Perimeter(pin.outer) / 1e6 * kOverlapMm / 2, 0.01);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ constexpr double kLeastPieceNm = 10'000;
 /// Where a stretch has no room for its half of a transition, its beads may deviate by this many
 /// times what they may otherwise.
 constexpr double kShortDeviation = 3;
+/// With fewer beads those beside the middle one are the outermost, whose width is to stay.
+constexpr int kLeastInnerMiddle = 5;
 
 Coord Thickness(double radius) { return std::llround(2 * radius); }
 
@@ -423,6 +425,14 @@ class CountPlanner {
     return {static_cast<int>(whole), count - whole < kNothing ? 0 : count - whole};
   }
 
+  /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet: of
+  /// exactly the right volume, as a ring halfway to the middle is half as long as the outline.
+  int CountAtTop(double radius) const {
+    const int count = strategy_.OptimalCount(Thickness(radius));
+    const bool has_middle = count % 2 == 1 && count < strategy_.OptimalCount(kUnreachableNm - 1);
+    return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
+  }
+
   std::vector<BeadCount> Counts() const {
     std::vector<BeadCount> counts(graph_.nodes.size());
     for (size_t node = 0; node < counts.size(); ++node) {
@@ -441,7 +451,7 @@ class CountPlanner {
       graph_.ForEachLeaving(leaving[node], [&](int half) {
         is_top = is_top && graph_.ToNode(half).radius <= radius;
       });
-      if (is_top) counts[node] = {strategy_.OptimalCount(Thickness(radius)), 0};
+      if (is_top) counts[node] = {CountAtTop(radius), 0};
     }
     return counts;
   }

@@ -1,5 +1,7 @@
 #include "services/beading/algo/classic/classic_island.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,10 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
   }
 }
 
+void MoveTo(std::vector<Path>& paths, std::vector<Path> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(paths));
+}
+
 }  // namespace
 
 absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
@@ -33,10 +39,14 @@ absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
   IslandBeads island;
   IslandWalls walls = MakeConstantWalls(outline, plan);
   AppendWalls(walls.centre_lines, plan, island.walls);
+  island.fill_area = std::move(walls.fill_area);
   auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
   if (!gap_paths.ok()) return gap_paths.status();
-  for (Path& path : *gap_paths) island.walls.push_back(std::move(path));
-  island.fill_area = std::move(walls.fill_area);
+  MoveTo(island.walls, *std::move(gap_paths));
+  if (!plan.gap_fill || plan.perimeters == 0) return island;
+  auto narrow_paths = FillNarrowParts(gap_options, cancel, island.fill_area);
+  if (!narrow_paths.ok()) return narrow_paths.status();
+  MoveTo(island.walls, *std::move(narrow_paths));
   return island;
 }
 

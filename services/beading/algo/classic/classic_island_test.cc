@@ -19,7 +19,6 @@ constexpr double kOverlapMm = 0.2 * (1 - 3.14159265358979 / 4);
 WallPlan Plan(int perimeters, Coord external_width_nm = 450'000, Coord inner_width_nm = 450'000) {
   WallPlan plan = WallPlan::Make(perimeters, external_width_nm, inner_width_nm, kHeight);
   plan.gap_fill = plan.thin_walls = true;
-  plan.max_gap_width_nm = 800'000;
   return plan;
 }
 

@@ -76,17 +76,14 @@ IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& pl
     walls.centre_lines.push_back(std::move(centre));
   }
   walls.fill_area = std::move(region);
-  if (plan.gap_fill && plan.perimeters > 0)
-    TakeNarrowParts(plan.max_gap_width_nm, walls.fill_area, walls.gaps);
   return walls;
 }
 
-void TakeNarrowParts(Coord width_nm, MultiPolygon& fill_area, std::vector<Gap>& gaps) {
+NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm) {
   const Coord half = width_nm / 2;
-  if (IsWideThroughout(fill_area, half)) return;
-  const MultiPolygon core = FastOffset(fill_area, -half);
-  AppendGaps(Residue(fill_area, core, half), false, gaps);
-  fill_area = Opened(fill_area, core, half);
+  if (IsWideThroughout({area}, half)) return {};
+  const MultiPolygon core = FastOffset({area}, -half);
+  return {Residue({area}, core, half), core.empty()};
 }
 
 }  // namespace slicefarm::beading

@@ -15,9 +15,8 @@ struct WallPlan {
   Coord inner_width_nm = 0;
   Coord external_spacing_nm = 0;
   Coord inner_spacing_nm = 0;
-  bool gap_fill = false;       ///< whether to look for gaps between walls
-  bool thin_walls = false;     ///< whether to look for places too thin for two walls
-  Coord max_gap_width_nm = 0;  ///< what the infill gets is at least this wide
+  bool gap_fill = false;    ///< whether to look for gaps between walls
+  bool thin_walls = false;  ///< whether to look for places too thin for two walls
 
   static WallPlan Make(int perimeters, Coord external_width_nm, Coord inner_width_nm,
                        Coord layer_height_nm);
@@ -45,7 +44,14 @@ struct IslandWalls {
 /// handful of polygon sweeps a wall.
 IslandWalls MakeConstantWalls(const PolygonWithHoles& island, const WallPlan& plan);
 
-/// Takes what is narrower than `width_nm` out of a fill area.
-void TakeNarrowParts(Coord width_nm, MultiPolygon& fill_area, std::vector<Gap>& gaps);
+/// Where a connected area is narrower than some width.
+struct NarrowParts {
+  MultiPolygon parts;
+  bool are_all = false;  ///< the area is narrow everywhere
+};
+
+/// Invariant: what discs of `width_nm` reach within `area`, and the parts, tile it, but for 5 um
+/// along the edges that they share. Cost: O(n) if it is wide throughout; else a few polygon sweeps.
+NarrowParts FindNarrowParts(const PolygonWithHoles& area, Coord width_nm);
 
 }  // namespace slicefarm::beading

@@ -1,8 +1,10 @@
 #include "services/beading/algo/classic/gap_fill.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "common/geometry/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/simplify.h"
 #include "common/model/bead_section.h"
@@ -12,8 +14,6 @@ namespace slicefarm::beading {
 namespace {
 
 constexpr Coord kToleranceNm = 5'000;
-/// Smaller beads are not worth their travel.
-constexpr double kMinAreaNm2 = 0.02 * kNmPerMm * kNmPerMm;
 
 Path MakePath(ThickLine line, bool along_outline, const GapFillOptions& options) {
   Path path;
@@ -33,11 +33,44 @@ Path MakePath(ThickLine line, bool along_outline, const GapFillOptions& options)
 /// A region whose mean width is far below what is filled has no part that is wide enough, as
 /// rounding slivers do.
 bool IsSliver(const PolygonWithHoles& region, Coord min_width_nm) {
-  const double area = Area(region);
-  if (area < kMinAreaNm2) return true;
   double perimeter = Perimeter(region.outer);
   for (const Polygon& hole : region.holes) perimeter += Perimeter(hole);
-  return 2 * area < perimeter * static_cast<double>(min_width_nm) / 8;
+  return 2 * Area(region) < perimeter * static_cast<double>(min_width_nm) / 8;
+}
+
+/// The beads of a gap that cover as much as is asked for.
+std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOptions& options) {
+  if (Area(gap.region) < least_area_nm2 || IsSliver(gap.region, options.min_width_nm)) return {};
+  const MedialAxisOptions axis{options.min_width_nm, kToleranceNm};
+  const MultiPolygon simple = Simplify({gap.region}, kToleranceNm);
+  std::vector<ThickLine> lines;
+  if (!simple.empty()) lines = MedialAxis(simple.front(), axis);
+  // Simplifying can make rings cross; then the gap as it came may do.
+  if (lines.empty()) lines = MedialAxis(gap.region, axis);
+  std::vector<Path> paths;
+  for (ThickLine& line : lines)
+    if (Area(line) >= least_area_nm2)
+      paths.push_back(MakePath(std::move(line), gap.along_outline, options));
+  return paths;
+}
+
+void MoveTo(std::vector<Path>& paths, std::vector<Path> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(paths));
+}
+
+/// What is left of an area for the infill; its narrow parts' beads are added to `paths`.
+MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions& options,
+                             std::vector<Path>& paths) {
+  const NarrowParts narrow = FindNarrowParts(area, options.max_width_nm);
+  const double least = narrow.are_all ? kLeastDotNm2 : kLeastNeckNm2;
+  MultiPolygon taken;
+  for (const PolygonWithHoles& part : narrow.parts) {
+    std::vector<Path> beads = FillGap({part, false}, least, options);
+    if (!beads.empty()) taken.push_back(part);
+    MoveTo(paths, std::move(beads));
+  }
+  if (narrow.are_all) return {};
+  return taken.empty() ? MultiPolygon{area} : Difference({area}, taken);
 }
 
 }  // namespace
@@ -45,21 +78,25 @@ bool IsSliver(const PolygonWithHoles& region, Coord min_width_nm) {
 absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
                                            const GapFillOptions& options,
                                            const CancelToken& cancel) {
-  const MedialAxisOptions axis{options.min_width_nm, kToleranceNm};
   std::vector<Path> paths;
   for (const Gap& gap : gaps) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    if (IsSliver(gap.region, options.min_width_nm)) continue;
-    const MultiPolygon simple = Simplify({gap.region}, kToleranceNm);
-    std::vector<ThickLine> lines;
-    if (!simple.empty()) lines = MedialAxis(simple.front(), axis);
-    // Simplifying can make rings cross; then the gap as it came may do.
-    if (lines.empty()) lines = MedialAxis(gap.region, axis);
-    for (ThickLine& line : lines) {
-      if (Area(line) < kMinAreaNm2) continue;
-      paths.push_back(MakePath(std::move(line), gap.along_outline, options));
-    }
+    MoveTo(paths, FillGap(gap, kLeastDotNm2, options));
   }
+  return paths;
+}
+
+absl::StatusOr<std::vector<Path>> FillNarrowParts(const GapFillOptions& options,
+                                                  const CancelToken& cancel,
+                                                  MultiPolygon& fill_area) {
+  std::vector<Path> paths;
+  MultiPolygon left;
+  for (const PolygonWithHoles& area : fill_area) {
+    if (absl::Status status = cancel.Check(); !status.ok()) return status;
+    MultiPolygon rest = TakeNarrowParts(area, options, paths);
+    std::move(rest.begin(), rest.end(), std::back_inserter(left));
+  }
+  fill_area = std::move(left);
   return paths;
 }
 

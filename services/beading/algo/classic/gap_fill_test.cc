@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
 
+#include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
@@ -65,6 +67,53 @@ TEST(GapFill, AWedgeHasAWidthForEachPoint) {
                               paths[0].points[i].y - paths[0].points[i - 1].y));
   }
   EXPECT_NEAR(volume, 0.2 * 3, 0.2 * 3 * 0.1);
+}
+
+struct FillAreaCase {
+  std::string name;
+  std::string area;
+  size_t beads;
+  double left_mm2;
+};
+class NarrowFillArea : public testing::TestWithParam<FillAreaCase> {};
+
+TEST_P(NarrowFillArea, HasTheBeadsThatAreWorthTheirTravel) {
+  MultiPolygon area = MakePolygonsOrDie(GetParam().area);
+  const double before_mm2 = Area(area) / 1e12;
+  const auto paths = FillNarrowParts({}, {}, area);
+  ASSERT_TRUE(paths.ok()) << paths.status();
+  EXPECT_EQ(paths->size(), GetParam().beads);
+  EXPECT_NEAR(Area(area) / 1e12, GetParam().left_mm2, 0.1);
+  if (paths->empty() && !area.empty()) {
+    EXPECT_EQ(Area(area) / 1e12, before_mm2);
+  }
+}
+
+// What hangs on a wider part is left to the infill below 0.5 mm2, what stands alone is left empty
+// below 0.02 mm2.
+INSTANTIATE_TEST_SUITE_P(
+    GapFill, NarrowFillArea,
+    testing::Values(FillAreaCase{"Wide", "(0 0, 9 0, 9 9, 0 9)", 0, 81},
+                    FillAreaCase{"Strip", "(0 0, 9 0, 9 0.6, 0 0.6)", 1, 0},
+                    FillAreaCase{"DotAlone", "(0 0, 0.5 0, 0.5 0.5, 0 0.5)", 1, 0},
+                    FillAreaCase{"SpeckAlone", "(0 0, 0.1 0, 0.1 0.1, 0 0.1)", 0, 0},
+                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 9 2.3, 9 2.7, 5 2.7, 5 5, 0 5)", 1,
+                                 25},
+                    FillAreaCase{"ShortEnd",
+                                 "(0 0, 5 0, 5 2.3, 5.9 2.3, 5.9 2.7, 5 2.7, 5 5, 0 5)", 0, 25.36},
+                    FillAreaCase{"LongNeck",
+                                 "(0 0, 5 0, 5 2.3, 9 2.3, 9 0, 14 0, 14 5, 9 5, 9 2.7, 5 2.7, "
+                                 "5 5, 0 5)",
+                                 1, 50},
+                    FillAreaCase{"Wedge", "(0 0, 5 0, 8 2.5, 5 5, 0 5)", 0, 32.5},
+                    FillAreaCase{"EachOnItsOwn",
+                                 "(0 0, 9 0, 9 0.6, 0 0.6); (0 2, 9 2, 9 9, 0 9)", 1, 63}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(NarrowFillAreas, StopsWhenCancelled) {
+  MultiPolygon area = MakePolygonsOrDie("(0 0, 9 0, 9 0.6, 0 0.6)");
+  const auto paths = FillNarrowParts({}, CancelToken([] { return true; }), area);
+  EXPECT_TRUE(absl::IsCancelled(paths.status()));
 }
 
 }  // namespace

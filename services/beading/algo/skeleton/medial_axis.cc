@@ -4,17 +4,22 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "services/beading/algo/skeleton/skeleton.h"
+#include "services/beading/algo/skeleton/skeletal_graph.h"
 
 namespace slicefarm::beading {
 namespace {
 
-/// Two sides face each other where the radius changes by less than this per length: sin of half the
-/// angle between them, here 80 degrees, so that a square corner is a corner and not a tip.
+/// Nodes nearer than this are one: far below what a printer resolves.
+constexpr double kMergeNm = 1'000;
+/// Sides that meet at less face each other: 80 degrees, so that a square corner is a corner and not
+/// a tip.
+constexpr double kFacingAngle = 1.389;
+/// sin of half of it: by how much per length the radius changes there.
 constexpr double kFacing = 0.64;
 /// A branch shorter than this many radii of the node it leaves prints nothing that the others do
 /// not.
@@ -28,20 +33,49 @@ constexpr double kExtend = 0.25;
 /// length.
 constexpr double kDotLength = 0.8;
 
-/// The kept edges of a skeleton and how they hang together.
+struct AxisEdge {
+  int a = 0;  ///< nodes
+  int b = 0;
+};
+
+int Root(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// The edges of a graph between nodes that are apart.
+std::vector<AxisEdge> MergedEdges(const SkeletalGraph& graph) {
+  std::vector<int> parent(graph.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const int halves = static_cast<int>(graph.half_edges.size());
+  for (int half = 0; half < halves; half += 2) {
+    if (graph.Length(half) >= kMergeNm) continue;
+    const int i = Root(parent, graph.half_edges[half].from), j = Root(parent, graph.To(half));
+    parent[std::max(i, j)] = std::min(i, j);
+  }
+  std::vector<AxisEdge> edges;
+  for (int half = 0; half < halves; half += 2) {
+    const AxisEdge edge{Root(parent, graph.half_edges[half].from), Root(parent, graph.To(half))};
+    if (edge.a != edge.b) edges.push_back(edge);
+  }
+  return edges;
+}
+
+/// The kept edges of a medial axis and how they hang together.
 class AxisGraph {
  public:
-  AxisGraph(Skeleton skeleton, double min_radius) : skeleton_(std::move(skeleton)) {
+  AxisGraph(const SkeletalGraph& graph, double min_radius)
+      : origin_(graph.origin), nodes_(graph.nodes), edges_(MergedEdges(graph)) {
     CutAt(min_radius);
-    alive_.assign(skeleton_.edges.size(), true);
+    alive_.assign(edges_.size(), true);
     BuildIncidence();
   }
 
-  const SkeletonNode& Node(int i) const { return skeleton_.nodes[i]; }
-  Point Place(int i) const {
-    return skeleton_.origin + Point{std::llround(Node(i).x), std::llround(Node(i).y)};
+  const SkeletalNode& Node(int i) const { return nodes_[i]; }
+  Point PointOf(int i) const {
+    return origin_ + Point{std::llround(Node(i).place.x), std::llround(Node(i).place.y)};
   }
-  int NodeCount() const { return static_cast<int>(skeleton_.nodes.size()); }
+  int NodeCount() const { return static_cast<int>(nodes_.size()); }
   int Degree(int node) const { return degree_[node]; }
 
   /// The node with the largest radius among those with an edge, -1 if there is none.
@@ -71,8 +105,8 @@ class AxisGraph {
   /// (of equals, that of the first leaf). Each branch is walked once and goes on from where it
   /// stood when its fork is gone: O(n log n).
   void PruneShortBranches() {
-    branches_.assign(skeleton_.nodes.size(), {});
-    branch_at_edge_.assign(skeleton_.edges.size(), -1);
+    branches_.assign(nodes_.size(), {});
+    branch_at_edge_.assign(edges_.size(), -1);
     for (const int leaf : Leaves()) {
       branches_[leaf].at = leaf;
       WalkOn(leaf, FirstEdge(leaf));
@@ -93,11 +127,11 @@ class AxisGraph {
   std::vector<std::vector<int>> Lines() {
     PairAtForks();
     std::vector<std::vector<int>> lines;
-    std::vector<bool> used(skeleton_.edges.size(), false);
+    std::vector<bool> used(edges_.size(), false);
     for (int pass = 0; pass < 2; ++pass) {  // open lines from their ends, then what is left: rings
-      for (size_t e = 0; e < skeleton_.edges.size(); ++e) {
+      for (size_t e = 0; e < edges_.size(); ++e) {
         if (!alive_[e] || used[e]) continue;
-        const SkeletonEdge& edge = skeleton_.edges[e];
+        const AxisEdge& edge = edges_[e];
         if (pass == 1 || Continuation(static_cast<int>(e), edge.a) < 0) {
           lines.push_back(Follow(static_cast<int>(e), edge.a, used));
         } else if (Continuation(static_cast<int>(e), edge.b) < 0) {
@@ -109,47 +143,51 @@ class AxisGraph {
   }
 
  private:
+  double Apart(int a, int b) const {
+    const Place p = Node(a).place, q = Node(b).place;
+    return Hypot(p.x - q.x, p.y - q.y);
+  }
   double EdgeLength(int e) const {
-    const SkeletonNode &a = Node(skeleton_.edges[e].a), &b = Node(skeleton_.edges[e].b);
-    return Hypot(a.x - b.x, a.y - b.y);
+    return Apart(edges_[e].a, edges_[e].b);
   }
   bool IsFacing(int e) const {
-    const SkeletonEdge& edge = skeleton_.edges[e];
+    const AxisEdge& edge = edges_[e];
     return std::abs(Node(edge.a).radius - Node(edge.b).radius) < kFacing * EdgeLength(e);
   }
   int OtherEnd(int e, int node) const {
-    return skeleton_.edges[e].a == node ? skeleton_.edges[e].b : skeleton_.edges[e].a;
+    return edges_[e].a == node ? edges_[e].b : edges_[e].a;
   }
 
   /// Drops what is thinner than `min_radius`; edges that cross it end there.
   void CutAt(double min_radius) {
-    std::vector<SkeletonEdge> kept;
-    kept.reserve(skeleton_.edges.size());
-    for (SkeletonEdge edge : skeleton_.edges) {
+    std::vector<AxisEdge> kept;
+    kept.reserve(edges_.size());
+    for (AxisEdge edge : edges_) {
       if (Node(edge.a).radius > Node(edge.b).radius) std::swap(edge.a, edge.b);
-      const SkeletonNode thin = Node(edge.a), thick = Node(edge.b);
+      const SkeletalNode thin = Node(edge.a), thick = Node(edge.b);
       if (thick.radius <= min_radius) continue;
       if (thin.radius < min_radius) {
         const double t = (min_radius - thin.radius) / (thick.radius - thin.radius);
         edge.a = NodeCount();
-        skeleton_.nodes.push_back(
-            {thin.x + t * (thick.x - thin.x), thin.y + t * (thick.y - thin.y), min_radius});
+        nodes_.push_back({{std::lerp(thin.place.x, thick.place.x, t),
+                           std::lerp(thin.place.y, thick.place.y, t)},
+                          min_radius});
       }
       kept.push_back(edge);
     }
-    skeleton_.edges = std::move(kept);
+    edges_ = std::move(kept);
   }
 
   void BuildIncidence() {
-    degree_.assign(skeleton_.nodes.size(), 0);
-    for (const SkeletonEdge& edge : skeleton_.edges) ++degree_[edge.a], ++degree_[edge.b];
-    first_.assign(skeleton_.nodes.size() + 1, 0);
+    degree_.assign(nodes_.size(), 0);
+    for (const AxisEdge& edge : edges_) ++degree_[edge.a], ++degree_[edge.b];
+    first_.assign(nodes_.size() + 1, 0);
     std::partial_sum(degree_.begin(), degree_.end(), first_.begin() + 1);
-    incident_.resize(skeleton_.edges.size() * 2);
+    incident_.resize(edges_.size() * 2);
     std::vector<int> at(first_.begin(), first_.end() - 1);
-    for (size_t e = 0; e < skeleton_.edges.size(); ++e) {
-      incident_[at[skeleton_.edges[e].a]++] = static_cast<int>(e);
-      incident_[at[skeleton_.edges[e].b]++] = static_cast<int>(e);
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      incident_[at[edges_[e].a]++] = static_cast<int>(e);
+      incident_[at[edges_[e].b]++] = static_cast<int>(e);
     }
   }
 
@@ -173,8 +211,8 @@ class AxisGraph {
   }
   void Remove(int e) {
     alive_[e] = false;
-    --degree_[skeleton_.edges[e].a];
-    --degree_[skeleton_.edges[e].b];
+    --degree_[edges_[e].a];
+    --degree_[edges_[e].b];
   }
 
   /// Lets the branch of `leaf` go on over `edge` to the next fork, and queues it there if it is
@@ -217,7 +255,7 @@ class AxisGraph {
 
   /// For each node, which edge goes on as which: at forks the pair that bends least.
   void PairAtForks() {
-    pair_.assign(skeleton_.nodes.size(), {-1, -1});
+    pair_.assign(nodes_.size(), {-1, -1});
     for (int node = 0; node < NodeCount(); ++node) {
       if (degree_[node] < 2) continue;
       double straightest = 2;
@@ -233,7 +271,8 @@ class AxisGraph {
   }
 
   double CosBetween(int node, int e, int f) const {
-    const SkeletonNode &o = Node(node), &p = Node(OtherEnd(e, node)), &q = Node(OtherEnd(f, node));
+    const Place o = Node(node).place, p = Node(OtherEnd(e, node)).place,
+                q = Node(OtherEnd(f, node)).place;
     const double px = p.x - o.x, py = p.y - o.y, qx = q.x - o.x, qy = q.y - o.y;
     return (px * qx + py * qy) / (Hypot(px, py) * Hypot(qx, qy));
   }
@@ -261,7 +300,9 @@ class AxisGraph {
   };
   using Queued = std::pair<double, int>;  ///< reach, leaf
 
-  Skeleton skeleton_;
+  Point origin_;
+  std::vector<SkeletalNode> nodes_;
+  std::vector<AxisEdge> edges_;
   std::vector<bool> alive_;
   std::vector<int> degree_;
   std::vector<int> first_;     ///< of each node in incident_
@@ -298,7 +339,7 @@ void MakeDot(ThickLine& line) {
 ThickLine MakeLine(const AxisGraph& graph, const std::vector<int>& nodes, double min_radius) {
   ThickLine line;
   for (const int node : nodes) {
-    line.points.push_back(graph.Place(node));
+    line.points.push_back(graph.PointOf(node));
     line.thickness_nm.push_back(std::llround(2 * graph.Node(node).radius));
   }
   if (nodes.size() > 3 && nodes.front() == nodes.back()) {
@@ -322,12 +363,12 @@ std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   int farthest = widest;
   double reach = 0;
   for (int i = 0; i < graph.NodeCount(); ++i) {
-    const double distance = Distance(graph.Place(i), graph.Place(widest));
+    const double distance = Distance(graph.PointOf(i), graph.PointOf(widest));
     if (distance > reach) reach = distance, farthest = i;
   }
   if (reach == 0) return {};
   const Coord thickness = std::llround(2 * graph.Node(widest).radius);
-  ThickLine line{false, {graph.Place(farthest), graph.Place(widest)}, {thickness, thickness}};
+  ThickLine line{false, {graph.PointOf(farthest), graph.PointOf(widest)}, {thickness, thickness}};
   CutEnd(line, 0);
   const double half = kDotLength * graph.Node(widest).radius / 2;
   Reverse(line);
@@ -337,12 +378,22 @@ std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   return {line};
 }
 
+std::optional<SkeletalGraph> MakeGraph(const PolygonWithHoles& region,
+                                       const MedialAxisOptions& options) {
+  const std::optional<Boundary> boundary = MakeBoundary(region);
+  if (!boundary) return std::nullopt;
+  return MakeSkeletalGraph(*boundary, {.tolerance_nm = static_cast<double>(options.tolerance_nm),
+                                       .transition_angle = kFacingAngle});
+}
+
 }  // namespace
 
 std::vector<ThickLine> MedialAxis(const PolygonWithHoles& region,
                                   const MedialAxisOptions& options) {
   const double min_radius = static_cast<double>(options.min_thickness_nm) / 2;
-  AxisGraph graph(MakeSkeleton(region, options.tolerance_nm), min_radius);
+  const std::optional<SkeletalGraph> skeleton = MakeGraph(region, options);
+  if (!skeleton) return {};
+  AxisGraph graph(*skeleton, min_radius);
   const int widest = graph.Widest();
   if (widest < 0) return {};
   graph.TrimCorners();
