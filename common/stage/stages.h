@@ -130,6 +130,7 @@ class SlicingStage {
 struct SlicedOutlines {
   std::span<const SlicedLayer> layers;
   std::span<const PlacedCopy> copies;
+  std::span<const std::string> object_names = {};  ///< by object, for messages; may be fewer
 };
 
 class PlanningStage {

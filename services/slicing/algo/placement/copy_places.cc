@@ -66,7 +66,10 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   for (const Free& copy : free) items.push_back({objects[copy.object].footprint});
   absl::StatusOr<Arrangement> arranged =
       Arrange(items, standing,
-              {.bed = options.bed, .bed_margin_nm = LargestGrowth(options), .max_plates = 1},
+              {.bed = options.bed,
+               .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
+               .bed_margin_nm = LargestGrowth(options),
+               .max_plates = 1},
               cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
