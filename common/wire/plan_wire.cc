@@ -35,7 +35,8 @@ absl::Status ToProto(const Copy& copy, v1::Copy* proto) {
 
 absl::StatusOr<Copy> FromProto(const v1::Copy& proto) {
   if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
-  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  if (proto.pass() < 0 || proto.pass() >= limits::kMaxObjects)
+    return Malformed("pass", "is none of a job's");
   const Point shift = FromProto(proto.shift());
   if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
   return Copy{proto.object(), shift, proto.pass()};

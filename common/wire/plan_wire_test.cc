@@ -180,9 +180,11 @@ TEST(PlanWire, RefusesShiftsBetweenMicrometres) {
 }
 
 TEST(PlanWire, RefusesWhatDoesNotAddUp) {
-  auto copy = ProtoOf<v1::Copy>(DistinctCopy());
-  copy.set_pass(-1);
-  ExpectMalformed(FromProto(copy).status(), "pass");
+  for (const int32_t pass : {-1, 1'000}) {
+    auto copy = ProtoOf<v1::Copy>(DistinctCopy());
+    copy.set_pass(pass);
+    ExpectMalformed(FromProto(copy).status(), "pass");
+  }
   auto placed = ProtoOf<v1::PlacedCopy>(DistinctPlaced());
   placed.add_footprint_xy_nm(1);
   ExpectMalformed(FromProto(placed).status(), "footprint_xy_nm");

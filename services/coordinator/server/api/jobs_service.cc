@@ -207,7 +207,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   const auto found =
       LookAt(stage_call,
              {*std::move(meshes), resolved->plate.settings, "", resolved->plate.warnings},
-             backend_.slicing);
+             backend_.slicing, backend_.planning);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission->spec);

@@ -18,7 +18,7 @@ void SequencePlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
     if (section.regions.empty()) continue;
     Printed& printed = printed_[section.object];
     printed.top_nm = layer.frame.print_z_nm;
-    ++printed.layers;
+    printed.layers = section.layer + 1;
   }
 }
 
