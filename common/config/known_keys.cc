@@ -17,7 +17,6 @@ constexpr std::string_view kResin = "concerns resin printers";
 /// What a profile switches on and off, with the value that asks for what is done anyway.
 constexpr KnownKey kSwitches[] = {
     // These change the part or whether it prints at all.
-    {"complete_objects", kNotYet, "0", true, true},
     {"fuzzy_skin", kNotYet, "none", true, true},
     {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true},
     {"infill_every_layers", kNotYet, "1", true, true},
@@ -38,7 +37,6 @@ constexpr KnownKey kSwitches[] = {
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"avoid_crossing_perimeters", kNotYet, "0", true},
     {"automatic_infill_combination", kNotYet, "0", true},
-    {"between_objects_gcode", kNotYet, "", true},
     {"binary_gcode", kNotYet, "0", true},
     {"bridge_angle", kNotYet, "0", true},
     {"bridge_flow_ratio", kNotYet, "1", true},
@@ -104,8 +102,8 @@ constexpr Group kGroups[] = {
      "avoid_crossing_perimeters_max_detour autoemit_temperature_commands "
      "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
      "bed_temperature_extruder brim_* chamber_minimal_temperature clip_multipart_objects "
-     "color_change_gcode cooling_tube_* dont_support_bridges duplicate_distance "
-     "extra_loading_move extruder_clearance_* filament_abrasive "
+     "color_change_gcode cooling_tube_* dont_support_bridges "
+     "extra_loading_move filament_abrasive "
      "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
      "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
      "filament_ramming_parameters filament_retract_before_wipe "

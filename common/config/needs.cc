@@ -40,6 +40,9 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) {
        return s.motion.cooling.enabled || s.motion.cooling.fan_always_on;
      }},
+    {"extruder_clearance_radius extruder_clearance_height between_objects_gcode",
+     "complete_objects = 1",
+     [](const JobSettings& s) { return s.planning.sequence.complete_objects; }},
 };
 
 /// Whether somebody wants it, rather than a profile listing it.

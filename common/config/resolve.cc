@@ -223,6 +223,13 @@ void TakeFootWidth(JobSettings& settings) {
   settings.slicing.objects[0].elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
+/// Copies that are arranged to be printed one after the other leave room for the head.
+void TakeClearance(JobSettings& settings) {
+  const SequencePlanOptions& sequence = settings.planning.sequence;
+  settings.slicing.clearance_radius_nm =
+      sequence.complete_objects ? sequence.clearance_radius_nm : 0;
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
@@ -245,6 +252,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
     }
   }
   TakeFootWidth(result.settings);
+  TakeClearance(result.settings);
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
   }

@@ -142,7 +142,8 @@ std::vector<SettingSpec> Machine() {
        .max = 2100,
        .standard = "200",
        .doc = "Height that the machine can print; 0: no limit",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; })},
+       .field = Bind([](auto& s) -> auto& { return s.slicing.max_print_height_nm; }),
+       .also = Bind([](auto& s) -> auto& { return s.motion.max_print_height_nm; })},
       {.key = "nozzle_diameter",
        .unit = "mm",
        .min = 0.05,
@@ -206,6 +207,43 @@ std::vector<SettingSpec> CustomGcode() {
             Bind([](auto& s) -> auto& { return s.motion.before_layer_gcode; })),
       gcode("layer_gcode", "", "G-code after each layer's move up",
             Bind([](auto& s) -> auto& { return s.motion.layer_gcode; })),
+      gcode("between_objects_gcode", "",
+            "G-code between objects that are printed one after the other, high above them",
+            Bind([](auto& s) -> auto& { return s.motion.between_objects_gcode; })),
+  };
+}
+
+std::vector<SettingSpec> Sequence() {
+  return {
+      {.key = "complete_objects",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Prints one copy after the other, each as a whole",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.complete_objects; })},
+      {.key = "extruder_clearance_radius",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "20",
+       .doc = "Room that the head takes around the nozzle: copies that are printed one after the "
+              "other stand so far apart",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_radius_nm; })},
+      {.key = "extruder_clearance_height",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "20",
+       .doc = "Height of the gantry over the nozzle: of the copies that are printed one after the "
+              "other only the last may be taller",
+       .field = Bind([](auto& s) -> auto& { return s.planning.sequence.clearance_height_nm; })},
+      {.key = "duplicate_distance",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "6",
+       .doc = "Distance between copies that are arranged; at least extruder_clearance_radius with "
+              "complete_objects",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.part_distance_nm; })},
   };
 }
 
@@ -227,6 +265,7 @@ std::vector<SettingSpec> MachineSettings() {
   add(WholeMachineLimits());
   add(Retraction());
   add(CustomGcode());
+  add(Sequence());
   return settings;
 }
 

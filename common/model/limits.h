@@ -31,6 +31,8 @@ inline constexpr double kMaxTransformEntry = 1e6;  ///< a scale, or mm: plates l
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
 inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
 inline constexpr int64_t kMaxLayers = 20'000;
+/// Of all objects that are printed one after the other: each layer is a program of its own.
+inline constexpr int64_t kMaxLayerPrograms = 200'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 inline constexpr int64_t kMaxPointsPerMesh =
     200'000'000;                               ///< over all layers, before simplification

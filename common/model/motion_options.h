@@ -116,6 +116,8 @@ struct MotionOptions {
   /// The settings that these two name, as `key = value` lines.
   std::string layer_settings;
   ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
+  std::string between_objects_gcode;          ///< between_objects_gcode
+  Coord max_print_height_nm = 0;              ///< max_print_height, 0: unlimited
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

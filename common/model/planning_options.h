@@ -16,8 +16,18 @@ struct ObjectPlanOptions {
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
 };
 
+/// How copies are printed one after the other, each as a whole.
+struct SequencePlanOptions {
+  bool complete_objects = false;               ///< complete_objects
+  Coord clearance_radius_nm = 20 * kNmPerMm;   ///< extruder_clearance_radius: around the nozzle
+  Coord clearance_height_nm = 20 * kNmPerMm;   ///< extruder_clearance_height: gantry over nozzle
+
+  friend bool operator==(const SequencePlanOptions&, const SequencePlanOptions&) = default;
+};
+
 struct PlanningOptions {
   std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
+  SequencePlanOptions sequence;
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,13 @@ struct ProgramSummary {
 
   friend bool operator==(const ProgramSummary&, const ProgramSummary&) = default;
 };
+
+/// How high the layers of all passes reach.
+inline Coord TopOf(const ProgramSummary& summary) {
+  Coord top_nm = 0;
+  for (const LayerSummary& layer : summary.layers)
+    top_nm = std::max(top_nm, layer.frame.print_z_nm);
+  return top_nm;
+}
 
 }  // namespace slicefarm

@@ -39,6 +39,8 @@ struct SlicingOptions {
   Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
   std::vector<std::array<int32_t, 2>> thumbnails_px = {{32, 32}, {300, 300}};  ///< thumbnails
   std::vector<ObjectSlicingOptions> objects = {{}};                            ///< by object
+  Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
+  Coord clearance_radius_nm = 0;  ///< extruder_clearance_radius with complete_objects, else 0
 
   friend bool operator==(const SlicingOptions&, const SlicingOptions&) = default;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
 #include "common/wire/settings_check.h"
 #include "common/wire/settings_wire.h"
@@ -62,6 +63,8 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
     if (std::ranges::any_of(region.speed_mm_s(), [](double speed) { return !(speed >= 0); }))
       return Malformed("speeds.speed_mm_s", "is negative");
   }
+  if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxCoord)
+    return Malformed("max_print_height_nm", "is out of range");
   const v1::CoolingOptions& cooling = proto.cooling();
   for (const int32_t percent :
        {cooling.min_fan_percent(), cooling.max_fan_percent(), cooling.bridge_fan_percent()}) {
@@ -237,6 +240,8 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_layer_gcode(options.layer_gcode);
   proto.set_layer_settings(options.layer_settings);
   proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
+  proto.set_between_objects_gcode(options.between_objects_gcode);
+  proto.set_max_print_height_nm(options.max_print_height_nm);
   return proto;
 }
 
@@ -263,6 +268,8 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.layer_gcode = proto.layer_gcode();
   options.layer_settings = proto.layer_settings();
   options.labels = static_cast<ObjectLabels>(static_cast<int>(proto.labels()) - 1);
+  options.between_objects_gcode = proto.between_objects_gcode();
+  options.max_print_height_nm = proto.max_print_height_nm();
   return options;
 }
 

@@ -1,5 +1,6 @@
 #include "common/wire/plan_wire.h"
 
+#include <string>
 #include <utility>
 
 #include "common/base/error.h"
@@ -21,6 +22,11 @@ bool IsWholeUm(Point shift) { return shift.x % 1000 == 0 && shift.y % 1000 == 0;
 
 }  // namespace
 
+absl::Status CheckCopyCount(int count, std::string_view field) {
+  if (count <= limits::kMaxObjects) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, std::string(field), limits::kMaxObjects, count);
+}
+
 absl::Status ToProto(const Copy& copy, v1::Copy* proto) {
   proto->set_object(copy.object);
   proto->set_pass(copy.pass);
@@ -29,7 +35,8 @@ absl::Status ToProto(const Copy& copy, v1::Copy* proto) {
 
 absl::StatusOr<Copy> FromProto(const v1::Copy& proto) {
   if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
-  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  if (proto.pass() < 0 || proto.pass() >= limits::kMaxObjects)
+    return Malformed("pass", "is none of a job's");
   const Point shift = FromProto(proto.shift());
   if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
   return Copy{proto.object(), shift, proto.pass()};
@@ -124,23 +131,42 @@ absl::StatusOr<CopyName> FromProto(const v1::CopyName& proto) {
   return CopyName{proto.object_name(), proto.object(), proto.copy(), proto.copies()};
 }
 
+v1::PassFacts ToProto(const PassFacts& facts) {
+  v1::PassFacts proto;
+  proto.set_layers_before(facts.layers_before);
+  proto.set_first_layer(facts.first_layer);
+  proto.set_top_before_nm(facts.top_before_nm);
+  return proto;
+}
+
+absl::StatusOr<PassFacts> FromProto(const v1::PassFacts& proto) {
+  if (proto.layers_before() < 0 || proto.layers_before() > limits::kMaxLayerPrograms)
+    return Malformed("layers_before", "is not a number of layers");
+  if (proto.first_layer() < 0 || proto.first_layer() >= limits::kMaxLayers)
+    return Malformed("first_layer", "is not a layer");
+  if (proto.top_before_nm() < 0 || proto.top_before_nm() > limits::kMaxCoord)
+    return Malformed("top_before_nm", "is out of range");
+  return PassFacts{proto.layers_before(), proto.first_layer(), proto.top_before_nm()};
+}
+
 v1::JobFacts ToProto(const JobFacts& facts) {
   v1::JobFacts proto;
   proto.set_layer_count(facts.layer_count);
   for (const CopyName& name : facts.copies) *proto.add_copies() = ToProto(name);
+  for (const PassFacts& pass : facts.passes) *proto.add_passes() = ToProto(pass);
   return proto;
 }
 
 absl::StatusOr<JobFacts> FromProto(const v1::JobFacts& proto) {
-  if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayers) {
+  if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayerPrograms) {
     return Malformed("layer_count", "is not a number of layers");
   }
-  if (proto.copies_size() > limits::kMaxObjects) {
-    return LimitError(Reason::kRequestTooLarge, "copies", limits::kMaxObjects,
-                      proto.copies_size());
-  }
-  JobFacts facts{proto.layer_count(), {}};
-  absl::Status status = AllFromProto(proto.copies(), "copies", &facts.copies);
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  status.Update(CheckCopyCount(proto.passes_size(), "passes"));
+  if (!status.ok()) return status;
+  JobFacts facts{proto.layer_count(), {}, {}};
+  status.Update(AllFromProto(proto.copies(), "copies", &facts.copies));
+  status.Update(AllFromProto(proto.passes(), "passes", &facts.passes));
   if (!status.ok()) return status;
   return facts;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -15,6 +16,9 @@ namespace slicefarm {
 /// What planning is told and what it answers. Errors: those of geometry_wire.h and path_wire.h, with
 /// the way to the field; REQUEST_MALFORMED for numbers that no job has.
 
+/// REQUEST_TOO_LARGE for more than a job may have.
+absl::Status CheckCopyCount(int count, std::string_view field);
+
 absl::Status ToProto(const Copy& copy, v1::Copy* proto);
 absl::StatusOr<Copy> FromProto(const v1::Copy& proto);
 
@@ -29,6 +33,9 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 
 absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto);
 absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto);
+
+v1::PassFacts ToProto(const PassFacts& facts);
+absl::StatusOr<PassFacts> FromProto(const v1::PassFacts& proto);
 
 v1::JobFacts ToProto(const JobFacts& facts);
 absl::StatusOr<JobFacts> FromProto(const v1::JobFacts& proto);

@@ -75,8 +75,14 @@ CopyName DistinctName() {
 
 JobFacts DistinctFacts() {
   JobFacts facts;
-  auto& [layer_count, copies] = facts;
+  auto& [layer_count, copies, passes] = facts;
   layer_count = 40;
+  PassFacts pass;
+  auto& [layers_before, first_layer, top_before] = pass;
+  layers_before = 20;
+  first_layer = 2;
+  top_before = 4'000'000;
+  passes = {{}, pass};
   copies = {DistinctName(), {"other", 6, 0, 1}};
   return facts;
 }
@@ -137,6 +143,10 @@ TEST(PlanWire, EachMemberIsTheFieldOfItsName) {
   EXPECT_EQ(name.object(), 5);
   EXPECT_EQ(name.copy(), 1);
   EXPECT_EQ(name.copies(), 3);
+  const v1::PassFacts pass = ToProto(DistinctFacts()).passes(1);
+  EXPECT_EQ(pass.layers_before(), 20);
+  EXPECT_EQ(pass.first_layer(), 2);
+  EXPECT_EQ(pass.top_before_nm(), 4'000'000);
 }
 
 TEST(PlanWire, RefusesObjectsThatNoJobHas) {
@@ -170,9 +180,11 @@ TEST(PlanWire, RefusesShiftsBetweenMicrometres) {
 }
 
 TEST(PlanWire, RefusesWhatDoesNotAddUp) {
-  auto copy = ProtoOf<v1::Copy>(DistinctCopy());
-  copy.set_pass(-1);
-  ExpectMalformed(FromProto(copy).status(), "pass");
+  for (const int32_t pass : {-1, 1'000}) {
+    auto copy = ProtoOf<v1::Copy>(DistinctCopy());
+    copy.set_pass(pass);
+    ExpectMalformed(FromProto(copy).status(), "pass");
+  }
   auto placed = ProtoOf<v1::PlacedCopy>(DistinctPlaced());
   placed.add_footprint_xy_nm(1);
   ExpectMalformed(FromProto(placed).status(), "footprint_xy_nm");
@@ -204,7 +216,7 @@ TEST(PlanWire, RefusesAdditionsThatNoPlateHas) {
 }
 
 TEST(PlanWire, RefusesFactsThatNoJobHas) {
-  for (const int32_t count : {-1, 20'001}) {
+  for (const int32_t count : {-1, 200'001}) {
     v1::JobFacts facts = ToProto(DistinctFacts());
     facts.set_layer_count(count);
     ExpectMalformed(FromProto(facts).status(), "layer_count");
@@ -215,11 +227,29 @@ TEST(PlanWire, RefusesFactsThatNoJobHas) {
     facts.mutable_copies(1)->set_copies(copies);
     ExpectMalformed(FromProto(facts).status(), "copies[1].copy");
   }
-  v1::JobFacts many;
-  for (int i = 0; i <= 1'000; ++i) *many.add_copies() = ToProto(DistinctName());
-  const absl::Status status = FromProto(many).status();
-  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
-  EXPECT_EQ(DetailOf(status).metadata["got"], "1001");
+  const std::vector<std::pair<std::string, std::function<void(v1::PassFacts&)>>> spoils = {
+      {"layers_before", [](auto& p) { p.set_layers_before(-1); }},
+      {"layers_before", [](auto& p) { p.set_layers_before(200'001); }},
+      {"first_layer", [](auto& p) { p.set_first_layer(-1); }},
+      {"first_layer", [](auto& p) { p.set_first_layer(20'000); }},
+      {"top_before_nm", [](auto& p) { p.set_top_before_nm(-1); }},
+      {"top_before_nm", [](auto& p) { p.set_top_before_nm(INT64_MAX); }},
+  };
+  for (const auto& [field, spoil] : spoils) {
+    v1::JobFacts facts = ToProto(DistinctFacts());
+    spoil(*facts.mutable_passes(1));
+    ExpectMalformed(FromProto(facts).status(), "passes[1]." + field);
+  }
+  v1::JobFacts names, passes;
+  for (int i = 0; i <= 1'000; ++i) {
+    *names.add_copies() = ToProto(DistinctName());
+    passes.add_passes();
+  }
+  for (const v1::JobFacts& many : {names, passes}) {
+    const absl::Status status = FromProto(many).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
+    EXPECT_EQ(DetailOf(status).metadata["got"], "1001");
+  }
 }
 
 TEST(PlanWire, RefusesPointsBeyondTheWire) {

@@ -182,8 +182,8 @@ absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
 
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
   ProgramSummary summary;
-  if (proto.layers_size() > limits::kMaxLayers) {
-    return Malformed("layers", fmt::format("more than {}", limits::kMaxLayers));
+  if (proto.layers_size() > limits::kMaxLayerPrograms) {
+    return Malformed("layers", fmt::format("more than {}", limits::kMaxLayerPrograms));
   }
   if (absl::Status status = AllFromProto(proto.layers(), "layers", &summary.layers); !status.ok()) {
     return status;

@@ -90,7 +90,9 @@ absl::Status Check(const v1::SlicingOptions& proto) {
   status.Update(CheckPositive({{"first_layer_height_nm", proto.first_layer_height_nm()}}));
   status.Update(CheckNotNegative({{"max_gap_nm", proto.max_gap_nm()},
                                   {"resolution_nm", proto.resolution_nm()},
-                                  {"max_print_height_nm", proto.max_print_height_nm()}}));
+                                  {"max_print_height_nm", proto.max_print_height_nm()},
+                                  {"part_distance_nm", proto.part_distance_nm()},
+                                  {"clearance_radius_nm", proto.clearance_radius_nm()}}));
   status.Update(CheckRows(proto.objects_size(), "objects"));
   if (proto.bed_xy_nm_size() < 6) status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
   status.Update(CheckThumbnails(proto));
@@ -182,6 +184,8 @@ absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
   proto->set_max_gap_nm(options.max_gap_nm);
   proto->set_resolution_nm(options.resolution_nm);
   proto->set_max_print_height_nm(options.max_print_height_nm);
+  proto->set_part_distance_nm(options.part_distance_nm);
+  proto->set_clearance_radius_nm(options.clearance_radius_nm);
   for (const auto& [width, height] : options.thumbnails_px) {
     v1::ThumbnailSize* size = proto->add_thumbnails();
     size->set_width_px(width);
@@ -203,6 +207,8 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
   options.resolution_nm = proto.resolution_nm();
   options.bed = *std::move(bed);
   options.max_print_height_nm = proto.max_print_height_nm();
+  options.part_distance_nm = proto.part_distance_nm();
+  options.clearance_radius_nm = proto.clearance_radius_nm();
   options.thumbnails_px.clear();
   for (const v1::ThumbnailSize& size : proto.thumbnails()) {
     options.thumbnails_px.push_back({size.width_px(), size.height_px()});
@@ -306,14 +312,23 @@ v1::PlanningOptions ToProto(const PlanningOptions& options) {
   v1::PlanningOptions proto;
   for (const ObjectPlanOptions& object : options.objects)
     proto.add_objects()->set_seam(EnumToProto<v1::SeamPosition>(object.seam));
+  v1::SequencePlanOptions& sequence = *proto.mutable_sequence();
+  sequence.set_complete_objects(options.sequence.complete_objects);
+  sequence.set_clearance_radius_nm(options.sequence.clearance_radius_nm);
+  sequence.set_clearance_height_nm(options.sequence.clearance_height_nm);
   return proto;
 }
 
 absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
+  const v1::SequencePlanOptions& sequence = proto.sequence();
   absl::Status status = CheckComplete(proto);
   status.Update(CheckRows(proto.objects_size(), "objects"));
+  status.Update(CheckNotNegative({{"clearance_radius_nm", sequence.clearance_radius_nm()},
+                                  {"clearance_height_nm", sequence.clearance_height_nm()}}));
   if (!status.ok()) return status;
   PlanningOptions options;
+  options.sequence = {sequence.complete_objects(), sequence.clearance_radius_nm(),
+                      sequence.clearance_height_nm()};
   options.objects.clear();
   for (const v1::ObjectPlanOptions& object : proto.objects()) {
     if (absl::Status complete = CheckComplete(object); !complete.ok()) return complete;

@@ -44,21 +44,27 @@ ObjectSlicingOptions DistinctObjectSlicing() {
 
 SlicingOptions DistinctSlicing() {
   SlicingOptions options;
-  auto& [first_layer_height, max_gap, resolution, bed, max_print_height, thumbnails, objects] =
-      options;
+  auto& [first_layer_height, max_gap, resolution, bed, max_print_height, thumbnails, objects,
+         part_distance, clearance_radius] = options;
   first_layer_height = 102;
   max_gap = 105;
   resolution = 109;
   bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
   max_print_height = 111;
   thumbnails = {{12, 13}};
+  part_distance = 112;
+  clearance_radius = 113;
   objects = {DistinctObjectSlicing(), {}};
   return options;
 }
 
 PlanningOptions DistinctPlanning() {
   PlanningOptions options;
-  auto& [objects] = options;
+  auto& [objects, sequence] = options;
+  auto& [complete_objects, clearance_radius, clearance_height] = sequence;
+  complete_objects = true;
+  clearance_radius = 151;
+  clearance_height = 152;
   ObjectPlanOptions object;
   auto& [seam] = object;
   seam = SeamPosition::kRear;
@@ -181,7 +187,8 @@ MotionOptions DistinctMotion() {
          filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
          printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
-         before_layer_gcode, layer_gcode, layer_settings, labels] = options;
+         before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
+         max_print_height] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -222,6 +229,8 @@ MotionOptions DistinctMotion() {
   layer_gcode = "layer";
   layer_settings = "settings";
   labels = ObjectLabels::kFirmware;
+  between_objects_gcode = "between";
+  max_print_height = 538;
   return options;
 }
 
@@ -244,6 +253,8 @@ constexpr char kDistinct[] = R"pb(
     resolution_nm: 109
     bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
     max_print_height_nm: 111
+    part_distance_nm: 112
+    clearance_radius_nm: 113
     thumbnails { width_px: 12 height_px: 13 }
     objects {
       layer_height_nm: 101
@@ -255,7 +266,10 @@ constexpr char kDistinct[] = R"pb(
       elephant_foot_min_width_nm: 110
     }
   }
-  planning { objects { seam: SEAM_POSITION_REAR } }
+  planning {
+    objects { seam: SEAM_POSITION_REAR }
+    sequence { complete_objects: true clearance_radius_nm: 151 clearance_height_nm: 152 }
+  }
   beading {
     perimeters: 201
     external_width_nm: 202
@@ -365,6 +379,8 @@ constexpr char kDistinct[] = R"pb(
     layer_gcode: "layer"
     layer_settings: "settings"
     labels: OBJECT_LABELS_FIRMWARE
+    between_objects_gcode: "between"
+    max_print_height_nm: 538
   }
 )pb";
 
@@ -487,7 +503,20 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NoSeam",
                 [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
                 "planning.seam"},
-        Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.objects"},
+        Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.sequence"},
+        Refused{"NoPlannedObjects", [](auto& p) { p.mutable_planning()->clear_objects(); },
+                "planning.objects"},
+        Refused{"NegativeClearance",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1);
+                },
+                "planning.clearance_height_nm"},
+        Refused{"NegativeDistance",
+                [](auto& p) { p.mutable_slicing()->set_part_distance_nm(-1); },
+                "slicing.part_distance_nm"},
+        Refused{"NegativePrintHeight",
+                [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
+                "motion.max_print_height_nm"},
         Refused{"NoSlicedObjects", [](auto& p) { p.mutable_slicing()->clear_objects(); },
                 "slicing.objects"},
         Refused{"NoBeading", [](auto& p) { p.clear_beading(); }, "beading"},

@@ -1,7 +1,11 @@
 #include "common/wire/start_wire.h"
 
+#include <iterator>
+#include <string>
 #include <utility>
 
+#include "common/base/error.h"
+#include "common/model/limits.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/plan_wire.h"
@@ -48,6 +52,16 @@ absl::StatusOr<Start> TakeRangeStart(const Proto& proto) {
   return start;
 }
 
+absl::Status CheckNames(const google::protobuf::RepeatedPtrField<std::string>& names) {
+  if (names.size() > limits::kMaxObjects)
+    return LimitError(Reason::kRequestTooLarge, "object_names", limits::kMaxObjects, names.size());
+  for (const std::string& name : names)
+    if (std::ssize(name) > limits::kMaxNameBytes)
+      return LimitError(Reason::kRequestTooLarge, "bytes of object_names", limits::kMaxNameBytes,
+                        std::ssize(name));
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto) {
@@ -67,12 +81,17 @@ absl::StatusOr<FillStart> FromProto(const v1::FillStart& proto) {
 absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
   *proto->mutable_options() = ToProto(start.options);
+  proto->mutable_object_names()->Assign(start.object_names.begin(), start.object_names.end());
   return AllToProto(start.copies, "copies", proto->mutable_copies());
 }
 absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto) {
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  status.Update(CheckNames(proto.object_names()));
+  if (!status.ok()) return status;
   absl::StatusOr<PlanStart> start = TakeStart<PlanStart>(proto);
   if (!start.ok()) return start;
-  absl::Status status = AllFromProto(proto.copies(), "copies", &start->copies);
+  start->object_names.assign(proto.object_names().begin(), proto.object_names().end());
+  status = AllFromProto(proto.copies(), "copies", &start->copies);
   if (!status.ok()) return status;
   return start;
 }
@@ -83,9 +102,11 @@ absl::Status ToProto(const OrderStart& start, v1::OrderStart* proto) {
   return AllToProto(start.copies, "copies", proto->mutable_copies());
 }
 absl::StatusOr<OrderStart> FromProto(const v1::OrderStart& proto) {
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  if (!status.ok()) return status;
   absl::StatusOr<OrderStart> start = TakeStart<OrderStart>(proto);
   if (!start.ok()) return start;
-  absl::Status status = AllFromProto(proto.copies(), "copies", &start->copies);
+  status = AllFromProto(proto.copies(), "copies", &start->copies);
   if (!status.ok()) return status;
   return start;
 }
@@ -117,6 +138,8 @@ absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto) {
 }
 
 absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  if (!status.ok()) return status;
   absl::StatusOr<StageCall> call = FromProto(proto.call());
   if (!call.ok()) return call.status();
   absl::StatusOr<JobSettings> settings = FromProto(proto.settings());
@@ -129,7 +152,7 @@ absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
   if (proto.plans_size() != range->size()) {
     return Malformed("plans", "not one for each layer of the range");
   }
-  absl::Status status = AllFromProto(proto.plans(), "plans", &start.plans);
+  status = AllFromProto(proto.plans(), "plans", &start.plans);
   status.Update(AllFromProto(proto.copies(), "copies", &start.copies));
   if (!status.ok()) return status;
   return start;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -33,6 +34,7 @@ struct PlanStart {
   StageCall call;
   PlanningOptions options;
   std::vector<PlacedCopy> copies;
+  std::vector<std::string> object_names;  ///< by object, for messages
 };
 
 struct OrderStart {

@@ -20,7 +20,7 @@ StageCall Call() {
 
 std::vector<Copy> Copies() { return {{0, {}, 0}, {1, {2'000, -3'000}, 4}}; }
 
-JobFacts Facts() { return {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}}; }
+JobFacts Facts() { return {40, {{"a", 0, 0, 1}, {"b", 1, 0, 2}}, {{}, {3, 2, 1'000}}}; }
 
 MotionOptions Motion() {
   MotionOptions options;
@@ -69,8 +69,9 @@ FillStart Fill() {
 
 PlanStart Plan() {
   PlanStart start;
-  auto& [call, options, copies] = start;
+  auto& [call, options, copies, object_names] = start;
   call = Call();
+  object_names = {"a", "b"};
   options.objects = {{SeamPosition::kRear}, {SeamPosition::kNearest}};
   copies = {{0, {}, {}}, {1, {2'000, -3'000}, {{1, 2}, {3, 4}, {5, 6}}}};
   return start;
@@ -126,6 +127,7 @@ TEST(StartWire, PlanAndOrderReturn) {
   EXPECT_EQ(plan->call.job_id, "job-1");
   EXPECT_EQ(plan->options, Plan().options);
   EXPECT_EQ(plan->copies, Plan().copies);
+  EXPECT_EQ(plan->object_names, Plan().object_names);
   const absl::StatusOr<OrderStart> order = FromProto(ProtoOf<v1::OrderStart>(Order()));
   ASSERT_TRUE(order.ok()) << order.status();
   EXPECT_EQ(order->call.job_id, "job-1");
@@ -199,6 +201,28 @@ TEST(StartWire, RefusesRangesAndTablesThatNoJobHas) {
   fill = ProtoOf<v1::FillStart>(Fill());
   while (fill.options_size() <= 1'000) *fill.add_options() = fill.options(0);
   EXPECT_EQ(DetailOf(FromProto(fill).status()).reason, Reason::kRequestTooLarge);
+}
+
+/// The reason for which `message` is refused once it has more than 1,000 copies.
+template <typename Start>
+Reason WithManyCopies(Start message) {
+  while (message.copies_size() <= 1'000) *message.add_copies() = message.copies(0);
+  return DetailOf(FromProto(message).status()).reason;
+}
+
+TEST(StartWire, RefusesMoreCopiesThanAJobMayHave) {
+  EXPECT_EQ(WithManyCopies(ProtoOf<v1::PlanStart>(Plan())), Reason::kRequestTooLarge);
+  EXPECT_EQ(WithManyCopies(ProtoOf<v1::OrderStart>(Order())), Reason::kRequestTooLarge);
+  EXPECT_EQ(WithManyCopies(ProtoOf<v1::WorkStart>(Work())), Reason::kRequestTooLarge);
+}
+
+TEST(StartWire, RefusesNamesThatNoJobHas) {
+  auto plan = ProtoOf<v1::PlanStart>(Plan());
+  plan.set_object_names(1, std::string(256, 'a'));
+  EXPECT_EQ(DetailOf(FromProto(plan).status()).reason, Reason::kRequestTooLarge);
+  plan = ProtoOf<v1::PlanStart>(Plan());
+  while (plan.object_names_size() <= 1'000) plan.add_object_names("a");
+  EXPECT_EQ(DetailOf(FromProto(plan).status()).reason, Reason::kRequestTooLarge);
 }
 
 TEST(StartWire, RefusesCopiesAndFactsThatNoJobHas) {

@@ -182,7 +182,7 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
     keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
                          job->settings.ordering),
          &job->ordered);
-    job->facts = {job->layer_count(), {}};
+    job->facts = {job->layer_count(), {}, {}};
     keep(motion->Program({}, job->ordered, job->facts, job->settings.motion), &job->programs);
   });
   const Cost plan = Measure(

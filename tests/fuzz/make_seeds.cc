@@ -237,7 +237,8 @@ void WriteSliceSeed(const Seeds& seeds, const std::string& name, Job& job) {
 void WritePlanSeed(const Seeds& seeds, const std::string& name, Job& job) {
   PlanCall plan;
   v1::PlanStart& start = *plan.add_requests()->mutable_start();
-  Must(ToProto(PlanStart{job.call, job.settings.planning, job.sliced.copies}, &start));
+  Must(ToProto(PlanStart{job.call, job.settings.planning, job.sliced.copies,
+                          job.sliced.object_names}, &start));
   Anonymous(&start);
   for (const SlicedLayer& layer : job.sliced.layers)
     Must(ToProto(layer, plan.add_requests()->mutable_layer()));

@@ -150,7 +150,8 @@ Sample MakeSample() {
   for (int32_t i = 2; i < 6; ++i) sample.outlines.push_back(OutlinesOf(i));
   for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) AddLayer(i, &sample);
   sample.facts = {Sample::kLayerCount,
-                  {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}}};
+                  {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}},
+                  {{0, 0, 0}, {3, 1, 600'000}}};
   sample.warnings = {{Sample::kRange.first, 2}};
   sample.summary.layers = {{FrameOf(0), 1, {1, 2}, {3, 4}, 5, false}};
   sample.summary.copies = {{{"a.stl", 0, 1, 2}, {{0, 0}, {9, 0}, {9, 9}}}};

@@ -29,7 +29,7 @@ class LocalAndRemote : public testing::Test {
     EXPECT_TRUE(plan.ok()) << plan.status();
     plan_ = *std::move(plan);
     EXPECT_GT(LayerCount(), 20);
-    facts_ = {LayerCount(), {}};
+    facts_ = {LayerCount(), {}, {}};
     task_ = TaskOf({0, LayerCount()});
   }
 
@@ -55,7 +55,7 @@ class LocalAndRemote : public testing::Test {
   StageHost host_{{*slicing_, *beading_, *infill_, *ordering_, *motion_, chain_}};
   const RemoteClients remote_{host_.Address()};
   const StageCall call_;
-  const JobSettings settings_;
+  JobSettings settings_;
   SlicedJob job_;
   JobPlan plan_;
   JobFacts facts_;
@@ -154,6 +154,61 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
   const auto whole = chain_.Run(call_, task_);
   ASSERT_TRUE(whole.ok()) << whole.status();
   for (const int32_t size : {1, 7, 20}) {
+    std::vector<LayerProgram> programs;
+    for (int32_t first = 0; first < LayerCount(); first += size) {
+      const auto part =
+          remote_.worker.Run(call_, TaskOf({first, std::min(first + size, LayerCount())}));
+      ASSERT_TRUE(part.ok()) << part.status();
+      programs.insert(programs.end(), part->programs.begin(), part->programs.end());
+    }
+    EXPECT_EQ(programs, whole->programs) << "ranges of " << size;
+  }
+}
+
+/// Two text boxes, one after the other.
+class OneAfterTheOther : public LocalAndRemote {
+ protected:
+  OneAfterTheOther() {
+    settings_.planning.sequence.complete_objects = true;
+    job_.copies.push_back(job_.copies[0]);
+    PlacedCopy& second = job_.copies[1];
+    second.shift = second.shift + kAway;
+    for (Point& corner : second.footprint) corner = corner + kAway;
+  }
+
+  SlicedOutlines Outlines() const { return {job_.layers, job_.copies, job_.object_names}; }
+
+  static constexpr Point kAway{0, 100 * kNmPerMm};
+};
+
+TEST_F(OneAfterTheOther, ThePlanIsTheSameHereAndThere) {
+  const auto here = planning_->Plan(call_, Outlines(), settings_.planning);
+  const auto there = remote_.planning.Plan(call_, Outlines(), settings_.planning);
+  ASSERT_TRUE(here.ok()) << here.status();
+  ASSERT_TRUE(there.ok()) << there.status();
+  EXPECT_EQ(here->copies[0].pass + here->copies[1].pass, 1);
+  EXPECT_EQ(*there, *here);
+}
+
+TEST_F(OneAfterTheOther, TheNamesOfWhatCollidesAreTheSameHereAndThere) {
+  job_.copies[1] = job_.copies[0];
+  const absl::Status here = planning_->Plan(call_, Outlines(), settings_.planning).status();
+  const absl::Status there =
+      remote_.planning.Plan(call_, Outlines(), settings_.planning).status();
+  EXPECT_EQ(DetailOf(here).reason, Reason::kObjectsCollide) << here;
+  EXPECT_EQ(DetailOf(here).metadata.at("first"), job_.object_names[0] + " (copy 1)");
+  EXPECT_EQ(DetailOf(there).reason, Reason::kObjectsCollide) << there;
+  EXPECT_EQ(DetailOf(there).metadata.at("first"), job_.object_names[0] + " (copy 1)");
+}
+
+TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
+  plan_ = *planning_->Plan(call_, Outlines(), settings_.planning);
+  settings_.motion.layer_gcode = ";{layer_num} of {total_layer_count}, {max_layer_z}";
+  facts_ = {2 * LayerCount(), {}, {{}, {LayerCount(), 0, 5'000'000}}};
+  const auto whole = chain_.Run(call_, TaskOf({0, LayerCount()}));
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  EXPECT_EQ(std::ssize(whole->programs), 2 * LayerCount());
+  for (const int32_t size : {1, 20}) {
     std::vector<LayerProgram> programs;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =

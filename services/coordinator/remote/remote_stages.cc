@@ -105,7 +105,10 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
   bool ended = false;
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::PlanRequest>(
-        stream, PlanStart{call, options, {job.copies.begin(), job.copies.end()}});
+        stream, PlanStart{call,
+                          options,
+                          {job.copies.begin(), job.copies.end()},
+                          {job.object_names.begin(), job.object_names.end()}});
     if (!status.ok()) return status;
     return WriteEach<v1::PlanRequest>(stream, job.layers,
                                       [](const SlicedLayer& layer, v1::PlanRequest* request) {

@@ -11,6 +11,7 @@
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
 #include "services/motion/algo/gcode/layer_writer.h"
 #include "services/motion/algo/gcode/object_labels.h"
@@ -32,10 +33,10 @@ struct CustomCode {
 };
 
 absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const JobFacts& facts,
-                                            const LayerFrame& frame) {
+                                            const LayerPlace& place) {
   CustomCode code;
   if (options.before_layer_gcode.empty() && options.layer_gcode.empty()) return code;
-  const TemplateVariables variables = LayerVariables(options, facts, frame);
+  const TemplateVariables variables = LayerVariables(options, facts, place);
   auto before = ExpandTemplate("before_layer_gcode", options.before_layer_gcode, variables);
   if (!before.ok()) return before.status();
   auto after = ExpandTemplate("layer_gcode", options.layer_gcode, variables);
@@ -209,9 +210,13 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
   return passes;
 }
 
-LayerProgram ProgramPass(const OrderedLayer& layer, std::span<const BuiltBlock> built,
-                         std::span<const BlockVisit> visits, const CustomCode& code,
-                         const JobFacts& facts, const MotionOptions& options) {
+absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
+                                         std::span<const BuiltBlock> built,
+                                         std::span<const BlockVisit> visits, const JobFacts& facts,
+                                         const MotionOptions& options) {
+  const LayerPlace place = PlaceOf(layer, visits, facts);
+  const auto code = ExpandCustomCode(options, facts, place);
+  if (!code.ok()) return code.status();
   LayerProgram program;
   program.frame = layer.frame;
   std::optional<PassProgram> pass;
@@ -222,23 +227,22 @@ LayerProgram ProgramPass(const OrderedLayer& layer, std::span<const BuiltBlock> 
     program.entry = EntryOf(visits.front(), layer);
     program.exit = ExitOf(visits.back(), layer);
   }
-  const int32_t index = layer.frame.index;
   LayerState state;
-  state.fan_percent = FanPercent(options.cooling, index, program.stats.TimeS());
-  state.bridge_fan_percent = BridgeFanPercent(options.cooling, index, state.fan_percent);
+  state.fan_percent = FanPercent(options.cooling, place.index, program.stats.TimeS());
+  state.bridge_fan_percent = BridgeFanPercent(options.cooling, place.index, state.fan_percent);
   state.height_um = ToUm(layer.frame.height_nm);
 
   size_t moves = 0;
   for (const BlockVisit& visit : visits)
     moves += built[static_cast<size_t>(visit.block)].path.moves.size();
-  GcodeText out(moves * kBytesPerMove + kBytesAround + code.before.size() + code.after.size());
-  WriteHeader(layer.frame, code.before, out);
-  WriteTemperatures(options, index, out);
+  GcodeText out(moves * kBytesPerMove + kBytesAround + code->before.size() + code->after.size());
+  WriteHeader(layer.frame, code->before, out);
+  WriteTemperatures(options, place.index, out);
   WriteFan(state.fan_percent, out);
   if (pass) {
-    pass->Write(code, facts, state, out);
+    pass->Write(*code, facts, state, out);
   } else {
-    out.Lines(code.after);
+    out.Lines(code->after);
   }
   program.gcode = out.Take();
   return program;
@@ -249,12 +253,13 @@ LayerProgram ProgramPass(const OrderedLayer& layer, std::span<const BuiltBlock> 
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
                                                        const MotionOptions& options) {
-  const auto code = ExpandCustomCode(options, facts, layer.frame);
-  if (!code.ok()) return code.status();
   const std::vector<BuiltBlock> built = Build(layer, options);
   std::vector<LayerProgram> programs;
-  for (const std::span<const BlockVisit> visits : PassesOf(layer.visits))
-    programs.push_back(ProgramPass(layer, built, visits, *code, facts, options));
+  for (const std::span<const BlockVisit> visits : PassesOf(layer.visits)) {
+    auto program = ProgramPass(layer, built, visits, facts, options);
+    if (!program.ok()) return program.status();
+    programs.push_back(*std::move(program));
+  }
   return programs;
 }
 

@@ -16,11 +16,13 @@ namespace slicefarm::motion {
 ///   3 times (layer_timing.h, travel_time.h)
 ///   4 text, each copy with its shift and label (layer_writer.h, object_labels.h)
 ///
-/// A program starts retracted, anywhere at the height of the layer below or above it, with relative
+/// A program starts retracted, at the height of the layer below or over its entry, with relative
 /// E and absolute coordinates, and ends so; so does each copy in it. It depends on nothing but its
 /// arguments: programs are joined by concatenation. A copy's text depends on its place only by that
 /// shift. A layer without paths moves nothing, but still says that it is a layer. Times: the layer
 /// begins and ends at rest; the travel to its entry is not counted, the one up to its height is.
+/// With a pass for each copy, the layers of a pass are counted as the copy's own (layer_place.h);
+/// the way from pass to pass is no part of them (pass_change.h).
 /// Errors: those of the settings' templates (gcode_template.h). REQUIRES: CheckOptions and
 /// CheckLayer hold.
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,

@@ -420,6 +420,34 @@ TEST(ProgramLayer, EachPassIsAProgram) {
   EXPECT_EQ(programs[1].entry, (Point{FromMm(60), FromMm(10)}));
 }
 
+// The job's third layer is the second of a copy with layers twice as high.
+TEST(ProgramLayer, ACopyInAPassOfItsOwnCountsItsOwnLayers) {
+  OrderedLayer layer = TwoSquares(1);
+  layer.blocks.push_back(layer.blocks[0]);
+  layer.blocks[1].layer = 1;
+  layer.visits[1].block = 1;
+  MotionOptions options = Options();
+  options.first_layer_temperature_c = 215;
+  options.layer_gcode = "NOW {layer_num} {max_layer_z} {current_object_idx}";
+  options.cooling.enabled = true;
+  options.cooling.disable_fan_first_layers = 2;
+  JobFacts facts = Facts();
+  facts.passes = {{0, 0, 0}, {30, 0, FromMm(6)}};
+  const auto programs = ProgramLayer(layer, facts, options);
+  ASSERT_TRUE(programs.ok()) << programs.status();
+  ASSERT_EQ(programs->size(), 2);
+  const std::string& first = programs->front().gcode;
+  const std::string& second = programs->back().gcode;
+  EXPECT_THAT(first, HasSubstr("\nNOW 2 0.6 0\n"));
+  EXPECT_THAT(first, Not(HasSubstr("M104")));
+  EXPECT_THAT(first, HasSubstr("M106"));
+  EXPECT_THAT(second, HasSubstr("\nNOW 31 6 1\n"));
+  EXPECT_THAT(second, HasSubstr("M104 S200\n"));
+  EXPECT_THAT(second, HasSubstr("M107"));
+  options.layer_gcode = "{current_object_idx / (1 - current_object_idx)}";
+  EXPECT_FALSE(ProgramLayer(layer, facts, options).ok()) << "of the second pass alone";
+}
+
 TEST(ProgramLayer, ThePlatesOwnPathsHaveNoLabel) {
   MotionOptions options = Options();
   options.labels = ObjectLabels::kFirmware;

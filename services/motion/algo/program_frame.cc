@@ -10,6 +10,7 @@
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
+#include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/travel_time.h"
 #include "services/motion/algo/macro/template_variables.h"
@@ -20,6 +21,7 @@ namespace {
 
 /// Walks through the layers: `start_s` of each, then the whole.
 struct Timeline {
+  std::vector<PassChange> changes;
   std::vector<double> start_s;
   double time_s = 0;
   double travel_mm = 0;
@@ -27,10 +29,17 @@ struct Timeline {
 
 Timeline TimelineOf(const ProgramSummary& summary, const MotionOptions& options) {
   Timeline timeline;
+  timeline.changes = PassChanges(summary);
   timeline.travel_mm = summary.total.travel_mm;
+  auto change = timeline.changes.begin();
   const LayerSummary* before = nullptr;
-  for (const LayerSummary& layer : summary.layers) {
-    if (!layer.empty) {
+  for (size_t i = 0; i < summary.layers.size(); ++i) {
+    const LayerSummary& layer = summary.layers[i];
+    if (change != timeline.changes.end() && change->layer == i) {
+      timeline.travel_mm += ToMm(Distance(change->from, change->to));
+      timeline.time_s += TimeOf(*change++, options);
+      before = &layer;
+    } else if (!layer.empty) {
       if (before != nullptr) {
         timeline.travel_mm += ToMm(Distance(before->exit, layer.entry));
         timeline.time_s += TravelTime(before->exit, layer.entry, options, layer.frame.index);
@@ -70,9 +79,17 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   return out.Take();
 }
 
+/// What stands beside the last layer may be higher: end G-code moves above all of it.
+std::string RiseAboveAll(const ProgramSummary& summary, const MotionOptions& options) {
+  const Coord top_nm = TopOf(summary);
+  if (summary.layers.empty() || summary.layers.back().frame.print_z_nm == top_nm) return {};
+  return MoveToHeight(ClearHeight(top_nm, options), options);
+}
+
 std::string Epilogue(const ProgramSummary& summary, const MotionOptions& options,
                      std::string_view end_gcode, double time_s) {
   GcodeText out;
+  out << RiseAboveAll(summary, options);
   if (options.progress) out << "M73 P100 R0\n";
   out << ";TYPE:Custom\nM107\n";
   out.Lines(end_gcode) << MetadataTail(options, summary, time_s);
@@ -98,6 +115,11 @@ absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
     for (size_t i = 0; i < summary.layers.size(); ++i) {
       frame.layer_prefixes[i] = ProgressLine(timeline.start_s[i], timeline.time_s);
     }
+  }
+  for (const PassChange& change : timeline.changes) {
+    const auto way = GcodeOf(change, summary, variables, options);
+    if (!way.ok()) return way.status();
+    frame.layer_prefixes[change.layer].insert(0, *way);
   }
   frame.prologue = Prologue(summary, options, *start);
   frame.epilogue = Epilogue(summary, options, *end, timeline.time_s);

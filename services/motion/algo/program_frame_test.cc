@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
+#include "services/motion/algo/pass_change.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -137,9 +138,38 @@ TEST(FrameProgram, PassesAreTravelledBetween) {
   const ProgramFrame frame = Framed(TwoPasses());
   const double way = std::hypot(200, 300);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
-  EXPECT_NEAR(frame.time_s, 360 + 2 * RestToRest(100, 100, 3000) + RestToRest(way, 100, 3000),
+  EXPECT_NEAR(frame.time_s,
+              360 + 2 * RestToRest(100, 100, 3000) + TimeOf(PassChanges(TwoPasses())[0], Options()),
               1e-6);
-  EXPECT_THAT(frame.layer_prefixes, testing::SizeIs(6));
+  EXPECT_THAT(frame.layer_prefixes,
+              ElementsAre("", "", "", "G1 Z1.6 F1200\nG1 X0 Y300 F6000\n", "", ""));
+}
+
+TEST(FrameProgram, ProgressIsToldAfterTheWayToThePass) {
+  MotionOptions options = Options();
+  options.progress = true;
+  EXPECT_THAT(Framed(TwoPasses(), options).layer_prefixes[3],
+              testing::MatchesRegex("G1 Z1.6 F1200\nG1 X0 Y300 F6000\nM73 P.. R3\n"));
+}
+
+TEST(FrameProgram, NamesTheGcodeBetweenObjectsThatIsWrong) {
+  MotionOptions options = Options();
+  options.between_objects_gcode = "{oops}";
+  EXPECT_EQ(DetailOf(FrameProgram(TwoPasses(), options).status()).metadata.at("setting"),
+            "between_objects_gcode");
+  EXPECT_TRUE(FrameProgram(Summary(), options).ok());
+}
+
+TEST(FrameProgram, EndGcodeBeginsAboveAllThatStands) {
+  EXPECT_THAT(Framed(TwoPasses()).epilogue, StartsWith(";TYPE:Custom\n"));
+  ProgramSummary summary = TwoPasses();
+  summary.layers.pop_back();
+  MotionOptions options = Options();
+  options.end_gcode = "END {layer_num} {layer_z} {max_layer_z}";
+  const std::string epilogue = Framed(summary, options).epilogue;
+  EXPECT_THAT(epilogue, StartsWith("G1 Z1.6 F1200\n;TYPE:Custom\nM107\nEND 4 0.4 0.6\n"));
+  EXPECT_THAT(epilogue, HasSubstr("; max_layer_z = 0.6\n"));
+  EXPECT_THAT(epilogue, HasSubstr("; total layers count = 5\n"));
 }
 
 TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {

@@ -56,34 +56,36 @@ void AddFinished(const LayerPlan& plan, const LayerFrame& frame, std::vector<Pat
   paths.insert(paths.begin(), plan.paths.begin(), plan.paths.end());
 }
 
-/// The copies of a pass that have something in this layer, by travel from `from`.
-std::vector<BlockVisit> VisitsOf(int32_t pass, const std::vector<PathBlock>& blocks,
-                                 std::span<const Copy> copies, Point from, WorkBudget& budget) {
+/// The copies that have something in this layer, by pass.
+std::map<int32_t, std::vector<BlockVisit>> VisitsByPass(const std::vector<PathBlock>& blocks,
+                                                        std::span<const Copy> copies) {
   std::map<int32_t, int32_t> block_of;  // by object
   for (size_t i = 0; i < blocks.size(); ++i)
     block_of[blocks[i].object] = static_cast<int32_t>(i);
-  std::vector<BlockVisit> visits;
-  std::vector<Leg> legs;
+  std::map<int32_t, std::vector<BlockVisit>> visits;
   for (size_t i = 0; i < copies.size(); ++i) {
-    const auto block = block_of.find(copies[i].object);
-    if (copies[i].pass != pass || block == block_of.end()) continue;
-    const std::vector<Path>& paths = blocks[static_cast<size_t>(block->second)].paths;
-    visits.push_back({block->second, static_cast<int32_t>(i), pass, copies[i].shift});
-    legs.push_back({copies[i].shift + StartOf(paths.front()),
-                    copies[i].shift + EndOf(paths.back()), false});
+    const Copy& copy = copies[i];
+    if (const auto block = block_of.find(copy.object); block != block_of.end())
+      visits[copy.pass].push_back(
+          {block->second, static_cast<int32_t>(i), copy.pass, copy.shift});
+  }
+  return visits;
+}
+
+/// By travel from `from`.
+std::vector<BlockVisit> Ordered(const std::vector<BlockVisit>& visits,
+                                const std::vector<PathBlock>& blocks, Point from,
+                                WorkBudget& budget) {
+  std::vector<Leg> legs;
+  for (const BlockVisit& visit : visits) {
+    const std::vector<Path>& paths = blocks[static_cast<size_t>(visit.block)].paths;
+    legs.push_back(
+        {visit.shift + StartOf(paths.front()), visit.shift + EndOf(paths.back()), false});
   }
   std::vector<BlockVisit> ordered;
   for (const Visit& visit : OrderByTravel({from, {}}, legs, budget))
     ordered.push_back(visits[visit.leg]);
   return ordered;
-}
-
-std::vector<int32_t> PassesOf(std::span<const Copy> copies) {
-  std::vector<int32_t> passes;
-  for (const Copy& copy : copies) passes.push_back(copy.pass);
-  std::ranges::sort(passes);
-  passes.erase(std::unique(passes.begin(), passes.end()), passes.end());
-  return passes;
 }
 
 void AddVisits(const LayerPlan& plan, std::span<const Copy> copies, WorkBudget& budget,
@@ -93,9 +95,9 @@ void AddVisits(const LayerPlan& plan, std::span<const Copy> copies, WorkBudget& 
     layer.visits.push_back({});
     at = EndOf(layer.blocks.front().paths.back());
   }
-  for (const int32_t pass : PassesOf(copies)) {
-    const std::vector<BlockVisit> visits = VisitsOf(pass, layer.blocks, copies, at, budget);
-    layer.visits.insert(layer.visits.end(), visits.begin(), visits.end());
+  for (const auto& [pass, visits] : VisitsByPass(layer.blocks, copies)) {
+    const std::vector<BlockVisit> ordered = Ordered(visits, layer.blocks, at, budget);
+    layer.visits.insert(layer.visits.end(), ordered.begin(), ordered.end());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "common/base/error.h"
 #include "services/planning/algo/seams/seam_planner.h"
+#include "services/planning/algo/sequence/sequence_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
 
 namespace slicefarm::planning {
@@ -17,17 +18,21 @@ absl::Status CheckObject(int32_t object, const PlanningOptions& options) {
 
 }  // namespace
 
-JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies)
+JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
+                       std::span<const std::string> object_names)
     : options_(&options), copies_(copies) {
   planners_.push_back(std::make_unique<SeamPlanner>(options));
   planners_.push_back(std::make_unique<TravelPlanner>(copies));
+  if (options.sequence.complete_objects)
+    planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
 }
 
 absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
-                                            std::span<const PlacedCopy> copies) {
+                                            std::span<const PlacedCopy> copies,
+                                            std::span<const std::string> object_names) {
   for (const PlacedCopy& copy : copies)
     if (absl::Status ok = CheckObject(copy.object, options); !ok.ok()) return ok;
-  return JobPlanner(options, copies);
+  return JobPlanner(options, copies, object_names);
 }
 
 absl::StatusOr<LayerPlan> JobPlanner::Next(const SlicedLayer& layer) {

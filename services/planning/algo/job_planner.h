@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -17,23 +18,27 @@ namespace slicefarm::planning {
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
+///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///
 /// One thread; the plan depends on nothing but the arguments.
 class JobPlanner {
  public:
-  /// `options` and `copies` must outlive this. Errors: REQUEST_MALFORMED for copies of objects that
-  /// have no options.
+  /// All must outlive this. `object_names`: by object, for messages; may be fewer. Errors:
+  /// REQUEST_MALFORMED for copies of objects that have no options.
   static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
-                                         std::span<const PlacedCopy> copies);
+                                         std::span<const PlacedCopy> copies,
+                                         std::span<const std::string> object_names = {});
 
   /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
   absl::StatusOr<LayerPlan> Next(const SlicedLayer& layer);
 
-  /// Everything but the layers' plans. To be called once, after the last layer.
+  /// Everything but the layers' plans. To be called once, after the last layer. Errors: those of the
+  /// planners.
   absl::StatusOr<JobPlan> Finish();
 
  private:
-  JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies);
+  JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
+             std::span<const std::string> object_names);
 
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;

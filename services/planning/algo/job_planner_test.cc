@@ -27,6 +27,35 @@ TEST(JobPlanner, EachPlannerAddsToTheSameSections) {
   EXPECT_EQ(job->copies, (std::vector<Copy>{{0, copies[0].shift, 0}}));
 }
 
+TEST(JobPlanner, CompleteObjectsArePrintedOneAfterTheOther) {
+  const auto copy_at = [](double x) {
+    const Coord left = FromMm(x), right = FromMm(x + 10), top = FromMm(10);
+    return PlacedCopy{0, {left, 0}, {{left, 0}, {right, 0}, {right, top}, {left, top}}};
+  };
+  const std::vector<PlacedCopy> copies = {copy_at(100), copy_at(0), copy_at(50)};
+  for (const bool complete : {false, true}) {
+    PlanningOptions options;
+    options.sequence.complete_objects = complete;
+    auto planner = JobPlanner::Make(options, copies);
+    for (const SlicedLayer& layer : LayersOrDie({kSquare, kSquare}))
+      ASSERT_TRUE(planner->Next(layer).ok());
+    const auto job = planner->Finish();
+    ASSERT_TRUE(job.ok()) << job.status();
+    EXPECT_EQ(job->copies[0].pass, complete ? 2 : 0);
+    EXPECT_EQ(job->copies[1].pass, 0);
+    EXPECT_EQ(job->copies[2].pass, complete ? 1 : 0);
+  }
+}
+
+TEST(JobPlanner, ErrorsOfPlannersEndThePlan) {
+  PlanningOptions options;
+  options.sequence.complete_objects = true;
+  const std::vector<PlacedCopy> copies(2, {0, {}, {{0, 0}, {9, 0}, {0, 9}}});
+  auto planner = JobPlanner::Make(options, copies);
+  ASSERT_TRUE(planner->Next(LayersOrDie({kSquare})[0]).ok());
+  EXPECT_EQ(DetailOf(planner->Finish().status()).reason, Reason::kObjectsCollide);
+}
+
 TEST(JobPlanner, RefusesObjectsWithoutOptions) {
   const PlanningOptions options;
   const std::vector<PlacedCopy> copies = {{1, {}, {}}};

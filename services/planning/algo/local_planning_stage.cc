@@ -11,7 +11,7 @@ class LocalPlanning : public PlanningStage {
  public:
   absl::StatusOr<JobPlan> Plan(const StageCall& call, const SlicedOutlines& job,
                                const PlanningOptions& options) const override {
-    absl::StatusOr<JobPlanner> planner = JobPlanner::Make(options, job.copies);
+    absl::StatusOr<JobPlanner> planner = JobPlanner::Make(options, job.copies, job.object_names);
     if (!planner.ok()) return planner.status();
     std::vector<LayerPlan> layers;
     layers.reserve(job.layers.size());

@@ -47,7 +47,8 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<PlanStart> start = ReadStart<v1::PlanRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
-  absl::StatusOr<JobPlanner> planner = JobPlanner::Make(start->options, start->copies);
+  absl::StatusOr<JobPlanner> planner =
+      JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
   std::vector<LayerPlan> plans;
   absl::Status status = ReadEach<v1::PlanRequest>(

@@ -13,6 +13,7 @@
 #include "common/geometry/boolean.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
+#include "services/coordinator/algo/pipeline/pass_facts.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
 
 namespace slicefarm::coordinator {
@@ -267,13 +268,15 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
 
   auto plan = Timed(times.planning_s, [&] {
     const ScopedSpan span(call.spans, "planning");
-    return planning_.Plan(call, {sliced->layers, sliced->copies}, settings.planning);
+    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names},
+                          settings.planning);
   });
   if (!plan.ok()) return plan.status();
   PlannedJob job{std::move(sliced->layers), *std::move(plan), {}};
   if (absl::Status added = AddToPlate(job); !added.ok()) return added;
-  job.facts = {static_cast<int32_t>(job.layers.size()),
-               NamesOf(sliced->object_names, sliced->copies)};
+  PassPlan passes = PassesOf(job.layers, job.plan.copies);
+  job.facts = {passes.layer_count, NamesOf(sliced->object_names, sliced->copies),
+               std::move(passes.passes)};
 
   auto results = RunRanges(call, job, settings, executor_, progress);
   if (!results.ok()) return results.status();

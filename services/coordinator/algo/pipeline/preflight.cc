@@ -5,6 +5,7 @@
 
 #include "common/geometry/measure.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
+#include "services/coordinator/algo/pipeline/pass_facts.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -19,18 +20,31 @@ double AreaMm2(const SlicedLayer& layer, const std::vector<PlacedCopy>& copies) 
   return nm2 * 1e-12;
 }
 
+/// Without complete_objects planning has nothing to say.
+absl::StatusOr<int32_t> CountLayers(const StageCall& call, const SlicedJob& job,
+                                    const PlanningOptions& options,
+                                    const PlanningStage& planning) {
+  if (!options.sequence.complete_objects) return static_cast<int32_t>(job.layers.size());
+  const auto plan = planning.Plan(call, {job.layers, job.copies, job.object_names}, options);
+  if (!plan.ok()) return plan.status();
+  return PassesOf(job.layers, plan->copies).layer_count;
+}
+
 }  // namespace
 
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
-                                 const SlicingStage& slicing) {
+                                 const SlicingStage& slicing, const PlanningStage& planning) {
   auto sliced = slicing.Slice(call, std::move(input.meshes), input.settings.slicing);
   if (!sliced.ok()) return sliced.status();
   if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
   Preflight found;
-  found.layers = static_cast<int32_t>(sliced->layers.size());
+  const auto layers = CountLayers(call, *sliced, input.settings.planning, planning);
+  if (!layers.ok()) return layers.status();
+  found.layers = *layers;
   found.first_layer_area_mm2 = AreaMm2(sliced->layers.front(), sliced->copies);
   found.estimate = EstimatePrint({sliced->layers, sliced->copies}, input.settings);
   found.meshes = std::move(sliced->meshes);
+  found.orientations = std::move(sliced->orientations);
   found.warnings = std::move(input.warnings);
   for (const MeshReport& mesh : found.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) found.warnings.push_back(std::move(warning));

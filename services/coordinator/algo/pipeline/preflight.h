@@ -14,15 +14,17 @@ namespace slicefarm::coordinator {
 /// What can be told of a job before it is made.
 struct Preflight {
   std::vector<MeshReport> meshes;
-  int32_t layers = 0;
+  int32_t layers = 0;  ///< of all copies, if they are printed one after the other
   double first_layer_area_mm2 = 0;
   PrintEstimate estimate;
+  std::vector<OrientationAdvice> orientations;  ///< if the input asks for them
   std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
 };
 
-/// Slices the meshes and looks at the outlines. Errors: those of slicing, OUT_OF_BUILD_VOLUME among
-/// them; NOTHING_TO_PRINT.
+/// Slices the meshes and looks at the outlines. With complete_objects it plans the job as well, to
+/// see whether the copies have an order. Errors: those of slicing, OUT_OF_BUILD_VOLUME among them;
+/// NOTHING_TO_PRINT; those of planning, OBJECTS_COLLIDE among them.
 absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
-                                 const SlicingStage& slicing);
+                                 const SlicingStage& slicing, const PlanningStage& planning);
 
 }  // namespace slicefarm::coordinator

@@ -188,6 +188,8 @@ double CooledTime(const LayerTotal& layer, const CoolingOptions& cooling) {
 
 PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settings) {
   std::map<int32_t, int> copies = CopiesByObject(job.copies);
+  const bool one_by_one = settings.planning.sequence.complete_objects;
+  PrintEstimate estimate;
   std::vector<LayerTotal> totals(job.layers.size());
   ProgramStats total;
   FeatureUse& all = total.features[0];
@@ -200,13 +202,17 @@ PrintEstimate EstimatePrint(const SlicedOutlines& job, const JobSettings& settin
                              Exposed(object.shapes, i, -1, infill.bottom_solid_layers);
       const LayerEstimate layer(object.shapes[at], exposed, object.frames[at], settings,
                                 object.rows[at]);
+      all.volume_mm3 += count * layer.volume_mm3();
+      if (one_by_one) {
+        estimate.print_time_s +=
+            count * CooledTime({layer.time_s(), object.shapes[at].area}, settings.motion.cooling);
+        continue;
+      }
       LayerTotal& sum = totals[static_cast<size_t>(object.frames[at].index)];
       sum.time_s += count * layer.time_s();
       sum.area_mm2 += object.shapes[at].area;
-      all.volume_mm3 += count * layer.volume_mm3();
     }
   }
-  PrintEstimate estimate;
   for (const LayerTotal& layer : totals)
     estimate.print_time_s += CooledTime(layer, settings.motion.cooling);
   all.filament_mm = FilamentMm(all.volume_mm3, settings.motion);

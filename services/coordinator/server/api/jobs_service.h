@@ -32,7 +32,8 @@ struct JobsBackend {
   ProfileStore& profiles;
   WebhookStore& webhooks;
   const WebhookPolicy& webhook_policy;
-  const SlicingStage& slicing;  ///< for preflights
+  const SlicingStage& slicing;    ///< for preflights
+  const PlanningStage& planning;  ///< for preflights
   ByteBudget& mesh_memory;
   Rates rates;
   std::function<int64_t()> now_us;

@@ -44,8 +44,7 @@ void WriteLayers(const ProgramSummary& summary, double time_s, GcodeText& out) {
   if (summary.layers.empty()) return;
   Line("estimated first layer printing time (normal mode)",
        DurationText(summary.layers.front().time_s), out);
-  Line("max_layer_z", Number(ToMm(static_cast<double>(summary.layers.back().frame.print_z_nm)), 3),
-       out);
+  Line("max_layer_z", Number(ToMm(static_cast<double>(TopOf(summary))), 3), out);
 }
 
 using Setting = std::pair<std::string_view, std::string>;

@@ -145,10 +145,21 @@ TemplateVariables SettingVariables(const MotionOptions& options, std::string_vie
   return variables;
 }
 
-void AddLayer(const LayerFrame& frame, TemplateVariables& variables) {
-  variables["layer_num"] = {int64_t{frame.index}};
-  variables["layer_z"] = {ToMm(static_cast<double>(frame.print_z_nm))};
-  variables["max_layer_z"] = variables["layer_z"];  // so far: layers only go up
+void AddLayer(const LayerPlace& place, TemplateVariables& variables) {
+  variables["current_object_idx"] = {int64_t{place.pass}};
+  variables["layer_num"] = {int64_t{place.number}};
+  variables["layer_z"] = {ToMm(static_cast<double>(place.print_z_nm))};
+  variables["max_layer_z"] = {ToMm(static_cast<double>(place.top_nm))};
+}
+
+/// Where a program ends.
+LayerPlace LastPlace(const ProgramSummary& summary) {
+  LayerPlace last;
+  if (summary.layers.empty()) return last;
+  last.number = static_cast<int32_t>(summary.layers.size()) - 1;
+  last.print_z_nm = summary.layers.back().frame.print_z_nm;
+  last.top_nm = TopOf(summary);
+  return last;
 }
 
 void AddUse(const MotionOptions& options, const ProgramStats& total, TemplateVariables& variables) {
@@ -179,9 +190,9 @@ void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variable
 }  // namespace
 
 TemplateVariables LayerVariables(const MotionOptions& options, const JobFacts& facts,
-                                 const LayerFrame& frame) {
+                                 const LayerPlace& place) {
   TemplateVariables variables = SettingVariables(options, options.layer_settings);
-  AddLayer(frame, variables);
+  AddLayer(place, variables);
   if (facts.layer_count > 0) variables["total_layer_count"] = {int64_t{facts.layer_count}};
   return variables;
 }
@@ -189,8 +200,7 @@ TemplateVariables LayerVariables(const MotionOptions& options, const JobFacts& f
 TemplateVariables ProgramVariables(const MotionOptions& options, const ProgramSummary& summary,
                                    double time_s) {
   TemplateVariables variables = SettingVariables(options, summary.settings_text);
-  const LayerFrame last = summary.layers.empty() ? LayerFrame{} : summary.layers.back().frame;
-  AddLayer(last, variables);
+  AddLayer(LastPlace(summary), variables);
   variables["total_layer_count"] = {static_cast<int64_t>(summary.layers.size())};
   AddBox("first_layer_print", summary.total.bounds, variables);
   AddUse(options, summary.total, variables);

@@ -12,7 +12,7 @@ TEST(LayerVariables, SettingsAndPlace) {
   MotionOptions options;
   options.first_layer_temperature_c = 215;
   options.filament_type = "PETG";
-  const TemplateVariables variables = LayerVariables(options, {}, {3, 800'000, 200'000});
+  const TemplateVariables variables = LayerVariables(options, {}, {0, 3, 3, 800'000, 800'000});
   EXPECT_THAT(variables.at("first_layer_temperature"), ElementsAre(TemplateValue(int64_t{215})));
   EXPECT_THAT(variables.at("filament_type"), ElementsAre(TemplateValue(std::string("PETG"))));
   EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{3})));
@@ -25,11 +25,14 @@ TEST(LayerVariables, WhatItsGcodeNames) {
   options.layer_settings = "layer_height = 0.2\nmax_print_height = 210\nbed_shape = 0x0,9x0,9x8\n";
   JobFacts facts;
   facts.layer_count = 40;
-  const TemplateVariables variables = LayerVariables(options, facts, {3, 800'000, 200'000});
+  const TemplateVariables variables = LayerVariables(options, facts, {1, 3, 7, 800'000, 900'000});
   EXPECT_THAT(variables.at("layer_height"), ElementsAre(TemplateValue(0.2)));
   EXPECT_THAT(variables.at("max_print_height"), ElementsAre(TemplateValue(int64_t{210})));
   EXPECT_THAT(variables.at("print_bed_max"), ElementsAre(TemplateValue(9.0), TemplateValue(8.0)));
-  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.8)));
+  EXPECT_THAT(variables.at("layer_z"), ElementsAre(TemplateValue(0.8)));
+  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.9)));
+  EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{7})));
+  EXPECT_THAT(variables.at("current_object_idx"), ElementsAre(TemplateValue(int64_t{1})));
   EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{40})));
   EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{0})));
   facts.layer_count = 0;

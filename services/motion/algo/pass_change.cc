@@ -1,0 +1,106 @@
+#include "services/motion/algo/pass_change.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+#include "services/motion/algo/toolpath/travel_time.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr Coord kClearanceNm = kNmPerMm;
+
+void WriteFirstLayerTemperatures(const MotionOptions& options, std::string_view custom,
+                                 GcodeText& out) {
+  if (options.first_layer_bed_temperature_c != options.bed_temperature_c &&
+      !Commands(custom, {"M140", "M190"}))
+    WriteTemperature("M140", options.first_layer_bed_temperature_c, out);
+  if (options.first_layer_temperature_c != options.temperature_c &&
+      !Commands(custom, {"M104", "M109"}))
+    WriteTemperature("M104", options.first_layer_temperature_c, out);
+}
+
+TemplateVariables VariablesAt(const PassChange& change, const ProgramSummary& summary,
+                              TemplateVariables variables) {
+  const LayerSummary& last = summary.layers[change.layer - 1];
+  variables["current_object_idx"] = {int64_t{summary.layers[change.layer].pass}};
+  variables["layer_num"] = {static_cast<int64_t>(change.layer) - 1};
+  variables["layer_z"] = {ToMm(static_cast<double>(last.frame.print_z_nm))};
+  variables["max_layer_z"] = {ToMm(static_cast<double>(change.top_nm))};
+  return variables;
+}
+
+}  // namespace
+
+std::vector<PassChange> PassChanges(const ProgramSummary& summary) {
+  std::vector<PassChange> changes;
+  Coord top_nm = 0;
+  Point at;
+  for (size_t i = 0; i < summary.layers.size(); ++i) {
+    const LayerSummary& layer = summary.layers[i];
+    if (i > 0 && layer.pass != summary.layers[i - 1].pass) {
+      changes.push_back({.layer = i,
+                         .from = at,
+                         .to = layer.entry,
+                         .from_z_nm = summary.layers[i - 1].frame.print_z_nm,
+                         .to_z_nm = layer.frame.print_z_nm - layer.frame.height_nm,
+                         .top_nm = top_nm,
+                         .on_bed = layer.frame.index == 0});
+    }
+    top_nm = std::max(top_nm, layer.frame.print_z_nm);
+    if (!layer.empty) at = layer.exit;
+  }
+  return changes;
+}
+
+Coord ClearHeight(Coord top_nm, const MotionOptions& options) {
+  const Coord clear = top_nm + kClearanceNm;
+  if (options.max_print_height_nm <= 0) return clear;
+  return std::max(top_nm, std::min(clear, options.max_print_height_nm));
+}
+
+std::string MoveToHeight(Coord z_nm, const MotionOptions& options) {
+  GcodeText out;
+  out << "G1 Z";
+  out.Micrometers(ToUm(z_nm + FromMm(options.z_offset_mm))) << " F";
+  out.Integer(FeedRate(TravelSpeedZ(options))) << '\n';
+  return out.Take();
+}
+
+double TimeOf(const PassChange& change, const MotionOptions& options) {
+  const Coord clear = ClearHeight(change.top_nm, options);
+  const auto lift = [&](Coord from) {
+    return LiftTime(ToMm(static_cast<double>(clear - from)), options, 0);
+  };
+  return lift(change.from_z_nm) + TravelTime(change.from, change.to, options, 0) +
+         lift(change.to_z_nm);
+}
+
+absl::StatusOr<std::string> GcodeOf(const PassChange& change, const ProgramSummary& summary,
+                                    const TemplateVariables& variables,
+                                    const MotionOptions& options) {
+  const std::string rise = MoveToHeight(ClearHeight(change.top_nm, options), options);
+  GcodeText out;
+  out << rise;
+  std::string custom;
+  if (!options.between_objects_gcode.empty()) {
+    auto expanded = ExpandTemplate("between_objects_gcode", options.between_objects_gcode,
+                                   VariablesAt(change, summary, variables));
+    if (!expanded.ok()) return expanded.status();
+    custom = *std::move(expanded);
+  }
+  if (change.on_bed) WriteFirstLayerTemperatures(options, custom, out);
+  if (!custom.empty()) out.Lines(custom) << "G21\nG90\nM83\n" << rise;
+  out << "G1 X";
+  out.Micrometers(ToUm(change.to.x)) << " Y";
+  out.Micrometers(ToUm(change.to.y)) << " F";
+  out.Integer(FeedRate(TravelSpeed(options))) << '\n';
+  return out.Take();
+}
+
+}  // namespace slicefarm::motion

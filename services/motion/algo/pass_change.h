@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+#include "services/motion/algo/macro/template_value.h"
+
+namespace slicefarm::motion {
+
+/// The way from the end of a pass to the beginning of the next one, over all that stands.
+struct PassChange {
+  size_t layer = 0;  ///< the pass's first, among the summary's
+  Point from;
+  Point to;
+  Coord from_z_nm = 0;
+  Coord to_z_nm = 0;   ///< below the first layer
+  Coord top_nm = 0;    ///< of all that is printed before
+  bool on_bed = true;  ///< the pass begins on the bed, not on a raft
+};
+
+/// Those of a program, in the order of printing.
+std::vector<PassChange> PassChanges(const ProgramSummary& summary);
+
+/// At what height nothing that reaches `top_nm` is in the way: 1 mm above, but not above
+/// max_print_height.
+Coord ClearHeight(Coord top_nm, const MotionOptions& options);
+
+/// `G1 Z..`, z_offset included.
+std::string MoveToHeight(Coord z_nm, const MotionOptions& options);
+
+/// What the way takes: up, along and down, each from rest to rest; between_objects_gcode is not
+/// counted.
+double TimeOf(const PassChange& change, const MotionOptions& options);
+
+/// From the canonical state at the end of a pass to that over the entry of the next one, whose
+/// program moves down first. The nozzle rises, runs between_objects_gcode and goes to the entry at
+/// that height, wherever that G-code has left it. The first layer's temperatures are set and not
+/// waited for, unless that G-code sets them. `variables`: of the program; added to them are
+/// current_object_idx, and layer_num, layer_z and max_layer_z of what is printed by then. Errors:
+/// those of the template (gcode_template.h).
+absl::StatusOr<std::string> GcodeOf(const PassChange& change, const ProgramSummary& summary,
+                                    const TemplateVariables& variables,
+                                    const MotionOptions& options);
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,56 @@
+#include "services/motion/algo/toolpath/layer_place.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+/// Layer 5 of the job: the third of object 1 and the plate's.
+OrderedLayer Layer() {
+  OrderedLayer layer;
+  layer.frame = {5, 1'200'000, 200'000};
+  layer.blocks = {{kPlate, 5, 200'000, {}}, {1, 2, 200'000, {}}};
+  layer.visits = {{0, -1, 0, {}}, {1, 0, 0, {}}, {1, 1, 1, {}}};
+  return layer;
+}
+
+struct Case {
+  std::string name;
+  size_t first, count;  ///< of the visits
+  std::vector<PassFacts> passes;
+  LayerPlace want;
+};
+
+class PlaceOfTest : public testing::TestWithParam<Case> {};
+
+TEST_P(PlaceOfTest, IsTheLayersOwn) {
+  const Case& c = GetParam();
+  const OrderedLayer layer = Layer();
+  JobFacts facts;
+  facts.passes = c.passes;
+  const LayerPlace place = PlaceOf(layer, std::span(layer.visits).subspan(c.first, c.count), facts);
+  EXPECT_EQ(place.pass, c.want.pass);
+  EXPECT_EQ(place.index, c.want.index);
+  EXPECT_EQ(place.number, c.want.number);
+  EXPECT_EQ(place.print_z_nm, c.want.print_z_nm);
+  EXPECT_EQ(place.top_nm, c.want.top_nm);
+}
+
+const std::vector<PassFacts> kTwo = {{3, 3, 0}, {40, 3, 8'000'000}};
+
+INSTANTIATE_TEST_SUITE_P(
+    Layers, PlaceOfTest,
+    testing::Values(Case{"OnePass", 0, 2, {}, {0, 5, 5, 1'200'000, 1'200'000}},
+                    Case{"NothingPrinted", 0, 0, kTwo, {0, 5, 5, 1'200'000, 1'200'000}},
+                    Case{"PlateAlone", 0, 1, kTwo, {0, 5, 5, 1'200'000, 1'200'000}},
+                    Case{"FirstPass", 0, 2, kTwo, {0, 5, 5, 1'200'000, 1'200'000}},
+                    Case{"SecondPass", 2, 1, kTwo, {1, 5, 42, 1'200'000, 8'000'000}},
+                    Case{"OfAnotherLayerHeight",
+                         2,
+                         1,
+                         {{}, {40, 0, 1'000'000}},
+                         {1, 2, 42, 1'200'000, 1'200'000}}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace slicefarm::motion

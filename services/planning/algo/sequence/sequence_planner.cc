@@ -1,0 +1,64 @@
+#include "services/planning/algo/sequence/sequence_planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "services/planning/algo/sequence/print_sequence.h"
+
+namespace slicefarm::planning {
+
+void SequencePlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
+  (void)plan;
+  for (const ObjectSection& section : layer.sections) {
+    if (section.regions.empty()) continue;
+    Printed& printed = printed_[section.object];
+    printed.top_nm = layer.frame.print_z_nm;
+    printed.layers = section.layer + 1;
+  }
+}
+
+absl::Status SequencePlanner::CheckLayers() const {
+  int64_t layers = 0;
+  for (const PlacedCopy& copy : copies_)
+    if (const auto found = printed_.find(copy.object); found != printed_.end())
+      layers += found->second.layers;
+  if (layers <= limits::kMaxLayerPrograms) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "layers of all copies, printed one after the other",
+                    limits::kMaxLayerPrograms, layers);
+}
+
+std::string SequencePlanner::NameOf(size_t copy) const {
+  const int32_t object = copies_[copy].object;
+  const auto same = [&](const PlacedCopy& other) { return other.object == object; };
+  const auto number = static_cast<size_t>(object);
+  std::string name = number < object_names_.size() ? object_names_[number]
+                                                   : fmt::format("object {}", object);
+  if (std::ranges::count_if(copies_, same) == 1) return name;
+  return fmt::format("{} (copy {})", name,
+                     std::ranges::count_if(copies_.first(copy + 1), same));
+}
+
+absl::Status SequencePlanner::Finish(JobPlan& plan) {
+  if (absl::Status ok = CheckLayers(); !ok.ok()) return ok;
+  std::vector<SequenceItem> items;
+  std::vector<size_t> copy_of;  // by item
+  for (size_t i = 0; i < copies_.size(); ++i) {
+    const auto printed = printed_.find(copies_[i].object);
+    if (printed == printed_.end()) continue;
+    items.push_back({copies_[i].footprint, printed->second.top_nm, NameOf(i)});
+    copy_of.push_back(i);
+  }
+  const auto order = PrintSequence(items, {.clearance_radius_nm = options_.clearance_radius_nm,
+                                           .clearance_height_nm = options_.clearance_height_nm});
+  if (!order.ok()) return order.status();
+  int32_t pass = 0;
+  for (const size_t item : *order) plan.copies[copy_of[item]].pass = pass++;
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::planning
