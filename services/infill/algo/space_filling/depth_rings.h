@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/geometry/polygon.h"
+#include "services/infill/algo/space_filling/ring_links.h"
+
+namespace slicefarm::infill {
+
+/// The edge of a region, as step 0, and the lines that lie k spacings inside it, as step k; by
+/// step. If the region is half a spacing smaller than what is to be filled, they fill it: their
+/// length times the spacing is its area by the midpoint rule, with an error of either sign where
+/// lines from two sides meet.
+///
+/// Corners are mitered. Rings shorter than one and a half spacings are left out: a line covers what
+/// they enclose. REQUIRES: spacing_nm > 0. Cost: an offset for each step.
+std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm);
+
+/// Errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE) unless the
+/// spacing is positive; LimitError (REQUEST_TOO_LARGE) if the region's box has more squares of a
+/// spacing than limits::kMaxPointsPerLayer.
+absl::Status CheckSpacing(const PolygonWithHoles& region, Coord spacing_nm);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,24 @@
+#include "services/infill/algo/space_filling/fermat.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/geometry/clean_offset.h"
+#include "services/infill/algo/space_filling/depth_rings.h"
+
+namespace slicefarm::infill {
+
+absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,
+                                                 const FermatOptions& options) {
+  const Coord spacing = options.spacing_nm;
+  if (absl::Status status = CheckSpacing(region, spacing); !status.ok()) return status;
+  std::vector<Polyline> paths;
+  for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
+    std::vector<Polyline> linked =
+        LinkRings(RingsFrom({part}, spacing), static_cast<double>(spacing));
+    std::move(linked.begin(), linked.end(), std::back_inserter(paths));
+  }
+  return paths;
+}
+
+}  // namespace slicefarm::infill

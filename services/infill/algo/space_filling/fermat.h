@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::infill {
+
+struct FermatOptions {
+  Coord spacing_nm = 450'000;  ///< of neighbouring lines; half of it is left free at the edge
+};
+
+/// Fills a region with connected Fermat spirals: lines of constant depth below the edge, joined to
+/// spirals that lead in and out again, and these to one path for each part of the region that is
+/// connected half a spacing inside. The path starts and ends at the edge, a spacing apart.
+///
+/// Parts that are less than two lines wide get two lines that lie nearer to each other. Length
+/// times spacing is the region's area: see RingsFrom.
+///
+/// Errors: those of CheckSpacing.
+/// Source: Zhao et al., "Connected Fermat Spirals for Layered Fabrication", SIGGRAPH 2016, for the
+///         idea; the joining is that of LinkRings.
+absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,
+                                                 const FermatOptions& options);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,118 @@
+#include "services/infill/algo/space_filling/quadtree_fill.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+#include "services/infill/algo/space_filling/cell_cover.h"
+#include "services/infill/algo/space_filling/closed_curve.h"
+#include "services/infill/algo/space_filling/depth_rings.h"
+#include "services/infill/algo/space_filling/hilbert.h"
+#include "services/infill/algo/space_filling/peano.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// A space-filling curve that divides squares by `base` a side.
+struct Curve {
+  uint32_t base = 2;
+  int index_order = 0;  ///< of a square that has all cells of a cover
+  uint64_t (*index)(int order, CurveCell cell) = nullptr;
+  std::vector<CurveCell> (*closed)(int order) = nullptr;
+};
+
+constexpr Curve kHilbert{2, 31, HilbertIndex, ClosedHilbert};
+constexpr Curve kPeano{3, 18, PeanoIndex, ClosedPeano};
+
+/// The corners of a closed curve through cells, as places in units of half a cell.
+std::vector<CurveCell> CornersOf(const std::vector<CurveCell>& cells) {
+  std::vector<CurveCell> corners;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const CurveCell before = cells[i == 0 ? cells.size() - 1 : i - 1], at = cells[i];
+    const CurveCell after = cells[i + 1 == cells.size() ? 0 : i + 1];
+    if (at.x - before.x == after.x - at.x && at.y - before.y == after.y - at.y) continue;
+    corners.push_back(at);
+  }
+  return corners;
+}
+
+/// The closed curves of a cover's blocks, in the order of the curve through all of them. Cells of
+/// the cover are two spacings wide, and the curve's one.
+std::vector<StepRing> BlockRings(const CellCover& cover, const Curve& curve) {
+  std::vector<CellBlock> blocks = LargestBlocks(cover, curve.base);
+  const auto index = [&](const CellBlock& block) {
+    // The least index in the block: that of its first cell at the order of its side.
+    int order = curve.index_order;
+    for (uint32_t side = block.side; side > 1; side /= curve.base) --order;
+    uint64_t first =
+        curve.index(order, {block.first.x / block.side, block.first.y / block.side});
+    return first * block.side * block.side;
+  };
+  std::vector<std::pair<uint64_t, size_t>> order;
+  for (size_t i = 0; i < blocks.size(); ++i) order.emplace_back(index(blocks[i]), i);
+  std::sort(order.begin(), order.end());
+  std::map<uint32_t, std::vector<CurveCell>> corners_by_side;
+  std::vector<StepRing> rings;
+  const Coord spacing = cover.cell_nm / 2;
+  for (const auto& [first, i] : order) {
+    const CellBlock& block = blocks[i];
+    std::vector<CurveCell>& corners = corners_by_side[block.side];
+    if (corners.empty()) {
+      int levels = 0;
+      for (uint32_t side = block.side; side > 1; side /= curve.base) ++levels;
+      corners = CornersOf(curve.closed(levels));
+    }
+    const Point base = {
+        cover.origin.x + static_cast<Coord>(block.first.x - cover.first.x) * cover.cell_nm,
+        cover.origin.y + static_cast<Coord>(block.first.y - cover.first.y) * cover.cell_nm};
+    StepRing& ring = rings.emplace_back();
+    for (const CurveCell corner : corners) {
+      ring.points.push_back({base.x + static_cast<Coord>(corner.x) * spacing + spacing / 2,
+                             base.y + static_cast<Coord>(corner.y) * spacing + spacing / 2});
+    }
+  }
+  return rings;
+}
+
+/// A part of a region that lies half a spacing inside: the lines' places, not their width.
+std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing, const Curve& curve) {
+  // A line along the edge, and one around the cells, three quarters of a spacing from it or more.
+  const CellCover cover = CoverOf(FastOffset({part}, -(spacing + spacing / 4)), 2 * spacing,
+                                  curve.base);
+  const MultiPolygon cells = Union(OutlineOf(cover), FillRule::kNonZero);
+  std::vector<StepRing> band =
+      RingsFrom(Difference({part}, FastOffset(cells, spacing / 2)), spacing);
+  // Curves in cells can be linked at some places only, lines along them anywhere: so those first.
+  std::vector<StepRing> rings = BlockRings(cover, curve);
+  int32_t step = band.empty() ? 0 : band.back().step;
+  for (StepRing& ring : rings) ring.step = ++step;
+  std::move(band.begin(), band.end(), std::back_inserter(rings));
+  return LinkRings(rings, static_cast<double>(spacing));
+}
+
+absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region, Coord spacing,
+                                           const Curve& curve) {
+  if (absl::Status status = CheckSpacing(region, spacing); !status.ok()) return status;
+  std::vector<Polyline> paths;
+  for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
+    std::vector<Polyline> linked = FillPart(part, spacing, curve);
+    std::move(linked.begin(), linked.end(), std::back_inserter(paths));
+  }
+  return paths;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Polyline>> HilbertFill(const PolygonWithHoles& region,
+                                                  const QuadtreeOptions& options) {
+  return Fill(region, options.spacing_nm, kHilbert);
+}
+
+absl::StatusOr<std::vector<Polyline>> PeanoFill(const PolygonWithHoles& region,
+                                                const QuadtreeOptions& options) {
+  return Fill(region, options.spacing_nm, kPeano);
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "services/infill/algo/space_filling/segment_grid.h"
+
+namespace slicefarm::infill {
+
+/// Rings with places on them, by arc length from their first point, and what lies near a point.
+class RingPlaces {
+ public:
+  struct Near {
+    double place = 0;
+    double distance = 0;
+  };
+  struct NearRing {
+    int32_t ring = 0;
+    double distance = 0;
+  };
+  struct Edge {
+    Point from, to;
+    int32_t ring = 0;
+    int32_t index = 0;
+  };
+
+  /// The rings must outlive this. REQUIRES: each has at least three points.
+  RingPlaces(std::vector<const Polygon*> rings, double cell_nm);
+
+  const Box& Extent() const { return extent_; }
+  int32_t Count() const { return static_cast<int32_t>(rings_.size()); }
+  double Length(int32_t ring) const { return along_[first_[ring + 1] + ring]; }
+
+  /// `place` in [0, length); any other is brought there.
+  double Wrapped(int32_t ring, double place) const;
+  Point At(int32_t ring, double place) const;
+
+  /// The nearest place of a ring, if it is within reach.
+  std::optional<Near> Nearest(Point p, int32_t ring, double reach) const;
+
+  /// Those rings within reach for which wanted(ring), and how near they come; in no order.
+  template <typename Wanted>
+  void NearRings(Point p, double reach, const Wanted& wanted, std::vector<NearRing>& found) const {
+    found.clear();
+    grid_.ForEachNear(p, p, reach, [&](int32_t s) {
+      const Segment& segment = segments_[s];
+      if (!wanted(segment.ring)) return;
+      const double squared = segment.SquaredDistance(p);
+      if (squared > reach * reach) return;
+      for (NearRing& near : found) {
+        if (near.ring != segment.ring) continue;
+        near.distance = std::min(near.distance, squared);
+        return;
+      }
+      found.push_back({segment.ring, squared});
+    });
+    for (NearRing& near : found) near.distance = std::sqrt(near.distance);
+  }
+
+  /// Calls visit(edge) for edges near the segment ab, and others.
+  template <typename Visit>
+  void ForEachEdgeNear(Point a, Point b, Visit visit) const {
+    grid_.ForEachNear(a, b, 1, [&](int32_t segment) { visit(EdgeOf(segment)); });
+  }
+
+  /// Where on its ring the point of an edge nearest to p is.
+  double PlaceOn(const Edge& edge, Point p) const;
+
+  /// Calls visit(point) for the ring's points strictly between two places, forward from the first.
+  template <typename Visit>
+  void ForEachCornerBetween(int32_t ring, double from, double length, Visit visit) const {
+    const double* const along = Along(ring);
+    const auto size = static_cast<int32_t>(rings_[ring]->size());
+    const double start = Wrapped(ring, from);
+    int32_t corner = EdgeAt(ring, start) + 1;
+    for (double turns = 0;; ++corner) {
+      if (corner == size) corner = 0, turns += Length(ring);
+      if (along[corner] + turns >= start + length) return;
+      if (along[corner] + turns > start) visit((*rings_[ring])[corner]);
+    }
+  }
+
+ private:
+  struct Segment {
+    Point from, way;
+    double per_squared_length = 0;
+    int32_t ring = 0;
+
+    /// How far along it its point nearest to p lies, from 0 to 1.
+    double Part(Point p) const {
+      return std::clamp(Dot(p - from, way) * per_squared_length, 0.0, 1.0);
+    }
+    double SquaredDistance(Point p) const {
+      const double part = Part(p);
+      const double x = static_cast<double>(p.x - from.x) - part * static_cast<double>(way.x);
+      const double y = static_cast<double>(p.y - from.y) - part * static_cast<double>(way.y);
+      return x * x + y * y;
+    }
+  };
+
+  const double* Along(int32_t ring) const { return &along_[first_[ring] + ring]; }
+  int32_t EdgeAt(int32_t ring, double place) const;
+  Edge EdgeOf(int32_t segment) const;
+
+  std::vector<const Polygon*> rings_;
+  std::vector<int32_t> first_;    ///< segment of each ring's first edge; one more than rings
+  std::vector<Segment> segments_;
+  std::vector<double> along_;     ///< arc length at each point, and each ring's length after it
+  Box extent_;
+  SegmentGrid grid_;
+};
+
+}  // namespace slicefarm::infill
