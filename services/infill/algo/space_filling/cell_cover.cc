@@ -52,9 +52,9 @@ std::vector<std::vector<double>> Crossings(const MultiPolygon& region, const Cel
       const double y1 = static_cast<double>(b.y - cover.origin.y) / cell - 0.5;
       for (auto row = static_cast<int32_t>(std::ceil(y0)); row < y1; ++row) {
         const double part = (row - y0) / (y1 - y0);
-        crossings[row].push_back((static_cast<double>(a.x - cover.origin.x) +
-                                  part * static_cast<double>(b.x - a.x)) /
-                                 cell);
+        crossings[row].push_back(
+            (static_cast<double>(a.x - cover.origin.x) + part * static_cast<double>(b.x - a.x)) /
+            cell);
       }
     }
   });
@@ -180,7 +180,8 @@ std::vector<Polygon> OutlineOf(const CellCover& cover) {
           // From the end of this side on: along the cell's next side, if that is an edge; else
           // straight on, or to the right round the cell that lies there.
           const Point ahead = kWays[way];
-          const auto ahead_x = static_cast<int32_t>(ahead.x), ahead_y = static_cast<int32_t>(ahead.y);
+          const auto ahead_x = static_cast<int32_t>(ahead.x),
+                     ahead_y = static_cast<int32_t>(ahead.y);
           int next = (way + 1) % 4;
           if (is_edge(x, y, next)) {
             // Stays at this cell.

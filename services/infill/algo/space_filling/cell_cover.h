@@ -18,12 +18,12 @@ struct CellBlock {
 
 /// A window of a grid of square cells, and which of them are inside something.
 struct CellCover {
-  Point origin;       ///< lower left corner of cell `first`
+  Point origin{};     ///< lower left corner of cell `first`
   Coord cell_nm = 1;  ///< side of a cell
-  CurveCell first;    ///< of the window
+  CurveCell first{};  ///< of the window
   int32_t columns = 0;
   int32_t rows = 0;
-  std::vector<char> inside;  ///< row by row
+  std::vector<char> inside{};  ///< row by row
 
   bool Has(int32_t column, int32_t row) const {
     return column >= 0 && row >= 0 && column < columns && row < rows &&

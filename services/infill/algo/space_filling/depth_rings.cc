@@ -49,7 +49,8 @@ absl::Status CheckSpacing(const PolygonWithHoles& region, Coord spacing_nm) {
   const auto columns = (box.max.x - box.min.x) / spacing_nm + 1;
   const auto rows = (box.max.y - box.min.y) / spacing_nm + 1;
   if (columns > limits::kMaxPointsPerLayer / rows) {
-    return LimitError(Reason::kRequestTooLarge, "line spacings squared in the box of an infill region",
+    return LimitError(Reason::kRequestTooLarge,
+                      "line spacings squared in the box of an infill region",
                       limits::kMaxPointsPerLayer, columns * rows);
   }
   return absl::OkStatus();

@@ -46,8 +46,7 @@ std::vector<StepRing> BlockRings(const CellCover& cover, const Curve& curve) {
     // The least index in the block: that of its first cell at the order of its side.
     int order = curve.index_order;
     for (uint32_t side = block.side; side > 1; side /= curve.base) --order;
-    uint64_t first =
-        curve.index(order, {block.first.x / block.side, block.first.y / block.side});
+    uint64_t first = curve.index(order, {block.first.x / block.side, block.first.y / block.side});
     return first * block.side * block.side;
   };
   std::vector<std::pair<uint64_t, size_t>> order;
@@ -78,9 +77,9 @@ std::vector<StepRing> BlockRings(const CellCover& cover, const Curve& curve) {
 
 /// A part of a region that lies half a spacing inside: the lines' places, not their width.
 std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing, const Curve& curve) {
-  // A line along the edge, and one around the cells, three quarters of a spacing from it or more.
-  const CellCover cover = CoverOf(FastOffset({part}, -(spacing + spacing / 4)), 2 * spacing,
-                                  curve.base);
+  // A line along the edge, and one around the cells.
+  const CellCover cover =
+      CoverOf(FastOffset({part}, -(spacing + spacing / 2)), 2 * spacing, curve.base);
   const MultiPolygon cells = Union(OutlineOf(cover), FillRule::kNonZero);
   std::vector<StepRing> band =
       RingsFrom(Difference({part}, FastOffset(cells, spacing / 2)), spacing);

@@ -41,8 +41,8 @@ constexpr double kLeastCut = 0.1;
 
 struct Pass {
   bool other_steps_only = true;
-  double reach = 0;  ///< longest link
-  double gap = 0;    ///< longest cut
+  double reach = 0;         ///< longest link
+  double gap = 0;           ///< longest cut
   double worst = INFINITY;  ///< bridges that fit less well are not built
 };
 
@@ -197,9 +197,9 @@ class Linker {
     const auto apart = [&](const Spot& spot) {
       return SquaredNorm(places_.At(pair.b, spot.place) - p);
     };
-    const auto nearest = std::min_element(
-        pair.spots.begin(), pair.spots.end(),
-        [&](const Spot& x, const Spot& y) { return apart(x) < apart(y); });
+    const auto nearest =
+        std::min_element(pair.spots.begin(), pair.spots.end(),
+                         [&](const Spot& x, const Spot& y) { return apart(x) < apart(y); });
     return static_cast<size_t>(nearest - pair.spots.begin());
   }
 
@@ -276,9 +276,8 @@ class Linker {
       clear = IsCutAway(edge, from, to, bridge);
     });
     if (!clear) return false;
-    links_.ForEachNear(from, to, 1, [&](End end) {
-      clear = clear && !Cross(from, to, At(end), At(Across(end)));
-    });
+    links_.ForEachNear(
+        from, to, 1, [&](End end) { clear = clear && !Cross(from, to, At(end), At(Across(end))); });
     return clear;
   }
 
@@ -309,7 +308,8 @@ class Linker {
     --families_;
   }
 
-  // --- walking the result -------------------------------------------------------------------------
+  // --- walking the result
+  // -------------------------------------------------------------------------
 
   const Cut& CutOf(End end) const { return bridges_[end / 4].cuts[end / 2 % 2]; }
   Point At(End end) const {
@@ -349,8 +349,7 @@ class Linker {
     // A piece of no length may come out a little less than that.
     if (length > places_.Length(start.ring) - 2 && &start != &stop) length = 0;
     Polyline corners;
-    places_.ForEachCornerBetween(start.ring, begin, length,
-                                 [&](Point p) { corners.push_back(p); });
+    places_.ForEachCornerBetween(start.ring, begin, length, [&](Point p) { corners.push_back(p); });
     if (!forward) std::reverse(corners.begin(), corners.end());
     append(At(from));
     for (const Point p : corners) append(p);

@@ -52,7 +52,8 @@ Point RingPlaces::At(int32_t ring, double place) const {
   place = Wrapped(ring, place);
   const int32_t i = EdgeAt(ring, place);
   const Polygon& points = *rings_[ring];
-  const Point a = points[i], d = points[i + 1 == static_cast<int32_t>(points.size()) ? 0 : i + 1] - a;
+  const Point a = points[i],
+              d = points[i + 1 == static_cast<int32_t>(points.size()) ? 0 : i + 1] - a;
   const double from = Along(ring)[i], to = Along(ring)[i + 1];
   const double part = to > from ? (place - from) / (to - from) : 0;
   return {a.x + std::llround(part * static_cast<double>(d.x)),

@@ -107,9 +107,9 @@ class RingPlaces {
   Edge EdgeOf(int32_t segment) const;
 
   std::vector<const Polygon*> rings_;
-  std::vector<int32_t> first_;    ///< segment of each ring's first edge; one more than rings
+  std::vector<int32_t> first_;  ///< segment of each ring's first edge; one more than rings
   std::vector<Segment> segments_;
-  std::vector<double> along_;     ///< arc length at each point, and each ring's length after it
+  std::vector<double> along_;  ///< arc length at each point, and each ring's length after it
   Box extent_;
   SegmentGrid grid_;
 };

@@ -32,9 +32,8 @@ class SegmentGrid {
       // The segment's x where it enters and leaves the row, a little outwards for rounding.
       const double low = std::max(RowStart(row), static_cast<double>(a.y));
       const double high = std::min(RowStart(row + 1), static_cast<double>(b.y));
-      const double slope = b.y == a.y ? 0
-                                      : static_cast<double>(b.x - a.x) /
-                                            static_cast<double>(b.y - a.y);
+      const double slope =
+          b.y == a.y ? 0 : static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
       double from = static_cast<double>(a.x), to = static_cast<double>(b.x);
       if (b.y != a.y) {
         from = static_cast<double>(a.x) + slope * (low - static_cast<double>(a.y));
