@@ -99,7 +99,7 @@ TEST(FermatDisc, IsADoubleSpiralOfConstantSpacing) {
     }
   }
   // But where a ray meets the seam.
-  EXPECT_GE(pairs, 12 * 39);
+  EXPECT_GE(pairs, 12 * 37);
   EXPECT_GE(apart, pairs * 95 / 100);
   EXPECT_GE(turns, pairs * 90 / 100);
 }
