@@ -14,7 +14,7 @@ namespace {
 constexpr double kShortestRing = 1.5;  ///< in spacings
 /// A line whose two sides would lie nearer to each other than twice this part of a spacing is left
 /// out, beyond the first step.
-constexpr Coord kNarrowest = 10;
+constexpr Coord kNarrowest = 20;
 
 /// True if nothing is left of an island at this depth, as far as its box shows.
 bool IsThin(const PolygonWithHoles& island, Coord depth) {
