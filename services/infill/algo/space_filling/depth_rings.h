@@ -14,7 +14,8 @@ namespace slicefarm::infill {
 /// lines from two sides meet.
 ///
 /// Corners are mitered. Rings shorter than one and a half spacings are left out: a line covers what
-/// they enclose. REQUIRES: spacing_nm > 0. Cost: an offset for each step.
+/// they enclose. So are, beyond step 0, narrow parts where a line's two sides would lie nearer to
+/// each other than a tenth of a spacing. REQUIRES: spacing_nm > 0. Cost: an offset for each step.
 std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm);
 
 /// Errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE) unless the
