@@ -570,6 +570,18 @@ TEST(Resolve, BoundsNumberAndSize) {
   }
 }
 
+TEST(Resolve, CompleteObjectsAreArrangedWithRoomForTheHead) {
+  const auto slicing = [](const std::vector<std::pair<std::string, std::string>>& given) {
+    return ResolveOrDie(Settings(given)).settings.slicing;
+  };
+  EXPECT_EQ(slicing({}).clearance_radius_nm, 0);
+  EXPECT_EQ(slicing({{"complete_objects", "1"}}).clearance_radius_nm, FromMm(20));
+  EXPECT_EQ(slicing({{"complete_objects", "1"}, {"extruder_clearance_radius", "35"}})
+                .clearance_radius_nm,
+            FromMm(35));
+  EXPECT_EQ(slicing({{"duplicate_distance", "8.5"}}).part_distance_nm, FromMm(8.5));
+}
+
 TEST(Resolve, ShortensLongValuesInReports) {
   const ResolvedSettings resolved =
       ResolveOrDie(Settings({{"notes", std::string(1000, 'n')}}, Source::kProfile));

@@ -11,7 +11,6 @@
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
-#include "services/slicing/algo/placement/arrange.h"
 #include "services/slicing/algo/placement/build_volume.h"
 
 namespace slicefarm::slicing {
@@ -30,14 +29,6 @@ struct Free {
   size_t object = 0;
   size_t copy = 0;
 };
-
-/// What outlines grow by must stay on the bed too.
-Coord LargestGrowth(const SlicingOptions& options) {
-  Coord growth = 0;
-  for (const ObjectSlicingOptions& object : options.objects)
-    growth = std::max(growth, object.xy_compensation_nm);
-  return growth;
-}
 
 /// `copies`: of all objects, those with a place included.
 absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Free>& free,
@@ -64,13 +55,9 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
   std::vector<ArrangeItem> items;
   items.reserve(free.size());
   for (const Free& copy : free) items.push_back({objects[copy.object].footprint});
-  absl::StatusOr<Arrangement> arranged =
-      Arrange(items, standing,
-              {.bed = options.bed,
-               .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
-               .bed_margin_nm = LargestGrowth(options),
-               .max_plates = 1},
-              cancel);
+  ArrangeOptions arrange = ArrangeOptionsOf(options);
+  arrange.max_plates = 1;
+  absl::StatusOr<Arrangement> arranged = Arrange(items, standing, arrange, cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty())
     return NoRoom(objects, free, arranged->left_over, free.size() + standing.size());
@@ -80,6 +67,15 @@ absl::Status ArrangeFree(std::span<const ObjectToPlace> objects, const std::vect
 }
 
 }  // namespace
+
+ArrangeOptions ArrangeOptionsOf(const SlicingOptions& options) {
+  Coord growth = 0;
+  for (const ObjectSlicingOptions& object : options.objects)
+    growth = std::max(growth, object.xy_compensation_nm);
+  return {.bed = options.bed,
+          .distance_nm = std::max(options.part_distance_nm, options.clearance_radius_nm),
+          .bed_margin_nm = growth};
+}
 
 absl::StatusOr<Places> PlaceCopies(std::span<const ObjectToPlace> objects,
                                    const SlicingOptions& options, const CancelToken& cancel) {

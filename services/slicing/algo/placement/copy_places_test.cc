@@ -76,6 +76,28 @@ TEST(PlaceCopies, ManyStandApartAndOnTheBed) {
   }
 }
 
+TEST(PlaceCopies, KeepTheLargerOfDistanceAndClearance) {
+  const Polygon footprint = Rectangle(30, 20);
+  const std::vector<CopyInput> copies(4, kAnywhere);
+  const ObjectToPlace object{"part", footprint, {}, copies};
+  const auto least_distance = [&](Coord part_distance, Coord clearance) {
+    SlicingOptions options;
+    options.part_distance_nm = part_distance;
+    options.clearance_radius_nm = clearance;
+    const std::vector<Point> at = PlaceCopies({&object, 1}, options, {})->at(0);
+    double least = 1e18;
+    for (size_t i = 0; i < at.size(); ++i)
+      for (size_t j = 0; j < i; ++j)
+        least = std::min(least, ConvexDistance(ConvexHull(Moved(footprint, at[i])),
+                                               ConvexHull(Moved(footprint, at[j]))));
+    return least;
+  };
+  EXPECT_NEAR(least_distance(0, 0), 0, 1e3);
+  EXPECT_NEAR(least_distance(9 * kMm, 0), 9 * kMm, 1e3);
+  EXPECT_NEAR(least_distance(9 * kMm, 20 * kMm), 20 * kMm, 1e3);
+  EXPECT_NEAR(least_distance(25 * kMm, 20 * kMm), 25 * kMm, 1e3);
+}
+
 TEST(PlaceCopies, SaysHowManyHaveNoRoom) {
   const auto places = PlaceOne(Rectangle(120, 100), std::vector<CopyInput>(9, kAnywhere));
   EXPECT_EQ(DetailOf(places.status()).reason, Reason::kOutOfBuildVolume);

@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
 #include "services/slicing/algo/placement/arrange.h"
+#include "services/slicing/algo/placement/copy_places.h"
 #include "services/slicing/algo/placement/placed_object.h"
 
 namespace slicefarm::slicing {
@@ -130,13 +131,6 @@ Instance At(Instance instance, Point middle) {
   return instance;
 }
 
-ArrangeOptions OptionsOf(const SlicingOptions& options) {
-  Coord growth = 0;  // what outlines grow by must stay on the bed too
-  for (const ObjectSlicingOptions& object : options.objects)
-    growth = std::max(growth, object.xy_compensation_nm);
-  return {.bed = options.bed, .bed_margin_nm = growth};
-}
-
 }  // namespace
 
 absl::StatusOr<Plates> PutOnPlates(std::vector<MeshFile> files,
@@ -161,7 +155,7 @@ absl::StatusOr<Plates> PutOnPlates(std::vector<MeshFile> files,
     if (shape.footprint.size() >= 3)
       fixed.push_back({Moved(shape.footprint, MiddleOf(*copy.instance, shape))});
   }
-  const auto arranged = Arrange(items, fixed, OptionsOf(options), cancel);
+  const auto arranged = Arrange(items, fixed, ArrangeOptionsOf(options), cancel);
   if (!arranged.ok()) return arranged.status();
   if (!arranged->left_over.empty()) return TooLarge(objects, free, arranged->left_over);
   for (size_t i = 0; i < free.size(); ++i) {
