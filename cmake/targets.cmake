@@ -61,6 +61,7 @@ function(slicefarm_binary name)
   endif()
   if(NOT ARG_ON_DEMAND)
     add_dependencies(programs ${name})
+    install(TARGETS ${name})
   endif()
 endfunction()
 
