@@ -12,6 +12,7 @@
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
 #include "common/model/mesh.h"
+#include "common/model/orientation_advice.h"
 #include "common/model/program_summary.h"
 #include "common/model/scene.h"
 #include "common/model/settings.h"
@@ -98,6 +99,7 @@ struct ObjectInput {
 struct SliceInput {
   std::vector<MeshFile> files;
   std::vector<ObjectInput> objects;
+  bool advise_orientations = false;  ///< whether SlicedJob::orientations is wanted
 };
 
 /// A copy as it stands on the plate.
@@ -116,6 +118,7 @@ struct SlicedJob {
   std::vector<PlacedCopy> copies;         ///< by object, then as in the input
   std::vector<MeshReport> meshes;         ///< one a part, by object
   std::vector<Thumbnail> thumbnails;
+  std::vector<OrientationAdvice> orientations;  ///< of objects that would better lie otherwise
 };
 
 class SlicingStage {

@@ -67,6 +67,22 @@ absl::Status CheckReport(const v1::MeshReport& proto) {
   return absl::OkStatus();
 }
 
+v1::Lying LyingToProto(const Lying& lying) {
+  v1::Lying proto;
+  proto.set_contact_mm2(lying.contact_mm2);
+  proto.set_overhang_mm2(lying.overhang_mm2);
+  proto.set_height_mm(lying.height_mm);
+  proto.set_stable(lying.stable);
+  return proto;
+}
+
+absl::StatusOr<Lying> LyingFromProto(const v1::Lying& proto) {
+  for (const double value : {proto.contact_mm2(), proto.overhang_mm2(), proto.height_mm()})
+    if (!std::isfinite(value))
+      return Malformed("contact_mm2, overhang_mm2, height_mm", "not all are finite");
+  return Lying{proto.contact_mm2(), proto.overhang_mm2(), proto.height_mm(), proto.stable()};
+}
+
 std::array<double, 3> Triple(const RepeatedField<double>& values) {
   return {values[0], values[1], values[2]};
 }
@@ -142,6 +158,26 @@ absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto) {
   report.cracks_closed_mm = proto.cracks_closed_mm();
   report.overlapping_copies = proto.overlapping_copies();
   return report;
+}
+
+v1::OrientationAdvice ToProto(const OrientationAdvice& advice) {
+  v1::OrientationAdvice proto;
+  proto.set_object(advice.object);
+  proto.mutable_rotate_deg()->Assign(advice.rotate_deg.begin(), advice.rotate_deg.end());
+  *proto.mutable_asked() = LyingToProto(advice.asked);
+  *proto.mutable_advised() = LyingToProto(advice.advised);
+  return proto;
+}
+
+absl::StatusOr<OrientationAdvice> FromProto(const v1::OrientationAdvice& proto) {
+  if (proto.object() < 0 || proto.object() >= limits::kMaxObjects)
+    return Malformed("object", "is not the index of an object");
+  if (absl::Status ok = CheckTriple(proto.rotate_deg(), "rotate_deg"); !ok.ok()) return ok;
+  const absl::StatusOr<Lying> asked = LyingFromProto(proto.asked());
+  if (!asked.ok()) return Within("asked", asked.status());
+  const absl::StatusOr<Lying> advised = LyingFromProto(proto.advised());
+  if (!advised.ok()) return Within("advised", advised.status());
+  return OrientationAdvice{proto.object(), Triple(proto.rotate_deg()), *asked, *advised};
 }
 
 v1::Thumbnail ToProto(const Thumbnail& thumbnail) {

@@ -3,6 +3,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/model/mesh.h"
+#include "common/model/orientation_advice.h"
 #include "common/model/placement.h"
 #include "slicefarm/v1/mesh.pb.h"
 
@@ -19,6 +20,9 @@ absl::StatusOr<Placement> FromProto(const v1::Placement& proto);
 
 v1::MeshReport ToProto(const MeshReport& report);
 absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto);
+
+v1::OrientationAdvice ToProto(const OrientationAdvice& advice);
+absl::StatusOr<OrientationAdvice> FromProto(const v1::OrientationAdvice& proto);
 
 v1::Thumbnail ToProto(const Thumbnail& thumbnail);
 absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto);

@@ -112,6 +112,45 @@ TEST(MeshWire, ReportReturns) {
   });
 }
 
+OrientationAdvice DistinctAdvice() {
+  OrientationAdvice advice;
+  auto& [object, rotate_deg, asked, advised] = advice;
+  auto& [contact, overhang, height, stable] = asked;
+  object = 3;
+  rotate_deg = {4, -5, 6};
+  contact = 7;
+  overhang = 8;
+  height = 9;
+  stable = false;
+  advised = {10, 11, 12, true};
+  return advice;
+}
+
+TEST(MeshWire, OrientationAdviceReturnsWithEveryFieldChangedAlone) {
+  const v1::OrientationAdvice proto = ToProto(DistinctAdvice());
+  EXPECT_EQ(*FromProto(proto), DistinctAdvice());
+  EXPECT_EQ(proto.asked().overhang_mm2(), 8);
+  ForEachChangedField(proto, [](const std::string& path, const auto& message) {
+    SCOPED_TRACE(path);
+    const auto& changed = dynamic_cast<const v1::OrientationAdvice&>(message);
+    const absl::StatusOr<OrientationAdvice> meant = FromProto(changed);
+    ASSERT_TRUE(meant.ok()) << meant.status();
+    EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(ToProto(*meant), changed));
+  });
+}
+
+TEST(MeshWire, RefusesAdviceThatNoOrientationHas) {
+  v1::OrientationAdvice proto = ToProto(DistinctAdvice());
+  proto.set_object(1'000);
+  EXPECT_FALSE(FromProto(proto).ok());
+  proto = ToProto(DistinctAdvice());
+  proto.add_rotate_deg(1);
+  EXPECT_FALSE(FromProto(proto).ok());
+  proto = ToProto(DistinctAdvice());
+  proto.mutable_advised()->set_height_mm(std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(FromProto(proto).ok());
+}
+
 TEST(MeshWire, ThumbnailReturns) {
   const Thumbnail thumbnail{32, 33, std::string("\x89PNG\0", 5)};
   EXPECT_EQ(*FromProto(ToProto(thumbnail)), thumbnail);

@@ -65,6 +65,7 @@ absl::Status ToProto(const StageCall& call, const SliceInput& input, const Slici
     proto->set_format(ToProto(file.format));
     proto->set_size_bytes(static_cast<int64_t>(file.bytes.size()));
   }
+  start->set_advise_orientations(input.advise_orientations);
   return AllToProto(input.objects, "objects", start->mutable_objects());
 }
 
@@ -87,6 +88,7 @@ absl::StatusOr<SliceInputReader> SliceInputReader::Begin(const v1::SliceStart& s
     reader.input_.files.push_back(*std::move(file));
     reader.sizes_.push_back(static_cast<size_t>(start.files(i).size_bytes()));
   }
+  reader.input_.advise_orientations = start.advise_orientations();
   absl::Status status = AllFromProto(start.objects(), "objects", &reader.input_.objects);
   if (!status.ok()) return status;
   return reader;
@@ -129,6 +131,8 @@ absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* summary) {
   proto.mutable_object_names()->Assign(job.object_names.begin(), job.object_names.end());
   for (const MeshReport& mesh : job.meshes) *proto.add_meshes() = ToProto(mesh);
   for (const Thumbnail& thumbnail : job.thumbnails) *proto.add_thumbnails() = ToProto(thumbnail);
+  for (const OrientationAdvice& advice : job.orientations)
+    *proto.add_orientations() = ToProto(advice);
   return AllToProto(job.copies, "copies", proto.mutable_copies());
 }
 
@@ -142,6 +146,7 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
   absl::Status status = AllFromProto(proto.meshes(), "meshes", &job.meshes);
   status.Update(AllFromProto(proto.thumbnails(), "thumbnails", &job.thumbnails));
   status.Update(AllFromProto(proto.copies(), "copies", &job.copies));
+  status.Update(AllFromProto(proto.orientations(), "orientations", &job.orientations));
   if (!status.ok()) return status;
   return job;
 }

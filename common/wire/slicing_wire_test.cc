@@ -27,7 +27,8 @@ v1::SliceStart StartOf(const SliceInput& input) {
 
 // The end of one file and the beginning of the next may come together, or byte by byte.
 TEST(SliceInputReader, PutsFilesTogetherFromAnyChunks) {
-  const SliceInput input = TwoFiles();
+  SliceInput input = TwoFiles();
+  input.advise_orientations = true;
   for (const size_t chunk : {size_t{1}, size_t{5}, size_t{100}}) {
     absl::StatusOr<SliceStart> start = FromProto(StartOf(input));
     ASSERT_TRUE(start.ok()) << start.status();
@@ -45,6 +46,7 @@ TEST(SliceInputReader, PutsFilesTogetherFromAnyChunks) {
       EXPECT_EQ(back->files[i].bytes, input.files[i].bytes);
     }
     EXPECT_EQ(back->objects, input.objects);
+    EXPECT_TRUE(back->advise_orientations);
   }
 }
 
@@ -94,7 +96,8 @@ TEST(SliceInputReader, MoreBytesThanCanBeCountedAreRefused) {
 TEST(SliceSummaryWire, Returns) {
   SlicedJob job;
   // A new member does not compile until it is sent here, and so on the wire.
-  auto& [layers, object_names, copies, meshes, thumbnails] = job;
+  auto& [layers, object_names, copies, meshes, thumbnails, orientations] = job;
+  orientations = {{1, {90, 0, 0}, {1, 2, 3, false}, {4, 0, 5, true}}};
   layers.resize(7);
   object_names = {"a", "b"};
   copies = {{0, {1'000, -2'000}, {{1, 2}, {3, 4}, {5, 6}}}, {1, {}, {}}};
@@ -111,6 +114,7 @@ TEST(SliceSummaryWire, Returns) {
   EXPECT_EQ(back->copies, copies);
   EXPECT_EQ(back->meshes, meshes);
   EXPECT_EQ(back->thumbnails, thumbnails);
+  EXPECT_EQ(back->orientations, orientations);
 }
 
 TEST(SliceSummaryWire, RefusesWhatNoJobHas) {

@@ -31,6 +31,7 @@ struct SubmitOptions {
   std::string webhook;
   bool quote = false;
   bool check = false;
+  bool orient = false;
   std::string traceparent;
   bool detach = false;
 };
@@ -77,6 +78,7 @@ absl::StatusOr<v1::CreateJobRequest> RequestOf(const SubmitOptions& options,
   request.set_priority(PriorityOf(options.priority));
   request.set_webhook_url(options.webhook);
   request.set_validate_only(options.check);
+  request.set_advise_orientations(options.orient);
   if (options.deadline_s > 0) {
     using google::protobuf::util::TimeUtil;
     *request.mutable_deadline() =
@@ -173,6 +175,7 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   if (options.check && (options.detach || options.quote)) {
     return Malformed("--check makes no job: leave --detach and --quote out");
   }
+  if (options.orient && !options.check) return Malformed("--orient is a question of --check");
   if (options.quote && gcode) return Malformed("--quote makes no G-code: leave -o out");
   if (options.detach && (gcode || !options.job.report.empty())) {
     return Malformed("--detach does not wait for results: fetch them with `slicefarm get`");
@@ -181,6 +184,21 @@ absl::Status CheckWishes(const SubmitOptions& options) {
     return Malformed("say where the G-code goes (-o OUT.gcode), or --detach, --quote or --check");
   }
   return CheckOutputs(options.job, options.output);
+}
+
+/// An object that would better lie another way round.
+std::string AdviceText(const v1::Job& job, const v1::OrientationAdvice& advice) {
+  const auto describe = [](const v1::Lying& lying) {
+    return fmt::format("{:.1f} cm2 on the bed, {:.1f} cm2 of overhangs, {:.1f} mm high{}",
+                       lying.contact_mm2() / 100, lying.overhang_mm2() / 100, lying.height_mm(),
+                       lying.stable() ? "" : ", not stable");
+  };
+  const bool known = advice.object() < job.spec().objects_size();
+  return fmt::format("{} lies better with --rotate {},{},{}: {}; now: {}\n",
+                     known ? job.spec().objects(advice.object()).name()
+                           : fmt::format("object {}", advice.object()),
+                     advice.rotate_deg(0), advice.rotate_deg(1), advice.rotate_deg(2),
+                     describe(advice.advised()), describe(advice.asked()));
 }
 
 void PrintPreflight(const v1::Job& job) {
@@ -192,6 +210,7 @@ void PrintPreflight(const v1::Job& job) {
                       mesh.name(), mesh.triangles(), mesh.open_edges() == 0 ? "closed" : "open",
                       side(0), side(1), side(2), mesh.volume_mm3() / 1000));
   }
+  for (const v1::OrientationAdvice& advice : found.orientations()) Print(AdviceText(job, advice));
   Print(fmt::format("first layer: {:.1f} cm2\nestimate: ", found.first_layer_area_mm2() / 100) +
         SummaryText({.layers = found.layers(),
                      .print_time_s = found.print_time_s(),
@@ -295,6 +314,9 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
   command->add_flag("--check", options->check,
                     "Only look whether the job can be made, and estimate it; nothing is kept but "
                     "the mesh");
+  command->add_flag("--orient", options->orient,
+                    "With --check: tell objects that would better lie another way round, with a "
+                    "large face on the bed and little that needs support");
   command
       ->add_option("--traceparent", options->traceparent,
                    "The trace that the job belongs to (W3C Trace Context)")

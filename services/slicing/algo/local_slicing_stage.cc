@@ -11,6 +11,7 @@
 #include "common/model/limits.h"
 #include "services/slicing/algo/parallel.h"
 #include "services/slicing/algo/placement/footprint.h"
+#include "services/slicing/algo/placement/orientation_advice.h"
 #include "services/slicing/algo/placement/prepared_object.h"
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/open_loops.h"
@@ -45,11 +46,12 @@ class SlicingRun {
       : call_(call), source_(source), options_(options) {}
 
   absl::StatusOr<SlicedJob> Run(SliceInput input) {
+    advise_orientations_ = input.advise_orientations;
     auto objects = PrepareObjects(std::move(input), source_, options_, call_.cancel);
     if (!objects.ok()) return objects.status();
     objects_ = *std::move(objects);
     for (auto step : {&SlicingRun::PlanLayers, &SlicingRun::CheckPointsPerLayer, &SlicingRun::Draw,
-                      &SlicingRun::CutLayers})
+                      &SlicingRun::CutLayers, &SlicingRun::AdviseOrientations})
       if (absl::Status status = (this->*step)(); !status.ok()) return status;
     return Result();
   }
@@ -158,6 +160,21 @@ class SlicingRun {
                      "than open_loop_max_gap");
   }
 
+  absl::Status AdviseOrientations() {
+    if (!advise_orientations_) return absl::OkStatus();
+    for (size_t object = 0; object < objects_.size(); ++object) {
+      std::vector<const IndexedMesh*> solid;
+      for (const PreparedPart& part : objects_[object].parts)
+        if (part.input.role == PartRole::kSolid) solid.push_back(&part.connected.mesh);
+      auto advice = AdviseOrientation(solid, objects_[object].to_plate, call_.cancel);
+      if (!advice.ok()) return advice.status();
+      if (!advice->has_value()) continue;
+      (*advice)->object = static_cast<int32_t>(object);
+      job_.orientations.push_back(**advice);
+    }
+    return absl::OkStatus();
+  }
+
   void CutSection(SweepScratch& scratch, ObjectSection& section) {
     SweptObject& object = swept_[static_cast<size_t>(section.object)];
     const size_t range = RangeOf(section);
@@ -238,6 +255,7 @@ class SlicingRun {
   const StageCall& call_;
   const MeshSource& source_;
   const SlicingOptions& options_;
+  bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
   std::vector<SweptObject> swept_;  ///< by object

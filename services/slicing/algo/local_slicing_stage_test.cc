@@ -48,6 +48,20 @@ double VolumeMm3(const SlicedJob& job) {
   return volume;
 }
 
+TEST(LocalSlicing, AdvisesOrientationsOnRequestOnly) {
+  Placement on_edge;
+  on_edge.rotate_deg = {90, 0, 0};
+  const RawMesh plank = BoxMesh({0, 0, 0}, {60, 40, 5});
+  SliceInput input = InputOf({File(plank), File(plank)}, {Placement(), on_edge});
+  EXPECT_TRUE(Slice(input)->orientations.empty());
+  input.advise_orientations = true;
+  const auto job = Slice(input);
+  ASSERT_TRUE(job.ok()) << job.status();
+  ASSERT_THAT(job->orientations, SizeIs(1));
+  EXPECT_EQ(job->orientations[0].object, 1);
+  EXPECT_NEAR(job->orientations[0].advised.contact_mm2, 2400, 1e-3);
+}
+
 TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
   const auto job = Slice(Input(Cube(3, 4, 5)));
   ASSERT_TRUE(job.ok()) << job.status();

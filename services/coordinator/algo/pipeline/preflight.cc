@@ -44,6 +44,7 @@ absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
   found.first_layer_area_mm2 = AreaMm2(sliced->layers.front(), sliced->copies);
   found.estimate = EstimatePrint({sliced->layers, sliced->copies}, input.settings);
   found.meshes = std::move(sliced->meshes);
+  found.orientations = std::move(sliced->orientations);
   found.warnings = std::move(input.warnings);
   for (const MeshReport& mesh : found.meshes) {
     for (std::string& warning : MeshWarnings(mesh)) found.warnings.push_back(std::move(warning));

@@ -17,6 +17,7 @@ struct Preflight {
   int32_t layers = 0;  ///< of all copies, if they are printed one after the other
   double first_layer_area_mm2 = 0;
   PrintEstimate estimate;
+  std::vector<OrientationAdvice> orientations;  ///< if the input asks for them
   std::vector<std::string> warnings;  ///< those of the settings, then what the meshes lack
 };
 

@@ -17,7 +17,7 @@ class FakeSlicing : public SlicingStage {
  public:
   explicit FakeSlicing(int layers, int copies = 1) : layers_(layers), copies_(copies) {}
 
-  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput,
+  absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                   const SlicingOptions& options) const override {
     EXPECT_EQ(options.first_layer_height_nm, 123);
     if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
@@ -36,6 +36,7 @@ class FakeSlicing : public SlicingStage {
     job.copies.resize(copies_);
     job.meshes.resize(1);
     job.meshes[0].open_edges = 4;
+    if (input.advise_orientations) job.orientations.resize(1);
     return job;
   }
 
@@ -77,6 +78,13 @@ TEST(LookAt, TellsWhatThePlateIsLike) {
               ElementsAre("of a setting", HasSubstr("4 edges with one face only")));
   EXPECT_GT(found->estimate.print_time_s, 0);
   EXPECT_NEAR(found->estimate.filament.volume_mm3, 200, 1e-6) << "all of it is skin";
+}
+
+TEST(LookAt, AdvisesOrientationsOnRequest) {
+  JobInput input = Input();
+  EXPECT_TRUE(LookAt({}, input, FakeSlicing(10), FakePlanning())->orientations.empty());
+  input.meshes.advise_orientations = true;
+  EXPECT_EQ(LookAt({}, input, FakeSlicing(10), FakePlanning())->orientations.size(), 1);
 }
 
 TEST(LookAt, CountsCopies) {

@@ -143,6 +143,8 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
 absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
                                               const v1::CreateJobRequest& request,
                                               const TraceContext& trace) {
+  if (request.advise_orientations())
+    return Malformed("advise_orientations", "is for validate_only");
   auto submission = Read(caller, request);
   if (submission.ok()) submission->trace = trace;
   auto created = submission.ok() ? backend_.intake.Create(*std::move(submission))
@@ -201,6 +203,7 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
   if (!room.ok()) return room.status();
   auto meshes = LoadMeshes(*resolved, **blobs);
   if (!meshes.ok()) return meshes.status();
+  meshes->advise_orientations = request.advise_orientations();
   StageCall stage_call;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;

@@ -171,6 +171,8 @@ v1::Preflight ToProto(const Preflight& preflight, const Cost& cost) {
   proto.set_filament_mm(preflight.estimate.filament.length_mm);
   proto.set_filament_g(preflight.estimate.filament.mass_g);
   *proto.mutable_cost() = ToProto(cost);
+  for (const OrientationAdvice& advice : preflight.orientations)
+    *proto.add_orientations() = slicefarm::ToProto(advice);
   return proto;
 }
 

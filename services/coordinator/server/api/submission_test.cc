@@ -224,6 +224,22 @@ TEST_F(SubmissionTest, APreflightKeepsNothing) {
   EXPECT_NE(Create(request)->id(), "") << "its request_id is not taken";
 }
 
+TEST_F(SubmissionTest, OnlyAPreflightAdvisesOrientations) {
+  ASSERT_TRUE(Upload("xxx").ok());
+  v1::CreateJobRequest request = RequestFor("xxx");
+  request.set_validate_only(true);
+  EXPECT_EQ(Create(request)->preflight().orientations_size(), 0);
+  request.set_advise_orientations(true);
+  const auto job = Create(request);
+  ASSERT_TRUE(job.ok()) << job.status();
+  ASSERT_EQ(job->preflight().orientations_size(), 1);
+  EXPECT_EQ(job->preflight().orientations(0).rotate_deg(1), 90);
+  request.set_validate_only(false);
+  const absl::Status refused = Create(request).status();
+  EXPECT_EQ(ReasonOf(refused), Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(refused).metadata["field"], "advise_orientations");
+}
+
 TEST_F(SubmissionTest, APreflightCountsCopies) {
   ASSERT_TRUE(Upload("xxx").ok());
   v1::CreateJobRequest request = RequestFor("xxx");

@@ -40,6 +40,7 @@ absl::StatusOr<PreparedObject> Prepared(const ObjectInput& input, PlacedObject p
   object.ranges = input.ranges;
   object.top_nm = placed.top_nm;
   object.footprint = std::move(placed.footprint);
+  object.to_plate = input.to_plate;
   object.shifts = std::move(shifts);
   for (size_t i = 0; i < placed.parts.size(); ++i) {
     absl::StatusOr<PreparedPart> part =

@@ -31,6 +31,7 @@ struct PreparedObject {
   std::vector<RangeInput> ranges;
   Coord top_nm = 0;
   Polygon footprint;          ///< convex hull of the solid parts
+  Transform to_plate = Transform::Identity();  ///< as in the input
   std::vector<Point> shifts;  ///< one a copy, in whole micrometres
 };
 
