@@ -35,7 +35,6 @@ constexpr KnownKey kSwitches[] = {
     // These make it better or different in detail.
     {"arc_fitting", kNotYet, "disabled", true},
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
-    {"avoid_crossing_perimeters", kNotYet, "0", true},
     {"automatic_infill_combination", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},
     {"bridge_angle", kNotYet, "0", true},
@@ -67,7 +66,6 @@ constexpr KnownKey kSwitches[] = {
     {"max_volumetric_extrusion_rate_slope_negative", kNotYet, "0", true},
     {"max_volumetric_extrusion_rate_slope_positive", kNotYet, "0", true},
     {"only_one_perimeter_first_layer", kNotYet, "0", true},
-    {"only_retract_when_crossing_perimeters", kNotYet, "0", true},
     {"ooze_prevention", kNotYet, "0", true},
     {"overhangs", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
@@ -99,7 +97,7 @@ struct Group {
 /// Settings of features that are not there yet, and those that no slicing ever looks at.
 constexpr Group kGroups[] = {
     {kNotYet,
-     "avoid_crossing_perimeters_max_detour autoemit_temperature_commands "
+     "autoemit_temperature_commands "
      "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
      "bed_temperature_extruder brim_* chamber_minimal_temperature clip_multipart_objects "
      "color_change_gcode cooling_tube_* dont_support_bridges "

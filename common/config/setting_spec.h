@@ -68,6 +68,7 @@ struct SettingSpec {
   std::string_view doc = {};
   std::vector<Choice> choices = {};
   std::string_view relative_to = {};
+  std::string_view percent_of = {};  ///< where it relates to no setting: to what, in words
   List list = List::kNone;
   Scope scope = Scope::kJob;
   Field field = {};  ///< none: it works through other settings only (derive.h)

@@ -106,6 +106,51 @@ std::vector<SettingSpec> Retraction() {
   return settings;
 }
 
+/// Millimetres, or a percentage of the straight way.
+SettingSpec MaxDetour() {
+  const auto set = [](JobSettings& s, const Value& v) {
+    s.ordering.travel.max_detour_mm = v.percent ? 0 : v.number;
+    s.ordering.travel.max_detour_ratio = v.percent ? v.number / 100 : 0;
+  };
+  const auto get = [](const JobSettings& s) -> Value {
+    const TravelOptions& travel = s.ordering.travel;
+    if (travel.max_detour_ratio == 0) return {.number = travel.max_detour_mm};
+    return {.number = Quantise(travel.max_detour_ratio * 100), .percent = true};
+  };
+  return {.key = "avoid_crossing_perimeters_max_detour",
+          .kind = Kind::kNumberOrPercent,
+          .unit = "mm",
+          .min = 0,
+          .max = 1000,
+          .standard = "0",
+          .doc = "Walls are crossed where the way round them is longer by more than this; 0: never",
+          .percent_of = "the straight way",
+          .field = {set, get}};
+}
+
+std::vector<SettingSpec> Travels() {
+  return {
+      {.key = "only_retract_when_crossing_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Does not retract before travels inside the part to what is not seen",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.hide; })},
+      {.key = "retract_inside_after",
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "30",
+       .doc = "Longer travels retract inside the part as well; 0: none does",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.longest_hidden_mm; })},
+      {.key = "avoid_crossing_perimeters",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Leads travels round outer walls, inside the part",
+       .field = Bind([](auto& s) -> auto& { return s.ordering.travel.avoid_crossing; })},
+      MaxDetour(),
+  };
+}
+
 std::vector<SettingSpec> Machine() {
   const auto flavor = [](GcodeFlavor f) { return static_cast<int>(f); };
   const auto labels = [](ObjectLabels l) { return static_cast<int>(l); };
@@ -264,6 +309,7 @@ std::vector<SettingSpec> MachineSettings() {
                      {"120", "10000", "2.5"}));
   add(WholeMachineLimits());
   add(Retraction());
+  add(Travels());
   add(CustomGcode());
   add(Sequence());
   return settings;

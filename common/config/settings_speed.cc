@@ -65,6 +65,7 @@ SettingSpec FirstLayerSpeed() {
           .max = kMaxSpeed,
           .standard = "30",
           .doc = "Speed of all beads of the first layer; as a percentage, of what each has above",
+          .percent_of = "each feature's own",
           .field = {set, get}};
 }
 

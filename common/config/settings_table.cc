@@ -200,7 +200,7 @@ std::string DescribeRange(const SettingSpec& spec) {
                          limits::kMaxThumbnails, limits::kMaxThumbnailPx);
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
-                         spec.relative_to.empty() ? "each feature's own" : spec.relative_to);
+                         spec.relative_to.empty() ? spec.percent_of : spec.relative_to);
     default:
       return Range(spec);
   }

@@ -81,6 +81,7 @@ struct FillArea {
 struct WalledIsland {
   std::vector<Path> walls;  ///< walls and gap fill, in no particular order
   std::vector<FillArea> fill_areas;
+  PolygonWithHoles outline = {};  ///< what its walls were made of; not known if empty
 
   friend bool operator==(const WalledIsland&, const WalledIsland&) = default;
 };
@@ -113,6 +114,7 @@ struct FillGroup {
 struct FilledIsland {
   std::vector<Path> walls;
   std::vector<FillGroup> fills;
+  PolygonWithHoles outline = {};  ///< as WalledIsland's
 
   friend bool operator==(const FilledIsland&, const FilledIsland&) = default;
 };
@@ -133,6 +135,14 @@ struct FilledLayer {
   friend bool operator==(const FilledLayer&, const FilledLayer&) = default;
 };
 
+/// The way to a path from the end of the one before it.
+struct Travel {
+  bool hidden = false;         ///< what oozes out is not seen: the filament need not go back
+  std::vector<Point> corners;  ///< on the way; none: straight on
+
+  friend bool operator==(const Travel&, const Travel&) = default;
+};
+
 /// Paths of one object (or of the plate) in the order and direction of printing, around the
 /// object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
 struct PathBlock {
@@ -140,6 +150,9 @@ struct PathBlock {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
+  /// To each path, or empty: all straight and in sight. The way to the first is not used: it
+  /// depends on what is printed before the block.
+  std::vector<Travel> travels = {};
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };

@@ -13,8 +13,21 @@ struct WallOrder {
   friend bool operator==(const WallOrder&, const WallOrder&) = default;
 };
 
+/// How the nozzle goes from path to path.
+struct TravelOptions {
+  /// only_retract_when_crossing_perimeters: what oozes out inside the part is not seen.
+  bool hide = true;
+  double longest_hidden_mm = 30;   ///< retract_inside_after; 0: however long
+  bool avoid_crossing = false;     ///< avoid_crossing_perimeters
+  double max_detour_mm = 0;        ///< avoid_crossing_perimeters_max_detour; 0: however long
+  double max_detour_ratio = 0;     ///< the same in percent of the straight way; 0: however long
+
+  friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
+};
+
 struct OrderingOptions {
   bool infill_first = false;  ///< infill_first
+  TravelOptions travel;
   int32_t improvement_moves =
       200'000;  ///< bound on the 2-opt moves tried per layer: work, not time
   std::vector<WallOrder> walls = {{}};  ///< by region

@@ -50,6 +50,23 @@ absl::StatusOr<Section> SectionFromProto(const Proto& proto) {
   return section;
 }
 
+/// An island's outline is one polygon, or none.
+template <typename Island, typename Proto>
+absl::Status OutlineToProto(const Island& island, Proto* proto) {
+  if (island.outline.outer.empty()) return absl::OkStatus();
+  absl::Status status = ToProto(MultiPolygon{island.outline}, proto->mutable_outline());
+  return status.ok() ? status : Within("outline", status);
+}
+
+template <typename Island, typename Proto>
+absl::Status OutlineFromProto(const Proto& proto, Island* island) {
+  absl::StatusOr<MultiPolygon> outline = FromProto(proto.outline());
+  if (!outline.ok()) return Within("outline", outline.status());
+  if (outline->size() > 1) return Malformed("outline", "is of more than one island");
+  if (!outline->empty()) island->outline = std::move(outline->front());
+  return absl::OkStatus();
+}
+
 /// Layers come as a frame and sections.
 template <typename Layer, typename Proto>
 absl::Status LayerToProto(const Layer& layer, Proto* proto) {
@@ -130,6 +147,7 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
 
 absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto) {
   absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  status.Update(OutlineToProto(island, proto));
   if (!status.ok()) return status;
   return AllToProto(island.fill_areas, "fill_areas", proto->mutable_fill_areas());
 }
@@ -138,6 +156,7 @@ absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto) {
   WalledIsland island;
   absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
   status.Update(AllFromProto(proto.fill_areas(), "fill_areas", &island.fill_areas));
+  status.Update(OutlineFromProto(proto, &island));
   if (!status.ok()) return status;
   return island;
 }
@@ -164,6 +183,7 @@ absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto) {
 
 absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto) {
   absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  status.Update(OutlineToProto(island, proto));
   if (!status.ok()) return status;
   return AllToProto(island.fills, "fills", proto->mutable_fills());
 }
@@ -172,6 +192,7 @@ absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto) {
   FilledIsland island;
   absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
   status.Update(AllFromProto(proto.fills(), "fills", &island.fills));
+  status.Update(OutlineFromProto(proto, &island));
   if (!status.ok()) return status;
   return island;
 }
@@ -209,16 +230,34 @@ absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto) {
   return LayerFromProto<FilledLayer>(proto);
 }
 
+absl::Status ToProto(const Travel& travel, v1::Travel* proto) {
+  proto->set_hidden(travel.hidden);
+  return PackPoints(travel.corners, proto->mutable_corners_xy_nm());
+}
+
+absl::StatusOr<Travel> FromProto(const v1::Travel& proto) {
+  absl::StatusOr<std::vector<Point>> corners =
+      UnpackPoints(proto.corners_xy_nm(), "corners_xy_nm");
+  if (!corners.ok()) return corners.status();
+  return Travel{proto.hidden(), *std::move(corners)};
+}
+
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   PlaceToProto(block, proto);
-  return AllToProto(block.paths, "paths", proto->mutable_paths());
+  absl::Status status = AllToProto(block.paths, "paths", proto->mutable_paths());
+  if (!status.ok()) return status;
+  return AllToProto(block.travels, "travels", proto->mutable_travels());
 }
 
 absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   absl::StatusOr<PathBlock> block = PlaceFromProto<PathBlock>(proto);
   if (!block.ok()) return block;
   absl::Status status = AllFromProto(proto.paths(), "paths", &block->paths);
+  status.Update(AllFromProto(proto.travels(), "travels", &block->travels));
   if (!status.ok()) return status;
+  if (!block->travels.empty() && block->travels.size() != block->paths.size()) {
+    return Malformed("travels", "not one for each path");
+  }
   return block;
 }
 

@@ -49,6 +49,9 @@ absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto);
 absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto);
 absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto);
 
+absl::Status ToProto(const Travel& travel, v1::Travel* proto);
+absl::StatusOr<Travel> FromProto(const v1::Travel& proto);
+
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto);
 absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto);
 

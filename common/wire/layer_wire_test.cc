@@ -74,25 +74,32 @@ Section SectionOf(int32_t of, Islands with) {
 SlicedLayer Sliced() { return {kFrame, {DistinctSection(kPlate), DistinctSection(7)}}; }
 WalledLayer Walled() {
   const WalledIsland island{{PlainPath("(0 0, 1 0, 1 1)", true), DistinctPath()},
-                            {{Role::kPart, 1, 2, Islands()}, {Role::kBrim, 3, 4, Islands()}}};
+                            {{Role::kPart, 1, 2, Islands()}, {Role::kBrim, 3, 4, Islands()}},
+                            Islands().back()};
   using Of = std::vector<WalledIsland>;
   return {kFrame,
           {SectionOf<WalledSection>(kPlate, Of{{{}, {}}}), SectionOf<WalledSection>(3, Of{island})},
           8};
 }
 FilledLayer Filled() {
-  const FilledIsland island{{DistinctPath()}, {{true, {PlainPath("(0 0, 9 0)")}}, {false, {}}}};
+  const FilledIsland island{
+      {DistinctPath()}, {{true, {PlainPath("(0 0, 9 0)")}}, {false, {}}}, Islands().back()};
   using Of = std::vector<FilledIsland>;
   return {kFrame,
           {SectionOf<FilledSection>(0, Of{island, {}}), SectionOf<FilledSection>(2, Of{})}};
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [object, layer, height, paths] = first;
+  auto& [object, layer, height, paths, travels] = first;
   object = kPlate;
   layer = 2;
   height = 150'000;
   paths = {DistinctPath()};
+  Travel travel;
+  auto& [hidden, corners] = travel;
+  hidden = true;
+  corners = {{1, 2}, {-3, 4}};
+  travels = {travel};
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
   block = 1;
@@ -315,6 +322,22 @@ TEST(LayerWire, RefusesVisitsThatNoJobHas) {
   auto proto = ProtoOf<v1::OrderedLayer>(Ordered());
   proto.mutable_blocks(1)->set_object(-2);
   ExpectMalformed(FromProto(proto).status(), "blocks[1].object");
+}
+
+TEST(LayerWire, RefusesTravelsThatAreNotOneForEachPath) {
+  auto proto = ProtoOf<v1::OrderedLayer>(Ordered());
+  proto.mutable_blocks(0)->add_travels();
+  ExpectMalformed(FromProto(proto).status(), "blocks[0].travels");
+  proto = ProtoOf<v1::OrderedLayer>(Ordered());
+  proto.mutable_blocks(0)->mutable_travels(0)->add_corners_xy_nm(1);
+  ExpectMalformed(FromProto(proto).status(), "blocks[0].travels[0].corners_xy_nm");
+}
+
+TEST(LayerWire, RefusesAnOutlineOfTwoIslands) {
+  auto walled = ProtoOf<v1::WalledLayer>(Walled());
+  ASSERT_TRUE(ToProto(Islands(), walled.mutable_sections(1)->mutable_islands(0)->mutable_outline())
+                  .ok());
+  ExpectMalformed(FromProto(walled).status(), "sections[1].islands[0].outline");
 }
 
 TEST(LayerWire, Ranges) {

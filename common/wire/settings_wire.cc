@@ -341,6 +341,12 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
   proto.set_infill_first(options.infill_first);
   proto.set_improvement_moves(options.improvement_moves);
+  const TravelOptions& travel = options.travel;
+  proto.mutable_travel()->set_hide(travel.hide);
+  proto.mutable_travel()->set_longest_hidden_mm(travel.longest_hidden_mm);
+  proto.mutable_travel()->set_avoid_crossing(travel.avoid_crossing);
+  proto.mutable_travel()->set_max_detour_mm(travel.max_detour_mm);
+  proto.mutable_travel()->set_max_detour_ratio(travel.max_detour_ratio);
   for (const WallOrder& order : options.walls) {
     v1::WallOrder* walls = proto.add_walls();
     walls->set_external_perimeters_first(order.external_perimeters_first);
@@ -354,9 +360,16 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   status.Update(CheckRows(proto.walls_size(), "walls"));
   if (!status.ok()) return status;
   if (proto.improvement_moves() < 0) return Malformed("improvement_moves", "is negative");
+  for (const double length : {proto.travel().longest_hidden_mm(), proto.travel().max_detour_mm(),
+                              proto.travel().max_detour_ratio()}) {
+    if (!(length >= 0)) return Malformed("travel", "a length is negative");
+  }
   OrderingOptions options;
   options.infill_first = proto.infill_first();
   options.improvement_moves = proto.improvement_moves();
+  const v1::TravelOptions& travel = proto.travel();
+  options.travel = {travel.hide(), travel.longest_hidden_mm(), travel.avoid_crossing(),
+                    travel.max_detour_mm(), travel.max_detour_ratio()};
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner()});

@@ -123,8 +123,14 @@ InfillOptions DistinctInfill() {
 
 OrderingOptions DistinctOrdering() {
   OrderingOptions options;
-  auto& [infill_first, improvement_moves, walls] = options;
+  auto& [infill_first, travel, improvement_moves, walls] = options;
   infill_first = true;
+  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio] = travel;
+  hide = false;
+  longest_hidden = 401;
+  avoid_crossing = true;
+  max_detour = 402;
+  max_detour_ratio = 4.03;
   improvement_moves = 404;
   WallOrder order;
   auto& [external_first, inner_outer_inner] = order;
@@ -310,6 +316,12 @@ constexpr char kDistinct[] = R"pb(
     infill_first: true
     improvement_moves: 404
     walls { external_perimeters_first: true }
+    travel {
+      longest_hidden_mm: 401
+      avoid_crossing: true
+      max_detour_mm: 402
+      max_detour_ratio: 4.03
+    }
   }
   motion {
     flavor: GCODE_FLAVOR_KLIPPER
@@ -523,6 +535,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NoInfill", [](auto& p) { p.clear_infill(); }, "settings"},
         Refused{"NoWallOrder", [](auto& p) { p.mutable_ordering()->clear_walls(); },
                 "ordering.walls"},
+        Refused{"NoTravel", [](auto& p) { p.mutable_ordering()->clear_travel(); },
+                "ordering.travel"},
+        Refused{"NegativeDetour",
+                [](auto& p) { p.mutable_ordering()->mutable_travel()->set_max_detour_mm(-1); },
+                "ordering.travel"},
         Refused{"NoSpeeds", [](auto& p) { p.mutable_motion()->clear_speeds(); }, "motion.speeds"},
         Refused{"NoLabels", [](auto& p) { p.mutable_motion()->clear_labels(); }, "motion.labels"},
         Refused{"UnknownLabels",

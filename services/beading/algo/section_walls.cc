@@ -146,7 +146,7 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
       if (section.object != kPlate) NameRings(OutlineOf(section), walls->walls);
       Sign(first, walls->walls);
       result.walled.islands.push_back(
-          {std::move(walls->walls), PartByRegion(std::move(walls->fill_area), group)});
+          {std::move(walls->walls), PartByRegion(std::move(walls->fill_area), group), outline});
     }
   }
   return result;

@@ -182,6 +182,7 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
   for (WalledIsland& island : walled.islands) {
     FilledIsland result;
     result.walls = std::move(island.walls);
+    result.outline = std::move(island.outline);
     for (const FillArea& area : island.fill_areas) {
       const InfillOptions& options = regions[static_cast<size_t>(area.settings)];
       if (absl::Status ok = CheckWidths(view, options); !ok.ok()) return ok;

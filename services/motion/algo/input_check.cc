@@ -45,7 +45,12 @@ bool InBounds(const Path& path) {
 }
 
 bool InBounds(const PathBlock& block) {
+  const auto has_bounds = [](const Travel& travel) {
+    return std::ranges::all_of(travel.corners, [](Point p) { return InBounds(p); });
+  };
   return 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
+         (block.travels.empty() || block.travels.size() == block.paths.size()) &&
+         std::ranges::all_of(block.travels, has_bounds) &&
          std::ranges::all_of(block.paths, [](const Path& path) { return InBounds(path); });
 }
 

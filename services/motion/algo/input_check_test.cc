@@ -78,6 +78,11 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { PathOf(l).settings = 1; },
       [](auto& l) { PathOf(l).tool = 1; },
       [](auto& l) { l.blocks[0].height_nm = -5; },
+      [](auto& l) { l.blocks[0].travels.resize(l.blocks[0].paths.size() + 1); },
+      [](auto& l) {
+        l.blocks[0].travels.resize(l.blocks[0].paths.size());
+        l.blocks[0].travels[0].corners = {{INT64_MAX, 0}};
+      },
       [](auto& l) { l.blocks[0].height_nm = INT64_MAX; },
       [](auto& l) { l.blocks[0].paths.clear(); },
       [](auto& l) { l.visits[1].block = -1; },

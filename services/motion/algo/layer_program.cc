@@ -79,7 +79,9 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
   built.reserve(layer.blocks.size());
   for (const PathBlock& block : layer.blocks) {
     ToolpathBuilder builder(options, layer.frame, block.height_nm);
-    for (const Path& path : block.paths) builder.Add(path);
+    static const Travel kStraight;
+    for (size_t i = 0; i < block.paths.size(); ++i)
+      builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
     Toolpath path = builder.Finish();
     built.push_back({std::move(path), builder.stats()});
   }

@@ -52,8 +52,10 @@ void AddFinished(const LayerPlan& plan, const LayerFrame& frame, std::vector<Pat
   if (plan.paths.empty()) return;
   if (blocks.empty() || blocks.front().object != kPlate)
     blocks.insert(blocks.begin(), {kPlate, frame.index, frame.height_nm, {}});
-  std::vector<Path>& paths = blocks.front().paths;
-  paths.insert(paths.begin(), plan.paths.begin(), plan.paths.end());
+  PathBlock& block = blocks.front();
+  block.paths.insert(block.paths.begin(), plan.paths.begin(), plan.paths.end());
+  if (!block.travels.empty())
+    block.travels.insert(block.travels.begin(), plan.paths.size(), Travel{});
 }
 
 /// The copies that have something in this layer, by pass.
@@ -111,9 +113,8 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   OrderedLayer ordered{layer.frame, {}, {}};
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
-    PathBlock block{section.object, section.layer, section.height_nm, {}};
-    const SectionPlan& section_plan = PlanOf(block.object, plan);
-    block.paths = OrderSection(std::move(section), section_plan, options, budget);
+    const SectionPlan& section_plan = PlanOf(section.object, plan);
+    PathBlock block = OrderSection(std::move(section), section_plan, options, budget);
     if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }
   AddFinished(plan, layer.frame, ordered.blocks);

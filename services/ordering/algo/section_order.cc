@@ -1,12 +1,14 @@
 #include "services/ordering/algo/section_order.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "common/geometry/measure.h"
+#include "services/ordering/algo/comb/island_travels.h"
 #include "services/ordering/algo/fill_order.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/route.h"
@@ -14,6 +16,9 @@
 
 namespace slicefarm::ordering {
 namespace {
+
+/// Lines of sight that may be looked at in a section, to find ways round its walls.
+constexpr int64_t kSights = 50'000;
 
 template <typename Visitor>
 void ForEachPath(FilledIsland& island, const Visitor& visit) {
@@ -100,8 +105,8 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 }  // namespace
 
-std::vector<Path> OrderSection(FilledSection section, const SectionPlan& plan,
-                               const OrderingOptions& options, WorkBudget& budget) {
+PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
+                       const OrderingOptions& options, WorkBudget& budget) {
   const std::vector<Stop> stops = StopsOf(section);
   std::vector<Leg> legs;
   legs.reserve(stops.size());
@@ -109,12 +114,21 @@ std::vector<Path> OrderSection(FilledSection section, const SectionPlan& plan,
   const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
 
   Route route(plan.entry);
+  std::vector<Travel> travels;
+  WorkBudget sights{kSights};
   for (size_t i = 0; i < visits.size(); ++i) {
     std::optional<Point> next;
     if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
-    PrintIsland(*stops[visits[i].leg].island, next, options, plan.seams, route, budget);
+    FilledIsland& island = *stops[visits[i].leg].island;
+    PrintIsland(island, next, options, plan.seams, route, budget);
+    std::ranges::move(TravelsInIsland(island.outline,
+                                      std::span(route.paths()).subspan(travels.size()),
+                                      options.travel, sights),
+                      std::back_inserter(travels));
   }
-  return route.TakePaths();
+  if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
+    travels.clear();
+  return {section.object, section.layer, section.height_nm, route.TakePaths(), std::move(travels)};
 }
 
 }  // namespace slicefarm::ordering

@@ -86,7 +86,7 @@ std::vector<Feature> FeaturesOf(const std::vector<Path>& paths) {
 std::vector<Path> Order(FilledSection section, const OrderingOptions& options = {},
                         const SectionPlan& plan = {}) {
   WorkBudget budget{options.improvement_moves};
-  return OrderSection(std::move(section), plan, options, budget);
+  return OrderSection(std::move(section), plan, options, budget).paths;
 }
 
 TEST(OrderSection, NothingIsNothing) {

@@ -6,7 +6,6 @@ std::string_view TemplateDefaults() {
   // What has no value at all in PrusaSlicer (printer_notes) is an empty text there as well.
   return R"(arc_fitting = disabled
 autoemit_temperature_commands = 1
-avoid_crossing_perimeters = 0
 bed_custom_model =
 bed_custom_texture =
 between_objects_gcode =
@@ -61,7 +60,6 @@ min_layer_height = 0.07
 min_skirt_length = 0
 notes =
 nozzle_high_flow = 0
-only_retract_when_crossing_perimeters = 0
 ooze_prevention = 0
 output_filename_format = [input_filename_base].gcode
 overhangs = 1

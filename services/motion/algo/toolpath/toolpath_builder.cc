@@ -14,6 +14,12 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
+struct PlaceUm {
+  int32_t x, y;
+
+  friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
+};
+
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
 }
@@ -38,13 +44,17 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   at_.z_um = path_.start_z_um;
 }
 
-void ToolpathBuilder::Add(const Path& path) {
+void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const double length_mm = ToMm(PathLength(path));
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
   const int64_t filament_before = filament_;
-  GoTo(StartOf(path));
+  if (path_.approach == Toolpath::kNone) {
+    Approach(StartOf(path));
+  } else {
+    GoTo(StartOf(path), travel);
+  }
   if (retracted_) Restart();
   PrintSegments(path, speeds_.Of(path, length_mm));
   Count(path, length_mm, filament_ - filament_before);
@@ -88,32 +98,42 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   Push(MoveKind::kPrint, print_acceleration_);
 }
 
-void ToolpathBuilder::GoTo(Point to) {
-  const int32_t x_um = ToUm(to.x);
-  const int32_t y_um = ToUm(to.y);
-  if (path_.approach == Toolpath::kNone) {
-    MoveZ(z_um_ + lift_um_);
-    path_.approach = path_.moves.size();
-    Travel(x_um, y_um);
-    return;
-  }
-  if (x_um == at_.x_um && y_um == at_.y_um) return;
-  const double way_mm = Hypot(x_um - at_.x_um, y_um - at_.y_um) / kUmPerMm;
-  if (way_mm >= options_.retraction.min_travel_mm) {
+void ToolpathBuilder::Approach(Point to) {
+  MoveZ(z_um_ + lift_um_);
+  path_.approach = path_.moves.size();
+  MoveTo(ToUm(to.x), ToUm(to.y));
+  ++stats_.travels;
+}
+
+void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
+  std::vector<PlaceUm> way;
+  double way_mm = 0;
+  PlaceUm last{at_.x_um, at_.y_um};
+  const auto add = [&](Point place) {
+    const PlaceUm next{ToUm(place.x), ToUm(place.y)};
+    if (next == last) return;
+    way_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
+    way.push_back(next);
+    last = next;
+  };
+  for (const Point corner : travel.corners) add(corner);
+  add(to);
+  if (way.empty()) return;
+  if (!travel.hidden && way_mm >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
   }
   stats_.travel_mm += way_mm;
-  Travel(x_um, y_um);
+  ++stats_.travels;
+  for (const PlaceUm place : way) MoveTo(place.x, place.y);
 }
 
-void ToolpathBuilder::Travel(int32_t x_um, int32_t y_um) {
+void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
   at_.x_um = x_um;
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_));
   Push(MoveKind::kTravel, accelerations_.Travel(print_acceleration_));
-  ++stats_.travels;
 }
 
 void ToolpathBuilder::MoveZ(int32_t z_um) {

@@ -20,7 +20,8 @@ class ToolpathBuilder {
   /// `options` must outlive the builder. `bead_height_nm`: of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm);
 
-  void Add(const Path& path);
+  /// `travel`: the way to it; of the first path it is not looked at.
+  void Add(const Path& path, const Travel& travel = {});
 
   /// Retracts, and hands over what was added. To be called once.
   Toolpath Finish();
@@ -37,10 +38,11 @@ class ToolpathBuilder {
   };
 
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
-  void GoTo(Point to);
+  void Approach(Point to);
+  void GoTo(Point to, const Travel& travel);
   void PrintSegments(const Path& path, double speed_mm_s);
   void PrintTo(Point from, Point to, const Bead& bead);
-  void Travel(int32_t x_um, int32_t y_um);
+  void MoveTo(int32_t x_um, int32_t y_um);
   void Retract();
   void Restart();
   void MoveZ(int32_t z_um);

@@ -109,6 +109,54 @@ TEST(ToolpathBuilder, SumIsExactOverManySmallSegments) {
   }
 }
 
+/// Two lines 10 mm apart, and the way to the second one.
+Built WithTravel(const Travel& travel, const MotionOptions& options = {}) {
+  ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+  builder.Add(Line("(10 10, 20 10)"), travel);
+  builder.Add(Line("(20 20, 10 20)"), travel);
+  Toolpath toolpath = builder.Finish();
+  return {std::move(toolpath), builder.stats()};
+}
+
+TEST(ToolpathBuilder, AHiddenTravelKeepsTheFilament) {
+  const Built built = WithTravel({.hidden = true});
+  EXPECT_THAT(Kinds(built.path),
+              ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kRestart, MoveKind::kPrint,
+                          MoveKind::kTravel, MoveKind::kPrint, MoveKind::kRetract));
+  EXPECT_EQ(built.stats.retractions, 1);
+}
+
+TEST(ToolpathBuilder, AHiddenTravelDoesNotLift) {
+  MotionOptions options;
+  options.retraction.lift_mm = 0.6;
+  for (const Move& move : WithTravel({.hidden = true}, options).path.moves)
+    EXPECT_TRUE(move.z_um == 1'000 || move.kind != MoveKind::kTravel || move.x_um == 20'000);
+  EXPECT_EQ(WithTravel({.hidden = true}, options).path.moves[4].z_um, 400);
+  EXPECT_EQ(WithTravel({}, options).path.moves[6].z_um, 1'000);
+}
+
+TEST(ToolpathBuilder, ATravelGoesByItsCorners) {
+  const Travel travel{false, MakeLineOrDie("(20 10, 23 14, 23 14.0001, 23 20)")};
+  const Built built = WithTravel(travel);
+  std::vector<std::pair<int32_t, int32_t>> places;
+  for (const Move& move : built.path.moves)
+    if (move.kind == MoveKind::kTravel) places.emplace_back(move.x_um, move.y_um);
+  EXPECT_THAT(places, ElementsAre(std::pair(10'000, 10'000), std::pair(23'000, 14'000),
+                                  std::pair(23'000, 20'000), std::pair(20'000, 20'000)))
+      << "the first path's travel is not known; corners that round to one are one";
+  EXPECT_DOUBLE_EQ(built.stats.travel_mm, 5 + 6 + 3);
+  EXPECT_EQ(built.stats.travels, 2);
+  EXPECT_EQ(built.stats.retractions, 2);
+}
+
+TEST(ToolpathBuilder, AWayRoundRetractsByItsWholeLength) {
+  MotionOptions options;
+  options.retraction.min_travel_mm = 11;
+  EXPECT_EQ(WithTravel({}, options).stats.retractions, 1);
+  const Travel around{false, MakeLineOrDie("(23 14, 23 20)")};
+  EXPECT_EQ(WithTravel(around, options).stats.retractions, 2);
+}
+
 TEST(ToolpathBuilder, LoopsCloseWhereTheyStart) {
   Path loop = Line("(0 0, 10 0, 10 10, 0 10)");
   loop.closed = true;

@@ -1,0 +1,208 @@
+#include "services/ordering/algo/comb/inside_ways.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/predicates.h"
+#include "common/geometry/simplify.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// Lanes keep this many clearances, so that a lane that is made of fewer points still keeps one.
+constexpr double kLane = 1.5;
+constexpr double kLaneTolerance = 0.4;
+/// What the border lies beyond the lanes, so that a way along them does not touch it.
+constexpr Coord kHair = 5'000;
+/// A place without its own clearance comes indoors within this many.
+constexpr double kWayIndoors = 4;
+/// How far a straight way may need, in clearances, to come off the edge.
+constexpr double kStart = 3;
+
+Coord Times(double factor, Coord length) { return std::llround(factor * static_cast<double>(length)); }
+
+/// Whether a tight string through `corner` can come from or go on to `other`: the ring lies on one
+/// side of the line.
+bool IsTangent(Point other, Point corner, Point before, Point after) {
+  return Orientation(other, corner, before) * Orientation(other, corner, after) >= 0;
+}
+
+Point Along(Point a, Point b, double length_nm) {
+  const double whole = Distance(a, b);
+  if (whole <= length_nm) return b;
+  const double share = length_nm / whole;
+  return {a.x + std::llround(share * static_cast<double>(b.x - a.x)),
+          a.y + std::llround(share * static_cast<double>(b.y - a.y))};
+}
+
+}  // namespace
+
+InsideWays::InsideWays(const PolygonWithHoles& outline, Coord clearance_nm)
+    : clearance_(clearance_nm) {
+  const MultiPolygon island{outline};
+  ForEachRing(island, [&](const Polygon& ring) { edge_.AddRing(ring); });
+  const MultiPolygon lanes = Simplify(Offset(island, -Times(kLane, clearance_nm)),
+                                      Times(kLaneTolerance, clearance_nm));
+  ForEachRing(lanes, [&](const Polygon& ring) {
+    lane_.AddRing(ring);
+    lanes_.push_back(ring);
+    AddNodes(ring);
+  });
+  ForEachRing(Offset(lanes, kHair), [&](const Polygon& ring) { border_.AddRing(ring); });
+  for (EdgeStrips* edges : {&edge_, &border_, &lane_}) edges->Build();
+  links_.resize(nodes_.size());
+}
+
+void InsideWays::AddNodes(const Polygon& ring) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point before = ring[i == 0 ? ring.size() - 1 : i - 1];
+    const Point after = ring[i + 1 == ring.size() ? 0 : i + 1];
+    // The island lies to the left: a way bends where the ring turns to the right.
+    if (Orientation(before, ring[i], after) < 0) nodes_.push_back({ring[i], before, after});
+  }
+}
+
+bool InsideWays::IsClear(Point a, Point b) const {
+  if (edge_.Meets(a, b)) return false;
+  const double start = kStart * static_cast<double>(clearance_);
+  if (Distance(a, b) <= 2 * start) return true;
+  const Point from = lane_.Surrounds(a) ? a : Along(a, b, start);
+  const Point to = lane_.Surrounds(b) ? b : Along(b, a, start);
+  return border_.Surrounds(from) && Sees(from, to);
+}
+
+std::optional<Point> InsideWays::Indoors(Point p) const {
+  if (lane_.Surrounds(p)) return p;
+  std::optional<Point> nearest;
+  double least = kWayIndoors * static_cast<double>(clearance_);
+  for (const Polygon& ring : lanes_) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point on = NearestOnSegment(p, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+      const double distance = Distance(p, on);
+      if (distance >= least || edge_.Meets(p, on)) continue;
+      least = distance;
+      nearest = on;
+    }
+  }
+  return nearest;
+}
+
+const std::vector<InsideWays::Link>& InsideWays::LinksOf(uint32_t node, WorkBudget& budget) {
+  if (links_[node]) return *links_[node];
+  std::vector<Link> links;
+  const Node& from = nodes_[node];
+  for (uint32_t i = 0; i < nodes_.size(); ++i) {
+    const Node& to = nodes_[i];
+    if (i == node || !IsTangent(from.at, to.at, to.before, to.after) ||
+        !IsTangent(to.at, from.at, from.before, from.after)) {
+      continue;
+    }
+    --budget.moves;
+    if (Sees(from.at, to.at)) links.push_back({i, Distance(from.at, to.at)});
+  }
+  links_[node] = std::move(links);
+  return *links_[node];
+}
+
+/// A*: the straight distance to the goal is what is left at least.
+class InsideWays::Search {
+ public:
+  Search(InsideWays& ways, Point from, Point to, double longest_nm, WorkBudget& budget)
+      : ways_(ways), from_(from), to_(to), longest_(longest_nm), budget_(budget),
+        goal_(static_cast<uint32_t>(ways.nodes_.size())), came_(goal_ + 1, kOpen) {}
+
+  /// The corners between, if there is a way.
+  std::optional<std::vector<Point>> Run() {
+    Push(kStartPlace, goal_, 0);
+    const auto& nodes = ways_.nodes_;
+    for (uint32_t i = 0; i < goal_; ++i)
+      if (IsTangent(from_, nodes[i].at, nodes[i].before, nodes[i].after)) Push(kStartPlace, i, 0);
+    while (!steps_.empty() && budget_.moves > 0) {
+      const Step step = steps_.top();
+      steps_.pop();
+      if (came_[step.to] != kOpen || !IsOpen(step)) continue;
+      came_[step.to] = step.from;
+      if (step.to == goal_) return Way();
+      Expand(step);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr uint32_t kOpen = std::numeric_limits<uint32_t>::max();
+  static constexpr uint32_t kStartPlace = kOpen - 1;
+
+  struct Step {
+    double bound;   ///< of a way over here
+    double length;  ///< to `to`
+    uint32_t from, to;
+
+    bool operator<(const Step& other) const {  // the queue's top is the greatest
+      return std::tie(other.bound, other.to, other.from) < std::tie(bound, to, from);
+    }
+  };
+
+  Point At(uint32_t place) const {
+    return place == kStartPlace ? from_ : place == goal_ ? to_ : ways_.nodes_[place].at;
+  }
+
+  void Push(uint32_t from, uint32_t to, double length_there) {
+    const double length = length_there + Distance(At(from), At(to));
+    const double bound = length + Distance(At(to), to_);
+    if (bound <= longest_) steps_.push({bound, length, from, to});
+  }
+
+  /// Links between nodes have been looked at.
+  bool IsOpen(const Step& step) {
+    if (step.from != kStartPlace && step.to != goal_) return true;
+    --budget_.moves;
+    return ways_.Sees(At(step.from), At(step.to));
+  }
+
+  void Expand(const Step& step) {
+    const Node& node = ways_.nodes_[step.to];
+    if (IsTangent(to_, node.at, node.before, node.after)) Push(step.to, goal_, step.length);
+    for (const Link& link : ways_.LinksOf(step.to, budget_))
+      if (came_[link.to] == kOpen) Push(step.to, link.to, step.length);
+  }
+
+  std::vector<Point> Way() const {
+    std::vector<Point> corners;
+    for (uint32_t at = came_[goal_]; at != kStartPlace; at = came_[at]) corners.push_back(At(at));
+    std::ranges::reverse(corners);
+    return corners;
+  }
+
+  InsideWays& ways_;
+  Point from_, to_;
+  double longest_;
+  WorkBudget& budget_;
+  uint32_t goal_;
+  std::vector<uint32_t> came_;  ///< by place: from where
+  std::priority_queue<Step> steps_;
+};
+
+std::optional<std::vector<Point>> InsideWays::Find(Point a, Point b, double longest_nm,
+                                                   WorkBudget& budget) {
+  const std::optional<Point> from = Indoors(a), to = Indoors(b);
+  if (!from || !to) return std::nullopt;
+  const double ends = Distance(a, *from) + Distance(*to, b);
+  auto corners = Search(*this, *from, *to, longest_nm - ends, budget).Run();
+  if (!corners) return std::nullopt;
+  std::vector<Point> way{a};
+  if (*from != a) way.push_back(*from);
+  way.insert(way.end(), corners->begin(), corners->end());
+  if (*to != b) way.push_back(*to);
+  way.push_back(b);
+  // Most places come indoors as well on the way to the next corner.
+  if (*from != a && IsClear(way[0], way[2])) way.erase(way.begin() + 1);
+  if (*to != b && way.size() > 2 && IsClear(way[way.size() - 3], b)) way.erase(way.end() - 2);
+  return std::vector<Point>(way.begin() + 1, way.end() - 1);
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,230 @@
+#include "services/ordering/algo/comb/inside_ways.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "common/geometry/offset.h"
+#include "common/geometry/predicates.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/simplify.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+constexpr Coord kClearance = 225'000;
+constexpr double kAnyLength = std::numeric_limits<double>::infinity();
+
+/// What a way may gain by cutting corners of the lanes by less than the hair that they keep off.
+constexpr double kHairs = 20'000;
+
+Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
+
+std::optional<std::vector<Point>> Find(InsideWays& ways, Point a, Point b,
+                                       double longest_nm = kAnyLength, int64_t moves = 1'000'000) {
+  WorkBudget budget{moves};
+  return ways.Find(a, b, longest_nm, budget);
+}
+
+/// a, the corners, b.
+std::vector<Point> Whole(Point a, std::vector<Point> corners, Point b) {
+  corners.insert(corners.begin(), a);
+  corners.push_back(b);
+  return corners;
+}
+
+bool MeetsAnEdge(Point a, Point b, const MultiPolygon& region) {
+  bool meets = false;
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point c = ring[i], d = ring[(i + 1) % ring.size()];
+      const bool apart = Orientation(a, b, c) * Orientation(a, b, d) > 0 ||
+                         Orientation(c, d, a) * Orientation(c, d, b) > 0;
+      meets |= !apart || OnSegment(a, c, d) || OnSegment(c, a, b);
+    }
+  });
+  return meets;
+}
+
+MultiPolygon LanesOf(const PolygonWithHoles& island) {
+  return Simplify(Offset({island}, -kClearance * 3 / 2), std::llround(0.4 * kClearance));
+}
+
+/// The shortest way over any corners of the lanes, by Bellman and Ford over all pairs that see each
+/// other.
+double ShortestByAllPairs(const PolygonWithHoles& island, Point a, Point b) {
+  const MultiPolygon lanes = LanesOf(island);
+  const MultiPolygon clear = Offset(lanes, 5'000);
+  std::vector<Point> places = {a, b};
+  for (const Polygon& ring : Rings(lanes)) places.insert(places.end(), ring.begin(), ring.end());
+  struct Sight {
+    size_t from, to;
+  };
+  std::vector<Sight> sights;
+  for (size_t i = 0; i < places.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (!MeetsAnEdge(places[i], places[j], clear)) sights.push_back({i, j});
+  std::vector<double> length(places.size(), kAnyLength);
+  length[0] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [i, j] : sights) {
+      const double between = Distance(places[i], places[j]);
+      for (const auto& [from, to] : {Sight{i, j}, Sight{j, i}}) {
+        if (length[from] + between >= length[to] - 1e-3) continue;
+        length[to] = length[from] + between;
+        changed = true;
+      }
+    }
+  }
+  return length[1];
+}
+
+PolygonWithHoles Mirrored(PolygonWithHoles island) {
+  const auto mirror = [](Polygon& ring) {
+    for (Point& p : ring) p.x = -p.x;
+    std::reverse(ring.begin(), ring.end());
+  };
+  mirror(island.outer);
+  for (Polygon& hole : island.holes) mirror(hole);
+  return island;
+}
+
+class RandomWays : public testing::TestWithParam<int> {
+ protected:
+  RandomWays() : island_(RandomIsland(random_, {}, 20).front()), inner_(LanesOf(island_)) {}
+
+  /// A place between the lanes; false if the island has no such.
+  bool Place(Point& p) {
+    for (int i = 0; i < 1'000; ++i) {
+      p = {FromMm(Uniform(random_, -20, 20)), FromMm(Uniform(random_, -20, 20))};
+      if (Inside(p, inner_)) return true;
+    }
+    return false;
+  }
+
+  std::mt19937 random_{static_cast<uint32_t>(GetParam())};
+  PolygonWithHoles island_;
+  MultiPolygon inner_;
+};
+
+TEST_P(RandomWays, AreAsShortAsTheBestOfAllPairsAndKeepClear) {
+  InsideWays ways(island_, kClearance);
+  const MultiPolygon clear = Offset({island_}, -kClearance);
+  for (int i = 0; i < 12; ++i) {
+    Point a, b;
+    if (!Place(a) || !Place(b)) return;
+    const auto corners = Find(ways, a, b);
+    const double shortest = ShortestByAllPairs(island_, a, b);
+    ASSERT_EQ(corners.has_value(), shortest < kAnyLength);
+    if (!corners) continue;
+    const std::vector<Point> way = Whole(a, *corners, b);
+    EXPECT_NEAR(Length(way), shortest, kHairs);
+    for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], clear));
+    EXPECT_EQ(corners->empty(), !MeetsAnEdge(a, b, Offset(inner_, 5'000)));
+  }
+}
+
+TEST_P(RandomWays, AreTheSameInAMirrorAndBackwards) {
+  InsideWays ways(island_, kClearance), mirrored(Mirrored(island_), kClearance);
+  for (int i = 0; i < 12; ++i) {
+    Point a, b;
+    if (!Place(a) || !Place(b)) return;
+    const auto there = Find(ways, a, b), back = Find(ways, b, a);
+    const auto other = Find(mirrored, {-a.x, a.y}, {-b.x, b.y});
+    ASSERT_EQ(there.has_value(), other.has_value());
+    ASSERT_EQ(there.has_value(), back.has_value());
+    if (!there) continue;
+    const double length = Length(Whole(a, *there, b));
+    EXPECT_NEAR(length, Length(Whole({-a.x, a.y}, *other, {-b.x, b.y})), kHairs);
+    EXPECT_NEAR(length, Length(Whole(b, *back, a)), kHairs);
+  }
+}
+
+TEST_P(RandomWays, DoNotDependOnWhatWasAskedBefore) {
+  InsideWays used(island_, kClearance);
+  for (int i = 0; i < 12; ++i) {
+    Point a, b;
+    if (!Place(a) || !Place(b)) return;
+    InsideWays fresh(island_, kClearance);
+    EXPECT_EQ(Find(used, a, b), Find(fresh, a, b));
+  }
+}
+
+TEST_P(RandomWays, FromTheOuterWallStayInside) {
+  InsideWays ways(island_, kClearance);
+  // The middle of the outer wall.
+  const MultiPolygon wall = Offset({island_}, -kClearance);
+  const std::vector<Polygon> rings = Rings(wall);
+  for (int i = 0; i < 12; ++i) {
+    const Polygon& from = rings[random_() % rings.size()];
+    const Polygon& to = rings[random_() % rings.size()];
+    const Point a = from[random_() % from.size()], b = to[random_() % to.size()];
+    const auto corners = Find(ways, a, b);
+    if (!corners) continue;  // the wall is made of pieces that no lane joins
+    const std::vector<Point> way = Whole(a, *corners, b);
+    for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], {island_}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomWays, testing::Range(0, 30));
+
+/// Two arms of 10 mm that a slot of 4 mm parts, joined at the bottom.
+PolygonWithHoles Fork() {
+  return MakePolygonsOrDie("(0 0, 24 0, 24 20, 14 20, 14 10, 10 10, 10 20, 0 20)").front();
+}
+
+TEST(InsideWays, GoesRoundASlot) {
+  InsideWays ways(Fork(), kClearance);
+  const Point a = Mm(5, 18), b = Mm(19, 18);
+  EXPECT_FALSE(ways.IsClear(a, b));
+  const auto corners = Find(ways, a, b);
+  ASSERT_TRUE(corners);
+  ASSERT_EQ(corners->size(), 2U);
+  EXPECT_LT(Distance((*corners)[0], Mm(10, 10)), 1.5 * 1.5 * kClearance);
+  EXPECT_LT(Distance((*corners)[1], Mm(14, 10)), 1.5 * 1.5 * kClearance);
+}
+
+TEST(InsideWays, FindsNothingLongerThanAllowed) {
+  InsideWays ways(Fork(), kClearance);
+  const Point a = Mm(5, 18), b = Mm(19, 18);
+  const double length = Length(Whole(a, *Find(ways, a, b), b));
+  EXPECT_TRUE(Find(ways, a, b, length + 1));
+  EXPECT_FALSE(Find(ways, a, b, length - 1));
+}
+
+TEST(InsideWays, FindsNothingWithoutABudget) {
+  InsideWays ways(Fork(), kClearance);
+  EXPECT_FALSE(Find(ways, Mm(5, 18), Mm(19, 18), kAnyLength, 0));
+  EXPECT_TRUE(Find(ways, Mm(5, 18), Mm(19, 18)));
+}
+
+TEST(InsideWays, AWayAlongTheWallIsClearOnlyIfItKeepsOff) {
+  const InsideWays ways(Fork(), kClearance);
+  EXPECT_TRUE(ways.IsClear(Mm(1, 1), Mm(23, 1)));
+  EXPECT_FALSE(ways.IsClear(Mm(1, 0.1), Mm(23, 0.1))) << "on the outer wall's outside";
+  EXPECT_TRUE(ways.IsClear(Mm(0.225, 5), Mm(9.775, 15))) << "from wall to wall";
+  EXPECT_FALSE(ways.IsClear(Mm(9.775, 15), Mm(14.225, 15))) << "over the slot";
+}
+
+// No way through a neck that is narrower than two clearances.
+TEST(InsideWays, DoesNotSqueezeThrough) {
+  InsideWays ways(
+      MakePolygonsOrDie("(0 0, 10 0, 10 4.8, 20 4.8, 20 0, 30 0, 30 10, 20 10, 20 5.2, 10 5.2,"
+                        " 10 10, 0 10)")
+          .front(),
+      kClearance);
+  EXPECT_FALSE(Find(ways, Mm(5, 1), Mm(25, 1)));
+}
+
+TEST(InsideWays, OfAnIslandWithoutRoom) {
+  InsideWays ways(MakePolygonsOrDie("(0 0, 10 0, 10 0.3, 0 0.3)").front(), kClearance);
+  EXPECT_FALSE(Find(ways, Mm(1, 0.15), Mm(9, 0.15)));
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

@@ -1,0 +1,123 @@
+#include "services/ordering/algo/comb/island_travels.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+Path PathOf(Feature feature, const char* points, bool closed = false) {
+  Path path = MakePathOrDie(points, closed);
+  path.feature = feature;
+  return path;
+}
+Path Sparse(const char* points) { return PathOf(Feature::kInternalInfill, points); }
+Path Top(const char* points) { return PathOf(Feature::kTopSolidInfill, points); }
+
+/// Two arms of 10 mm that a slot of 4 mm parts, joined at the bottom.
+constexpr const char* kFork = "(0 0, 24 0, 24 20, 14 20, 14 10, 10 10, 10 20, 0 20)";
+
+Path OuterWall() {
+  return PathOf(Feature::kExternalPerimeter,
+                "(0.225 0.225, 23.775 0.225, 23.775 19.775, 14.225 19.775, 14.225 9.775,"
+                " 9.775 9.775, 9.775 19.775, 0.225 19.775)",
+                true);
+}
+
+std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
+                            int64_t sights = 100'000) {
+  WorkBudget budget{sights};
+  return TravelsInIsland(MakePolygonsOrDie(kFork).front(), paths, options, budget);
+}
+
+struct Case {
+  std::string name;
+  std::vector<Path> paths;  ///< the last one's travel counts
+  bool hidden = false;
+  std::function<void(TravelOptions&)> set = [](TravelOptions&) {};
+};
+
+std::vector<Case> Cases() {
+  const Path left = Sparse("(5 12, 5 18)"), right = Sparse("(19 18, 19 12)");
+  const Path low = Sparse("(1 2, 5 2)"), far = Sparse("(19 2, 23 2)");
+  return {
+      {"Inside", {low, far}, true},
+      {"AcrossTheSlot", {left, right}},
+      {"RoundTheSlot", {OuterWall(), left, right}, true, [](auto& o) { o.avoid_crossing = true; }},
+      {"TheWayRoundIsTooLong",
+       {OuterWall(), left, right},
+       false,
+       [](auto& o) {
+         o.avoid_crossing = true;
+         o.max_detour_mm = 1;
+       }},
+      {"TheWayRoundIsTooLongByItsRatio",
+       {OuterWall(), left, right},
+       false,
+       [](auto& o) {
+         o.avoid_crossing = true;
+         o.max_detour_ratio = 0.05;
+       }},
+      {"NotAskedFor", {low, far}, false, [](auto& o) { o.hide = false; }},
+      {"TooLong", {low, far}, false, [](auto& o) { o.longest_hidden_mm = 13.9; }},
+      {"JustNotTooLong", {low, far}, true, [](auto& o) { o.longest_hidden_mm = 14.1; }},
+      {"HoweverLong", {low, far}, true, [](auto& o) { o.longest_hidden_mm = 0; }},
+      {"OverATopThatIsThere", {Top("(12 1, 12 3)"), low, far}},
+      {"PastATop", {Top("(12 3, 12 5)"), low, far}, true},
+      {"ToATop", {low, Top("(19 2, 23 2)")}},
+      {"ToTheOuterWall", {low, OuterWall()}},
+      {"FromTheOuterWall", {OuterWall(), low}, true},
+  };
+}
+
+class Hidden : public testing::TestWithParam<Case> {};
+
+TEST_P(Hidden, OrInSight) {
+  TravelOptions options;
+  GetParam().set(options);
+  std::vector<Path> paths = GetParam().paths;
+  EXPECT_EQ(Travels(paths, options).back().hidden, GetParam().hidden);
+}
+
+INSTANTIATE_TEST_SUITE_P(IslandTravels, Hidden, testing::ValuesIn(Cases()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(IslandTravels, OneForEachPathAndNoneToTheFirst) {
+  const auto travels = Travels({Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)"), Top("(3 5, 3 6)")});
+  ASSERT_EQ(travels.size(), 3U);
+  EXPECT_EQ(travels[0], Travel{});
+  EXPECT_TRUE(travels[1].hidden);
+}
+
+TEST(IslandTravels, OverATopThatIsToComeIsHidden) {
+  const auto travels =
+      Travels({Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)"), Top("(12 1, 12 3)")});
+  EXPECT_TRUE(travels[1].hidden);
+}
+
+TEST(IslandTravels, TheWayRoundHasCorners) {
+  TravelOptions options;
+  options.avoid_crossing = true;
+  const std::vector<Path> paths = {OuterWall(), Sparse("(5 12, 5 18)"), Sparse("(19 18, 19 12)")};
+  EXPECT_EQ(Travels(paths, options).back().corners.size(), 2U);
+  EXPECT_TRUE(Travels(paths, options)[1].corners.empty()) << "straight is clear of the walls";
+  options.hide = false;
+  EXPECT_EQ(Travels(paths, options).back().corners.size(), 2U);
+  EXPECT_FALSE(Travels(paths, options).back().hidden);
+  EXPECT_TRUE(Travels(paths, options, 0).back().corners.empty()) << "no budget";
+}
+
+TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
+  WorkBudget budget{1'000};
+  const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
+  EXPECT_EQ(TravelsInIsland({}, paths, {}, budget), std::vector<Travel>(2));
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering
