@@ -153,6 +153,7 @@ TEST(Resolve, TakesAWholeProfile) {
   JobSettings ours = Job({});
   ours.motion.filament_density_g_cm3 = 0;
   ours.infill[0].overlap_nm = 112'500;
+  ours.ordering.travel.hide = false;
   ours.slicing.thumbnails_px.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =

@@ -133,7 +133,8 @@ std::vector<SettingSpec> Travels() {
       {.key = "only_retract_when_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Does not retract before travels inside the part to what is not seen",
+       .doc = "Does not retract before travels inside the part; before those to outer walls and to "
+              "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
        .field = Bind([](auto& s) -> auto& { return s.ordering.travel.hide; })},
       {.key = "retract_inside_after",
        .unit = "mm",

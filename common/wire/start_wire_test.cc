@@ -234,7 +234,7 @@ TEST(StartWire, RefusesCopiesAndFactsThatNoJobHas) {
   ExpectMalformed(FromProto(order).status(), "copies[1].pass");
   order = ProtoOf<v1::OrderStart>(Order());
   order.clear_options();
-  ExpectMalformed(FromProto(order).status(), "options.walls");
+  ExpectMalformed(FromProto(order).status(), "options.travel");
   auto program = ProtoOf<v1::ProgramStart>(Program());
   program.mutable_facts()->set_layer_count(-1);
   ExpectMalformed(FromProto(program).status(), "facts.layer_count");

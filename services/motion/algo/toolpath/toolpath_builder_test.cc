@@ -119,7 +119,7 @@ Built WithTravel(const Travel& travel, const MotionOptions& options = {}) {
 }
 
 TEST(ToolpathBuilder, AHiddenTravelKeepsTheFilament) {
-  const Built built = WithTravel({.hidden = true});
+  const Built built = WithTravel({true, {}});
   EXPECT_THAT(Kinds(built.path),
               ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kRestart, MoveKind::kPrint,
                           MoveKind::kTravel, MoveKind::kPrint, MoveKind::kRetract));
@@ -129,9 +129,9 @@ TEST(ToolpathBuilder, AHiddenTravelKeepsTheFilament) {
 TEST(ToolpathBuilder, AHiddenTravelDoesNotLift) {
   MotionOptions options;
   options.retraction.lift_mm = 0.6;
-  for (const Move& move : WithTravel({.hidden = true}, options).path.moves)
+  for (const Move& move : WithTravel({true, {}}, options).path.moves)
     EXPECT_TRUE(move.z_um == 1'000 || move.kind != MoveKind::kTravel || move.x_um == 20'000);
-  EXPECT_EQ(WithTravel({.hidden = true}, options).path.moves[4].z_um, 400);
+  EXPECT_EQ(WithTravel({true, {}}, options).path.moves[4].z_um, 400);
   EXPECT_EQ(WithTravel({}, options).path.moves[6].z_um, 1'000);
 }
 
