@@ -47,7 +47,7 @@ void PrintFills(std::vector<FillBlock> blocks, std::optional<Point> next, Route&
   std::vector<Leg> legs;
   legs.reserve(blocks.size());
   for (const FillBlock& block : blocks) legs.push_back(LegOf(block, route.at()));
-  for (const Visit visit : OrderByTravel({route.at(), next}, legs, budget)) {
+  for (const Visit visit : OrderByTravel(route.To(next), legs, budget)) {
     PrintBlock(std::move(blocks[visit.leg]), visit.reversed, route);
   }
 }

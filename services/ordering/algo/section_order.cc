@@ -9,6 +9,7 @@
 
 #include "common/geometry/measure.h"
 #include "services/ordering/algo/comb/island_travels.h"
+#include "services/ordering/algo/comb/outside_travels.h"
 #include "services/ordering/algo/fill_order.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/route.h"
@@ -116,15 +117,21 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   Route route(plan.entry);
   std::vector<Travel> travels;
   WorkBudget sights{kSights};
+  OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
     std::optional<Point> next;
     if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
     FilledIsland& island = *stops[visits[i].leg].island;
+    const IslandEdges edges(island);
+    route.Set(&edges);
     PrintIsland(island, next, options, plan.seams, route, budget);
-    std::ranges::move(TravelsInIsland(island.outline,
-                                      std::span(route.paths()).subspan(travels.size()),
-                                      options.travel, sights),
+    const size_t first = travels.size();
+    std::ranges::move(TravelsInIsland(island.outline, edges,
+                                      std::span(route.paths()).subspan(first), options.travel,
+                                      sights),
                       std::back_inserter(travels));
+    if (first > 0)
+      travels[first] = outside.Between(route.paths()[first - 1], route.paths()[first], sights);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();

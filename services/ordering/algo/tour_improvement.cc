@@ -117,6 +117,20 @@ double TourImprovement::Distance(uint32_t a, uint32_t b) const {
   return std::sqrt(dx * dx + dy * dy);
 }
 
+double TourImprovement::CrossingCost(uint32_t a, uint32_t b) const {
+  if (a == kNowhere || b == kNowhere) return 0;
+  const auto [least, greatest] = std::minmax(a, b);
+  const auto [known, is_new] =
+      parted_.try_emplace(uint64_t{least} << 32 | greatest, false);
+  if (is_new) {
+    const auto at = [this](uint32_t end) {
+      return Point{static_cast<Coord>(ends_[end].x), static_cast<Coord>(ends_[end].y)};
+    };
+    known->second = barrier_->Parts(at(least), at(greatest));
+  }
+  return known->second ? kCrossingNm : 0;
+}
+
 bool TourImprovement::Reversible(Run run) const {
   if (all_reversible_) return true;
   for (int i = run.first; i <= run.last; ++i) {
@@ -127,7 +141,7 @@ bool TourImprovement::Reversible(Run run) const {
 
 void TourImprovement::Improve(WorkBudget& budget) {
   ImproveQueued(budget);
-  if (count_ < kFewestForExchange || !all_reversible_) return;
+  if (count_ < kFewestForExchange) return;
   std::minstd_rand random(kSeed);
   std::vector<Visit> best;
   for (int i = 0; i < kExchangesPerLeg * count_ && budget.moves > 0; ++i) {
@@ -159,9 +173,20 @@ double TourImprovement::ImproveQueued(WorkBudget& budget) {
   return gained;
 }
 
+void TourImprovement::AvoidCrossing(const Barrier& barrier, WorkBudget& budget) {
+  barrier_ = &barrier;
+  for (int i = -1; i < count_; ++i) {
+    if (CrossingCost(ExitAt(i), EntryAt(i + 1)) == 0) continue;
+    Wake(i);
+    Wake(i + 1);
+  }
+  ImproveQueued(budget);
+  barrier_ = nullptr;
+}
+
 double TourImprovement::Exchange(int a, int b, int c) {
   const int joint = a + c - b;
-  const auto around = [this](int i) { return Distance(ExitAt(i - 1), EntryAt(i)); };
+  const auto around = [this](int i) { return Cost(ExitAt(i - 1), EntryAt(i)); };
   const double before = around(a) + around(b) + around(c);
   std::rotate(visits_.begin() + a, visits_.begin() + b, visits_.begin() + c);
   Renumber({a, c - 1});
@@ -191,16 +216,17 @@ double TourImprovement::ImproveLeg(uint32_t leg, WorkBudget& budget) {
 double TourImprovement::TryTurnAfter(int position, WorkBudget& budget) {
   const uint32_t exit = ExitAt(position);
   const uint32_t entry = EntryAt(position + 1);
-  const double old_travel = Distance(exit, entry);
-  for (const auto& [near, new_travel] : NeighboursOf(exit)) {
-    if (entry != kNowhere && new_travel >= old_travel) break;
+  const double old_travel = Cost(exit, entry);
+  for (const auto& [near, distance] : NeighboursOf(exit)) {
+    if (entry != kNowhere && distance >= old_travel) break;
     if (--budget.moves <= 0) return 0;
     if (!IsExit(near)) continue;
+    const double new_travel = Cost(exit, near);
     const int other = PositionOf(near);
     const Run run = other > position ? Run{position + 1, other} : Run{other + 1, position};
     if (run.size() <= 0) continue;
     const uint32_t beyond = EntryAt(other + 1);
-    const double gain = old_travel + Distance(near, beyond) - new_travel - Distance(entry, beyond);
+    const double gain = old_travel + Cost(near, beyond) - new_travel - Cost(entry, beyond);
     if (gain <= kLeastGain || !Reversible(run)) continue;
     Turn(run, budget);
     return gain;
@@ -211,16 +237,17 @@ double TourImprovement::TryTurnAfter(int position, WorkBudget& budget) {
 double TourImprovement::TryTurnBefore(int position, WorkBudget& budget) {
   const uint32_t exit = ExitAt(position);
   const uint32_t entry = EntryAt(position + 1);
-  const double old_travel = Distance(exit, entry);
-  for (const auto& [near, new_travel] : NeighboursOf(entry)) {
-    if (new_travel >= old_travel) break;
+  const double old_travel = Cost(exit, entry);
+  for (const auto& [near, distance] : NeighboursOf(entry)) {
+    if (distance >= old_travel) break;
     if (--budget.moves <= 0) return 0;
     if (IsExit(near)) continue;
+    const double new_travel = Cost(entry, near);
     const int other = PositionOf(near);
     const Run run = other > position ? Run{position + 1, other - 1} : Run{other, position};
     if (run.size() <= 0) continue;
     const uint32_t beyond = ExitAt(other - 1);
-    const double gain = old_travel + Distance(near, beyond) - new_travel - Distance(exit, beyond);
+    const double gain = old_travel + Cost(near, beyond) - new_travel - Cost(exit, beyond);
     if (gain <= kLeastGain || !Reversible(run)) continue;
     Turn(run, budget);
     return gain;
@@ -234,7 +261,7 @@ double TourImprovement::TryShift(Run run, WorkBudget& budget) {
   const uint32_t behind = EntryAt(run.last + 1);
   const uint32_t head = EntryAt(run.first);
   const uint32_t tail = ExitAt(run.last);
-  const double saved = Distance(before, head) + Distance(tail, behind) - Distance(before, behind);
+  const double saved = Cost(before, head) + Cost(tail, behind) - Cost(before, behind);
   if (saved <= kLeastGain) return 0;
   const bool reversible = Reversible(run);
   for (const bool at_head : {true, false}) {
@@ -267,7 +294,7 @@ double TourImprovement::ShiftCost(Run run, Shift shift) const {
   uint32_t head = EntryAt(run.first);
   uint32_t tail = ExitAt(run.last);
   if (shift.reversed) std::swap(head, tail);
-  return Distance(left, head) + Distance(tail, right) - Distance(left, right);
+  return Cost(left, head) + Cost(tail, right) - Cost(left, right);
 }
 
 void TourImprovement::Turn(Run run, WorkBudget& budget) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "services/ordering/algo/travel_order.h"
@@ -27,6 +28,10 @@ class TourImprovement {
   /// Makes moves until none gains, then a number of exchanges in proportion to the legs, or until
   /// the budget is spent.
   void Improve(WorkBudget& budget);
+
+  /// Makes moves that begin at the travels that cross `barrier`, as long as they gain; a crossing
+  /// counts as kCrossingNm.
+  void AvoidCrossing(const Barrier& barrier, WorkBudget& budget);
 
   const std::vector<Visit>& visits() const { return visits_; }
 
@@ -63,6 +68,11 @@ class TourImprovement {
   bool IsExit(uint32_t end) const;      ///< as the legs lie now
   int PositionOf(uint32_t end) const;
   double Distance(uint32_t a, uint32_t b) const;
+  /// The distance, and what a crossing costs if that matters by now.
+  double Cost(uint32_t a, uint32_t b) const {
+    return barrier_ == nullptr ? Distance(a, b) : Distance(a, b) + CrossingCost(a, b);
+  }
+  double CrossingCost(uint32_t a, uint32_t b) const;
   bool Reversible(Run run) const;
 
   /// Works through the queue: the gain in nm.
@@ -85,6 +95,8 @@ class TourImprovement {
   void Wake(int position);
 
   int count_;
+  const Barrier* barrier_ = nullptr;
+  mutable std::unordered_map<uint64_t, bool> parted_;  ///< known answers of the barrier
   bool all_reversible_ = true;
   std::vector<Place> ends_;          ///< by number
   std::vector<uint8_t> reversible_;  ///< by leg

@@ -55,6 +55,59 @@ TEST(TourImprovement, WorksTowardsTheGoal) {
               ElementsAre(testing::Field(&Visit::leg, 1), testing::Field(&Visit::leg, 0)));
 }
 
+/// Between negative and other x.
+class Fence : public Barrier {
+ public:
+  bool Parts(Point a, Point b) const override { return (a.x < 0) != (b.x < 0); }
+};
+
+int Crossings(const Journey& journey, const std::vector<Leg>& legs,
+              const std::vector<Visit>& visits) {
+  int crossings = 0;
+  Point at = journey.from;
+  for (const Visit& visit : visits) {
+    const Leg& leg = legs[visit.leg];
+    crossings += Fence().Parts(at, visit.reversed ? leg.end : leg.start) ? 1 : 0;
+    at = visit.reversed ? leg.start : leg.end;
+  }
+  return crossings;
+}
+
+// Pairs of dots, nearer to each other than to the next pair: the shortest way goes to and fro.
+TEST(TourImprovement, CrossesABarrierOnlyWhereItMust) {
+  std::vector<Leg> legs;
+  for (Coord y = 0; y < 12; ++y) {
+    legs.push_back(Dot(-1, 3 * y));
+    legs.push_back(Dot(1, 3 * y));
+  }
+  const Fence fence;
+  Journey journey{{-kNmPerMm, -3 * kNmPerMm}, {}};
+  WorkBudget budget{100'000};
+  const auto plain = OrderByTravel(journey, legs, budget);
+  EXPECT_EQ(Crossings(journey, legs, plain), 12);
+  journey.barrier = &fence;
+  EXPECT_EQ(Crossings(journey, legs, OrderByTravel(journey, legs, budget)), 1);
+}
+
+// A way round that costs more than a crossing is not taken.
+TEST(TourImprovement, CrossesABarrierWhereItPays) {
+  const std::vector<Leg> legs = {Dot(-1, 0), Dot(1, 0), Dot(-1, 20), Dot(1, 20)};
+  const Fence fence;
+  const Journey journey{{-kNmPerMm, 0}, Point{-kNmPerMm, 40 * kNmPerMm}, &fence};
+  WorkBudget budget{100'000};
+  EXPECT_EQ(Crossings(journey, legs, OrderByTravel(journey, legs, budget)), 2);
+}
+
+TEST(TourImprovement, ABarrierThatIsNotMetChangesNothing) {
+  const std::vector<Leg> legs = {Dot(9, 0), Dot(4, 7), Dot(2, 2), Dot(6, 1), Dot(7, 8)};
+  const Fence fence;
+  Journey journey{{0, 0}, {}};
+  WorkBudget budget{100'000};
+  const auto plain = OrderByTravel(journey, legs, budget);
+  journey.barrier = &fence;
+  EXPECT_EQ(OrderByTravel(journey, legs, budget), plain);
+}
+
 TEST(TourImprovement, WithoutBudgetNothingChanges) {
   const std::vector<Leg> legs = {Dot(3, 0), Dot(1, 0)};
   TourImprovement tour({{0, 0}, {}}, legs, {{0, false}, {1, true}});

@@ -76,6 +76,7 @@ std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> le
   if (legs.empty() || (legs.size() == 1 && !journey.to) || budget.moves <= 0) return visits;
   TourImprovement tour(journey, legs, std::move(visits));
   tour.Improve(budget);
+  if (journey.barrier != nullptr) tour.AvoidCrossing(*journey.barrier, budget);
   return tour.visits();
 }
 

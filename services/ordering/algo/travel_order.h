@@ -18,12 +18,24 @@ struct Leg {
   bool reversible = true;
 };
 
+/// What lies between places.
+class Barrier {
+ public:
+  virtual ~Barrier() = default;
+  /// Whether the straight way from a to b crosses it. REQUIRES: symmetric.
+  virtual bool Parts(Point a, Point b) const = 0;
+};
+
 /// Where the nozzle comes from, and where it goes when all legs are done (nowhere in particular if
 /// absent).
 struct Journey {
   Point from;
   std::optional<Point> to;
+  const Barrier* barrier = nullptr;  ///< what had better not be crossed on the way
 };
+
+/// What a crossing costs, in travel: a retraction takes about as long as 7 mm, and leaves a mark.
+inline constexpr double kCrossingNm = 10.0 * kNmPerMm;
 
 struct Visit {
   uint32_t leg = 0;
@@ -39,7 +51,8 @@ struct WorkBudget {
 };
 
 /// An order and direction of all `legs` with little travel: nearest neighbour, then 2-opt and
-/// Or-opt until no move gains or `budget` is spent.
+/// Or-opt until no move gains or `budget` is spent. Then, around each travel that crosses the
+/// barrier, the same with crossings counted as travel of kCrossingNm.
 ///
 /// The journey is a path with a fixed start and, if asked for, a fixed end. Shapes: each leg once.
 /// A leg that is not reversible is never reversed. Deterministic. Cost: O(n log n) and the moves

@@ -31,7 +31,7 @@ void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& r
   std::vector<Leg> legs;
   legs.reserve(walls.size());
   for (const Path* wall : walls) legs.push_back(LegOf(*wall, rule, route.at()));
-  for (const Visit visit : OrderByTravel({route.at(), {}}, legs, budget)) {
+  for (const Visit visit : OrderByTravel(route.To(), legs, budget)) {
     Path& wall = *walls[visit.leg];
     if (wall.closed) {
       const LoopPlace start = rule.For(wall, route.at());
@@ -65,7 +65,7 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
     starts.push_back(start);
     legs.push_back(LegOf(wall, start, route.at()));
   }
-  for (const Visit visit : OrderByTravel({route.at(), {}}, legs, budget)) {
+  for (const Visit visit : OrderByTravel(route.To(), legs, budget)) {
     WallGroup& group = groups[visit.leg];
     Arrange(rules.order, group.levels);
     for (const auto& level : group.levels) PrintLevel(level, starts[visit.leg], route, budget);

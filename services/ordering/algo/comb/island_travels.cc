@@ -1,24 +1,15 @@
 #include "services/ordering/algo/comb/island_travels.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "services/ordering/algo/comb/clear_ways.h"
+#include "services/ordering/algo/comb/detour.h"
 #include "services/ordering/algo/comb/edge_strips.h"
-#include "services/ordering/algo/comb/inside_ways.h"
 
 namespace slicefarm::ordering {
 namespace {
-
-EdgeStrips EdgesOf(const PolygonWithHoles& outline) {
-  EdgeStrips edges;
-  edges.AddRing(outline.outer);
-  for (const Polygon& hole : outline.holes) edges.AddRing(hole);
-  edges.Build();
-  return edges;
-}
 
 /// The beads of top surfaces, in the order of printing.
 EdgeStrips TopsOf(std::span<const Path> paths) {
@@ -30,33 +21,6 @@ EdgeStrips TopsOf(std::span<const Path> paths) {
   return edges;
 }
 
-bool IsOuterWall(const Path& path) {
-  return path.inset == 0 && (path.feature == Feature::kExternalPerimeter ||
-                             path.feature == Feature::kOverhangPerimeter);
-}
-
-/// The middles of the outer walls.
-EdgeStrips WallsOf(std::span<const Path> paths) {
-  EdgeStrips edges;
-  for (const Path& path : paths) {
-    if (!IsOuterWall(path)) continue;
-    path.closed ? edges.AddRing(path.points) : edges.AddLine(path.points);
-  }
-  edges.Build();
-  return edges;
-}
-
-/// Half the outer walls' mean width: where their middle lies.
-Coord ClearanceOf(std::span<const Path> paths) {
-  Coord sum = 0, count = 0;
-  for (const Path& path : paths) {
-    if (!IsOuterWall(path) || !path.closed) continue;
-    sum = std::accumulate(path.widths_nm.begin(), path.widths_nm.end(), sum);
-    count += std::ssize(path.widths_nm);
-  }
-  return count == 0 ? 0 : sum / (2 * count);
-}
-
 bool IsSeen(Feature feature) {
   return feature == Feature::kExternalPerimeter || feature == Feature::kOverhangPerimeter ||
          feature == Feature::kTopSolidInfill;
@@ -65,12 +29,11 @@ bool IsSeen(Feature feature) {
 class IslandTravels {
  public:
   /// All must outlive this.
-  IslandTravels(const PolygonWithHoles& outline, std::span<const Path> paths,
-                const TravelOptions& options)
-      : outline_(outline), paths_(paths), options_(options), edge_(EdgesOf(outline)),
-        walls_(WallsOf(paths)), tops_(TopsOf(paths)) {
-    const Coord clearance = options.avoid_crossing ? ClearanceOf(paths) : 0;
-    if (clearance > 0) ways_.emplace(outline, clearance);
+  IslandTravels(const PolygonWithHoles& outline, const IslandEdges& edges,
+                std::span<const Path> paths, const TravelOptions& options)
+      : edges_(edges), paths_(paths), options_(options), tops_(TopsOf(paths)) {
+    const Coord clearance = options.avoid_crossing ? OuterWallRadius(paths) : 0;
+    if (clearance > 0) ways_.emplace(MultiPolygon{outline}, clearance);
   }
 
   /// To paths[i] from the one before.
@@ -84,17 +47,8 @@ class IslandTravels {
   }
 
  private:
-  double Longest(double straight_nm) const {
-    double longest = std::numeric_limits<double>::infinity();
-    if (options_.max_detour_mm > 0)
-      longest = straight_nm + options_.max_detour_mm * kNmPerMm;
-    if (options_.max_detour_ratio > 0)
-      longest = std::min(longest, straight_nm * (1 + options_.max_detour_ratio));
-    return longest;
-  }
-
   std::vector<Point> Around(Point from, Point to, WorkBudget& budget) {
-    return ways_->Find(from, to, Longest(Distance(from, to)), budget)
+    return ways_->Find(from, to, LongestWay(from, to, options_), budget)
         .value_or(std::vector<Point>{});
   }
 
@@ -103,7 +57,7 @@ class IslandTravels {
     std::vector<Point> places = travel.corners;
     places.push_back(to);
     for (const Point place : places) {
-      if (edge_.Meets(from, place) || walls_.Crosses(from, place)) return false;
+      if (edges_.Parts(from, place)) return false;
       if (tops_.Crosses(from, place, static_cast<uint32_t>(i))) return false;
       length += Distance(from, place);
       from = place;
@@ -111,26 +65,25 @@ class IslandTravels {
     const double longest = options_.longest_hidden_mm * kNmPerMm;
     if (longest > 0 && length > longest) return false;
     // It meets no edge: if one of its places is inside, all of it is.
-    return edge_.Surrounds(to);
+    return edges_.Surrounds(to);
   }
 
-  const PolygonWithHoles& outline_;
+  const IslandEdges& edges_;
   std::span<const Path> paths_;
   const TravelOptions& options_;
-  EdgeStrips edge_;
-  EdgeStrips walls_;
   EdgeStrips tops_;
-  std::optional<InsideWays> ways_;
+  std::optional<ClearWays> ways_;
 };
 
 }  // namespace
 
-std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, std::span<const Path> paths,
-                                    const TravelOptions& options, WorkBudget& budget) {
+std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                                    std::span<const Path> paths, const TravelOptions& options,
+                                    WorkBudget& budget) {
   std::vector<Travel> travels(paths.size());
-  if (outline.outer.empty() || paths.size() < 2) return travels;
+  if (edges.empty() || paths.size() < 2) return travels;
   if (!options.hide && !options.avoid_crossing) return travels;
-  IslandTravels island(outline, paths, options);
+  IslandTravels island(outline, edges, paths, options);
   for (size_t i = 1; i < paths.size(); ++i) travels[i] = island.To(i, budget);
   return travels;
 }

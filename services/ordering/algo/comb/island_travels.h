@@ -5,6 +5,7 @@
 
 #include "common/model/layer.h"
 #include "common/model/ordering_options.h"
+#include "services/ordering/algo/comb/island_edges.h"
 #include "services/ordering/algo/travel_order.h"
 
 namespace slicefarm::ordering {
@@ -12,11 +13,12 @@ namespace slicefarm::ordering {
 /// The ways between the paths of one island, which are printed in this order: one for each path, the
 /// first one's straight and in sight.
 ///
-/// A way is hidden if it stays inside the outline, is not too long, crosses no bead of a top surface
+/// A way is hidden if `edges` do not part its ends, it is not too long, crosses no bead of a top surface
 /// that is printed already, and does not lead to a bead that is seen, which would begin with a gap.
 /// With avoid_crossing a way that is not clear of the walls goes round inside the island if a detour
 /// that is allowed leads there. `budget`: for lines of sight.
-std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, std::span<const Path> paths,
-                                    const TravelOptions& options, WorkBudget& budget);
+std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                                    std::span<const Path> paths, const TravelOptions& options,
+                                    WorkBudget& budget);
 
 }  // namespace slicefarm::ordering

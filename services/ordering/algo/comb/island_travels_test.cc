@@ -33,7 +33,11 @@ Path OuterWall() {
 std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
                             int64_t sights = 100'000) {
   WorkBudget budget{sights};
-  return TravelsInIsland(MakePolygonsOrDie(kFork).front(), paths, options, budget);
+  FilledIsland island;
+  island.outline = MakePolygonsOrDie(kFork).front();
+  for (const Path& path : paths)
+    if (IsOuterWall(path)) island.walls.push_back(path);
+  return TravelsInIsland(island.outline, IslandEdges(island), paths, options, budget);
 }
 
 struct Case {
@@ -116,7 +120,7 @@ TEST(IslandTravels, TheWayRoundHasCorners) {
 TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   WorkBudget budget{1'000};
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
-  EXPECT_EQ(TravelsInIsland({}, paths, {}, budget), std::vector<Travel>(2));
+  EXPECT_EQ(TravelsInIsland({}, IslandEdges({}), paths, {}, budget), std::vector<Travel>(2));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "services/ordering/algo/comb/inside_ways.h"
+#include "services/ordering/algo/comb/clear_ways.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ constexpr double kHairs = 20'000;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
-std::optional<std::vector<Point>> Find(InsideWays& ways, Point a, Point b,
+std::optional<std::vector<Point>> Find(ClearWays& ways, Point a, Point b,
                                        double longest_nm = kAnyLength, int64_t moves = 1'000'000) {
   WorkBudget budget{moves};
   return ways.Find(a, b, longest_nm, budget);
@@ -113,7 +113,7 @@ class RandomWays : public testing::TestWithParam<int> {
 };
 
 TEST_P(RandomWays, AreAsShortAsTheBestOfAllPairsAndKeepClear) {
-  InsideWays ways(island_, kClearance);
+  ClearWays ways({island_}, kClearance);
   const MultiPolygon clear = Offset({island_}, -kClearance);
   for (int i = 0; i < 12; ++i) {
     Point a, b;
@@ -130,7 +130,7 @@ TEST_P(RandomWays, AreAsShortAsTheBestOfAllPairsAndKeepClear) {
 }
 
 TEST_P(RandomWays, AreTheSameInAMirrorAndBackwards) {
-  InsideWays ways(island_, kClearance), mirrored(Mirrored(island_), kClearance);
+  ClearWays ways({island_}, kClearance), mirrored({Mirrored(island_)}, kClearance);
   for (int i = 0; i < 12; ++i) {
     Point a, b;
     if (!Place(a) || !Place(b)) return;
@@ -146,17 +146,17 @@ TEST_P(RandomWays, AreTheSameInAMirrorAndBackwards) {
 }
 
 TEST_P(RandomWays, DoNotDependOnWhatWasAskedBefore) {
-  InsideWays used(island_, kClearance);
+  ClearWays used({island_}, kClearance);
   for (int i = 0; i < 12; ++i) {
     Point a, b;
     if (!Place(a) || !Place(b)) return;
-    InsideWays fresh(island_, kClearance);
+    ClearWays fresh({island_}, kClearance);
     EXPECT_EQ(Find(used, a, b), Find(fresh, a, b));
   }
 }
 
 TEST_P(RandomWays, FromTheOuterWallStayInside) {
-  InsideWays ways(island_, kClearance);
+  ClearWays ways({island_}, kClearance);
   // The middle of the outer wall.
   const MultiPolygon wall = Offset({island_}, -kClearance);
   const std::vector<Polygon> rings = Rings(wall);
@@ -178,8 +178,8 @@ PolygonWithHoles Fork() {
   return MakePolygonsOrDie("(0 0, 24 0, 24 20, 14 20, 14 10, 10 10, 10 20, 0 20)").front();
 }
 
-TEST(InsideWays, GoesRoundASlot) {
-  InsideWays ways(Fork(), kClearance);
+TEST(ClearWays, GoesRoundASlot) {
+  ClearWays ways({Fork()}, kClearance);
   const Point a = Mm(5, 18), b = Mm(19, 18);
   EXPECT_FALSE(ways.IsClear(a, b));
   const auto corners = Find(ways, a, b);
@@ -189,22 +189,22 @@ TEST(InsideWays, GoesRoundASlot) {
   EXPECT_LT(Distance((*corners)[1], Mm(14, 10)), 1.5 * 1.5 * kClearance);
 }
 
-TEST(InsideWays, FindsNothingLongerThanAllowed) {
-  InsideWays ways(Fork(), kClearance);
+TEST(ClearWays, FindsNothingLongerThanAllowed) {
+  ClearWays ways({Fork()}, kClearance);
   const Point a = Mm(5, 18), b = Mm(19, 18);
   const double length = Length(Whole(a, *Find(ways, a, b), b));
   EXPECT_TRUE(Find(ways, a, b, length + 1));
   EXPECT_FALSE(Find(ways, a, b, length - 1));
 }
 
-TEST(InsideWays, FindsNothingWithoutABudget) {
-  InsideWays ways(Fork(), kClearance);
+TEST(ClearWays, FindsNothingWithoutABudget) {
+  ClearWays ways({Fork()}, kClearance);
   EXPECT_FALSE(Find(ways, Mm(5, 18), Mm(19, 18), kAnyLength, 0));
   EXPECT_TRUE(Find(ways, Mm(5, 18), Mm(19, 18)));
 }
 
-TEST(InsideWays, AWayAlongTheWallIsClearOnlyIfItKeepsOff) {
-  const InsideWays ways(Fork(), kClearance);
+TEST(ClearWays, AWayAlongTheWallIsClearOnlyIfItKeepsOff) {
+  const ClearWays ways({Fork()}, kClearance);
   EXPECT_TRUE(ways.IsClear(Mm(1, 1), Mm(23, 1)));
   EXPECT_FALSE(ways.IsClear(Mm(1, 0.1), Mm(23, 0.1))) << "on the outer wall's outside";
   EXPECT_TRUE(ways.IsClear(Mm(0.225, 5), Mm(9.775, 15))) << "from wall to wall";
@@ -212,17 +212,16 @@ TEST(InsideWays, AWayAlongTheWallIsClearOnlyIfItKeepsOff) {
 }
 
 // No way through a neck that is narrower than two clearances.
-TEST(InsideWays, DoesNotSqueezeThrough) {
-  InsideWays ways(
+TEST(ClearWays, DoesNotSqueezeThrough) {
+  ClearWays ways(
       MakePolygonsOrDie("(0 0, 10 0, 10 4.8, 20 4.8, 20 0, 30 0, 30 10, 20 10, 20 5.2, 10 5.2,"
-                        " 10 10, 0 10)")
-          .front(),
+                        " 10 10, 0 10)"),
       kClearance);
   EXPECT_FALSE(Find(ways, Mm(5, 1), Mm(25, 1)));
 }
 
-TEST(InsideWays, OfAnIslandWithoutRoom) {
-  InsideWays ways(MakePolygonsOrDie("(0 0, 10 0, 10 0.3, 0 0.3)").front(), kClearance);
+TEST(ClearWays, OfAnIslandWithoutRoom) {
+  ClearWays ways(MakePolygonsOrDie("(0 0, 10 0, 10 0.3, 0 0.3)"), kClearance);
   EXPECT_FALSE(Find(ways, Mm(1, 0.15), Mm(9, 0.15)));
 }
 

@@ -9,7 +9,7 @@
 
 namespace slicefarm::ordering {
 
-/// Short ways inside an island that keep off its edge, by a graph of visibility.
+/// Short ways inside a region that keep off its edge, by a graph of visibility.
 ///
 /// The nozzle keeps off the edge by more than the clearance: it stays between lanes, which are
 /// insets of the edge of few points. Only places that lie closer to the edge are left, and come to,
@@ -18,17 +18,17 @@ namespace slicefarm::ordering {
 /// first asked for, and kept.
 /// Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among
 /// Polyhedral Obstacles", CACM 22 (1979).
-class InsideWays {
+class ClearWays {
  public:
   /// REQUIRES: clearance_nm > 0.
-  InsideWays(const PolygonWithHoles& outline, Coord clearance_nm);
+  ClearWays(const MultiPolygon& region, Coord clearance_nm);
 
-  /// Whether ab stays in the island and keeps the clearance, but near its ends.
+  /// Whether ab stays in the region and keeps the clearance, but near its ends.
   bool IsClear(Point a, Point b) const;
 
   /// The corners of a short way from a to b, or nothing if there is none of at most `longest_nm` or
   /// the budget, in lines of sight, is spent. It is the shortest between the lanes, to some
-  /// micrometres, if a and b lie between them. REQUIRES: a and b lie in the island.
+  /// micrometres, if a and b lie between them. REQUIRES: a and b lie in the region or beside it.
   std::optional<std::vector<Point>> Find(Point a, Point b, double longest_nm, WorkBudget& budget);
 
  private:
@@ -49,7 +49,7 @@ class InsideWays {
   const std::vector<Link>& LinksOf(uint32_t node, WorkBudget& budget);
 
   Coord clearance_;
-  EdgeStrips edge_;             ///< of the island
+  EdgeStrips edge_;             ///< of the region
   EdgeStrips border_;           ///< a hair beyond the lanes
   EdgeStrips lane_;
   std::vector<Polygon> lanes_;

@@ -1,4 +1,4 @@
-#include "services/ordering/algo/comb/inside_ways.h"
+#include "services/ordering/algo/comb/clear_ways.h"
 
 #include <algorithm>
 #include <limits>
@@ -42,11 +42,9 @@ Point Along(Point a, Point b, double length_nm) {
 
 }  // namespace
 
-InsideWays::InsideWays(const PolygonWithHoles& outline, Coord clearance_nm)
-    : clearance_(clearance_nm) {
-  const MultiPolygon island{outline};
-  ForEachRing(island, [&](const Polygon& ring) { edge_.AddRing(ring); });
-  const MultiPolygon lanes = Simplify(Offset(island, -Times(kLane, clearance_nm)),
+ClearWays::ClearWays(const MultiPolygon& region, Coord clearance_nm) : clearance_(clearance_nm) {
+  ForEachRing(region, [&](const Polygon& ring) { edge_.AddRing(ring); });
+  const MultiPolygon lanes = Simplify(Offset(region, -Times(kLane, clearance_nm)),
                                       Times(kLaneTolerance, clearance_nm));
   ForEachRing(lanes, [&](const Polygon& ring) {
     lane_.AddRing(ring);
@@ -58,16 +56,16 @@ InsideWays::InsideWays(const PolygonWithHoles& outline, Coord clearance_nm)
   links_.resize(nodes_.size());
 }
 
-void InsideWays::AddNodes(const Polygon& ring) {
+void ClearWays::AddNodes(const Polygon& ring) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point before = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Point after = ring[i + 1 == ring.size() ? 0 : i + 1];
-    // The island lies to the left: a way bends where the ring turns to the right.
+    // The region lies to the left: a way bends where the ring turns to the right.
     if (Orientation(before, ring[i], after) < 0) nodes_.push_back({ring[i], before, after});
   }
 }
 
-bool InsideWays::IsClear(Point a, Point b) const {
+bool ClearWays::IsClear(Point a, Point b) const {
   if (edge_.Meets(a, b)) return false;
   const double start = kStart * static_cast<double>(clearance_);
   if (Distance(a, b) <= 2 * start) return true;
@@ -76,15 +74,16 @@ bool InsideWays::IsClear(Point a, Point b) const {
   return border_.Surrounds(from) && Sees(from, to);
 }
 
-std::optional<Point> InsideWays::Indoors(Point p) const {
+std::optional<Point> ClearWays::Indoors(Point p) const {
   if (lane_.Surrounds(p)) return p;
+  const bool in_region = edge_.Surrounds(p);
   std::optional<Point> nearest;
   double least = kWayIndoors * static_cast<double>(clearance_);
   for (const Polygon& ring : lanes_) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point on = NearestOnSegment(p, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
       const double distance = Distance(p, on);
-      if (distance >= least || edge_.Meets(p, on)) continue;
+      if (distance >= least || (in_region && edge_.Meets(p, on))) continue;
       least = distance;
       nearest = on;
     }
@@ -92,7 +91,7 @@ std::optional<Point> InsideWays::Indoors(Point p) const {
   return nearest;
 }
 
-const std::vector<InsideWays::Link>& InsideWays::LinksOf(uint32_t node, WorkBudget& budget) {
+const std::vector<ClearWays::Link>& ClearWays::LinksOf(uint32_t node, WorkBudget& budget) {
   if (links_[node]) return *links_[node];
   std::vector<Link> links;
   const Node& from = nodes_[node];
@@ -110,9 +109,9 @@ const std::vector<InsideWays::Link>& InsideWays::LinksOf(uint32_t node, WorkBudg
 }
 
 /// A*: the straight distance to the goal is what is left at least.
-class InsideWays::Search {
+class ClearWays::Search {
  public:
-  Search(InsideWays& ways, Point from, Point to, double longest_nm, WorkBudget& budget)
+  Search(ClearWays& ways, Point from, Point to, double longest_nm, WorkBudget& budget)
       : ways_(ways), from_(from), to_(to), longest_(longest_nm), budget_(budget),
         goal_(static_cast<uint32_t>(ways.nodes_.size())), came_(goal_ + 1, kOpen) {}
 
@@ -178,7 +177,7 @@ class InsideWays::Search {
     return corners;
   }
 
-  InsideWays& ways_;
+  ClearWays& ways_;
   Point from_, to_;
   double longest_;
   WorkBudget& budget_;
@@ -187,7 +186,7 @@ class InsideWays::Search {
   std::priority_queue<Step> steps_;
 };
 
-std::optional<std::vector<Point>> InsideWays::Find(Point a, Point b, double longest_nm,
+std::optional<std::vector<Point>> ClearWays::Find(Point a, Point b, double longest_nm,
                                                    WorkBudget& budget) {
   const std::optional<Point> from = Indoors(a), to = Indoors(b);
   if (!from || !to) return std::nullopt;

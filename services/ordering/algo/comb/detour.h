@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "common/model/ordering_options.h"
+
+namespace slicefarm::ordering {
+
+/// How long in nm a way from a to b that crosses no wall may be.
+inline double LongestWay(Point a, Point b, const TravelOptions& options) {
+  const double straight = Distance(a, b);
+  double longest = std::numeric_limits<double>::infinity();
+  if (options.max_detour_mm > 0) longest = straight + options.max_detour_mm * kNmPerMm;
+  if (options.max_detour_ratio > 0)
+    longest = std::min(longest, straight * (1 + options.max_detour_ratio));
+  return longest;
+}
+
+}  // namespace slicefarm::ordering

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+
+#include "common/model/layer.h"
+#include "services/ordering/algo/comb/edge_strips.h"
+#include "services/ordering/algo/travel_order.h"
+
+namespace slicefarm::ordering {
+
+bool IsOuterWall(const Path& path);
+
+/// Half the mean width of the closed outer walls: how far inside the outline their middle lies. 0 if
+/// there is none.
+Coord OuterWallRadius(std::span<const Path> paths);
+
+/// What a travel within an island had better not cross: the outline, and the middles of the outer
+/// walls.
+class IslandEdges : public Barrier {
+ public:
+  explicit IslandEdges(const FilledIsland& island);
+
+  /// Whether ab leaves the island or crosses an outer wall. REQUIRES: a lies in the island.
+  bool Parts(Point a, Point b) const override {
+    return outline_.Meets(a, b) || walls_.Crosses(a, b);
+  }
+  /// Whether p is inside the outline. REQUIRES: not on it.
+  bool Surrounds(Point p) const { return outline_.Surrounds(p); }
+  /// Whether there is an outline: nothing is known without.
+  bool empty() const { return outline_.empty(); }
+
+ private:
+  EdgeStrips outline_;
+  EdgeStrips walls_;
+};
+
+}  // namespace slicefarm::ordering

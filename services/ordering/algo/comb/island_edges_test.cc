@@ -1,0 +1,68 @@
+#include "services/ordering/algo/comb/island_edges.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
+
+/// A plate of 20 mm with a hole of 8 mm in the middle, whose walls are half a millimetre inside.
+FilledIsland Plate() {
+  FilledIsland island;
+  island.outline =
+      MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (6 6, 6 14, 14 14, 14 6)").front();
+  island.walls = {MakePathOrDie("(0.5 0.5, 19.5 0.5, 19.5 19.5, 0.5 19.5)", true),
+                  MakePathOrDie("(5.5 5.5, 5.5 14.5, 14.5 14.5, 14.5 5.5)", true),
+                  MakePathOrDie("(2 2, 18 2, 18 18, 2 18)", true)};
+  for (size_t i : {0, 1}) island.walls[i].feature = Feature::kExternalPerimeter;
+  island.walls[2].inset = 1;
+  return island;
+}
+
+struct Way {
+  const char* what;
+  Point from, to;
+  bool parted;
+};
+
+TEST(IslandEdges, PartWhatLeavesOrCrossesAnOuterWall) {
+  const IslandEdges edges(Plate());
+  for (const auto& [what, from, to, parted] : {
+           Way{"inside", Mm(3, 3), Mm(17, 3), false},
+           Way{"over an inner wall", Mm(1, 3), Mm(4, 3), false},
+           Way{"over the hole", Mm(3, 10), Mm(17, 10), true},
+           Way{"over the hole's wall alone", Mm(5.8, 10), Mm(3, 10), true},
+           Way{"from the hole's wall inwards", Mm(5.5, 10), Mm(3, 10), false},
+           Way{"from the hole's wall outwards", Mm(5.5, 10), Mm(10, 10), true},
+           Way{"from wall to wall", Mm(0.5, 10), Mm(5.5, 10), false},
+           Way{"out of the plate", Mm(3, 3), Mm(-3, 3), true},
+       }) {
+    EXPECT_EQ(edges.Parts(from, to), parted) << what;
+    EXPECT_EQ(edges.Parts(to, from), parted) << what;
+  }
+}
+
+TEST(IslandEdges, OfAnOpenOuterWall) {
+  FilledIsland island;
+  island.outline = MakePolygonsOrDie("(0 0, 10 0, 10 1, 0 1)").front();
+  island.walls = {MakePathOrDie("(0.5 0.5, 9.5 0.5)")};
+  island.walls[0].feature = Feature::kExternalPerimeter;
+  const IslandEdges edges(island);
+  EXPECT_TRUE(edges.Parts(Mm(5, 0.2), Mm(5, 0.8)));
+  EXPECT_FALSE(edges.Parts(Mm(1, 0.2), Mm(9, 0.2)));
+}
+
+TEST(IslandEdges, KnowTheInside) {
+  const IslandEdges edges(Plate());
+  EXPECT_TRUE(edges.Surrounds(Mm(3, 10)));
+  EXPECT_FALSE(edges.Surrounds(Mm(10, 10)));
+  EXPECT_FALSE(edges.empty());
+  EXPECT_TRUE(IslandEdges({}).empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

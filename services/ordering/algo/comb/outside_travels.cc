@@ -1,0 +1,58 @@
+#include "services/ordering/algo/comb/outside_travels.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "services/ordering/algo/comb/detour.h"
+#include "services/ordering/algo/comb/island_edges.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// Room around all islands for ways to lead through.
+constexpr Coord kMargin = 5 * kNmPerMm;
+/// What ways keep from the islands' outlines, in radii of the outer walls.
+constexpr double kClearance = 0.6;
+
+Polygon Rectangle(const Box& box) {
+  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+}
+
+}  // namespace
+
+OutsideTravels::OutsideTravels(const FilledSection& section, const TravelOptions& options)
+    : section_(section), options_(options) {
+  if (!options.avoid_crossing || section.islands.size() < 2) return;
+  std::vector<Path> outer;
+  for (const FilledIsland& island : section.islands)
+    for (const Path& wall : island.walls)
+      if (IsOuterWall(wall)) outer.push_back(wall);
+  for (const Path& wall : outer)
+    wall.closed ? walls_.AddRing(wall.points) : walls_.AddLine(wall.points);
+  walls_.Build();
+  wall_radius_nm_ = OuterWallRadius(outer);
+}
+
+Travel OutsideTravels::Between(const Path& last, const Path& next, WorkBudget& budget) {
+  if (wall_radius_nm_ == 0 || !IsOuterWall(last) || !IsOuterWall(next)) return {};
+  const Point from = EndOf(last), to = StartOf(next);
+  if (!walls_.Crosses(from, to)) return {};
+  auto corners = Ways().Find(from, to, LongestWay(from, to, options_), budget);
+  return {false, std::move(corners).value_or(std::vector<Point>{})};
+}
+
+ClearWays& OutsideTravels::Ways() {
+  if (ways_) return *ways_;
+  MultiPolygon islands;
+  for (const FilledIsland& island : section_.islands)
+    if (!island.outline.outer.empty()) islands.push_back(island.outline);
+  const MultiPolygon around{{Rectangle(Bounds(islands).Grown(kMargin)), {}}};
+  ways_.emplace(Difference(around, islands),
+                std::llround(kClearance * static_cast<double>(wall_radius_nm_)));
+  return *ways_;
+}
+
+}  // namespace slicefarm::ordering
