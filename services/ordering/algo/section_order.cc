@@ -117,13 +117,14 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   Route route(plan.entry);
   std::vector<Travel> travels;
   WorkBudget sights{kSights};
+  const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
     std::optional<Point> next;
     if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
     FilledIsland& island = *stops[visits[i].leg].island;
-    const IslandEdges edges(island);
-    route.Set(&edges);
+    const IslandEdges edges = looks_at_walls ? IslandEdges(island) : IslandEdges({});
+    route.Set(edges.empty() ? nullptr : &edges);
     PrintIsland(island, next, options, plan.seams, route, budget);
     const size_t first = travels.size();
     std::ranges::move(TravelsInIsland(island.outline, edges,
