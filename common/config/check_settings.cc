@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -63,6 +64,31 @@ absl::Status CheckWidths(const Draft& draft) {
   return CheckWidth(draft, "first_layer_extrusion_width", "first_layer_height");
 }
 
+/// A raft's lines must have room beside each other, as high as its layers are.
+absl::Status CheckRaft(const Draft& draft) {
+  constexpr std::string_view kWidth = "support_material_extrusion_width";
+  if (draft.Number("raft_layers") == 0) return absl::OkStatus();
+  const double height =
+      std::max(draft.Number("layer_height"), 0.75 * draft.Number("nozzle_diameter"));
+  const double least = Quantise(height / 2);
+  if (draft.Number(kWidth) < least)
+    return Refuse(draft, kWidth,
+                  fmt::format("it must be at least half of the height of a raft's layers, {} mm",
+                              PrintNumber(least)),
+                  least, kUnbounded);
+  return CheckWidth(draft, kWidth, "layer_height");
+}
+
+/// A wall around all copies would stand in the head's way from one to the next.
+absl::Status CheckShield(const Draft& draft) {
+  const bool shields = draft.Number("draft_shield") != static_cast<double>(DraftShield::kDisabled);
+  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0 || !shields)
+    return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "draft_shield must be disabled with complete_objects = 1",
+                   {{"setting", "draft_shield"}, {"value", draft.At("draft_shield").written}});
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
@@ -70,6 +96,8 @@ absl::Status CheckSettings(const Draft& draft) {
     if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
   }
   if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
+  if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
+  if (absl::Status status = CheckShield(draft); !status.ok()) return status;
 
   if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

@@ -17,7 +17,7 @@ constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 constexpr std::string_view kSpeeds[] = {
     "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
     "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
-    "support_material_speed",
+    "support_material_speed", "support_material_interface_speed",
 };
 
 /// The setting's value, a percentage taken of `whole`.
@@ -52,6 +52,7 @@ void DeriveWidths(Draft& draft) {
     DeriveWidth(draft, key, kWidthPerNozzle * nozzle);
   }
   DeriveWidth(draft, "top_infill_extrusion_width", nozzle);
+  DeriveWidth(draft, "support_material_extrusion_width", nozzle);
   TakePercentage(draft, "first_layer_extrusion_width");
   FallBack(draft, "first_layer_extrusion_width", "perimeter_extrusion_width");
   TakePercentage(draft, "extrusion_width");
@@ -66,7 +67,8 @@ void DeriveVariableWalls(Draft& draft) {
 
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key : {"external_perimeter_speed", "small_perimeter_speed",
-                                     "solid_infill_speed", "top_solid_infill_speed"}) {
+                                     "solid_infill_speed", "top_solid_infill_speed",
+                                     "support_material_interface_speed"}) {
     TakePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {

@@ -24,14 +24,12 @@ constexpr KnownKey kSwitches[] = {
     {"ironing", kNotYet, "0", true, true},
     {"post_process", "scripts are never run", "", true, true},
     {"printer_technology", kResin, "FFF", true, true},
-    {"raft_layers", kNotYet, "0", true, true},
     {"single_extruder_multi_material", kNotYet, "0", true, true},
     {"solid_infill_every_layers", kNotYet, "0", true, true},
     {"spiral_vase", kNotYet, "0", true, true},
     {"support_material", kNotYet, "0", true, true},
     {"use_firmware_retraction", kNotYet, "0", true, true},
     {"use_volumetric_e", kNotYet, "0", true, true},
-    {"brim_width", kNotYet, "0", true, true},
     // These make it better or different in detail.
     {"arc_fitting", kNotYet, "disabled", true},
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
@@ -39,10 +37,8 @@ constexpr KnownKey kSwitches[] = {
     {"binary_gcode", kNotYet, "0", true},
     {"bridge_angle", kNotYet, "0", true},
     {"bridge_flow_ratio", kNotYet, "1", true},
-    {"brim_type", kNotYet, "no_brim", true},
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
-    {"draft_shield", kNotYet, "disabled", true},
     {"enable_dynamic_fan_speeds", kNotYet, "0", true},
     {"enable_dynamic_overhang_speeds", kNotYet, "0", true},
     {"ensure_vertical_shell_thickness", kNotYet, "0", true},
@@ -73,7 +69,6 @@ constexpr KnownKey kSwitches[] = {
     {"resolution", "outline_resolution is the setting here", "0", true},
     {"retract_layer_change", "every layer starts with the filament retracted", "1", true},
     {"scarf_seam_placement", kNotYet, "nowhere", true},
-    {"skirts", kNotYet, "0", true},
     {"solid_infill_extruder", kNotYet, "1", true},
     {"staggered_inner_seams", kNotYet, "0", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
@@ -99,7 +94,7 @@ constexpr Group kGroups[] = {
     {kNotYet,
      "autoemit_temperature_commands "
      "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
-     "bed_temperature_extruder brim_* chamber_minimal_temperature clip_multipart_objects "
+     "bed_temperature_extruder chamber_minimal_temperature clip_multipart_objects "
      "color_change_gcode cooling_tube_* dont_support_bridges "
      "extra_loading_move filament_abrasive "
      "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
@@ -112,11 +107,11 @@ constexpr Group kGroups[] = {
      "first_layer_speed_over_raft fuzzy_skin_* gcode_resolution "
      "high_current_on_filament_swap idle_temperature infill_anchor infill_anchor_max "
      "interlocking_* ironing_* max_layer_height "
-     "min_layer_height min_skirt_length mmu_* multimaterial_purging nozzle_high_flow "
-     "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode raft_* "
+     "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
+     "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode "
      "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
      "retract_restart_extra_toolchange scarf_seam_* seam_gap_distance silent_mode "
-     "single_extruder_multi_material_priming skirt_* small_area_infill_flow_compensation* "
+     "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
      "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
      "travel_slope variable_layer_height "

@@ -36,6 +36,17 @@ constexpr Need kNeeds[] = {
     // The fan at its least and at bridges runs without.
     {"max_fan_speed fan_below_layer_time slowdown_below_layer_time min_print_speed", "cooling = 1",
      [](const JobSettings& s) { return s.motion.cooling.enabled; }},
+    {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",
+     [](const JobSettings& s) { return s.planning.skirt.loops > 0; }},
+    {"brim_width", "a brim_type other than no_brim, and no raft",
+     [](const JobSettings& s) {
+       const ObjectPlanOptions& object = s.planning.objects[0];
+       return object.brim.type != BrimType::kNone && object.raft.heights.layers == 0;
+     }},
+    {"raft_contact_distance raft_expansion raft_first_layer_expansion raft_first_layer_density "
+     "support_material_spacing support_material_angle",
+     "raft_layers of more than 0",
+     [](const JobSettings& s) { return s.planning.objects[0].raft.heights.layers > 0; }},
     {"min_fan_speed", "cooling = 1 or fan_always_on = 1",
      [](const JobSettings& s) {
        return s.motion.cooling.enabled || s.motion.cooling.fan_always_on;

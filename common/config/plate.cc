@@ -11,6 +11,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
+#include "common/config/adhesion_rows.h"
 #include "common/config/known_keys.h"
 #include "common/config/region_table.h"
 #include "common/config/setting_scope.h"
@@ -152,10 +153,28 @@ class ObjectResolver {
     if (absl::Status ok = AddRanges(result.input); !ok.ok()) return ok;
     for (const Part& part : object_.parts)
       if (absl::Status ok = AddPart(part, result.input); !ok.ok()) return ok;
+    if (absl::Status ok = AddAdhesionRows(*settings, result.planning); !ok.ok()) return ok;
     return result;
   }
 
  private:
+  /// The rows of the object's brim and raft.
+  absl::Status AddAdhesionRows(const JobSettings& settings, ObjectPlanOptions& planning) {
+    const int32_t raft_layers = planning.raft.heights.layers;
+    for (int32_t layer = 0; layer < raft_layers; ++layer) {
+      absl::StatusOr<int32_t> row = table_.RowOf(RaftRow(settings, layer));
+      if (!row.ok()) return row.status();
+      planning.raft_settings[static_cast<size_t>(layer)] = *row;
+    }
+    const BrimOptions& brim = planning.brim;
+    if (brim.type == BrimType::kNone || brim.width_nm <= 0 || raft_layers > 0)
+      return absl::OkStatus();
+    absl::StatusOr<int32_t> row = table_.RowOf(BrimRow(settings));
+    if (!row.ok()) return row.status();
+    planning.brim_settings = *row;
+    return absl::OkStatus();
+  }
+
   absl::Status AddRanges(ObjectInput& input) {
     for (const HeightRange& range : object_.ranges) {
       if (!(0 <= range.from_mm && range.from_mm < range.to_mm && range.to_mm < 1e4))
@@ -316,6 +335,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
   ResolvedPlate plate;
   Resolver resolver(job, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
+  const JobSettings base = plate.settings;
   plate.settings.slicing.objects.clear();
   plate.settings.planning.objects.clear();
   RegionTable table;
@@ -334,6 +354,11 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
   if (plate.objects.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
                      "no object has a printable copy");
+  if (plate.settings.planning.skirt.loops > 0) {
+    const absl::StatusOr<int32_t> row = table.RowOf(BrimRow(base));
+    if (!row.ok()) return row.status();
+    plate.settings.planning.skirt_settings = *row;
+  }
   table.PutInto(plate.settings);
   plate.effective_text += ObjectsText(objects);
   return plate;

@@ -126,6 +126,36 @@ TEST(ResolvePlate, ARangeHasALayerHeightOfItsOwn) {
   EXPECT_EQ(plate.settings.slicing.objects[0].layer_height_nm, 300'000);
 }
 
+TEST(ResolvePlate, SkirtBrimAndRaftHaveRowsOfTheirOwn) {
+  const ResolvedPlate plate = PlateOrDie(
+      {{"skirts", "1"}, {"support_material_speed", "50"}},
+      {ObjectNamed("brim", {{"brim_width", "5"}, {"support_material_speed", "20"}}),
+       ObjectNamed("raft", {{"raft_layers", "3"}, {"brim_width", "5"}}), ObjectNamed("plain")});
+  const PlanningOptions& planning = plate.settings.planning;
+  const auto towards_holes = [&](int32_t row) {
+    return plate.settings.ordering.walls[static_cast<size_t>(row)].towards_holes;
+  };
+  const auto speed = [&](int32_t row, Feature feature) {
+    return plate.settings.motion.speeds[static_cast<size_t>(row)]
+        .speed_mm_s[static_cast<size_t>(feature)];
+  };
+  EXPECT_FALSE(towards_holes(0));
+  EXPECT_TRUE(towards_holes(planning.objects[0].brim_settings));
+  EXPECT_EQ(speed(planning.objects[0].brim_settings, Feature::kSkirt), 20);
+  EXPECT_EQ(speed(planning.skirt_settings, Feature::kSkirt), 50);
+  const std::vector<int32_t>& raft = planning.objects[1].raft_settings;
+  ASSERT_THAT(raft, SizeIs(3));
+  EXPECT_DOUBLE_EQ(Density(plate, raft[0]), 0.9);
+  EXPECT_DOUBLE_EQ(Density(plate, raft[1]), 1);
+  EXPECT_EQ(raft[1], raft[2]);
+  EXPECT_EQ(speed(raft[0], Feature::kSupportInterface), 50);
+  EXPECT_EQ(planning.objects[1].brim_settings, 0) << "none with a raft";
+  EXPECT_EQ(planning.objects[2].brim_settings, 0);
+  EXPECT_EQ(plate.settings.slicing.objects[1].raft.layers, 3);
+  EXPECT_EQ(plate.settings.slicing.objects[2].raft.layers, 0);
+  EXPECT_THAT(plate.settings.beading, SizeIs(6));  // two parts, brim, two of the raft, skirt
+}
+
 TEST(ResolvePlate, EachObjectHasItsOwnLayerHeightAndSeam) {
   const ResolvedPlate plate =
       PlateOrDie({{"seam_position", "rear"}},

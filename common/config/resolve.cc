@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -185,17 +186,11 @@ class Reader {
     }
     if (IsNeutral(*known, value)) return;
     const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
-    if (known->changes_print && !SwitchedOff(key)) {
+    if (known->changes_print) {
       Warn(text);
     } else {
       result_.no_effect.push_back(text);
     }
-  }
-
-  /// A brim's width asks for nothing if the brim's type is none.
-  bool SwitchedOff(const std::string& key) const {
-    const auto type = others_.find("brim_type");
-    return key == "brim_width" && type != others_.end() && type->second.second == "no_brim";
   }
 
   ResolvedSettings& result_;
@@ -230,6 +225,26 @@ void TakeClearance(JobSettings& settings) {
       sequence.complete_objects ? sequence.clearance_radius_nm : 0;
 }
 
+/// What skirt, brim and raft take from settings that are about other things.
+void TakeAdhesion(JobSettings& settings) {
+  const Coord first_height_nm = settings.slicing.first_layer_height_nm;
+  const Coord line_width_nm = settings.beading[0].first_layer_width_nm;
+  SkirtOptions& skirt = settings.planning.skirt;
+  skirt.width_nm = line_width_nm;
+  skirt.height_nm = first_height_nm;
+  const double radius_mm = settings.motion.filament_diameter_mm / 2;
+  skirt.filament_area_mm2 = std::numbers::pi * radius_mm * radius_mm;
+  ObjectPlanOptions& object = settings.planning.objects[0];
+  object.brim.line_width_nm = line_width_nm;
+  RaftHeights& raft = object.raft.heights;
+  raft.first_nm = first_height_nm;
+  raft.others_nm = std::max(settings.slicing.objects[0].layer_height_nm,
+                            FromMm(0.75 * settings.motion.nozzle_diameter_mm));
+  settings.slicing.objects[0].raft = raft;
+  object.raft_settings.assign(static_cast<size_t>(raft.layers), 0);
+  settings.planning.bed = settings.slicing.bed;
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
@@ -253,6 +268,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
   }
   TakeFootWidth(result.settings);
   TakeClearance(result.settings);
+  TakeAdhesion(result.settings);
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
   }

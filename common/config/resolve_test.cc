@@ -108,9 +108,9 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.limits.max_acceleration_travel_mm_s2, 3000);
   EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
   EXPECT_FALSE(m.limits.emit_to_gcode);
-  // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt and
-  // support 60.
-  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60));
+  // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt, support
+  // and its interface 60.
+  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60));
   EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
@@ -152,6 +152,7 @@ TEST(Resolve, TakesAWholeProfile) {
   // documentation.
   JobSettings ours = Job({});
   ours.motion.filament_density_g_cm3 = 0;
+  ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
   ours.ordering.travel.hide = false;
   ours.slicing.thumbnails_px.clear();
@@ -406,8 +407,6 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] : Pairs{{"support_material", "1"},
-                                        {"brim_width", "5"},
-                                        {"raft_layers", "2"},
                                         {"spiral_vase", "1"},
                                         {"ironing", "1"},
                                         {"post_process", "/bin/rm"}}) {
@@ -423,10 +422,35 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   EXPECT_THAT(off.warnings, IsEmpty());
 }
 
-TEST(Resolve, KnowsThatABrimCanBeSwitchedOffByItsType) {
-  const ResolvedSettings resolved =
-      ResolveOrDie(Settings({{"brim_width", "5"}, {"brim_type", "no_brim"}}));
-  EXPECT_THAT(resolved.warnings, IsEmpty());
+TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
+  const JobSettings settings =
+      ResolveOrDie(Settings({{"first_layer_height", "0.25"}, {"first_layer_extrusion_width", "0.5"},
+                             {"layer_height", "0.2"}, {"nozzle_diameter", "0.6"},
+                             {"filament_diameter", "2"}, {"bed_shape", "0x0,90x0,90x90"},
+                             {"raft_layers", "3"}, {"raft_contact_distance", "0.15"},
+                             {"skirts", "2"}, {"brim_width", "4"}}))
+          .settings;
+  const SkirtOptions& skirt = settings.planning.skirt;
+  EXPECT_EQ(skirt.loops, 2);
+  EXPECT_EQ(skirt.width_nm, 500'000);
+  EXPECT_EQ(skirt.height_nm, 250'000);
+  EXPECT_DOUBLE_EQ(skirt.filament_area_mm2, 3.14159265358979323846);
+  const ObjectPlanOptions& object = settings.planning.objects[0];
+  EXPECT_EQ(object.brim.type, BrimType::kOuterOnly);
+  EXPECT_EQ(object.brim.line_width_nm, 500'000);
+  EXPECT_EQ(object.raft.heights, (RaftHeights{3, 250'000, 450'000, 150'000}));
+  EXPECT_EQ(object.raft.lines.width_nm, 600'000);
+  EXPECT_EQ(object.raft_settings.size(), 3u);
+  EXPECT_EQ(settings.slicing.objects[0].raft, object.raft.heights);
+  EXPECT_EQ(settings.planning.bed, settings.slicing.bed);
+}
+
+// Unlike PrusaSlicer's, whose standard is one skirt.
+TEST(Resolve, NothingIsAddedToThePlateUnasked) {
+  const PlanningOptions planning = ResolveOrDie({}).settings.planning;
+  EXPECT_EQ(planning.skirt.loops, 0);
+  EXPECT_EQ(planning.objects[0].brim.width_nm, 0);
+  EXPECT_EQ(planning.objects[0].raft.heights.layers, 0);
 }
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {

@@ -6,6 +6,8 @@ namespace slicefarm::config {
 namespace {
 
 constexpr std::string_view kOfObjects[] = {
+    "brim_ears_detection_length",
+    "brim_ears_max_angle",
     "brim_separation",
     "brim_type",
     "brim_width",
@@ -25,6 +27,10 @@ constexpr std::string_view kOfObjects[] = {
     "seam_position",
     "slice_closing_radius",
     "slicing_mode",
+    "support_material_angle",
+    "support_material_extrusion_width",
+    "support_material_interface_speed",
+    "support_material_spacing",
     "support_material_speed",
     "wall_distribution_count",
     "wall_transition_angle",

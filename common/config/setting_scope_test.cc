@@ -12,6 +12,10 @@ TEST(ScopeOf, AsPrusaSlicerHasIt) {
   EXPECT_EQ(ScopeOf("perimeters"), Scope::kRegion);
   EXPECT_EQ(ScopeOf("layer_height"), Scope::kObject);
   EXPECT_EQ(ScopeOf("seam_position"), Scope::kObject);
+  EXPECT_EQ(ScopeOf("raft_layers"), Scope::kObject);
+  EXPECT_EQ(ScopeOf("brim_ears_max_angle"), Scope::kObject);
+  EXPECT_EQ(ScopeOf("support_material_angle"), Scope::kObject);
+  EXPECT_EQ(ScopeOf("skirts"), Scope::kJob);
   EXPECT_EQ(ScopeOf("first_layer_height"), Scope::kJob);
   EXPECT_EQ(ScopeOf("temperature"), Scope::kJob);
   EXPECT_EQ(ScopeOf("no_such_setting"), Scope::kJob);

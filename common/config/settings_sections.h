@@ -10,6 +10,7 @@ namespace slicefarm::config {
 std::vector<SettingSpec> LayerSettings();     ///< settings_layers.cc
 std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
 std::vector<SettingSpec> InfillSettings();    ///< settings_infill.cc
+std::vector<SettingSpec> AdhesionSettings();  ///< settings_adhesion.cc
 std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc
 std::vector<SettingSpec> FilamentSettings();  ///< settings_filament.cc
 std::vector<SettingSpec> MachineSettings();   ///< settings_machine.cc

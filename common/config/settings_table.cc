@@ -18,8 +18,8 @@ namespace {
 
 std::vector<SettingSpec> MakeTable() {
   std::vector<SettingSpec> table;
-  for (const auto& section : {LayerSettings, WallSettings, InfillSettings, SpeedSettings,
-                              FilamentSettings, MachineSettings}) {
+  for (const auto& section : {LayerSettings, WallSettings, InfillSettings, AdhesionSettings,
+                              SpeedSettings, FilamentSettings, MachineSettings}) {
     for (SettingSpec& spec : section()) {
       spec.scope = ScopeOf(spec.key);
       table.push_back(std::move(spec));

@@ -52,7 +52,7 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
     case Kind::kSizes:
       return {"", "16x16", "32x32,300x200"};
     case Kind::kPercent:
-      return {"0%", "100%", "33.3%"};
+      return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%", "33.3%"};
     default: {
       double middle = Quantise((spec.min + spec.max) / 2);
       if (spec.kind == Kind::kInteger) middle = std::floor(middle);
@@ -221,7 +221,7 @@ TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
 
 TEST(KnownKeys, SayWhy) {
   for (const char* key :
-       {"support_material", "brim_width", "compatible_printers_condition_cummulative", "print_host",
+       {"support_material", "wipe_tower", "compatible_printers_condition_cummulative", "print_host",
         "post_process", "support_tree_angle"}) {
     ASSERT_NE(FindKnownKey(key), nullptr) << key;
     EXPECT_FALSE(FindKnownKey(key)->why.empty()) << key;
@@ -233,13 +233,13 @@ TEST(KnownKeys, SayWhy) {
 TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("support_material"), "0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material"), "1"));
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("brim_width"), "0.0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("ironing"), "0.0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe"), "0,0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe"), "0,1"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material_angle"), "0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material_xy_spacing"), "0"));
 }
 
 }  // namespace

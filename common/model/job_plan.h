@@ -38,7 +38,7 @@ struct LayerPlan {
 };
 
 /// What planning puts on the plate besides the objects: regions (brim, raft) and finished paths
-/// (skirt), in plate coordinates.
+/// (skirt), in plate coordinates. Regions of different heights are different additions.
 struct PlateAddition {
   int32_t layer = 0;
   Coord height_nm = 0;  ///< of the regions' layer
@@ -51,7 +51,7 @@ struct PlateAddition {
 /// What planning makes of the outlines of a whole job.
 struct JobPlan {
   std::vector<LayerPlan> layers;         ///< one a layer; without paths, which are additions
-  std::vector<PlateAddition> additions;  ///< by ascending layer, at most one each
+  std::vector<PlateAddition> additions;  ///< by ascending layer
   std::vector<Copy> copies;              ///< as in SlicedJob::copies
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;

@@ -61,7 +61,7 @@ const MultiPolygon& OutlineOf(const ObjectSection& section);
 /// One object has one region in each of its layers, and a section in each, be it empty.
 struct SlicedLayer {
   LayerFrame frame;
-  std::vector<ObjectSection> sections;  ///< by ascending object; kPlate first
+  std::vector<ObjectSection> sections;  ///< by ascending object; kPlate first, be it several
 
   friend bool operator==(const SlicedLayer&, const SlicedLayer&) = default;
 };

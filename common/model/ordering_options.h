@@ -9,6 +9,8 @@ namespace slicefarm {
 struct WallOrder {
   bool external_perimeters_first = false;  ///< external_perimeters_first
   bool inner_outer_inner = false;          ///< inner_outer_inner: goes before the one above
+  /// From the outer edge of an island to its holes: brims. Goes before both.
+  bool towards_holes = false;
 
   friend bool operator==(const WallOrder&, const WallOrder&) = default;
 };

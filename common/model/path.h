@@ -21,8 +21,9 @@ enum class Feature : uint8_t {
   kBridgeInfill,
   kSkirt,
   kSupport,
+  kSupportInterface,
 };
-inline constexpr int kFeatureCount = 10;
+inline constexpr int kFeatureCount = 11;
 
 /// "External perimeter", "Perimeter", ... as PrusaSlicer's previewers read them.
 std::string_view FeatureName(Feature feature);

@@ -40,6 +40,7 @@ TEST(FeatureName, IsWhatPreviewersRead) {
   EXPECT_EQ(FeatureName(Feature::kExternalPerimeter), "External perimeter");
   EXPECT_EQ(FeatureName(Feature::kTopSolidInfill), "Top solid infill");
   EXPECT_EQ(FeatureName(Feature::kSupport), "Support material");
+  EXPECT_EQ(FeatureName(Feature::kSupportInterface), "Support material interface");
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/geometry/point.h"
+#include "common/geometry/polygon.h"
+#include "common/model/adhesion_options.h"
 
 namespace slicefarm {
 
@@ -12,6 +13,10 @@ enum class SeamPosition : uint8_t { kNearest, kRear, kAligned };
 /// What planning is told of one object.
 struct ObjectPlanOptions {
   SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
+  BrimOptions brim = {};                       ///< none under an object with a raft
+  int32_t brim_settings = 0;                   ///< row of the job's tables of region settings
+  RaftOptions raft = {};
+  std::vector<int32_t> raft_settings = {};  ///< rows, one for each layer of the raft
 
   friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
 };
@@ -28,6 +33,9 @@ struct SequencePlanOptions {
 struct PlanningOptions {
   std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
   SequencePlanOptions sequence;
+  SkirtOptions skirt;
+  int32_t skirt_settings = 0;  ///< row of the job's tables of region settings
+  Polygon bed;                 ///< bed_shape: nothing is added outside of it; empty: no limit
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;
 };

@@ -12,8 +12,9 @@ enum class Role : uint8_t {
   kPart,  ///< what the job is about
   kBrim,
   kRaft,
+  kRaftInterface,  ///< the layers of a raft that carry the part
 };
-inline constexpr int kRoleCount = 3;
+inline constexpr int kRoleCount = 4;
 
 /// What beads of a role are called, whatever they are for within it; of kPart: `feature`.
 constexpr Feature FeatureFor(Role role, Feature feature) {
@@ -24,6 +25,8 @@ constexpr Feature FeatureFor(Role role, Feature feature) {
       return Feature::kSkirt;
     case Role::kRaft:
       return Feature::kSupport;
+    case Role::kRaftInterface:
+      return Feature::kSupportInterface;
   }
   return feature;
 }

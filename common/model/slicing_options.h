@@ -6,6 +6,7 @@
 
 #include "common/geometry/boolean.h"
 #include "common/geometry/polygon.h"
+#include "common/model/raft_heights.h"
 
 namespace slicefarm {
 
@@ -20,9 +21,11 @@ struct ObjectSlicingOptions {
   Coord closing_radius_nm = 49'000;
   Coord xy_compensation_nm = 0;    ///< xy_size_compensation: grows the outlines, holes shrink
   Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: grows the holes, besides
-  Coord elephant_foot_nm = 0;      ///< elefant_foot_compensation: shrinks the first layer
+  /// elefant_foot_compensation: shrinks the first layer, unless there is a raft under it.
+  Coord elephant_foot_nm = 0;
   /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
   Coord elephant_foot_min_width_nm = 757'000;
+  RaftHeights raft = {};  ///< the object stands on it
 
   friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
 };

@@ -83,7 +83,8 @@ absl::StatusOr<Layer> LayerFromProto(const Proto& proto) {
   absl::Status status = AllFromProto(proto.sections(), "sections", &layer.sections);
   if (!status.ok()) return status;
   for (size_t i = 1; i < layer.sections.size(); ++i) {
-    if (layer.sections[i - 1].object >= layer.sections[i].object) {
+    const int32_t before = layer.sections[i - 1].object, object = layer.sections[i].object;
+    if (before > object || (before == object && object != kPlate)) {
       return Malformed("sections", "their objects do not ascend");
     }
   }

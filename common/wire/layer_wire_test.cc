@@ -248,7 +248,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"HugeLayer", [](auto& l) { Section(l).set_layer(20'000); }, "sections[1].layer"},
         Refused{"NoSectionHeight", [](auto& l) { Section(l).clear_height_nm(); },
                 "sections[1].height_nm"},
-        Refused{"ObjectsThatDoNotAscend", [](auto& l) { Section(l).set_object(-1); }, "sections"},
+        Refused{"ObjectsThatDoNotAscend",
+                [](auto& l) { l.mutable_sections(0)->set_object(900); }, "sections"},
         Refused{"NegativePlainIslands", [](auto& l) { l.set_plain_islands(-1); }, "plain_islands"},
         Refused{"NoFeature", [](auto& l) { Wall(l).clear_feature(); },
                 "sections[1].islands[0].walls[1].feature"},
@@ -280,6 +281,14 @@ INSTANTIATE_TEST_SUITE_P(
                 [](auto& l) { Island(l).mutable_fill_areas(1)->clear_role(); },
                 "sections[1].islands[0].fill_areas[1].role"}),
     [](const auto& info) { return info.param.name; });
+
+TEST(LayerWire, ThePlateMayHaveSeveralSections) {
+  const SlicedLayer layer{kFrame,
+                          {DistinctSection(kPlate), DistinctSection(kPlate), DistinctSection(0)}};
+  const auto returned = FromProto(ProtoOf<v1::SlicedLayer>(layer));
+  ASSERT_TRUE(returned.ok()) << returned.status();
+  EXPECT_EQ(*returned, layer);
+}
 
 TEST(LayerWire, RefusesObjectsThatDoNotAscend) {
   for (const int32_t object : {-1, 0, 7}) {

@@ -20,6 +20,8 @@ static_assert(v1::FEATURE_TOP_SOLID_INFILL == static_cast<int>(Feature::kTopSoli
 static_assert(v1::FEATURE_BRIDGE_INFILL == static_cast<int>(Feature::kBridgeInfill) + 1);
 static_assert(v1::FEATURE_SKIRT == static_cast<int>(Feature::kSkirt) + 1);
 static_assert(v1::FEATURE_SUPPORT == static_cast<int>(Feature::kSupport) + 1);
+static_assert(v1::FEATURE_SUPPORT_INTERFACE ==
+              static_cast<int>(Feature::kSupportInterface) + 1);
 static_assert(v1::Feature_MAX == kFeatureCount);
 
 absl::Status PackWidths(const std::vector<Coord>& widths_nm, v1::Path* proto) {

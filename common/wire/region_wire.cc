@@ -13,6 +13,7 @@ namespace {
 static_assert(v1::ROLE_PART == static_cast<int>(Role::kPart) + 1);
 static_assert(v1::ROLE_BRIM == static_cast<int>(Role::kBrim) + 1);
 static_assert(v1::ROLE_RAFT == static_cast<int>(Role::kRaft) + 1);
+static_assert(v1::ROLE_RAFT_INTERFACE == static_cast<int>(Role::kRaftInterface) + 1);
 static_assert(v1::Role_MAX == kRoleCount);
 
 struct Owner {

@@ -80,4 +80,13 @@ absl::Status CheckComplete(const Message& options) {
   return absl::OkStatus();
 }
 
+absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
+  for (const auto& [field, value_nm] : lengths) {
+    if (value_nm < least_nm || value_nm > limits::kMaxCoord) {
+      return Malformed(field, "is out of range");
+    }
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace slicefarm

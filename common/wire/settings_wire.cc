@@ -1,6 +1,5 @@
 #include "common/wire/settings_wire.h"
 
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/planning_options_wire.h"
 #include "common/wire/repeated_wire.h"
 #include "common/wire/settings_check.h"
 #include "common/wire/wire_error.h"
@@ -25,39 +25,8 @@ static_assert(v1::SPARSE_PATTERN_RECTILINEAR == static_cast<int>(SparsePattern::
 static_assert(v1::SPARSE_PATTERN_GRID == static_cast<int>(SparsePattern::kGrid) + 1);
 static_assert(v1::SOLID_PATTERN_MONOTONIC == static_cast<int>(SolidPattern::kMonotonic) + 1);
 static_assert(v1::SOLID_PATTERN_RECTILINEAR == static_cast<int>(SolidPattern::kRectilinear) + 1);
-static_assert(v1::SEAM_POSITION_NEAREST == static_cast<int>(SeamPosition::kNearest) + 1);
-static_assert(v1::SEAM_POSITION_REAR == static_cast<int>(SeamPosition::kRear) + 1);
-static_assert(v1::SEAM_POSITION_ALIGNED == static_cast<int>(SeamPosition::kAligned) + 1);
-
-/// The model's value of an enum that CheckComplete has seen.
-template <typename Model, typename Proto>
-Model Known(Proto value) {
-  return static_cast<Model>(static_cast<int>(value) - 1);
-}
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
-
-struct NamedLength {
-  std::string_view field;
-  Coord value_nm = 0;
-};
-
-absl::Status CheckLengths(std::initializer_list<NamedLength> lengths, Coord least_nm) {
-  for (const auto& [field, value_nm] : lengths) {
-    if (value_nm < least_nm || value_nm > limits::kMaxCoord) {
-      return Malformed(field, "is out of range");
-    }
-  }
-  return absl::OkStatus();
-}
-
-absl::Status CheckPositive(std::initializer_list<NamedLength> lengths) {
-  return CheckLengths(lengths, 1);
-}
-
-absl::Status CheckNotNegative(std::initializer_list<NamedLength> lengths) {
-  return CheckLengths(lengths, 0);
-}
 
 absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
   if (proto.thumbnails_size() > limits::kMaxThumbnails) {
@@ -155,11 +124,14 @@ v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
   proto.set_hole_compensation_nm(options.hole_compensation_nm);
   proto.set_elephant_foot_nm(options.elephant_foot_nm);
   proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
+  *proto.mutable_raft() = ToProto(options.raft);
   return proto;
 }
 
 absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOptions& proto) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
+  const absl::StatusOr<RaftHeights> raft = FromProto(proto.raft());
+  if (!raft.ok()) return Within("raft", raft.status());
   ObjectSlicingOptions options;
   options.layer_height_nm = proto.layer_height_nm();
   options.fill_rule = Known<FillRule>(proto.fill_rule());
@@ -168,6 +140,7 @@ absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOpti
   options.hole_compensation_nm = proto.hole_compensation_nm();
   options.elephant_foot_nm = proto.elephant_foot_nm();
   options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
+  options.raft = *raft;
   return options;
 }
 
@@ -308,35 +281,6 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   return options;
 }
 
-v1::PlanningOptions ToProto(const PlanningOptions& options) {
-  v1::PlanningOptions proto;
-  for (const ObjectPlanOptions& object : options.objects)
-    proto.add_objects()->set_seam(EnumToProto<v1::SeamPosition>(object.seam));
-  v1::SequencePlanOptions& sequence = *proto.mutable_sequence();
-  sequence.set_complete_objects(options.sequence.complete_objects);
-  sequence.set_clearance_radius_nm(options.sequence.clearance_radius_nm);
-  sequence.set_clearance_height_nm(options.sequence.clearance_height_nm);
-  return proto;
-}
-
-absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
-  const v1::SequencePlanOptions& sequence = proto.sequence();
-  absl::Status status = CheckComplete(proto);
-  status.Update(CheckRows(proto.objects_size(), "objects"));
-  status.Update(CheckNotNegative({{"clearance_radius_nm", sequence.clearance_radius_nm()},
-                                  {"clearance_height_nm", sequence.clearance_height_nm()}}));
-  if (!status.ok()) return status;
-  PlanningOptions options;
-  options.sequence = {sequence.complete_objects(), sequence.clearance_radius_nm(),
-                      sequence.clearance_height_nm()};
-  options.objects.clear();
-  for (const v1::ObjectPlanOptions& object : proto.objects()) {
-    if (absl::Status complete = CheckComplete(object); !complete.ok()) return complete;
-    options.objects.push_back({Known<SeamPosition>(object.seam())});
-  }
-  return options;
-}
-
 v1::OrderingOptions ToProto(const OrderingOptions& options) {
   v1::OrderingOptions proto;
   proto.set_infill_first(options.infill_first);
@@ -351,6 +295,7 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
     v1::WallOrder* walls = proto.add_walls();
     walls->set_external_perimeters_first(order.external_perimeters_first);
     walls->set_inner_outer_inner(order.inner_outer_inner);
+    walls->set_towards_holes(order.towards_holes);
   }
   return proto;
 }
@@ -372,17 +317,19 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
                     travel.max_detour_mm(), travel.max_detour_ratio()};
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
-    options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner()});
+    options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),
+                             walls.towards_holes()});
   return options;
 }
 
 absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
-  *proto->mutable_planning() = ToProto(settings.planning);
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
   for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
   *proto->mutable_ordering() = ToProto(settings.ordering);
   *proto->mutable_motion() = ToProto(settings.motion);
-  const absl::Status status = ToProto(settings.slicing, proto->mutable_slicing());
+  absl::Status status = ToProto(settings.planning, proto->mutable_planning());
+  if (!status.ok()) return Within("planning", status);
+  status = ToProto(settings.slicing, proto->mutable_slicing());
   return status.ok() ? status : Within("slicing", status);
 }
 

@@ -22,9 +22,6 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto);
 v1::InfillOptions ToProto(const InfillOptions& options);
 absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto);
 
-v1::PlanningOptions ToProto(const PlanningOptions& options);
-absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto);
-
 v1::OrderingOptions ToProto(const OrderingOptions& options);
 absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto);
 

@@ -28,10 +28,20 @@ v1::JobSettings Proto(const JobSettings& settings) {
 
 // The bindings name every member: a new one does not compile until it is sent here, and so on the
 // wire.
+RaftHeights DistinctRaft() {
+  RaftHeights heights;
+  auto& [layers, first, others, contact_distance] = heights;
+  layers = 2;
+  first = 602;
+  others = 603;
+  contact_distance = 604;
+  return heights;
+}
+
 ObjectSlicingOptions DistinctObjectSlicing() {
   ObjectSlicingOptions options;
   auto& [layer_height, fill_rule, closing_radius, xy_compensation, hole_compensation,
-         elephant_foot, elephant_foot_min_width] = options;
+         elephant_foot, elephant_foot_min_width, raft] = options;
   layer_height = 101;
   fill_rule = FillRule::kPositive;
   closing_radius = 104;
@@ -39,6 +49,7 @@ ObjectSlicingOptions DistinctObjectSlicing() {
   hole_compensation = -107;
   elephant_foot = -108;
   elephant_foot_min_width = 110;
+  raft = DistinctRaft();
   return options;
 }
 
@@ -58,17 +69,65 @@ SlicingOptions DistinctSlicing() {
   return options;
 }
 
+SkirtOptions DistinctSkirt() {
+  SkirtOptions options;
+  auto& [loops, distance, min_length, height_layers, draft_shield, width, height, filament_area] =
+      options;
+  loops = 11;
+  distance = 612;
+  min_length = 5'000'000'000;
+  height_layers = 14;
+  draft_shield = DraftShield::kLimited;
+  width = 616;
+  height = 617;
+  filament_area = 6.18;
+  return options;
+}
+
+BrimOptions DistinctBrim() {
+  BrimOptions options;
+  auto& [type, width, separation, line_width, ear_max_angle, ear_detection] = options;
+  type = BrimType::kEars;
+  width = 622;
+  separation = 623;
+  line_width = 624;
+  ear_max_angle = 1.25;
+  ear_detection = 626;
+  return options;
+}
+
+RaftOptions DistinctRaftOptions() {
+  RaftOptions options;
+  auto& [heights, lines, expansion, first_layer_expansion] = options;
+  heights = DistinctRaft();
+  auto& [width, spacing, angle, first_layer_density] = lines;
+  width = 634;
+  spacing = 635;
+  angle = 0.636;
+  first_layer_density = 0.637;
+  expansion = 632;
+  first_layer_expansion = 633;
+  return options;
+}
+
 PlanningOptions DistinctPlanning() {
   PlanningOptions options;
-  auto& [objects, sequence] = options;
+  auto& [objects, sequence, skirt, skirt_settings, bed] = options;
   auto& [complete_objects, clearance_radius, clearance_height] = sequence;
   complete_objects = true;
   clearance_radius = 151;
   clearance_height = 152;
   ObjectPlanOptions object;
-  auto& [seam] = object;
+  auto& [seam, brim, brim_settings, raft, raft_settings] = object;
   seam = SeamPosition::kRear;
+  brim = DistinctBrim();
+  brim_settings = 641;
+  raft = DistinctRaftOptions();
+  raft_settings = {642, 643};
   objects = {object, {SeamPosition::kNearest}};
+  skirt = DistinctSkirt();
+  skirt_settings = 644;
+  bed = {{0, 1}, {2, 3}, {4, 2'000'000'000}};
   return options;
 }
 
@@ -133,9 +192,10 @@ OrderingOptions DistinctOrdering() {
   max_detour_ratio = 4.03;
   improvement_moves = 404;
   WallOrder order;
-  auto& [external_first, inner_outer_inner] = order;
+  auto& [external_first, inner_outer_inner, towards_holes] = order;
   external_first = true;
   inner_outer_inner = false;
+  towards_holes = true;
   walls = {order, {false, true}};
   return options;
 }
@@ -201,7 +261,7 @@ MotionOptions DistinctMotion() {
   cooling = DistinctCooling();
   RegionSpeeds region;
   auto& [speed, small_perimeter_speed] = region;
-  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507};
   small_perimeter_speed = 506;
   speeds = {region, {}};
   travel_speed = 507;
@@ -210,7 +270,7 @@ MotionOptions DistinctMotion() {
   first_layer_speed_ratio = 510;
   max_print_speed = 511;
   max_volumetric_speed = 512;
-  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508};
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
@@ -270,11 +330,42 @@ constexpr char kDistinct[] = R"pb(
       hole_compensation_nm: -107
       elephant_foot_nm: -108
       elephant_foot_min_width_nm: 110
+      raft { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
     }
   }
   planning {
-    objects { seam: SEAM_POSITION_REAR }
     sequence { complete_objects: true clearance_radius_nm: 151 clearance_height_nm: 152 }
+    objects {
+      seam: SEAM_POSITION_REAR
+      brim {
+        type: BRIM_TYPE_EARS
+        width_nm: 622
+        separation_nm: 623
+        line_width_nm: 624
+        ear_max_angle_rad: 1.25
+        ear_detection_nm: 626
+      }
+      brim_settings: 641
+      raft {
+        heights { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
+        lines { width_nm: 634 spacing_nm: 635 angle_rad: 0.636 first_layer_density: 0.637 }
+        expansion_nm: 632
+        first_layer_expansion_nm: 633
+      }
+      raft_settings: [ 642, 643 ]
+    }
+    skirt {
+      loops: 11
+      distance_nm: 612
+      min_length_nm: 5000000000
+      height_layers: 14
+      draft_shield: DRAFT_SHIELD_LIMITED
+      width_nm: 616
+      height_nm: 617
+      filament_area_mm2: 6.18
+    }
+    skirt_settings: 644
+    bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
   }
   beading {
     perimeters: 201
@@ -315,13 +406,13 @@ constexpr char kDistinct[] = R"pb(
   ordering {
     infill_first: true
     improvement_moves: 404
-    walls { external_perimeters_first: true }
     travel {
       longest_hidden_mm: 401
       avoid_crossing: true
       max_detour_mm: 402
       max_detour_ratio: 4.03
     }
+    walls { external_perimeters_first: true towards_holes: true }
   }
   motion {
     flavor: GCODE_FLAVOR_KLIPPER
@@ -357,7 +448,7 @@ constexpr char kDistinct[] = R"pb(
       min_print_speed_mm_s: 39
     }
     speeds {
-      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 ]
+      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507 ]
       small_perimeter_speed_mm_s: 506
     }
     travel_speed_mm_s: 507
@@ -366,7 +457,7 @@ constexpr char kDistinct[] = R"pb(
     first_layer_speed_ratio: 510
     max_print_speed_mm_s: 511
     max_volumetric_speed_mm3_s: 512
-    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20 ]
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508 ]
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516
@@ -511,7 +602,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](auto& p) {
                   p.mutable_planning()->mutable_objects(0)->set_seam(v1::SeamPosition(77));
                 },
-                "planning.seam"},
+                "planning.objects[0].seam"},
         Refused{"NoSeam",
                 [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
                 "planning.seam"},
@@ -529,6 +620,44 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NegativePrintHeight",
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
                 "motion.max_print_height_nm"},
+                "planning.objects[0].seam"},
+        Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
+        Refused{"TooManySkirts",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },
+                "planning.skirt.loops"},
+        Refused{"SkirtWithoutWidth",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_width_nm(0); },
+                "planning.skirt.width_nm"},
+        Refused{"NoFilament",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_filament_area_mm2(0); },
+                "planning.skirt.filament_area_mm2"},
+        Refused{"NegativeSkirtLength",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_min_length_nm(-1); },
+                "planning.skirt.min_length_nm"},
+        Refused{"NegativeBrim",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_width_nm(-1);
+                },
+                "planning.objects[0].brim.width_nm"},
+        Refused{"EarAngle",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_ear_max_angle_rad(7);
+                },
+                "planning.objects[0].brim.ear_max_angle_rad"},
+        Refused{"BrimRow",
+                [](auto& p) { p.mutable_planning()->mutable_objects(0)->set_brim_settings(-1); },
+                "planning.objects[0].brim_settings"},
+        Refused{"RaftTooHigh",
+                [](auto& p) {
+                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_layers(101);
+                },
+                "slicing.objects[0].raft.layers"},
+        Refused{"RaftOfNoHeight",
+                [](auto& p) {
+                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_others_nm(0);
+                },
+                "slicing.objects[0].raft.others_nm"},
+        Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.objects"},
         Refused{"NoSlicedObjects", [](auto& p) { p.mutable_slicing()->clear_objects(); },
                 "slicing.objects"},
         Refused{"NoBeading", [](auto& p) { p.clear_beading(); }, "beading"},

@@ -9,6 +9,7 @@
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/plan_wire.h"
+#include "common/wire/planning_options_wire.h"
 #include "common/wire/repeated_wire.h"
 #include "common/wire/settings_wire.h"
 #include "common/wire/stage_call_wire.h"
@@ -80,7 +81,8 @@ absl::StatusOr<FillStart> FromProto(const v1::FillStart& proto) {
 
 absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
-  *proto->mutable_options() = ToProto(start.options);
+  const absl::Status status = ToProto(start.options, proto->mutable_options());
+  if (!status.ok()) return Within("options", status);
   proto->mutable_object_names()->Assign(start.object_names.begin(), start.object_names.end());
   return AllToProto(start.copies, "copies", proto->mutable_copies());
 }

@@ -17,27 +17,32 @@ struct ObjectOutlines {
   std::optional<NeighbourOutlines> neighbours;
 };
 
-/// The layers around each section, by object.
+/// The layers around each section, by object. What lies on the plate besides the objects is no stack
+/// of layers of one thing: each of its sections stands alone.
 class Surroundings {
  public:
   explicit Surroundings(std::span<const SlicedLayer> layers) {
     for (const SlicedLayer& layer : layers) {
       for (const ObjectSection& section : layer.sections) {
-        ObjectOutlines& object = objects_[section.object];
+        ObjectOutlines& object =
+            section.object == kPlate ? alone_[&section] : objects_[section.object];
         index_[&section] = object.layers.size();
         object.layers.push_back(&OutlineOf(section));
       }
     }
     for (auto& [index, object] : objects_) object.neighbours.emplace(std::move(object.layers));
+    for (auto& [section, object] : alone_) object.neighbours.emplace(std::move(object.layers));
   }
 
   SectionPlace PlaceOf(const SlicedLayer& layer, const ObjectSection& section) const {
-    return {section, layer.frame.index == 0, *objects_.at(section.object).neighbours,
-            index_.at(&section)};
+    const ObjectOutlines& object =
+        section.object == kPlate ? alone_.at(&section) : objects_.at(section.object);
+    return {section, layer.frame.index == 0, *object.neighbours, index_.at(&section)};
   }
 
  private:
   std::map<int32_t, ObjectOutlines> objects_;
+  std::map<const ObjectSection*, ObjectOutlines> alone_;
   std::map<const ObjectSection*, size_t> index_;  ///< of a section among its object's
 };
 

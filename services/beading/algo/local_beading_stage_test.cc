@@ -133,6 +133,22 @@ TEST(LocalBeading, WallsLookAtTheLayersAround) {
   EXPECT_GT(others, 0);
 }
 
+// What lies on the plate besides the objects comes without its neighbours in a range: they must make
+// no difference where they are there.
+TEST(LocalBeading, SectionsOfThePlateStandAlone) {
+  std::vector<SlicedLayer> layers = Strips(12);
+  for (SlicedLayer& layer : layers) layer.sections[0].object = kPlate;
+  layers[3].sections.push_back(layers[8].sections[0]);
+  const auto all = Bead(layers, {0, 12});
+  ASSERT_TRUE(all.ok()) << all.status();
+  for (int i = 0; i < 12; ++i) {
+    const auto alone = Bead(std::span(layers).subspan(static_cast<size_t>(i), 1), {i, i + 1});
+    ASSERT_TRUE(alone.ok());
+    EXPECT_EQ((*alone)[0], (*all)[static_cast<size_t>(i)]) << i;
+  }
+  EXPECT_EQ((*all)[3].sections[1].islands, (*all)[8].sections[0].islands);
+}
+
 TEST(LocalBeading, EmptyLayersStayEmpty) {
   const auto walled = Bead(Layers(1, ""), {0, 1});
   ASSERT_TRUE(walled.ok());

@@ -47,15 +47,15 @@ const SectionPlan& PlanOf(int32_t object, const LayerPlan& plan) {
   return found != plan.sections.end() && found->object == object ? *found : kNone;
 }
 
-/// The finished paths of the plan, before the plate's section if there is one.
-void AddFinished(const LayerPlan& plan, const LayerFrame& frame, std::vector<PathBlock>& blocks) {
-  if (plan.paths.empty()) return;
-  if (blocks.empty() || blocks.front().object != kPlate)
-    blocks.insert(blocks.begin(), {kPlate, frame.index, frame.height_nm, {}});
-  PathBlock& block = blocks.front();
-  block.paths.insert(block.paths.begin(), plan.paths.begin(), plan.paths.end());
-  if (!block.travels.empty())
-    block.travels.insert(block.travels.begin(), plan.paths.size(), Travel{});
+/// What lies on the plate besides the objects, in the order of printing: the plan's finished paths,
+/// then the plate's sections. Returns where that ends.
+Point VisitPlate(const LayerPlan& plan, OrderedLayer& layer) {
+  Point at = plan.entry;
+  for (size_t i = 0; i < layer.blocks.size() && layer.blocks[i].object == kPlate; ++i) {
+    layer.visits.push_back({static_cast<int32_t>(i), -1, 0, {}});
+    at = EndOf(layer.blocks[i].paths.back());
+  }
+  return at;
 }
 
 /// The copies that have something in this layer, by pass.
@@ -92,11 +92,7 @@ std::vector<BlockVisit> Ordered(const std::vector<BlockVisit>& visits,
 
 void AddVisits(const LayerPlan& plan, std::span<const Copy> copies, WorkBudget& budget,
                OrderedLayer& layer) {
-  Point at = plan.entry;
-  if (!layer.blocks.empty() && layer.blocks.front().object == kPlate) {
-    layer.visits.push_back({});
-    at = EndOf(layer.blocks.front().paths.back());
-  }
+  const Point at = VisitPlate(plan, layer);
   for (const auto& [pass, visits] : VisitsByPass(layer.blocks, copies)) {
     const std::vector<BlockVisit> ordered = Ordered(visits, layer.blocks, at, budget);
     layer.visits.insert(layer.visits.end(), ordered.begin(), ordered.end());
@@ -111,13 +107,17 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   if (absl::Status ok = CheckPaths(layer, plan, options.walls.size()); !ok.ok()) return ok;
   std::ranges::stable_sort(layer.sections, {}, &FilledSection::object);
   OrderedLayer ordered{layer.frame, {}, {}};
+  if (!plan.paths.empty())
+    ordered.blocks.push_back({kPlate, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
-    const SectionPlan& section_plan = PlanOf(section.object, plan);
+    SectionPlan section_plan = PlanOf(section.object, plan);
+    if (section.object == kPlate)
+      section_plan.entry =
+          ordered.blocks.empty() ? plan.entry : EndOf(ordered.blocks.back().paths.back());
     PathBlock block = OrderSection(std::move(section), section_plan, options, budget);
     if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }
-  AddFinished(plan, layer.frame, ordered.blocks);
   WorkBudget budget{options.improvement_moves};
   AddVisits(plan, copies, budget, ordered);
   return ordered;

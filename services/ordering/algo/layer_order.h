@@ -11,8 +11,8 @@ namespace slicefarm::ordering {
 
 /// A layer in the order of printing:
 ///   1 each section's paths, once for all its copies (section_order.h)
-///   2 what lies on the plate besides the objects comes first: the plan's finished paths, then the
-///     plate's section
+///   2 what lies on the plate besides the objects comes first: the plan's finished paths, as high as
+///     the layer, then the plate's sections
 ///   3 the copies, pass by pass, by travel from plan.entry
 /// `copies`: of the whole job. Does not depend on the order of sections, islands and paths.
 /// Errors: REQUEST_MALFORMED for a path of fewer than two points, with a wrong number of widths, a

@@ -94,9 +94,12 @@ TEST(OrderLayer, ThePlateComesFirst) {
   EXPECT_THAT(CopiesOf(skirt), ElementsAre(-1, 0));
   const OrderedLayer both =
       Order(LayerOf({SectionOf(0, kSquare), SectionOf(kPlate, "(0 0, 90 0, 90 90)")}), copies, plan);
-  ASSERT_THAT(both.blocks, SizeIs(2));
-  EXPECT_THAT(both.blocks[0].paths, SizeIs(3));
-  EXPECT_EQ(both.blocks[0].paths[1], plan.paths[1]);
+  ASSERT_THAT(both.blocks, SizeIs(3));
+  EXPECT_EQ(both.blocks[0].paths, plan.paths);
+  EXPECT_EQ(both.blocks[1].object, kPlate);
+  EXPECT_THAT(both.blocks[1].paths, SizeIs(1));
+  EXPECT_THAT(CopiesOf(both), ElementsAre(-1, -1, 0));
+  EXPECT_EQ(both.visits[1].block, 1);
 }
 
 TEST(OrderLayer, RefusesBrokenPaths) {

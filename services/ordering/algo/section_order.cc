@@ -69,6 +69,7 @@ std::vector<FillBlock> BlocksOf(std::vector<FillGroup>& fills) {
 }
 
 InsetOrder OrderOf(const WallOrder& walls) {
+  if (walls.towards_holes) return InsetOrder::kTowardsHoles;
   if (walls.inner_outer_inner) return InsetOrder::kInnerOuterInner;
   return walls.external_perimeters_first ? InsetOrder::kOuterFirst : InsetOrder::kInnerFirst;
 }

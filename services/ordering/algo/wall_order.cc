@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/geometry/measure.h"
 #include "services/ordering/algo/path_key.h"
 #include "services/ordering/algo/wall_groups.h"
 
@@ -42,6 +43,15 @@ void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& r
   }
 }
 
+/// The group along the island's outer contour: that of the widest box.
+size_t OuterGroup(const std::vector<WallGroup>& groups) {
+  const auto width = [](const WallGroup& group) {
+    const Box box = Bounds(group.Outermost().points);
+    return box.max.x - box.min.x;
+  };
+  return static_cast<size_t>(std::ranges::max_element(groups, {}, width) - groups.begin());
+}
+
 /// Turns levels, the outermost first, into the order of printing.
 void Arrange(InsetOrder order, std::vector<std::vector<Path*>>& levels) {
   if (order == InsetOrder::kOuterFirst) return;
@@ -65,11 +75,20 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
     starts.push_back(start);
     legs.push_back(LegOf(wall, start, route.at()));
   }
-  for (const Visit visit : OrderByTravel(route.To(), legs, budget)) {
-    WallGroup& group = groups[visit.leg];
-    Arrange(rules.order, group.levels);
-    for (const auto& level : group.levels) PrintLevel(level, starts[visit.leg], route, budget);
+  const auto print = [&](size_t i, InsetOrder order) {
+    Arrange(order, groups[i].levels);
+    for (const auto& level : groups[i].levels) PrintLevel(level, starts[i], route, budget);
+  };
+  if (rules.order != InsetOrder::kTowardsHoles) {
+    for (const Visit visit : OrderByTravel(route.To(), legs, budget))
+      print(visit.leg, rules.order);
+    return;
   }
+  if (groups.empty()) return;
+  const size_t outer = OuterGroup(groups);
+  print(outer, InsetOrder::kOuterFirst);
+  for (const Visit visit : OrderByTravel(route.To(), legs, budget))
+    if (visit.leg != outer) print(visit.leg, InsetOrder::kInnerFirst);
 }
 
 }  // namespace slicefarm::ordering

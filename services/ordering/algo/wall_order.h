@@ -13,6 +13,9 @@ enum class InsetOrder {
   kInnerFirst,
   kOuterFirst,
   kInnerOuterInner,  ///< all from the innermost to the third, then the outermost, then the second
+  /// The island's outer contour from outside, then its holes' from inside: the outermost line of a
+  /// brim comes first, those that touch the part come last.
+  kTowardsHoles,
 };
 
 struct WallRules {

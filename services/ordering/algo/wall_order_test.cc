@@ -59,6 +59,17 @@ TEST(PrintWalls, TheOuterWallLastButOne) {
               ElementsAre(2, 0, 1, 0, 1));
 }
 
+// A brim: the line farthest from the part first, the one that touches it last.
+TEST(PrintWalls, FromTheOuterContourToTheHoles) {
+  for (const Point from : {Mm(0, 0), Mm(20, 20)}) {
+    const auto printed = Printed(TwoContours(), {InsetOrder::kTowardsHoles, {}}, from);
+    EXPECT_THAT(Insets(printed), ElementsAre(0, 1, 1, 0));
+    EXPECT_EQ(Bounds(printed[0].points).max, Mm(40, 40));
+    EXPECT_EQ(Bounds(printed[3].points).max, Mm(25, 25));
+  }
+  EXPECT_TRUE(Printed({}, {InsetOrder::kTowardsHoles, {}}, {}).empty());
+}
+
 TEST(PrintWalls, NearestContourFirst) {
   const auto printed = Printed(TwoContours(), {}, Mm(24, 24));
   EXPECT_EQ(printed[0].points.size(), 4);

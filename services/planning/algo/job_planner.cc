@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "services/planning/algo/adhesion/adhesion_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
@@ -16,6 +17,13 @@ absl::Status CheckObject(int32_t object, const PlanningOptions& options) {
                    "the plan's options do not name all objects", {{"field", "object"}});
 }
 
+absl::Status CheckRaft(const ObjectPlanOptions& object) {
+  if (std::ssize(object.raft_settings) == object.raft.heights.layers) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   "the rows of settings are not one for each layer of the raft",
+                   {{"field", "raft_settings"}});
+}
+
 }  // namespace
 
 JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
@@ -25,6 +33,7 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   planners_.push_back(std::make_unique<TravelPlanner>(copies));
   if (options.sequence.complete_objects)
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
+  planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
 }
 
 absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
@@ -32,6 +41,8 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
                                             std::span<const std::string> object_names) {
   for (const PlacedCopy& copy : copies)
     if (absl::Status ok = CheckObject(copy.object, options); !ok.ok()) return ok;
+  for (const ObjectPlanOptions& object : options.objects)
+    if (absl::Status ok = CheckRaft(object); !ok.ok()) return ok;
   return JobPlanner(options, copies, object_names);
 }
 

@@ -19,12 +19,14 @@ namespace slicefarm::planning {
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
+///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
 ///
 /// One thread; the plan depends on nothing but the arguments.
 class JobPlanner {
  public:
   /// All must outlive this. `object_names`: by object, for messages; may be fewer. Errors:
-  /// REQUEST_MALFORMED for copies of objects that have no options.
+  /// REQUEST_MALFORMED for copies of objects that have no options, or for an object whose raft has
+  /// not a row of settings for each layer.
   static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
                                          std::span<const PlacedCopy> copies,
                                          std::span<const std::string> object_names = {});

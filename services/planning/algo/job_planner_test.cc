@@ -56,6 +56,28 @@ TEST(JobPlanner, ErrorsOfPlannersEndThePlan) {
   EXPECT_EQ(DetailOf(planner->Finish().status()).reason, Reason::kObjectsCollide);
 }
 
+TEST(JobPlanner, RefusesARaftWithoutItsRows) {
+  PlanningOptions options;
+  options.objects[0].raft.heights.layers = 2;
+  options.objects[0].raft_settings = {1};
+  EXPECT_EQ(DetailOf(JobPlanner::Make(options, {}).status()).reason, Reason::kRequestMalformed);
+  options.objects[0].raft_settings = {1, 1};
+  EXPECT_TRUE(JobPlanner::Make(options, {}).ok());
+}
+
+TEST(JobPlanner, AdhesionIsPartOfThePlan) {
+  PlanningOptions options;
+  options.skirt.loops = 1;
+  const std::vector<PlacedCopy> copies = {{0, {FromMm(100), FromMm(50)}, {}}};
+  auto planner = JobPlanner::Make(options, copies);
+  ASSERT_TRUE(planner.ok());
+  ASSERT_TRUE(planner->Next(LayersOrDie({kSquare})[0]).ok());
+  const auto job = planner->Finish();
+  ASSERT_TRUE(job.ok());
+  ASSERT_EQ(job->additions.size(), 1u);
+  EXPECT_EQ(job->additions[0].paths.size(), 1u);
+}
+
 TEST(JobPlanner, RefusesObjectsWithoutOptions) {
   const PlanningOptions options;
   const std::vector<PlacedCopy> copies = {{1, {}, {}}};

@@ -60,8 +60,11 @@ class SlicingRun {
   absl::Status PlanLayers() {
     for (size_t i = 0; i < objects_.size(); ++i) {
       const PreparedObject& object = objects_[i];
-      auto planes = LayerPlanes(object.top_nm, {options_.first_layer_height_nm,
-                                                options_.objects[i].layer_height_nm, object.ranges});
+      const ObjectSlicingOptions& slicing = options_.objects[i];
+      const Coord first_nm =
+          slicing.raft.layers > 0 ? slicing.layer_height_nm : options_.first_layer_height_nm;
+      auto planes =
+          LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges});
       if (!planes.ok()) return planes.status();
       absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
       if (!swept.ok()) return swept.status();
@@ -84,18 +87,20 @@ class SlicingRun {
     return swept;
   }
 
-  /// A layer of the job for each height at which some object's layer ends.
+  /// A layer of the job for each height at which some object's layer ends, or a raft's.
   void LayOutFrames() {
     std::map<Coord, std::vector<ObjectSection>> by_top;
     for (size_t object = 0; object < swept_.size(); ++object) {
       const std::vector<LayerPlane>& planes = swept_[object].planes;
+      const RaftHeights& raft = options_.objects[object].raft;
+      for (int32_t i = 0; i < raft.layers; ++i) by_top[raft.TopOf(i)];
       for (const LayerPlane& plane : planes) {
         ObjectSection section;
         section.object = static_cast<int32_t>(object);
         section.layer = plane.frame.index;
         section.layer_count = static_cast<int32_t>(planes.size());
         section.height_nm = plane.frame.height_nm;
-        by_top[plane.frame.print_z_nm].push_back(std::move(section));
+        by_top[raft.LiftNm() + plane.frame.print_z_nm].push_back(std::move(section));
       }
     }
     Coord below = 0;

@@ -20,6 +20,7 @@ namespace slicefarm::slicing {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr Coord kMm = kNmPerMm;
@@ -163,6 +164,45 @@ TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
   }
   EXPECT_EQ(tops[0], (std::vector<Coord>{200, 400, 600, 800, 1000, 1200, 1400, 1600, 1800, 2000}));
   EXPECT_EQ(tops[1], (std::vector<Coord>{200, 500, 800, 1100, 1400, 1700, 2000}));
+}
+
+TEST(LocalSlicing, AnObjectOnARaftIsLiftedAndLeavesTheRaftsLayersFree) {
+  SliceInput input = InputOf({File(Cube(0, 0, 0, 2)), File(Cube(0, 0, 0, 2))});
+  SlicingOptions options;
+  options.objects.resize(2);
+  options.first_layer_height_nm = 300'000;
+  options.objects[0].raft = {.layers = 2, .first_nm = 300'000, .others_nm = 350'000};
+  options.objects[0].elephant_foot_nm = options.objects[1].elephant_foot_nm = 200'000;
+  const auto job = MakeLocalSlicing()->Slice({}, std::move(input), options);
+  ASSERT_TRUE(job.ok()) << job.status();
+  std::vector<Coord> tops, lifted;
+  for (const SlicedLayer& layer : job->layers) {
+    tops.push_back(layer.frame.print_z_nm / 1000);
+    for (const ObjectSection& section : layer.sections)
+      if (section.object == 0) lifted.push_back(layer.frame.print_z_nm / 1000);
+  }
+  // Raft: 300, 650. Its part begins at 750, with layers of 200; the other one has 300, then 200.
+  EXPECT_THAT(lifted, ElementsAre(950, 1150, 1350, 1550, 1750, 1950, 2150, 2350, 2550, 2750));
+  EXPECT_THAT(tops, ElementsAre(300, 500, 650, 700, 900, 950, 1100, 1150, 1300, 1350, 1500, 1550,
+                                1700, 1750, 1900, 1950, 2150, 2350, 2550, 2750));
+  EXPECT_THAT(job->layers[2].sections, IsEmpty());
+  const auto side = [](const ObjectSection& section) {
+    return ToMm(static_cast<double>(Bounds(OutlineOf(section)).max.x));
+  };
+  const ObjectSection& standing = job->layers[0].sections.at(0);
+  const ObjectSection& on_raft = job->layers[5].sections.at(0);
+  EXPECT_EQ(on_raft.layer, 0);
+  EXPECT_EQ(on_raft.height_nm, 200'000);
+  EXPECT_LT(side(standing), side(on_raft) - 0.1) << "no elephant's foot on a raft";
+}
+
+TEST(LocalSlicing, ARaftCountsForTheHeightOfThePrint) {
+  SlicingOptions options;
+  options.max_print_height_nm = 2'500'000;
+  EXPECT_TRUE(Slice(Input(Cube(0, 0, 0, 2)), options).ok());
+  options.objects[0].raft.layers = 2;
+  EXPECT_EQ(DetailOf(Slice(Input(Cube(0, 0, 0, 2)), options).status()).reason,
+            Reason::kOutOfBuildVolume);
 }
 
 TEST(LocalSlicing, PartsModifiersAndNegativesMakeRegions) {

@@ -61,7 +61,7 @@ absl::Status AddToPlate(PlannedJob& job) {
                        absl::StrCat("planning added to layer ", addition.layer, " of ",
                                     job.layers.size()));
     const auto layer = static_cast<size_t>(addition.layer);
-    job.plan.layers[layer].paths = std::move(addition.paths);
+    std::ranges::move(addition.paths, std::back_inserter(job.plan.layers[layer].paths));
     if (addition.regions.empty()) continue;
     ObjectSection plate;
     plate.object = kPlate;
@@ -69,7 +69,9 @@ absl::Status AddToPlate(PlannedJob& job) {
     plate.regions = std::move(addition.regions);
     if (plate.regions.size() > 1) plate.whole = WholeOf(plate.regions);
     std::vector<ObjectSection>& sections = job.layers[layer].sections;
-    sections.insert(sections.begin(), std::move(plate));
+    const auto first = std::ranges::find_if(
+        sections, [](const ObjectSection& section) { return section.object != kPlate; });
+    sections.insert(first, std::move(plate));
   }
   return absl::OkStatus();
 }

@@ -117,8 +117,9 @@ class FakeRanges : public RangeRunner {
 
   static std::string TextOf(const SlicedLayer& layer, const LayerPlan& plan, int32_t pass) {
     std::string text = absl::StrCat("layer ", layer.frame.index, " at ", ToText(plan.entry));
-    if (layer.sections.front().object == kPlate)
-      absl::StrAppend(&text, ", plate ", ToMm(layer.sections.front().height_nm));
+    for (const ObjectSection& section : layer.sections)
+      if (section.object == kPlate)
+        absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
     if (!plan.paths.empty()) absl::StrAppend(&text, ", paths ", plan.paths.size());
     if (pass > 0) absl::StrAppend(&text, ", pass ", pass);
     return text + "\n";
@@ -234,6 +235,18 @@ TEST_F(JobPipelineTest, AdditionsOfPlanningReachTheirLayers) {
   EXPECT_THAT(output->gcode, HasSubstr("layer 0 at 0 0, plate 0.3\n"));
   EXPECT_THAT(output->gcode, HasSubstr("layer 1 at 1 0\n"));
   EXPECT_THAT(output->gcode, HasSubstr("layer 2 at 2 0, paths 2\n"));
+}
+
+TEST_F(JobPipelineTest, ALayerMayHaveSeveralAdditions) {
+  PlateAddition low{.layer = 1, .height_nm = FromMm(0.2), .regions = {}, .paths = {}};
+  low.regions = {{.role = Role::kRaft, .outlines = MakePolygonsOrDie("(0 0, 9 0, 0 9)")}};
+  low.paths.resize(1);
+  PlateAddition high = low;
+  high.height_nm = FromMm(0.3);
+  planning_.additions = {low, high};
+  const auto output = Run("xxx");
+  ASSERT_TRUE(output.ok()) << output.status();
+  EXPECT_THAT(output->gcode, HasSubstr("layer 1 at 1 0, plate 0.2, plate 0.3, paths 2\n"));
 }
 
 TEST_F(JobPipelineTest, AdditionsToLayersThatAreNotThereAreAnError) {

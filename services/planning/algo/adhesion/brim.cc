@@ -22,7 +22,6 @@ constexpr OffsetOptions kRound{.join = Join::kRound};
 Coord Separation(const BrimOptions& options) { return std::max<Coord>(options.separation_nm, 0); }
 
 bool HasBrim(const BrimOptions& options) {
-  if (options.type == BrimType::kEars) return options.ear_radius_nm > 0;
   return options.type != BrimType::kNone && options.width_nm > 0;
 }
 
@@ -69,7 +68,7 @@ MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point before = ring[(i + ring.size() - 1) % ring.size()];
       if (IsSharp(before, ring[i], ring[(i + 1) % ring.size()], options.ear_max_angle_rad))
-        discs.push_back(Disc(ring[i], options.ear_radius_nm));
+        discs.push_back(Disc(ring[i], options.width_nm));
     }
   }
   return Union(discs, FillRule::kNonZero);

@@ -4,30 +4,9 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/model/adhesion_options.h"
 
 namespace slicefarm::planning {
-
-enum class BrimType {
-  kNone,
-  kOuterOnly,      ///< around the object
-  kInnerOnly,      ///< in its holes
-  kOuterAndInner,  ///< both
-  kEars,           ///< discs at sharp corners of the outer rings only
-};
-
-/// Names in the comments are the settings' (PrusaSlicer's; ears: OrcaSlicer's).
-struct BrimOptions {
-  BrimType type = BrimType::kNone;  ///< brim_type
-  Coord width_nm = 0;               ///< brim_width
-  Coord separation_nm = 0;          ///< brim_separation
-  Coord line_width_nm = 400'000;    ///< of the brim's lines; below half of it nothing is left
-  double ear_max_angle_rad =
-      2.18166;                      ///< brim_ears_max_angle: inner angle of a corner, 125 degrees
-  Coord ear_radius_nm = 5'000'000;  ///< of the disc around a corner
-  Coord ear_detection_nm = 50'000;  ///< corners are those of the outline simplified to this
-
-  friend bool operator==(const BrimOptions&, const BrimOptions&) = default;
-};
 
 /// One object on the plate.
 struct BrimObject {

@@ -92,8 +92,8 @@ TEST(BrimRegions, EdgesAreWhereTheSettingsSay) {
 
 TEST(BrimRegions, EarsAtSharpConvexCornersOnly) {
   const double ear = kPi * 9 * 3 / 4;
-  BrimOptions ears = Options(BrimType::kEars, 0);
-  ears.ear_radius_nm = FromMm(3);
+  BrimOptions ears = Options(BrimType::kEars, 3);
+  ears.ear_detection_nm = 50'000;
   EXPECT_NEAR(Mm2(Brims({{P(kBox), ears}})[0]), 4 * ear, 0.15);
   // An L has five convex corners.
   const MultiPolygon bracket = P("(0 0, 30 0, 30 10, 10 10, 10 30, 0 30)");
@@ -197,7 +197,7 @@ Plate RandomPlate(std::mt19937& random, bool only_outer) {
     object.options.type = only_outer ? BrimType::kOuterOnly : static_cast<BrimType>(random() % 5);
     object.options.width_nm = FromMm(Uniform(random, 0.5, 8));
     object.options.separation_nm = FromMm(random() % 2 ? Uniform(random, 0, 0.6) : 0);
-    object.options.ear_radius_nm = FromMm(Uniform(random, 1, 6));
+    object.options.ear_detection_nm = 50'000;
     plate.objects.push_back(std::move(object));
   }
   return plate;
@@ -218,7 +218,7 @@ void ExpectInPlace(const Plate& plate, size_t i, Point p, int trial) {
     const BrimObject& own = plate.objects[k];
     if (own.outlines.empty() || own.options.type == BrimType::kNone) continue;
     const Coord reach = own.options.type == BrimType::kEars
-                            ? own.options.ear_radius_nm + own.options.ear_detection_nm
+                            ? own.options.width_nm + own.options.ear_detection_nm
                             : own.options.separation_nm + own.options.width_nm;
     reached |= DistanceToRegion(p, own.outlines) <= static_cast<double>(reach) + kOff;
   }

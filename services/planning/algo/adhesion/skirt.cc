@@ -1,12 +1,15 @@
 #include "services/planning/algo/adhesion/skirt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "common/geometry/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
 #include "common/model/bead_section.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -31,6 +34,67 @@ double FilamentNm(const Path& loop, const SkirtOptions& options) {
          options.filament_area_mm2;
 }
 
+/// Where a segment crosses the bed's edge, from its start (0) to its end (1), ascending.
+std::vector<double> Crossings(Point a, Point b, const MultiPolygon& bed) {
+  std::vector<double> at;
+  const Point along = b - a;
+  for (const Polygon& ring : Rings(bed)) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point from = ring[i], edge = ring[(i + 1) % ring.size()] - from;
+      const double cross = Cross(along, edge);
+      if (cross == 0) continue;
+      const double t = Cross(from - a, edge) / cross, u = Cross(from - a, along) / cross;
+      if (0 < t && t < 1 && 0 <= u && u <= 1) at.push_back(t);
+    }
+  }
+  std::ranges::sort(at);
+  return at;
+}
+
+Point Between(Point a, Point b, double t) {
+  return {a.x + std::llround(t * static_cast<double>(b.x - a.x)),
+          a.y + std::llround(t * static_cast<double>(b.y - a.y))};
+}
+
+/// Collects the pieces of a line that lie within a region.
+class LineClipper {
+ public:
+  explicit LineClipper(const MultiPolygon& region) : region_(region) {}
+
+  void Add(Point a, Point b) {
+    std::vector<double> at = Crossings(a, b, region_);
+    at.push_back(1);
+    double from = 0;
+    for (const double to : at) {
+      AddPiece(Between(a, b, from), Between(a, b, to), Between(a, b, (from + to) / 2));
+      from = to;
+    }
+  }
+
+  /// Of a closed line; the last piece runs on into the first if they meet.
+  std::vector<Polyline> TakePieces() {
+    if (pieces_.size() > 1 && pieces_.back().back() == pieces_.front().front()) {
+      pieces_.back().insert(pieces_.back().end(), pieces_.front().begin() + 1,
+                            pieces_.front().end());
+      pieces_.erase(pieces_.begin());
+    }
+    return std::move(pieces_);
+  }
+
+ private:
+  void AddPiece(Point a, Point b, Point middle) {
+    const bool inside = std::ranges::any_of(region_, [&](const PolygonWithHoles& island) {
+      return Locate(middle, island) != Side::kOutside;
+    });
+    if (!inside || a == b) return;
+    if (pieces_.empty() || pieces_.back().back() != a) pieces_.push_back({a});
+    pieces_.back().push_back(b);
+  }
+
+  const MultiPolygon& region_;
+  std::vector<Polyline> pieces_;
+};
+
 }  // namespace
 
 int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count) {
@@ -53,7 +117,7 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   double filament_nm = 0;
   const auto wanted = [&] {
     const auto made = static_cast<int32_t>(loops.size());
-    return made < kMaxSkirtLoops &&
+    return made < limits::kMaxSkirtLoops &&
            (made < options.loops || filament_nm < static_cast<double>(options.min_length_nm));
   };
   Coord distance_nm = options.distance_nm + options.width_nm / 2;
@@ -65,6 +129,27 @@ std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brim
   }
   std::reverse(loops.begin(), loops.end());
   return loops;
+}
+
+std::vector<Path> WithinBed(std::vector<Path> loops, const Polygon& bed) {
+  std::vector<Path> lines;
+  for (Path& loop : loops) {
+    const MultiPolygon room = Offset({{bed, {}}}, -loop.widths_nm.front() / 2);
+    const Polygon ring = std::move(loop.points);
+    if (Difference({{ring, {}}}, room).empty()) {
+      loop.points = ring;
+      lines.push_back(std::move(loop));
+      continue;
+    }
+    LineClipper clipper(room);
+    for (size_t i = 0; i < ring.size(); ++i) clipper.Add(ring[i], ring[(i + 1) % ring.size()]);
+    loop.closed = false;
+    for (Polyline& piece : clipper.TakePieces()) {
+      loop.points = std::move(piece);
+      lines.push_back(loop);
+    }
+  }
+  return lines;
 }
 
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options) {

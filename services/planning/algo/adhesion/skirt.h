@@ -4,33 +4,10 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/model/adhesion_options.h"
 #include "common/model/path.h"
 
 namespace slicefarm::planning {
-
-/// How far up a skirt stands as a wall against draft, and what it keeps its distance from.
-enum class DraftShield {
-  kDisabled,  ///< a skirt on the first layers, outside of the brims
-  kLimited,   ///< as high as a skirt, but close to the parts: brims give way to it
-  kEnabled,   ///< the same on all layers
-};
-
-/// Names in the comments are the settings' (PrusaSlicer's).
-struct SkirtOptions {
-  int32_t loops = 1;              ///< skirts; 0: none, whatever else is asked for
-  Coord distance_nm = 6'000'000;  ///< skirt_distance: to the inner edge of the first line
-  Coord min_length_nm = 0;        ///< min_skirt_length: of filament, on one layer
-  int32_t height_layers = 1;      ///< skirt_height
-  DraftShield draft_shield = DraftShield::kDisabled;  ///< draft_shield
-  Coord width_nm = 400'000;             ///< of a line over all: first_layer_extrusion_width
-  Coord height_nm = 200'000;            ///< of the first layer
-  double filament_area_mm2 = 2.405282;  ///< section of the filament: 1.75 mm across
-
-  friend bool operator==(const SkirtOptions&, const SkirtOptions&) = default;
-};
-
-/// No skirt has more loops than this, whatever length is asked for.
-inline constexpr int32_t kMaxSkirtLoops = 500;
 
 /// On how many layers, from the first one, there is a skirt: skirt_height, or all with a draft
 /// shield that is enabled.
@@ -41,7 +18,8 @@ int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count);
 ///
 /// The first loop's inner edge runs `distance` from the hull of parts and brims (with a draft
 /// shield: of the parts alone), with round corners; the next ones follow at the bead's spacing.
-/// Loops are added until the filament that they take on the first layer reaches `min_length`.
+/// Loops are added until the filament that they take on the first layer reaches `min_length`, up to
+/// limits::kMaxSkirtLoops.
 ///
 /// Shapes: `parts` is what is printed on the layers concerned, supports and rafts included: the
 /// first `SkirtLayers` layers' outlines, in any order, overlapping or not. Paths are closed,
@@ -59,6 +37,11 @@ int32_t SkirtLayers(const SkirtOptions& options, int32_t layer_count);
 ///   farther out than skirt_distance says. Here it is where the setting says.
 std::vector<Path> SkirtLoops(const MultiPolygon& parts, const MultiPolygon& brims,
                              const SkirtOptions& options);
+
+/// The loops cut where their lines would leave the bed: a loop that stays within is as it was, what
+/// is left of another are open lines, in its direction and at its place in the order. Cost: O(points
+/// of the loops * points of the bed).
+std::vector<Path> WithinBed(std::vector<Path> loops, const Polygon& bed);
 
 /// What a draft shield's loops cover, edge to edge: brims are cut by it. Empty without a shield.
 MultiPolygon ShieldKeepOut(const std::vector<Path>& loops, const SkirtOptions& options);

@@ -15,6 +15,8 @@
 namespace slicefarm::planning {
 namespace {
 
+constexpr SkirtOptions kOne{.loops = 1};
+
 constexpr double kPi = std::numbers::pi;
 
 MultiPolygon P(const std::string& text) { return MakePolygonsOrDie(text); }
@@ -37,20 +39,20 @@ TEST(SkirtLoops, StandWhereTheSettingsSay) {
   const double s = 0.4 - 0.2 * (1 - kPi / 4);
   const MultiPolygon brim = P("(-4 -4, 24 -4, 24 24, -4 24) (0 0, 20 0, 20 20, 0 20)");
   const std::vector<Case> cases = {
-      {"Default", {}, Box20(), {}, {6.2}},
+      {"Default", {.loops = 1}, Box20(), {}, {6.2}},
       {"Three", {.loops = 3}, Box20(), {}, {6.2 + 2 * s, 6.2 + s, 6.2}},
       {"OutsideOfTheBrim", {.loops = 2}, Box20(), brim, {10.2 + s, 10.2}},
-      {"Close", {.distance_nm = 0}, Box20(), {}, {0.2}},
+      {"Close", {.loops = 1, .distance_nm = 0}, Box20(), {}, {0.2}},
       {"Wide", {.loops = 2, .width_nm = 600'000}, Box20(), {}, {6.3 + s + 0.2, 6.3}},
       {"ShieldBesideTheBrim",
-       {.distance_nm = 2'000'000, .draft_shield = DraftShield::kLimited},
+       {.loops = 1, .distance_nm = 2'000'000, .draft_shield = DraftShield::kLimited},
        Box20(),
        brim,
        {2.2}},
       {"None", {.loops = 0, .min_length_nm = 1'000'000}, Box20(), {}, {}},
       {"NoneForAShield", {.loops = 0, .draft_shield = DraftShield::kEnabled}, Box20(), {}, {}},
-      {"NothingToGoRound", {}, {}, {}, {}},
-      {"NoSpacing", {.width_nm = 100'000, .height_nm = 600'000}, Box20(), {}, {}},
+      {"NothingToGoRound", {.loops = 1}, {}, {}, {}},
+      {"NoSpacing", {.loops = 1, .width_nm = 100'000, .height_nm = 600'000}, Box20(), {}, {}},
   };
   for (const Case& c : cases) {
     const std::vector<Path> loops = SkirtLoops(c.parts, c.brims, c.options);
@@ -64,7 +66,7 @@ TEST(SkirtLoops, StandWhereTheSettingsSay) {
 }
 
 TEST(SkirtLoops, CornersAreRound) {
-  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {});
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 1});
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_NEAR(Mm(loops[0]), 80 + 2 * kPi * 6.2, 0.05);
   EXPECT_TRUE(loops[0].closed);
@@ -82,7 +84,7 @@ TEST(SkirtLoops, GoRoundTheHullOfAll) {
 
 // PrusaSlicer's count: 6 loops where 20 mm of filament are asked for.
 TEST(SkirtLoops, AreAddedUntilTheLengthIsReached) {
-  const SkirtOptions options{.min_length_nm = 20'000'000};
+  const SkirtOptions options{.loops = 1, .min_length_nm = 20'000'000};
   const std::vector<Path> loops = SkirtLoops(Box20(), {}, options);
   EXPECT_EQ(loops.size(), 6u);
   double filament_mm = 0;
@@ -90,16 +92,34 @@ TEST(SkirtLoops, AreAddedUntilTheLengthIsReached) {
     filament_mm += Mm(loop) * SectionMm2(400'000, 200'000) / options.filament_area_mm2;
   EXPECT_GE(filament_mm, 20);
   EXPECT_LT(filament_mm - Mm(loops.front()) * 0.0297, 20);
-  EXPECT_EQ(SkirtLoops(Box20(), {}, {.min_length_nm = INT64_MAX / 2}).size(), 500u);
+  EXPECT_EQ(SkirtLoops(Box20(), {}, {.loops = 1, .min_length_nm = INT64_MAX / 2}).size(), 500u);
 }
 
 TEST(SkirtLayers, AreAllWithAShieldOnly) {
-  EXPECT_EQ(SkirtLayers({.height_layers = 3}, 10), 3);
-  EXPECT_EQ(SkirtLayers({.height_layers = 30}, 10), 10);
-  EXPECT_EQ(SkirtLayers({.height_layers = 0}, 10), 0);
-  EXPECT_EQ(SkirtLayers({.height_layers = 3, .draft_shield = DraftShield::kLimited}, 10), 3);
-  EXPECT_EQ(SkirtLayers({.height_layers = 3, .draft_shield = DraftShield::kEnabled}, 10), 10);
+  EXPECT_EQ(SkirtLayers({.loops = 1, .height_layers = 3}, 10), 3);
+  EXPECT_EQ(SkirtLayers({.loops = 1, .height_layers = 30}, 10), 10);
+  EXPECT_EQ(SkirtLayers({.loops = 1, .height_layers = 0}, 10), 0);
+  const auto limited = DraftShield::kLimited, enabled = DraftShield::kEnabled;
+  EXPECT_EQ(SkirtLayers({.loops = 1, .height_layers = 3, .draft_shield = limited}, 10), 3);
+  EXPECT_EQ(SkirtLayers({.loops = 1, .height_layers = 3, .draft_shield = enabled}, 10), 10);
   EXPECT_EQ(SkirtLayers({.loops = 0, .draft_shield = DraftShield::kEnabled}, 10), 0);
+}
+
+TEST(WithinBed, CutsWhatLeavesTheBed) {
+  const Polygon bed = P("(-3 -20, 40 -20, 40 40, -3 40)")[0].outer;
+  const std::vector<Path> loops = SkirtLoops(Box20(), {}, {.loops = 2, .distance_nm = 2'500'000});
+  // Of the inner one, at 2.7 mm, half of the line lies within; 2.8 is the most there may be.
+  const std::vector<Path> lines = WithinBed(loops, bed);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_FALSE(lines[0].closed);
+  EXPECT_EQ(Bounds(lines[0].points).min.x, -2'800'000);
+  EXPECT_EQ(lines[1], loops[1]) << "stays as it was";
+  for (const Point p : lines[0].points)
+    EXPECT_NEAR(DistanceToRegion(p, Box20()), 2.7e6 + 0.357e6, 1e4);
+  // Between two sides of the bed a loop comes to two pieces; a bed that holds all changes nothing.
+  EXPECT_EQ(WithinBed(loops, P("(-2.95 -20, 22.95 -20, 22.95 40, -2.95 40)")[0].outer).size(), 3u);
+  EXPECT_EQ(WithinBed(loops, P("(-30 -30, 50 -30, 50 50, -30 50)")[0].outer), loops);
+  EXPECT_TRUE(WithinBed(loops, P("(2 2, 18 2, 18 18, 2 18)")[0].outer).empty());
 }
 
 TEST(ShieldKeepOut, IsTheBandOfItsLoops) {
@@ -117,7 +137,7 @@ TEST(SkirtLoops, SurviveCrumbs) {
   EXPECT_TRUE(SkirtLoops({{{{0, 0}, {5, 5}}, {}}}, {}, {}).empty());
   EXPECT_TRUE(SkirtLoops({{{}, {}}}, {}, {}).empty());
   EXPECT_LE(SkirtLoops({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, {}).size(), 1u);
-  EXPECT_EQ(SkirtLoops(P("(0 0, 50 0.000001, 100 0)"), {}, {}).size(), 1u);
+  EXPECT_EQ(SkirtLoops(P("(0 0, 50 0.000001, 100 0)"), {}, kOne).size(), 1u);
 }
 
 double Reach(const std::vector<Point>& points, double x, double y) {
@@ -170,11 +190,11 @@ TEST(SkirtLoops, DoNotDependOnOrderAndFollowTheParts) {
   std::mt19937 random(6);
   for (int trial = 0; trial < 100; ++trial) {
     MultiPolygon parts = RandomPlate(random);
-    const std::vector<Path> loops = SkirtLoops(parts, {}, {});
+    const std::vector<Path> loops = SkirtLoops(parts, {}, kOne);
     std::reverse(parts.begin(), parts.end());
-    EXPECT_EQ(SkirtLoops(parts, {}, {}), loops);
-    EXPECT_NEAR(Mm(SkirtLoops(QuarterTurned(parts), {}, {})[0]), Mm(loops[0]), 0.01);
-    EXPECT_NEAR(Mm(SkirtLoops(Mirrored(parts), {}, {})[0]), Mm(loops[0]), 0.01);
+    EXPECT_EQ(SkirtLoops(parts, {}, kOne), loops);
+    EXPECT_NEAR(Mm(SkirtLoops(QuarterTurned(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
+    EXPECT_NEAR(Mm(SkirtLoops(Mirrored(parts), {}, kOne)[0]), Mm(loops[0]), 0.01);
   }
 }
 

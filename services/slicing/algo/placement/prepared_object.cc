@@ -78,7 +78,8 @@ absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<Objec
                                                          const CancelToken& cancel) {
   const auto check = [&](size_t i, const std::vector<Point>& at) {
     return OfObject(inputs, i,
-                    CheckBuildVolume({placed[i].footprint, placed[i].top_nm,
+                    CheckBuildVolume({placed[i].footprint,
+                                      placed[i].top_nm + options.objects[i].raft.LiftNm(),
                                       options.objects[i].xy_compensation_nm},
                                      inputs[i].name, at, options));
   };

@@ -1,0 +1,324 @@
+#include <gtest/gtest.h>
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/config/plate.h"
+#include "common/geometry/convex.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/model/bead_section.h"
+#include "common/stage/layer_chain.h"
+#include "common/stage/object_layers.h"
+#include "services/beading/algo/local_beading_stage.h"
+#include "services/infill/algo/local_infill_stage.h"
+#include "services/motion/algo/local_motion_stage.h"
+#include "services/ordering/algo/local_ordering_stage.h"
+#include "services/planning/algo/local_planning_stage.h"
+
+namespace slicefarm {
+namespace {
+
+/// From settings to the paths that are printed: skirt, brim and raft of plates of random parts.
+/// Distances are measured in the paths, by plain geometry.
+
+constexpr double kOffNm = 20'000;  ///< 0.02 mm
+/// A single line that fills a place less than two lines wide has the place's volume: its round edges
+/// stand out, by 0.022 mm of a layer of 0.2 mm, and somewhat more where the place tapers off.
+constexpr double kSingleLineOffNm = 50'000;
+
+double Off(const Path& path) { return path.closed ? kOffNm : kSingleLineOffNm; }
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+config::ResolvedPlate Resolved(const Settings& given) {
+  std::vector<Setting> job;
+  for (const auto& [key, value] : given) job.push_back({key, value, Source::kRequest});
+  SceneObject object;
+  object.name = "part";
+  object.parts.resize(1);
+  object.instances.resize(1);
+  auto plate = config::ResolvePlate(job, std::span(&object, 1));
+  EXPECT_TRUE(plate.ok()) << plate.status();
+  return plate.ok() ? *std::move(plate) : config::ResolvedPlate{};
+}
+
+/// A plate of copies of one object, the same outline on all layers.
+struct Plate {
+  std::vector<SlicedLayer> layers;
+  std::vector<PlacedCopy> copies;
+  MultiPolygon parts;  ///< on the plate
+};
+
+Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int32_t layer_count,
+              const JobSettings& settings) {
+  const RaftHeights& raft = settings.slicing.objects[0].raft;
+  Plate plate;
+  for (int32_t i = 0; i < raft.layers; ++i)
+    plate.layers.push_back({{i, raft.TopOf(i), raft.HeightOf(i)}, {}});
+  const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
+  for (int32_t i = 0; i < layer_count; ++i) {
+    const Coord below_nm = plate.layers.empty() ? 0 : plate.layers.back().frame.print_z_nm;
+    const Coord top_nm = raft.LiftNm() + (i + 1) * height_nm;
+    ObjectSection section{0, i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}}, {}};
+    plate.layers.push_back({{raft.layers + i, top_nm, top_nm - below_nm}, {section}});
+  }
+  for (const Point place : places) {
+    plate.copies.push_back({0, place, {}});
+    const MultiPolygon placed = Moved(outline, place);
+    plate.parts.insert(plate.parts.end(), placed.begin(), placed.end());
+  }
+  return plate;
+}
+
+/// Adds to the layers what planning puts on the plate, as the pipeline does.
+void AddToPlate(JobPlan& plan, std::vector<SlicedLayer>& layers) {
+  for (PlateAddition& addition : plan.additions) {
+    const auto layer = static_cast<size_t>(addition.layer);
+    for (const Path& path : addition.paths) plan.layers[layer].paths.push_back(path);
+    if (addition.regions.empty()) continue;
+    ObjectSection section;
+    section.object = kPlate;
+    section.height_nm = addition.height_nm;
+    section.regions = std::move(addition.regions);
+    ASSERT_EQ(section.regions.size(), 1u);
+    layers[layer].sections.insert(layers[layer].sections.begin(), std::move(section));
+  }
+}
+
+class Stages {
+ public:
+  /// What is printed on the plate besides the parts, in the order of printing, by layer.
+  std::vector<std::vector<Path>> OnPlate(Plate& plate, const JobSettings& settings) const {
+    auto plan = planning_->Plan({}, {plate.layers, plate.copies}, settings.planning);
+    EXPECT_TRUE(plan.ok()) << plan.status();
+    AddToPlate(*plan, plate.layers);
+    // The parts' own beads are none of this test's business: only the plate is walled.
+    for (SlicedLayer& layer : plate.layers)
+      std::erase_if(layer.sections, [](const auto& section) { return section.object != kPlate; });
+    const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
+    auto walled = beading_->Bead({}, {range, plate.layers}, settings.beading);
+    EXPECT_TRUE(walled.ok()) << walled.status();
+    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, settings.infill);
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    auto ordered =
+        ordering_->Order({}, *std::move(filled), plan->layers, plan->copies, settings.ordering);
+    EXPECT_TRUE(ordered.ok()) << ordered.status();
+    std::vector<std::vector<Path>> layers;
+    for (const OrderedLayer& layer : *ordered) {
+      std::vector<Path>& paths = layers.emplace_back();
+      for (const PathBlock& block : layer.blocks)
+        paths.insert(paths.end(), block.paths.begin(), block.paths.end());
+    }
+    return layers;
+  }
+
+ private:
+  const std::unique_ptr<PlanningStage> planning_ = planning::MakeLocalPlanning();
+  const std::unique_ptr<BeadingStage> beading_ = beading::MakeLocalBeading();
+  const std::unique_ptr<InfillStage> infill_ = infill::MakeLocalInfill();
+  const std::unique_ptr<OrderingStage> ordering_ = ordering::MakeLocalOrdering();
+};
+
+/// The least and the greatest distance of what beads cover from a region, outside of it.
+struct Reach {
+  double least = INFINITY, most = -INFINITY;
+
+  void Add(const Path& path, const MultiPolygon& region) {
+    for (size_t i = 0; i < path.points.size(); ++i) {
+      const double half = static_cast<double>(path.WidthAt(i)) / 2;
+      const double distance = DistanceToRegion(path.points[i], region);
+      least = std::min(least, distance - half);
+      if (distance + half > most) AddFarthest(path.points[i], half, region);
+    }
+  }
+
+ private:
+  /// No point of the bead need be as far as the middle's distance and half a width come to.
+  void AddFarthest(Point middle, double half, const MultiPolygon& region) {
+    constexpr int kDirections = 32;
+    for (int i = 0; i < kDirections; ++i) {
+      const double t = 2 * std::numbers::pi * i / kDirections;
+      const Point edge = middle + Point{std::llround(half * std::cos(t)),
+                                        std::llround(half * std::sin(t))};
+      most = std::max(most, DistanceToRegion(edge, region));
+    }
+  }
+};
+
+std::string Mm(double mm) { return fmt::format("{:.3f}", mm); }
+
+MultiPolygon Filled(const MultiPolygon& region) {
+  std::vector<Polygon> outers;
+  for (const PolygonWithHoles& island : region) outers.push_back(island.outer);
+  return Union(outers, FillRule::kNonZero);
+}
+
+std::vector<Point> RandomPlaces(std::mt19937& random) {
+  std::vector<Point> places = {{100'000'000, 100'000'000}};
+  const auto more = static_cast<int>(random() % 3);
+  for (int i = 1; i <= more; ++i)  // of a part of up to 12 mm from its middle: they do not overlap
+    places.push_back(places.front() + Point{std::llround(Uniform(random, 25e6, 34e6)) * i, 0});
+  return places;
+}
+
+TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
+  const Stages stages;
+  std::mt19937 random(31);
+  for (int trial = 0; trial < 500; ++trial) {
+    SCOPED_TRACE(trial);
+    // Two lines at least: see kSingleLineOffNm.
+    const double brim_mm = Uniform(random, 1.3, 5), separation_mm = Uniform(random, 0, 0.5);
+    const double skirt_mm = Uniform(random, 0, 6), width_mm = Uniform(random, 0.4, 0.6);
+    const int loops = 1 + trial % 3;
+    const config::ResolvedPlate resolved =
+        Resolved({{"brim_width", Mm(brim_mm)}, {"brim_separation", Mm(separation_mm)},
+                  {"skirts", std::to_string(loops)}, {"skirt_distance", Mm(skirt_mm)},
+                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", Mm(width_mm)}});
+    const MultiPolygon part = RandomIsland(random, {}, Uniform(random, 4, 12));
+    Plate plate = PlateOf(part, RandomPlaces(random), 2, resolved.settings);
+    const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
+    ASSERT_TRUE(layers[1].empty());
+    ASSERT_GT(layers[0].size(), static_cast<size_t>(loops));
+
+    const MultiPolygon outside = Filled(plate.parts);
+    const double near = 1e6 * std::stod(Mm(separation_mm));
+    const double far = near + 1e6 * std::stod(Mm(brim_mm));
+    Reach brim, single_lines;
+    MultiPolygon hull(1);
+    for (const Path& path : std::span(layers[0]).subspan(static_cast<size_t>(loops))) {
+      ASSERT_EQ(path.feature, Feature::kSkirt);
+      (path.closed ? brim : single_lines).Add(path, outside);
+    }
+    EXPECT_NEAR(brim.least, near, kOffNm);
+    EXPECT_NEAR(brim.most, far, kOffNm);
+    EXPECT_GE(single_lines.least, near - kSingleLineOffNm);
+    EXPECT_LE(single_lines.most, far + kSingleLineOffNm);
+
+    // The skirt goes round the hull of parts and brims: that of the parts' hull grown by the brim.
+    std::vector<Point> corners;
+    for (const PolygonWithHoles& island : plate.parts)
+      corners.insert(corners.end(), island.outer.begin(), island.outer.end());
+    hull[0].outer = ConvexHull(std::move(corners));
+    const auto width = static_cast<double>(FromMm(std::stod(Mm(width_mm))));
+    const auto spacing = static_cast<double>(Spacing(std::llround(width), 200'000));
+    for (int i = 0; i < loops; ++i) {
+      const Path& loop = layers[0][static_cast<size_t>(i)];
+      EXPECT_TRUE(loop.closed);
+      const double want = far + 1e6 * std::stod(Mm(skirt_mm)) + width / 2 + (loops - 1 - i) * spacing;
+      for (const Point p : loop.points) ASSERT_NEAR(DistanceToRegion(p, hull), want, kOffNm);
+    }
+  }
+}
+
+// Brims in holes, around both, and at corners: nothing comes closer than asked, nor farther.
+TEST(AdhesionPlates, BrimsOfAllKindsKeepTheirDistances) {
+  const Stages stages;
+  std::mt19937 random(32);
+  const std::vector<std::string> types = {"inner_only", "outer_and_inner", "brim_ears"};
+  int printed = 0;
+  for (int trial = 0; trial < 250; ++trial) {
+    SCOPED_TRACE(trial);
+    const double brim_mm = Uniform(random, 0.9, 5), separation_mm = Uniform(random, 0, 0.5);
+    const std::string& type = types[static_cast<size_t>(trial) % types.size()];
+    const config::ResolvedPlate resolved =
+        Resolved({{"brim_width", Mm(brim_mm)}, {"brim_separation", Mm(separation_mm)},
+                  {"brim_type", type}, {"brim_ears_detection_length", "0.1"},
+                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", "0.45"}});
+    Plate plate = PlateOf(RandomIsland(random, {}, Uniform(random, 4, 12)), RandomPlaces(random), 1,
+                          resolved.settings);
+    const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
+    const double near = 1e6 * std::stod(Mm(separation_mm));
+    const double far = type == "brim_ears" ? 1e6 * std::stod(Mm(brim_mm)) + 0.1e6
+                                           : near + 1e6 * std::stod(Mm(brim_mm));
+    for (const Path& path : layers[0]) {
+      Reach reach;
+      reach.Add(path, plate.parts);
+      EXPECT_GE(reach.least, near - Off(path)) << type;
+      EXPECT_LE(reach.most, far + Off(path)) << type;
+      ++printed;
+    }
+  }
+  EXPECT_GT(printed, 1'000);
+}
+
+TEST(AdhesionPlates, RaftsReachAsFarAsTheSettingsSay) {
+  const Stages stages;
+  std::mt19937 random(33);
+  for (int trial = 0; trial < 250; ++trial) {
+    SCOPED_TRACE(trial);
+    const int count = 1 + trial % 5;
+    const double expansion_mm = Uniform(random, 0.5, 2), first_mm = Uniform(random, 0.6, 3);
+    const config::ResolvedPlate resolved =
+        Resolved({{"raft_layers", std::to_string(count)}, {"raft_expansion", Mm(expansion_mm)},
+                  {"raft_first_layer_expansion", Mm(first_mm)}, {"layer_height", "0.2"},
+                  {"first_layer_height", "0.2"}, {"first_layer_extrusion_width", "0.45"}});
+    Plate plate = PlateOf(RandomIsland(random, {}, Uniform(random, 4, 8)), RandomPlaces(random), 2,
+                          resolved.settings);
+    const std::vector<std::vector<Path>> layers = stages.OnPlate(plate, resolved.settings);
+    for (int i = 0; i < count; ++i) {
+      Reach reach;
+      const bool interface = i >= count / 2;
+      for (const Path& path : layers[static_cast<size_t>(i)]) {
+        ASSERT_EQ(path.feature, interface ? Feature::kSupportInterface : Feature::kSupport);
+        reach.Add(path, plate.parts);
+      }
+      double want = 1e6 * std::stod(Mm(expansion_mm));
+      if (i + 1 < count) want += i == 0 ? 1e6 * std::stod(Mm(first_mm)) : 0.5e6;
+      // The line round the base marks its edge; an interface's lines end somewhere near it.
+      EXPECT_NEAR(reach.most, want, interface ? 0.25e6 : kOffNm) << i;
+      EXPECT_LE(reach.most, want + (interface ? 0.05e6 : kOffNm)) << i;
+    }
+    for (size_t i = static_cast<size_t>(count); i < layers.size(); ++i)
+      EXPECT_TRUE(layers[i].empty());
+  }
+}
+
+// As a job runs: each range comes with its halo alone, and gives the bytes of the whole.
+TEST(AdhesionPlates, RangesDoNotMatter) {
+  const config::ResolvedPlate resolved = Resolved({{"raft_layers", "4"}, {"skirts", "2"},
+                                                   {"skirt_height", "6"}, {"layer_height", "0.2"}});
+  const JobSettings& settings = resolved.settings;
+  std::mt19937 random(34);
+  Plate plate = PlateOf(RandomIsland(random, {}, 9), RandomPlaces(random), 8, settings);
+  auto plan = planning::MakeLocalPlanning()->Plan({}, {plate.layers, plate.copies},
+                                                  settings.planning);
+  ASSERT_TRUE(plan.ok()) << plan.status();
+  AddToPlate(*plan, plate.layers);
+  const auto beading = beading::MakeLocalBeading();
+  const auto infill = infill::MakeLocalInfill();
+  const auto ordering = ordering::MakeLocalOrdering();
+  const auto motion = motion::MakeLocalMotion();
+  const LayerChain chain{*beading, *infill, *ordering, *motion};
+  const auto count = static_cast<int32_t>(plate.layers.size());
+  const JobFacts facts{count, {}};
+  const auto gcode_of = [&](int32_t size) {
+    std::string gcode;
+    for (int32_t first = 0; first < count; first += size) {
+      const LayerRange range{first, std::min(count, first + size)};
+      const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(settings));
+      const RangeTask task{
+          range, std::span(plate.layers).subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
+          std::span(plan->layers).subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
+          plan->copies, &facts, &settings};
+      const auto result = chain.Run({}, task);
+      EXPECT_TRUE(result.ok()) << result.status();
+      if (!result.ok()) return gcode;
+      for (const LayerProgram& program : result->programs) gcode += program.gcode;
+    }
+    return gcode;
+  };
+  const std::string whole = gcode_of(count);
+  for (const char* type : {"Skirt/Brim", "Support material\n", "Support material interface"})
+    EXPECT_NE(whole.find(std::string(";TYPE:") + type), std::string::npos) << type;
+  for (const int32_t size : {1, 3, 5}) EXPECT_EQ(gcode_of(size), whole) << size;
+}
+
+}  // namespace
+}  // namespace slicefarm
