@@ -103,14 +103,15 @@ InfillOptions DistinctInfill() {
   InfillOptions options;
   auto& [top_layers, bottom_layers, density, pattern, solid_pattern, top_pattern, bottom_pattern,
          angle, sparse_width, solid_width, top_width, first_layer_width, overlap,
-         solid_below_area] = options;
+         solid_below_area, anchor, anchor_max, solid_every_layers, bridge_angle] =
+      options;
   top_layers = 301;
   bottom_layers = 302;
   density = 0.303;
-  pattern = SparsePattern::kRectilinear;
-  solid_pattern = SolidPattern::kRectilinear;
-  top_pattern = SolidPattern::kMonotonic;
-  bottom_pattern = SolidPattern::kRectilinear;
+  pattern = FillPattern::kGyroid;
+  solid_pattern = FillPattern::kRectilinear;
+  top_pattern = FillPattern::kMonotonic;
+  bottom_pattern = FillPattern::kHilbert;
   angle = -0.308;
   sparse_width = 309;
   solid_width = 310;
@@ -118,6 +119,10 @@ InfillOptions DistinctInfill() {
   first_layer_width = 312;
   overlap = -313;
   solid_below_area = 314.5;
+  anchor = 315;
+  anchor_max = 316;
+  solid_every_layers = 318;
+  bridge_angle = 0.319;
   return options;
 }
 

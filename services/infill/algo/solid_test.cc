@@ -74,8 +74,8 @@ TEST(SolidSpacing, FitsTheRegion) {
 
 TEST(SolidGroup, MonotonicKeepsItsOrder) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20) (6 6, 14 6, 14 14, 6 14)");
-  EXPECT_TRUE(FillSolid(region, {.pattern = SolidPattern::kMonotonic})->keep_order);
-  EXPECT_FALSE(FillSolid(region, {.pattern = SolidPattern::kRectilinear})->keep_order);
+  EXPECT_TRUE(FillSolid(region, {.pattern = FillPattern::kMonotonic})->keep_order);
+  EXPECT_FALSE(FillSolid(region, {.pattern = FillPattern::kRectilinear})->keep_order);
 }
 
 TEST(SolidGroup, LinesRunAtTheAngle) {
