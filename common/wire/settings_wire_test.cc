@@ -305,10 +305,10 @@ constexpr char kDistinct[] = R"pb(
     top_solid_layers: 301
     bottom_solid_layers: 302
     density: 0.303
-    pattern: SPARSE_PATTERN_RECTILINEAR
-    solid_pattern: SOLID_PATTERN_RECTILINEAR
-    top_pattern: SOLID_PATTERN_MONOTONIC
-    bottom_pattern: SOLID_PATTERN_RECTILINEAR
+    pattern: FILL_PATTERN_GYROID
+    solid_pattern: FILL_PATTERN_RECTILINEAR
+    top_pattern: FILL_PATTERN_MONOTONIC
+    bottom_pattern: FILL_PATTERN_HILBERT
     angle_rad: -0.308
     sparse_width_nm: 309
     solid_width_nm: 310
@@ -316,6 +316,10 @@ constexpr char kDistinct[] = R"pb(
     first_layer_width_nm: 312
     overlap_nm: -313
     solid_below_area_mm2: 314.5
+    anchor_nm: 315
+    anchor_max_nm: 316
+    solid_every_layers: 318
+    bridge_angle_rad: 0.319
   }
   ordering {
     infill_first: true

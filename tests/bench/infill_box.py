@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The box of tests/bench/infill.sh, and what the G-code of it holds.
 
-usage: infill_box.py box                 an STL to stdout
+usage: infill_box.py box [SIDE HEIGHT]   an STL to stdout
        infill_box.py measure OUT.gcode   one row: got paths longest_mm travels travel_mm moves
 """
 import math
@@ -12,8 +12,8 @@ SIDE, HEIGHT, WALL = 80.0, 16.0, 0.45
 FILAMENT_MM2 = math.pi * 1.75**2 / 4
 
 
-def print_box():
-    corners = [(x, y, z) for z in (0, HEIGHT) for y in (0, SIDE) for x in (0, SIDE)]
+def print_box(side, height):
+    corners = [(x, y, z) for z in (0, height) for y in (0, side) for x in (0, side)]
     quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     print("solid box")
     for a, b, c, d in quads:
@@ -71,7 +71,9 @@ def measure(path):
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["box"]:
-        print_box()
+        print_box(SIDE, HEIGHT)
+    elif len(sys.argv) == 4 and sys.argv[1] == "box":
+        print_box(float(sys.argv[2]), float(sys.argv[3]))
     elif len(sys.argv) == 3 and sys.argv[1] == "measure":
         measure(sys.argv[2])
     else:

@@ -109,9 +109,10 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
   const bool loops = fill.pattern == FillPattern::kConcentric;
-  // Loops keep half a spacing from the edge by themselves.
-  const Coord inset = loops ? -fill.overlap_nm
-                            : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
+  // Loops lie half a spacing from the edge by themselves, side by side with the wall: no end of
+  // theirs needs to reach into it.
+  const Coord inset =
+      loops ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
   if (loops) pitch = FittingLoops(area, pitch);

@@ -22,11 +22,11 @@ constexpr int kMostSquares = 96;
 /// Sine and cosine of a coordinate.
 struct Turn {
   explicit Turn(double periods)
-      : sin(Sin(2 * std::numbers::pi * periods)), cos(Cos(2 * std::numbers::pi * periods)) {}
-  double sin;
-  double cos;
+      : sine(Sin(2 * std::numbers::pi * periods)), cosine(Cos(2 * std::numbers::pi * periods)) {}
+  double sine;
+  double cosine;
 
-  double CosOfTwice() const { return cos * cos - sin * sin; }
+  double CosOfTwice() const { return cosine * cosine - sine * sine; }
 };
 
 /// `value(x, y, z)` of Turns; `pitches`: the period.
@@ -51,22 +51,22 @@ absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const Pat
 
 absl::StatusOr<std::vector<Piece>> Gyroid(const MultiPolygon& region, const PatternPlace& place) {
   return Section(region, place, 2.4561, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.sin * y.cos + y.sin * z.cos + z.sin * x.cos;
+    return x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
   });
 }
 
 absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region,
                                             const PatternPlace& place) {
   return Section(region, place, 3.043, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.cos * y.cos * z.cos - x.sin * y.sin * z.sin;
+    return x.cosine * y.cosine * z.cosine - x.sine * y.sine * z.sine;
   });
 }
 
 absl::StatusOr<std::vector<Piece>> FischerKochS(const MultiPolygon& region,
                                                 const PatternPlace& place) {
   return Section(region, place, 4.264, [](const Turn& x, const Turn& y, const Turn& z) {
-    return x.CosOfTwice() * y.sin * z.cos + y.CosOfTwice() * z.sin * x.cos +
-           z.CosOfTwice() * x.sin * y.cos;
+    return x.CosOfTwice() * y.sine * z.cosine + y.CosOfTwice() * z.sine * x.cosine +
+           z.CosOfTwice() * x.sine * y.cosine;
   });
 }
 
