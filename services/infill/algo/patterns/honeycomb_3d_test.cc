@@ -21,7 +21,8 @@ double LengthOf(const std::vector<Piece>& pieces) {
 
 TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
   const PatternPlace flat{.z_nm = 0, .pitch_nm = 2e6, .spacing_nm = 400'000};
-  for (const Piece& row : *Honeycomb3d(Box(), flat)) EXPECT_EQ(row.points.size(), 2u);
+  const auto rows = Honeycomb3d(Box(), flat);
+  for (const Piece& row : *rows) EXPECT_EQ(row.points.size(), 2u);
   PatternPlace place = flat;
   double least = 1e18, most = 0;
   for (; place.z_nm < 1'700'000; place.z_nm += 100'000) {

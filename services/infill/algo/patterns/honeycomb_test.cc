@@ -13,13 +13,6 @@ namespace {
 
 MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
 
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
-
 // Beads without width: sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
 TEST(Honeycomb, SidesFollowFromTheLaw) {
   const PatternPlace place{.pitch_nm = 2e6, .spacing_nm = 0};
