@@ -21,10 +21,12 @@ void SetWidths(Coord width_nm, JobSettings& settings) {
 void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.top_solid_layers = infill.bottom_solid_layers = 0;
   infill.density = density;
-  infill.pattern = SparsePattern::kRectilinear;
-  infill.solid_pattern = infill.top_pattern = infill.bottom_pattern = SolidPattern::kRectilinear;
+  infill.pattern = FillPattern::kAlignedRectilinear;
+  infill.solid_pattern = infill.top_pattern = infill.bottom_pattern = FillPattern::kRectilinear;
   infill.angle_rad = angle_rad;
   infill.solid_below_area_mm2 = 0;
+  infill.solid_every_layers = 0;
+  infill.bridge_angle_rad = 0;
 }
 
 double DensityOf(RaftLayerKind kind, const RaftLines& lines) {

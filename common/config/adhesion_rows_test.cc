@@ -59,7 +59,7 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
       const InfillOptions& infill = row.infill[0];
       EXPECT_DOUBLE_EQ(infill.density, raft[i].density) << raft.size() << " " << i;
       EXPECT_DOUBLE_EQ(infill.angle_rad, std::numbers::pi / 6 + kQuarter * raft[i].turn);
-      EXPECT_EQ(infill.pattern, SparsePattern::kRectilinear);
+      EXPECT_EQ(infill.pattern, FillPattern::kAlignedRectilinear);
       EXPECT_EQ(infill.top_solid_layers, 0);
       EXPECT_EQ(infill.sparse_width_nm, 400'000);
       EXPECT_EQ(infill.solid_width_nm, 400'000);

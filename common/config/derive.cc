@@ -143,7 +143,8 @@ absl::Status Derive(Draft& draft) {
   TakePercentage(draft, "first_layer_height");
   DeriveWidths(draft);
   DeriveVariableWalls(draft);
-  TakePercentage(draft, "infill_overlap");
+  for (const std::string_view key : {"infill_overlap", "infill_anchor", "infill_anchor_max"})
+    TakePercentage(draft, key);
   DeriveSpeeds(draft);
   DeriveAccelerations(draft);
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");

@@ -25,7 +25,6 @@ constexpr KnownKey kSwitches[] = {
     {"post_process", "scripts are never run", "", true, true},
     {"printer_technology", kResin, "FFF", true, true},
     {"single_extruder_multi_material", kNotYet, "0", true, true},
-    {"solid_infill_every_layers", kNotYet, "0", true, true},
     {"spiral_vase", kNotYet, "0", true, true},
     {"support_material", kNotYet, "0", true, true},
     {"use_firmware_retraction", kNotYet, "0", true, true},
@@ -35,13 +34,12 @@ constexpr KnownKey kSwitches[] = {
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"automatic_infill_combination", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},
-    {"bridge_angle", kNotYet, "0", true},
     {"bridge_flow_ratio", kNotYet, "1", true},
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
     {"enable_dynamic_fan_speeds", kNotYet, "0", true},
     {"enable_dynamic_overhang_speeds", kNotYet, "0", true},
-    {"ensure_vertical_shell_thickness", kNotYet, "0", true},
+    {"ensure_vertical_shell_thickness", "skins are always as thick as asked for", "enabled", true},
     {"extra_perimeters", kNotYet, "0", true},
     {"extra_perimeters_on_overhangs", kNotYet, "0", true},
     {"extruder", kNotYet, "1", true},
@@ -105,7 +103,7 @@ constexpr Group kGroups[] = {
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
      "filament_unload_time filament_unloading_* first_layer_infill_speed "
      "first_layer_speed_over_raft fuzzy_skin_* gcode_resolution "
-     "high_current_on_filament_swap idle_temperature infill_anchor infill_anchor_max "
+     "high_current_on_filament_swap idle_temperature "
      "interlocking_* ironing_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
      "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode "

@@ -146,7 +146,7 @@ TEST(Resolve, TakesAWholeProfile) {
   EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
   EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("support_material_threshold = 0")));
   EXPECT_THAT(resolved.warnings,
-              ElementsAre(HasSubstr("fill_pattern = stars"), HasSubstr("gcode_flavor = reprap")));
+              ElementsAre(HasSubstr("gcode_flavor = reprap")));
 
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.
@@ -155,6 +155,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
   ours.ordering.travel.hide = false;
+  ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails_px.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
@@ -455,16 +456,39 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
-      {{"fill_pattern", "gyroid"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
+      {{"fill_pattern", "lightning"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
       Source::kProfile));
-  EXPECT_EQ(resolved.settings.infill[0].pattern, SparsePattern::kGrid);
+  EXPECT_EQ(resolved.settings.infill[0].pattern, FillPattern::kGrid);
   EXPECT_EQ(resolved.settings.planning.objects[0].seam, SeamPosition::kNearest);
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
-              ElementsAre("fill_pattern = gyroid: not supported yet: grid is used",
+              ElementsAre("fill_pattern = lightning: not supported yet: grid is used",
                           "gcode_flavor = reprap: not supported yet: marlin2 is used",
                           "seam_position = random: not supported yet: nearest is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
+}
+
+TEST(Resolve, EveryPatternHasItsNameInSettings) {
+  for (const FillPatternInfo& info : kFillPatterns) {
+    const std::string name(info.name);
+    if (info.sparse) {
+      EXPECT_EQ(ResolveOrDie(Settings({{"fill_pattern", name}})).settings.infill[0].pattern,
+                info.pattern);
+    }
+    for (const char* key : {"top_fill_pattern", "bottom_fill_pattern", "solid_fill_pattern"})
+      EXPECT_EQ(Refusal({{key, name}}).ok(), info.solid) << key << ' ' << name;
+  }
+}
+
+TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
+  const InfillOptions standard = ResolveOrDie(Settings({})).settings.infill[0];
+  EXPECT_EQ(standard.anchor_nm, 6 * standard.sparse_width_nm);
+  EXPECT_EQ(standard.anchor_max_nm, 50 * kNmPerMm);
+  const InfillOptions given =
+      ResolveOrDie(Settings({{"infill_anchor", "1.5"}, {"infill_anchor_max", "1000%"}}))
+          .settings.infill[0];
+  EXPECT_EQ(given.anchor_nm, FromMm(1.5));
+  EXPECT_EQ(given.anchor_max_nm, 10 * given.sparse_width_nm);
 }
 
 TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
@@ -481,9 +505,9 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
 }
 
 TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {
-  const absl::Status status = Refusal({{"fill_pattern", "gyroid"}});
+  const absl::Status status = Refusal({{"fill_pattern", "lightning"}});
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
-  EXPECT_THAT(std::string(status.message()), HasSubstr("one of grid, rectilinear"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("one of rectilinear, alignedrectilinear"));
   EXPECT_EQ(DetailOf(Refusal({{"fill_pattern", "spaghetti"}}, Source::kProfile)).reason,
             Reason::kSettingMalformed);
 }

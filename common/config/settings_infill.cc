@@ -1,53 +1,30 @@
+#include <utility>
+
 #include "common/config/settings_sections.h"
 
 namespace slicefarm::config {
 namespace {
 
-constexpr std::string_view kAsRectilinear = "not supported yet: rectilinear is used";
 constexpr std::string_view kAsGrid = "not supported yet: grid is used";
-constexpr std::string_view kAsMonotonic = "not supported yet: monotonic is used";
 
 std::vector<Choice> SparsePatterns() {
-  const int rectilinear = static_cast<int>(SparsePattern::kRectilinear);
-  const int grid = static_cast<int>(SparsePattern::kGrid);
-  return {{"grid", grid},
-          {"rectilinear", rectilinear},
-          {"line", rectilinear, kAsRectilinear},
-          {"alignedrectilinear", rectilinear, kAsRectilinear},
-          {"monotonic", rectilinear, kAsRectilinear},
-          {"monotoniclines", rectilinear, kAsRectilinear},
-          {"zigzag", rectilinear, kAsRectilinear},
-          {"concentric", rectilinear, kAsRectilinear},
-          {"hilbertcurve", rectilinear, kAsRectilinear},
-          {"archimedeanchords", rectilinear, kAsRectilinear},
-          {"octagramspiral", rectilinear, kAsRectilinear},
-          {"triangles", grid, kAsGrid},
-          {"stars", grid, kAsGrid},
-          {"cubic", grid, kAsGrid},
-          {"honeycomb", grid, kAsGrid},
-          {"3dhoneycomb", grid, kAsGrid},
-          {"gyroid", grid, kAsGrid},
-          {"adaptivecubic", grid, kAsGrid},
-          {"supportcubic", grid, kAsGrid},
-          {"lightning", grid, kAsGrid}};
+  std::vector<Choice> choices;
+  for (const FillPatternInfo& info : kFillPatterns)
+    if (info.sparse) choices.push_back({info.name, static_cast<int>(info.pattern)});
+  for (const std::string_view name : {"adaptivecubic", "supportcubic", "lightning"})
+    choices.push_back({name, static_cast<int>(FillPattern::kGrid), kAsGrid});
+  return choices;
 }
 
 SettingSpec SolidFill(std::string_view key, std::string_view doc, Field field) {
-  const int monotonic = static_cast<int>(SolidPattern::kMonotonic);
-  const int rectilinear = static_cast<int>(SolidPattern::kRectilinear);
+  std::vector<Choice> choices;
+  for (const FillPatternInfo& info : kFillPatterns)
+    if (info.solid) choices.push_back({info.name, static_cast<int>(info.pattern)});
   return {.key = key,
           .kind = Kind::kChoice,
           .standard = "monotonic",
           .doc = doc,
-          .choices = {{"monotonic", monotonic},
-                      {"rectilinear", rectilinear},
-                      {"monotoniclines", monotonic, kAsMonotonic},
-                      {"alignedrectilinear", monotonic, kAsMonotonic},
-                      {"zigzag", rectilinear, kAsRectilinear},
-                      {"concentric", monotonic, kAsMonotonic},
-                      {"hilbertcurve", monotonic, kAsMonotonic},
-                      {"archimedeanchords", monotonic, kAsMonotonic},
-                      {"octagramspiral", monotonic, kAsMonotonic}},
+          .choices = std::move(choices),
           .field = field};
 }
 
@@ -114,6 +91,41 @@ std::vector<SettingSpec> InfillSettings() {
               "to twice the gaps beside walls)",
        .relative_to = "perimeter_extrusion_width",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].overlap_nm; })},
+      {.key = "infill_anchor",
+       .kind = Kind::kNumberOrPercent,
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "600%",
+       .doc = "How far a line of sparse infill that is not linked to another one turns along the "
+              "wall; 0: not at all",
+       .relative_to = "infill_extrusion_width",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].anchor_nm; })},
+      {.key = "infill_anchor_max",
+       .kind = Kind::kNumberOrPercent,
+       .unit = "mm",
+       .min = 0,
+       .max = 1000,
+       .standard = "50",
+       .doc = "Longest link along the wall between two lines of sparse infill; 0: none. Links are "
+              "thinner than lines, so that the density stays what fill_density asks for",
+       .relative_to = "infill_extrusion_width",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].anchor_max_nm; })},
+      {.key = "solid_infill_every_layers",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 1000000,
+       .standard = "0",
+       .doc = "Each layer whose number is a multiple of this becomes solid; 0: none",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].solid_every_layers; })},
+      {.key = "bridge_angle",
+       .unit = "degrees",
+       .min = 0,
+       .max = 360,
+       .standard = "0",
+       .doc = "Direction of bridges' lines; 0: for each bridge the one in which it is borne best",
+       .field =
+           Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].bridge_angle_rad; })},
       {.key = "solid_infill_below_area",
        .unit = "mm2",
        .min = 0,

@@ -3,20 +3,18 @@
 #include <cstdint>
 
 #include "common/geometry/point.h"
+#include "common/model/fill_patterns.h"
 
 namespace slicefarm {
-
-enum class SparsePattern { kRectilinear, kGrid };
-enum class SolidPattern { kMonotonic, kRectilinear };
 
 struct InfillOptions {
   int32_t top_solid_layers = 5;                            ///< top_solid_layers
   int32_t bottom_solid_layers = 5;                         ///< bottom_solid_layers
   double density = 0.2;                                    ///< fill_density, [0, 1]
-  SparsePattern pattern = SparsePattern::kGrid;            ///< fill_pattern
-  SolidPattern solid_pattern = SolidPattern::kMonotonic;   ///< inside: solid_fill_pattern
-  SolidPattern top_pattern = SolidPattern::kMonotonic;     ///< top_fill_pattern
-  SolidPattern bottom_pattern = SolidPattern::kMonotonic;  ///< bottom_fill_pattern
+  FillPattern pattern = FillPattern::kGrid;                ///< fill_pattern
+  FillPattern solid_pattern = FillPattern::kMonotonic;     ///< inside: solid_fill_pattern
+  FillPattern top_pattern = FillPattern::kMonotonic;       ///< top_fill_pattern
+  FillPattern bottom_pattern = FillPattern::kMonotonic;    ///< bottom_fill_pattern
   double angle_rad =
       0.78539816339744831;  ///< fill_angle; solid layers turn by a right angle from layer to layer
   Coord sparse_width_nm = 450'000;       ///< infill_extrusion_width
@@ -26,6 +24,10 @@ struct InfillOptions {
   Coord overlap_nm = 157'500;  ///< infill_overlap: how far the lines' ends reach into the walls
   double solid_below_area_mm2 =
       0;  ///< solid_infill_below_area: smaller sparse regions become solid
+  Coord anchor_nm = 2'700'000;       ///< infill_anchor: of a line's end that is not linked
+  Coord anchor_max_nm = 50'000'000;  ///< infill_anchor_max: longest link; 0: none
+  int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
+  double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
 
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };

@@ -51,6 +51,7 @@ struct ObjectSection {
   std::vector<Region> regions;  ///< disjoint
   /// The outlines of all regions together; empty where there is one region at most. See OutlineOf.
   MultiPolygon whole;
+  Coord z_nm = 0;  ///< of the layer's top, above the object's own bottom
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };

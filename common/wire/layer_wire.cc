@@ -126,6 +126,7 @@ absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto) {
 absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
   PlaceToProto(section, proto);
   proto->set_layer_count(section.layer_count);
+  proto->set_z_nm(section.z_nm);
   absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
   if (!status.ok() || section.whole.empty()) return status;
   return ToProto(section.whole, proto->mutable_whole());
@@ -143,6 +144,9 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
   absl::StatusOr<MultiPolygon> whole = FromProto(proto.whole());
   if (!whole.ok()) return Within("whole", whole.status());
   section->whole = *std::move(whole);
+  section->z_nm = proto.z_nm();
+  if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
+    return Malformed("z_nm", "is not a height");
   return section;
 }
 

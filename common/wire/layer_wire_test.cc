@@ -50,13 +50,14 @@ const MultiPolygon& Islands() {
 
 ObjectSection DistinctSection(int32_t of) {
   ObjectSection section;
-  auto& [object, layer, layer_count, height, regions, whole] = section;
+  auto& [object, layer, layer_count, height, regions, whole, z] = section;
   object = of;
   layer = 5;
   layer_count = 9;
   height = 150'000;
   regions = {{Role::kPart, 1, 2, Islands()}, {Role::kRaft, 3, 4, {}}};
   whole = Islands();
+  z = 950'000;
   return section;
 }
 

@@ -21,10 +21,8 @@ static_assert(v1::FILL_RULE_EVEN_ODD == static_cast<int>(FillRule::kEvenOdd) + 1
 static_assert(v1::FILL_RULE_POSITIVE == static_cast<int>(FillRule::kPositive) + 1);
 static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kArachne) + 1);
 static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
-static_assert(v1::SPARSE_PATTERN_RECTILINEAR == static_cast<int>(SparsePattern::kRectilinear) + 1);
-static_assert(v1::SPARSE_PATTERN_GRID == static_cast<int>(SparsePattern::kGrid) + 1);
-static_assert(v1::SOLID_PATTERN_MONOTONIC == static_cast<int>(SolidPattern::kMonotonic) + 1);
-static_assert(v1::SOLID_PATTERN_RECTILINEAR == static_cast<int>(SolidPattern::kRectilinear) + 1);
+static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
+static_assert(v1::FillPattern_MAX == kFillPatternCount);
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
 
@@ -247,10 +245,10 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_top_solid_layers(options.top_solid_layers);
   proto.set_bottom_solid_layers(options.bottom_solid_layers);
   proto.set_density(options.density);
-  proto.set_pattern(EnumToProto<v1::SparsePattern>(options.pattern));
-  proto.set_solid_pattern(EnumToProto<v1::SolidPattern>(options.solid_pattern));
-  proto.set_top_pattern(EnumToProto<v1::SolidPattern>(options.top_pattern));
-  proto.set_bottom_pattern(EnumToProto<v1::SolidPattern>(options.bottom_pattern));
+  proto.set_pattern(EnumToProto<v1::FillPattern>(options.pattern));
+  proto.set_solid_pattern(EnumToProto<v1::FillPattern>(options.solid_pattern));
+  proto.set_top_pattern(EnumToProto<v1::FillPattern>(options.top_pattern));
+  proto.set_bottom_pattern(EnumToProto<v1::FillPattern>(options.bottom_pattern));
   proto.set_angle_rad(options.angle_rad);
   proto.set_sparse_width_nm(options.sparse_width_nm);
   proto.set_solid_width_nm(options.solid_width_nm);
@@ -258,6 +256,10 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_first_layer_width_nm(options.first_layer_width_nm);
   proto.set_overlap_nm(options.overlap_nm);
   proto.set_solid_below_area_mm2(options.solid_below_area_mm2);
+  proto.set_anchor_nm(options.anchor_nm);
+  proto.set_anchor_max_nm(options.anchor_max_nm);
+  proto.set_solid_every_layers(options.solid_every_layers);
+  proto.set_bridge_angle_rad(options.bridge_angle_rad);
   return proto;
 }
 
@@ -267,10 +269,10 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.top_solid_layers = proto.top_solid_layers();
   options.bottom_solid_layers = proto.bottom_solid_layers();
   options.density = proto.density();
-  options.pattern = Known<SparsePattern>(proto.pattern());
-  options.solid_pattern = Known<SolidPattern>(proto.solid_pattern());
-  options.top_pattern = Known<SolidPattern>(proto.top_pattern());
-  options.bottom_pattern = Known<SolidPattern>(proto.bottom_pattern());
+  options.pattern = Known<FillPattern>(proto.pattern());
+  options.solid_pattern = Known<FillPattern>(proto.solid_pattern());
+  options.top_pattern = Known<FillPattern>(proto.top_pattern());
+  options.bottom_pattern = Known<FillPattern>(proto.bottom_pattern());
   options.angle_rad = proto.angle_rad();
   options.sparse_width_nm = proto.sparse_width_nm();
   options.solid_width_nm = proto.solid_width_nm();
@@ -278,6 +280,10 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.first_layer_width_nm = proto.first_layer_width_nm();
   options.overlap_nm = proto.overlap_nm();
   options.solid_below_area_mm2 = proto.solid_below_area_mm2();
+  options.anchor_nm = proto.anchor_nm();
+  options.anchor_max_nm = proto.anchor_max_nm();
+  options.solid_every_layers = proto.solid_every_layers();
+  options.bridge_angle_rad = proto.bridge_angle_rad();
   return options;
 }
 

@@ -162,14 +162,15 @@ InfillOptions DistinctInfill() {
   InfillOptions options;
   auto& [top_layers, bottom_layers, density, pattern, solid_pattern, top_pattern, bottom_pattern,
          angle, sparse_width, solid_width, top_width, first_layer_width, overlap,
-         solid_below_area] = options;
+         solid_below_area, anchor, anchor_max, solid_every_layers, bridge_angle] =
+      options;
   top_layers = 301;
   bottom_layers = 302;
   density = 0.303;
-  pattern = SparsePattern::kRectilinear;
-  solid_pattern = SolidPattern::kRectilinear;
-  top_pattern = SolidPattern::kMonotonic;
-  bottom_pattern = SolidPattern::kRectilinear;
+  pattern = FillPattern::kGyroid;
+  solid_pattern = FillPattern::kRectilinear;
+  top_pattern = FillPattern::kMonotonic;
+  bottom_pattern = FillPattern::kHilbert;
   angle = -0.308;
   sparse_width = 309;
   solid_width = 310;
@@ -177,6 +178,10 @@ InfillOptions DistinctInfill() {
   first_layer_width = 312;
   overlap = -313;
   solid_below_area = 314.5;
+  anchor = 315;
+  anchor_max = 316;
+  solid_every_layers = 318;
+  bridge_angle = 0.319;
   return options;
 }
 
@@ -391,10 +396,10 @@ constexpr char kDistinct[] = R"pb(
     top_solid_layers: 301
     bottom_solid_layers: 302
     density: 0.303
-    pattern: SPARSE_PATTERN_RECTILINEAR
-    solid_pattern: SOLID_PATTERN_RECTILINEAR
-    top_pattern: SOLID_PATTERN_MONOTONIC
-    bottom_pattern: SOLID_PATTERN_RECTILINEAR
+    pattern: FILL_PATTERN_GYROID
+    solid_pattern: FILL_PATTERN_RECTILINEAR
+    top_pattern: FILL_PATTERN_MONOTONIC
+    bottom_pattern: FILL_PATTERN_HILBERT
     angle_rad: -0.308
     sparse_width_nm: 309
     solid_width_nm: 310
@@ -402,6 +407,10 @@ constexpr char kDistinct[] = R"pb(
     first_layer_width_nm: 312
     overlap_nm: -313
     solid_below_area_mm2: 314.5
+    anchor_nm: 315
+    anchor_max_nm: 316
+    solid_every_layers: 318
+    bridge_angle_rad: 0.319
   }
   ordering {
     infill_first: true

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
 
 #include "common/geometry/text_format.h"
@@ -130,6 +131,25 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
     EXPECT_LT(left, FromMm(9.4));
     EXPECT_GT(right, FromMm(30.6));
   }
+}
+
+TEST(LocalInfill, BridgesRunTheWayTheyAreTold) {
+  std::vector<SlicedLayer> layers = Steps(20, 10);
+  for (int i = 0; i < 10; ++i)
+    std::swap(layers[i].sections[0].regions, layers[19 - i].sections[0].regions);
+  InfillOptions options;
+  options.bridge_angle_rad = std::numbers::pi / 2;
+  const auto filled = Fill(layers, {10, 11}, 5, options);
+  ASSERT_TRUE(filled.ok());
+  int bridges = 0;
+  for (const FillGroup& group : (*filled)[0].sections[0].islands[0].fills) {
+    for (const Path& path : group.paths) {
+      if (path.feature != Feature::kBridgeInfill) continue;
+      ++bridges;
+      EXPECT_EQ(path.points[0].x, path.points[1].x);
+    }
+  }
+  EXPECT_GT(bridges, 0);
 }
 
 TEST(LocalInfill, RangesDoNotMatter) {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "common/model/bead_section.h"
-#include "services/infill/algo/bridge_angle.h"
-#include "services/infill/algo/rectilinear.h"
-#include "services/infill/algo/skins.h"
+#include "services/infill/algo/skins/bridge_angle.h"
+#include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/solid.h"
+#include "services/infill/algo/sparse.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -22,6 +22,7 @@ struct SectionView {
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& objects;
+  Coord z_nm = 0;                         ///< of the layer's middle, above the object's bottom
   const MultiPolygon* outline = nullptr;  ///< of the object's section
 
   const MultiPolygon* OutlineAt(int32_t own_layer) const {
@@ -81,8 +82,8 @@ class RegionFill {
         fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
         {.width_nm = Width(options_.solid_width_nm),
          .solid_below_area_mm2 = options_.solid_below_area_mm2,
-         .all_solid = options_.density >= 1});
-    const SolidPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
+         .all_solid = options_.density >= 1 || IsSolidLayer()});
+    const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
@@ -98,16 +99,22 @@ class RegionFill {
     return view_.on_bed ? options_.first_layer_width_nm : width_nm;
   }
 
-  /// Solid lines turn by a right angle from layer to layer.
-  double SolidAngle() const {
-    return options_.angle_rad + (view_.layer % 2 != 0 ? std::numbers::pi / 2 : 0);
+  bool IsSolidLayer() const {
+    return options_.density > 0 && options_.solid_every_layers > 0 &&
+           view_.layer % options_.solid_every_layers == 0;
   }
 
-  absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, SolidPattern pattern,
+  /// Solid lines turn by a right angle from layer to layer, but for patterns that do not.
+  double SolidAngle(FillPattern pattern) const {
+    const bool turns = !IsAligned(pattern) && view_.layer % 2 != 0;
+    return options_.angle_rad + (turns ? std::numbers::pi / 2 : 0);
+  }
+
+  absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
                            Coord width_nm, std::vector<FillGroup>& fills) const {
     for (const PolygonWithHoles& region : regions) {
       const absl::Status status =
-          AppendSolidRegion(region, feature, pattern, SolidAngle(), width_nm, fills);
+          AppendSolidRegion(region, feature, pattern, SolidAngle(pattern), width_nm, fills);
       if (!status.ok()) return status;
     }
     return absl::OkStatus();
@@ -117,24 +124,32 @@ class RegionFill {
   absl::Status AppendBridges(const MultiPolygon& regions, std::vector<FillGroup>& fills) const {
     const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
     for (const PolygonWithHoles& region : regions) {
-      const auto angle =
-          below == nullptr ? std::nullopt : BridgeAngle(region, *below, options_.solid_width_nm);
+      const auto angle = BridgeDirection(region, below);
       const absl::Status status =
           AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
-                            angle.value_or(SolidAngle()), options_.solid_width_nm, fills);
+                            angle.value_or(SolidAngle(options_.bottom_pattern)),
+                            options_.solid_width_nm, fills);
       if (!status.ok()) return status;
     }
     return absl::OkStatus();
   }
 
+  std::optional<double> BridgeDirection(const PolygonWithHoles& region,
+                                        const MultiPolygon* below) const {
+    if (options_.bridge_angle_rad > 0) return options_.bridge_angle_rad;
+    if (below == nullptr) return std::nullopt;
+    return BridgeAngle(region, *below, options_.solid_width_nm);
+  }
+
   absl::Status AppendSolidRegion(const PolygonWithHoles& region, Feature feature,
-                                 SolidPattern pattern, double angle_rad, Coord width_nm,
+                                 FillPattern pattern, double angle_rad, Coord width_nm,
                                  std::vector<FillGroup>& fills) const {
     auto group = FillSolid(region, {.feature = feature,
                                     .pattern = pattern,
                                     .angle_rad = angle_rad,
                                     .width_nm = Width(width_nm),
                                     .height_nm = view_.height_nm,
+                                    .layer = view_.layer,
                                     .overlap_nm = options_.overlap_nm});
     if (!group.ok()) return group.status();
     if (!group->paths.empty()) fills.push_back(*std::move(group));
@@ -145,10 +160,13 @@ class RegionFill {
     auto paths = FillSparse(region, {.pattern = options_.pattern,
                                      .density = options_.density,
                                      .angle_rad = options_.angle_rad,
-                                     .layer_index = view_.layer,
+                                     .layer = view_.layer,
+                                     .z_nm = view_.z_nm,
                                      .width_nm = Width(options_.sparse_width_nm),
                                      .height_nm = view_.height_nm,
-                                     .overlap_nm = options_.overlap_nm});
+                                     .overlap_nm = options_.overlap_nm,
+                                     .anchor_nm = options_.anchor_nm,
+                                     .anchor_max_nm = options_.anchor_max_nm});
     if (!paths.ok()) return paths.status();
     if (!paths->empty()) fills.push_back({false, *std::move(paths)});
     return absl::OkStatus();
@@ -177,6 +195,8 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           std::span<const InfillOptions> regions) {
   SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
   view.outline = view.OutlineAt(walled.layer);
+  if (const ObjectSection* own = objects.Find(walled.object, walled.layer); own != nullptr)
+    view.z_nm = own->z_nm - own->height_nm / 2;
   FilledSection filled{walled.object, walled.layer, walled.height_nm, {}};
   std::map<int32_t, RegionFill> fillers;  // by row
   for (WalledIsland& island : walled.islands) {

@@ -76,6 +76,39 @@ TEST(FillSection, TheLowestLayerIsNoBridge) {
   }
 }
 
+TEST(FillSection, EverySoManyLayersAreSolid) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2);
+  for (InfillOptions& options : regions) options.top_solid_layers = options.bottom_solid_layers = 0;
+  regions[1].solid_every_layers = 3;
+  for (const int32_t layer : {5, 6, 7}) {
+    const auto filled = FillSection(Halves(layer), false, objects, regions);
+    ASSERT_TRUE(filled.ok()) << filled.status();
+    EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
+    EXPECT_EQ(FeaturesOf(*filled, 1),
+              std::set{layer == 6 ? Feature::kSolidInfill : Feature::kInternalInfill});
+  }
+}
+
+// Gyroids of two heights differ; layers of one height are the same whatever their number.
+TEST(FillSection, PatternsSeeTheHeightInTheObject) {
+  auto layers = Prism();
+  for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;
+  layers[6].sections[0].z_nm = layers[5].sections[0].z_nm;
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2);
+  for (InfillOptions& options : regions) {
+    options.top_solid_layers = options.bottom_solid_layers = 0;
+    options.pattern = FillPattern::kGyroid;
+  }
+  const auto fills = [&](int32_t layer) {
+    return FillSection(Halves(layer), false, objects, regions)->islands[0].fills;
+  };
+  EXPECT_EQ(fills(5), fills(6));
+  EXPECT_NE(fills(5), fills(7));
+}
+
 TEST(FillSection, ThePlateHasNoNeighbours) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);

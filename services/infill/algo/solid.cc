@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
-#include "services/infill/algo/scan_lines.h"
-#include "services/infill/algo/serpentine.h"
+#include "services/infill/algo/lines/scan_lines.h"
+#include "services/infill/algo/linking/linked_paths.h"
+#include "services/infill/algo/linking/serpentine.h"
+#include "services/infill/algo/patterns/registry.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -19,6 +22,9 @@ constexpr double kMaxLinkSpacings = 3.0;
 constexpr double kMinLengthWidths = 0.5;
 /// Links are not made thinner than this many spacings.
 constexpr double kLeastLinkSpacings = 0.3;
+/// What links between curves may add to their length.
+constexpr double kMostLinkShare = 0.01;
+constexpr int kDepthSteps = 24;
 
 /// Lines across a region that fill it from edge to edge, if that takes no more stretch than
 /// allowed; else as many as come nearest, in its middle.
@@ -55,9 +61,26 @@ Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
   return path;
 }
 
-}  // namespace
+/// Half the width of a region's widest place.
+double DepthOf(const MultiPolygon& region, double at_most) {
+  double low = 0, high = at_most;
+  for (int i = 0; i < kDepthSteps; ++i) {
+    const double middle = (low + high) / 2;
+    (FastOffset(region, -std::llround(middle)).empty() ? high : low) = middle;
+  }
+  return high;
+}
 
-absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
+/// The distance of loops that leave no room in the middle.
+double FittingLoops(const MultiPolygon& region, double spacing) {
+  const Box box = Bounds(region);
+  const auto size = static_cast<double>(std::max(box.max.x - box.min.x, box.max.y - box.min.y));
+  const double depth = DepthOf(region, size / 2 + 1);
+  const double count = std::max(1.0, std::round(depth / spacing));
+  return std::clamp(depth / count, kLeastStretch * spacing, kMostStretch * spacing);
+}
+
+absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const SolidFill& fill) {
   const LineFamily family = FittingLines(
       region, fill.angle_rad, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
   const Coord spacing = std::llround(family.pitch_nm);
@@ -69,10 +92,11 @@ absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidF
   const Coord width = WidthForSpacing(spacing, fill.height_nm);
   const auto least_link = static_cast<Coord>(kLeastLinkSpacings * family.pitch_nm);
   const Coord link_width = WidthToFill(std::clamp(2 * inset, least_link, spacing), fill.height_nm);
+  const bool linked = fill.pattern != FillPattern::kMonotonicLines;
   FillGroup group;
-  group.keep_order = fill.pattern == SolidPattern::kMonotonic;
+  group.keep_order = !linked || fill.pattern == FillPattern::kMonotonic;
   const SerpentineOptions options{.monotonic = group.keep_order,
-                                  .max_link_nm = kMaxLinkSpacings * family.pitch_nm,
+                                  .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
   for (const SerpentinePath& line : Serpentine(*lines, options)) {
     Path& path = group.paths.emplace_back(MakePath(line, width, link_width));
@@ -80,6 +104,52 @@ absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidF
     path.reversible = !group.keep_order;
   }
   return group;
+}
+
+absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
+  auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
+  const bool loops = fill.pattern == FillPattern::kConcentric;
+  // Loops lie half a spacing from the edge by themselves, side by side with the wall: no end of
+  // theirs needs to reach into it.
+  const Coord inset =
+      loops ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
+  const MultiPolygon area = FastOffset({region}, -inset);
+  if (area.empty()) return FillGroup{};
+  if (loops) pitch = FittingLoops(area, pitch);
+  const Coord spacing = std::llround(pitch);
+  const auto pieces = PatternOf(fill.pattern)(
+      area, {0, fill.layer, fill.height_nm, pitch, fill.angle_rad, spacing});
+  if (!pieces.ok()) return pieces.status();
+  const Coord width = WidthForSpacing(spacing, fill.height_nm);
+  FillGroup group;
+  group.paths =
+      LinkedPaths(area, *pieces,
+                  {.width_nm = width,
+                   .height_nm = fill.height_nm,
+                   .max_link_nm = kMaxLinkSpacings * pitch,
+                   .budget_nm = kMostLinkShare * Area(region) / pitch,
+                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
+  for (Path& path : group.paths) path.feature = fill.feature;
+  return group;
+}
+
+}  // namespace
+
+bool IsAligned(FillPattern pattern) {
+  return pattern == FillPattern::kAlignedRectilinear || pattern == FillPattern::kZigzag;
+}
+
+absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
+  switch (fill.pattern) {
+    case FillPattern::kConcentric:
+    case FillPattern::kArchimedean:
+    case FillPattern::kOctagram:
+    case FillPattern::kHilbert:
+    case FillPattern::kPeano:
+      return FillByCurves(region, fill);
+    default:
+      return FillByLines(region, fill);
+  }
 }
 
 }  // namespace slicefarm::infill

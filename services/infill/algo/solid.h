@@ -8,20 +8,27 @@ namespace slicefarm::infill {
 
 struct SolidFill {
   Feature feature = Feature::kSolidInfill;
-  SolidPattern pattern = SolidPattern::kMonotonic;
+  FillPattern pattern = FillPattern::kMonotonic;
   double angle_rad = 0;
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
+  int32_t layer = 0;     ///< of the object's own
   Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
 };
 
-/// Covers one connected region with beads side by side. The spacing is the nearest to that of
-/// `width_nm` that fits a whole number of beads across the region, within 15 % less and 20 % more;
-/// the beads' width follows, so that the volume is exact.
+/// Whether a pattern's lines run the same way in all layers.
+bool IsAligned(FillPattern pattern);
+
+/// Covers one connected region with beads side by side. For lines and loops the spacing is the
+/// nearest to that of `width_nm` that fits a whole number of beads across the region, within 15 %
+/// less and 20 % more; the beads' width follows, so that the volume is exact.
 ///
 /// Monotonic: each piece of line after those of the line before that it lies beside; the group
-/// keeps its order. Rectilinear: any order. Errors: as CutLines. Cost: O(n log n) for the inset,
-/// O(n + k log k) for the lines.
+/// keeps its order. Monotonic lines: the same, each a path of its own. Other straight lines: any
+/// order. Loops, spirals and space-filling curves: as the sparse pattern, at full density; curves
+/// end where the region does, and leave out what is narrower there than they are.
+/// Errors: as CutLines and MakePattern. Cost: O(n log n) for the inset, and the pattern's own.
+/// REQUIRES: the pattern is one for solid fill.
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill);
 
 }  // namespace slicefarm::infill

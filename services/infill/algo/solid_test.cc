@@ -18,6 +18,9 @@ PolygonWithHoles Island(std::string_view text) { return MakePolygonsOrDie(text)[
 double VolumeArea(const FillGroup& group, Coord height) {
   double area = 0;
   for (const Path& path : group.paths) {
+    if (path.closed)
+      area += Distance(path.points.front(), path.points.back()) *
+              SectionMm2(path.WidthAt(0), height) * 1e12 / static_cast<double>(height);
     for (size_t i = 1; i < path.points.size(); ++i) {
       const Coord width = (path.WidthAt(i - 1) + path.WidthAt(i)) / 2;
       area += Distance(path.points[i - 1], path.points[i]) * SectionMm2(width, height) * 1e12 /
@@ -60,6 +63,50 @@ INSTANTIATE_TEST_SUITE_P(
                     SolidCase{"EllShape", "(0 0, 20 0, 20 6, 6 6, 6 20, 0 20)", 45}),
     [](const auto& info) { return info.param.name; });
 
+struct CurveCase {
+  FillPattern pattern;
+  const char* region;
+  double uncovered;  ///< share of the region, at most
+};
+
+// Curves end where the region does; straight lines and loops leave next to nothing.
+TEST(Solid, CurvesFillTheRegion) {
+  const CurveCase cases[] = {
+      {FillPattern::kAlignedRectilinear, "(0 0, 20 0, 20 20, 0 20)", 0.005},
+      {FillPattern::kMonotonicLines, "(0 0, 20 0, 20 20, 0 20)", 0.005},
+      {FillPattern::kConcentric, "(0 0, 20 0, 20 20, 0 20)", 0.01},
+      {FillPattern::kConcentric, "(0 0, 20 0, 20 7.77, 0 7.77)", 0.01},
+      {FillPattern::kArchimedean, "(-10 -10, 10 -10, 10 10, -10 10)", 0.03},
+      {FillPattern::kOctagram, "(-10 -10, 10 -10, 10 10, -10 10)", 0.03},
+      {FillPattern::kHilbert, "(-10 -10, 10 -10, 10 10, -10 10)", 0.06},
+      {FillPattern::kPeano, "(-10 -10, 10 -10, 10 10, -10 10)", 0.05},
+  };
+  for (const CurveCase& c : cases) {
+    const PolygonWithHoles region = Island(c.region);
+    const SolidFill fill{.pattern = c.pattern, .overlap_nm = 112'500};
+    const auto group = FillSolid(region, fill);
+    ASSERT_TRUE(group.ok());
+    EXPECT_NEAR(VolumeArea(*group, fill.height_nm) / Area(region), 1, 0.06)
+        << InfoOf(c.pattern).name;
+    std::vector<Polyline> lines;
+    for (const Path& path : group->paths) {
+      lines.push_back(path.points);
+      if (path.closed) lines.back().push_back(path.points.front());
+    }
+    const MultiPolygon covered =
+        OffsetLines(lines, group->paths[0].widths_nm[0] / 2, Cap::kRound, {.join = Join::kRound});
+    EXPECT_LT(Area(Difference({region}, covered)) / Area(region), c.uncovered)
+        << InfoOf(c.pattern).name;
+  }
+}
+
+TEST(SolidGroup, MonotonicLinesAreNotLinked) {
+  const auto group = FillSolid(Island("(0 0, 20 0, 20 20, 0 20)"),
+                               {.pattern = FillPattern::kMonotonicLines});
+  EXPECT_TRUE(group->keep_order);
+  for (const Path& path : group->paths) EXPECT_EQ(path.points.size(), 2u);
+}
+
 TEST(SolidSpacing, FitsTheRegion) {
   for (double height = 3.0; height < 3.5; height += 0.05) {
     const Coord h = FromMm(height);
@@ -74,8 +121,8 @@ TEST(SolidSpacing, FitsTheRegion) {
 
 TEST(SolidGroup, MonotonicKeepsItsOrder) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20) (6 6, 14 6, 14 14, 6 14)");
-  EXPECT_TRUE(FillSolid(region, {.pattern = SolidPattern::kMonotonic})->keep_order);
-  EXPECT_FALSE(FillSolid(region, {.pattern = SolidPattern::kRectilinear})->keep_order);
+  EXPECT_TRUE(FillSolid(region, {.pattern = FillPattern::kMonotonic})->keep_order);
+  EXPECT_FALSE(FillSolid(region, {.pattern = FillPattern::kRectilinear})->keep_order);
 }
 
 TEST(SolidGroup, LinesRunAtTheAngle) {

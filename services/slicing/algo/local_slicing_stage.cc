@@ -100,6 +100,7 @@ class SlicingRun {
         section.layer = plane.frame.index;
         section.layer_count = static_cast<int32_t>(planes.size());
         section.height_nm = plane.frame.height_nm;
+        section.z_nm = plane.frame.print_z_nm;
         by_top[raft.LiftNm() + plane.frame.print_z_nm].push_back(std::move(section));
       }
     }

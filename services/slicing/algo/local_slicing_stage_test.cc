@@ -159,6 +159,7 @@ TEST(LocalSlicing, ObjectsHaveTheirOwnHeights) {
     for (const ObjectSection& section : layer.sections) {
       std::vector<Coord>& own = tops[static_cast<size_t>(section.object)];
       EXPECT_EQ(section.layer, std::ssize(own));
+      EXPECT_EQ(section.z_nm, layer.frame.print_z_nm);
       own.push_back(layer.frame.print_z_nm / 1'000);
     }
   }

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <iterator>
+#include <string_view>
+
+namespace slicefarm {
+
+/// The patterns of infill, in the order of kFillPatterns.
+enum class FillPattern : uint8_t {
+  kRectilinear,
+  kAlignedRectilinear,
+  kLine,
+  kZigzag,
+  kGrid,
+  kTriangles,
+  kStars,
+  kCubic,
+  kHoneycomb,
+  kHoneycombCells,
+  kHoneycomb3d,
+  kGyroid,
+  kSchwarzD,
+  kFischerKochS,
+  kConcentric,
+  kArchimedean,
+  kOctagram,
+  kHilbert,
+  kPeano,
+  kMonotonic,
+  kMonotonicLines,
+};
+
+/// What all who list patterns read: settings, help, gallery, benchmarks, tests. How each is made
+/// stands in services/infill/algo/patterns/.
+struct FillPatternInfo {
+  FillPattern pattern = FillPattern::kRectilinear;
+  std::string_view name;  ///< in settings: PrusaSlicer's, where it has the pattern
+  bool sparse = false;    ///< may stand in fill_pattern
+  bool solid = false;     ///< may stand in top_fill_pattern and the like
+  std::string_view doc;
+};
+
+inline constexpr FillPatternInfo kFillPatterns[] = {
+    {FillPattern::kRectilinear, "rectilinear", true, true,
+     "Lines that turn by a right angle from layer to layer"},
+    {FillPattern::kAlignedRectilinear, "alignedrectilinear", true, true,
+     "Lines in one direction in all layers"},
+    {FillPattern::kLine, "line", true, false, "As rectilinear"},
+    {FillPattern::kZigzag, "zigzag", true, true, "As alignedrectilinear"},
+    {FillPattern::kGrid, "grid", true, false, "Lines in two directions in each layer"},
+    {FillPattern::kTriangles, "triangles", true, false,
+     "Lines in three directions that meet in points"},
+    {FillPattern::kStars, "stars", true, false,
+     "Lines in three directions, the third between where the others cross: triangles and hexagons"},
+    {FillPattern::kCubic, "cubic", true, false,
+     "Planes of cubes that stand on a corner: three directions that drift with the height"},
+    {FillPattern::kHoneycomb, "honeycomb", true, false,
+     "Hexagons of continuous rows: two beads side by side where rows meet"},
+    {FillPattern::kHoneycombCells, "honeycombcells", true, false,
+     "Hexagons with each wall printed once: stiffest for its plastic, and many paths"},
+    {FillPattern::kHoneycomb3d, "3dhoneycomb", true, false,
+     "Rows of waves whose height grows and shrinks: cells closed on all sides"},
+    {FillPattern::kGyroid, "gyroid", true, false,
+     "A surface as stiff in all directions: sin x cos y + sin y cos z + sin z cos x = 0"},
+    {FillPattern::kSchwarzD, "schwarzd", true, false,
+     "A surface of diamond symmetry: cos x cos y cos z = sin x sin y sin z"},
+    {FillPattern::kFischerKochS, "fischerkochs", true, false,
+     "A surface: cos 2x sin y cos z + cos 2y sin z cos x + cos 2z sin x cos y = 0"},
+    {FillPattern::kConcentric, "concentric", true, true, "Loops that follow the region's edge"},
+    {FillPattern::kArchimedean, "archimedeanchords", true, true,
+     "A spiral around the object's middle"},
+    {FillPattern::kOctagram, "octagramspiral", true, true,
+     "A spiral in the shape of a star of eight points"},
+    {FillPattern::kHilbert, "hilbertcurve", true, true,
+     "Hilbert's curve: one line of right angles through all cells"},
+    {FillPattern::kPeano, "peano", true, true, "Peano's curve: the same by thirds"},
+    {FillPattern::kMonotonic, "monotonic", true, true,
+     "Solid: lines in the order in which they lie, linked; sparse: as rectilinear"},
+    {FillPattern::kMonotonicLines, "monotoniclines", true, true,
+     "Solid: lines in the order in which they lie, not linked; sparse: as rectilinear"},
+};
+
+inline constexpr int kFillPatternCount = std::size(kFillPatterns);
+
+constexpr const FillPatternInfo& InfoOf(FillPattern pattern) {
+  return kFillPatterns[static_cast<int>(pattern)];
+}
+
+namespace internal {
+constexpr bool InOrder() {
+  for (int i = 0; i < kFillPatternCount; ++i)
+    if (static_cast<int>(kFillPatterns[i].pattern) != i) return false;
+  return true;
+}
+static_assert(InOrder(), "kFillPatterns has a row for each pattern, in their order");
+}  // namespace internal
+
+}  // namespace slicefarm

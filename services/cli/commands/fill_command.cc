@@ -1,0 +1,211 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "common/model/fill_patterns.h"
+#include "services/cli/bead_files.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/fill_files.h"
+#include "services/cli/files.h"
+#include "services/infill/algo/solid.h"
+#include "services/infill/algo/sparse.h"
+
+namespace slicefarm::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beads this low have square sides, so that their width is what they fill.
+constexpr Coord kFlatNm = 1;
+
+struct FillOptions {
+  std::string outlines;
+  std::string output;
+  std::string pattern = "grid";
+  std::string density = "20%";
+  double width_mm = 0.45;
+  double angle_degrees = 45;
+  double z_mm = 0.1;
+  int layer = 0;
+};
+
+/// What the rows tell, over all outlines.
+struct FillTotals {
+  int64_t outlines = 0;
+  int64_t components = 0;
+  int64_t paths = 0;
+  double length_mm = 0;
+  double longest_mm = 0;
+  double area_mm2 = 0;
+  double seconds = 0;
+};
+
+/// `20%` or `0.2` as a share of 1.
+std::optional<double> ReadDensity(std::string_view text) {
+  const bool percent = text.ends_with('%');
+  if (percent) text.remove_suffix(1);
+  const std::optional<double> number = ToNumber(text);
+  if (!number) return std::nullopt;
+  const double share = percent ? *number / 100 : *number;
+  return share > 0 && share <= 1 ? std::optional(share) : std::nullopt;
+}
+
+const FillPatternInfo* FindPattern(const std::string& name) {
+  for (const FillPatternInfo& info : kFillPatterns)
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+std::string PatternNames() {
+  std::string names;
+  for (const FillPatternInfo& info : kFillPatterns)
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
+absl::StatusOr<std::vector<Path>> SolidPaths(const MultiPolygon& islands,
+                                             const infill::SolidFill& fill) {
+  std::vector<Path> paths;
+  for (const PolygonWithHoles& island : islands) {
+    auto group = infill::FillSolid(island, fill);
+    if (!group.ok()) return group.status();
+    std::move(group->paths.begin(), group->paths.end(), std::back_inserter(paths));
+  }
+  return paths;
+}
+
+absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPattern pattern,
+                                          double density, const FillOptions& options) {
+  const double angle = options.angle_degrees * std::numbers::pi / 180;
+  const Coord width = FromMm(options.width_mm);
+  if (density >= 1 && InfoOf(pattern).solid) {
+    return SolidPaths(islands, {.pattern = pattern,
+                                .angle_rad = angle,
+                                .width_nm = width,
+                                .height_nm = kFlatNm,
+                                .layer = options.layer});
+  }
+  return infill::FillSparse(islands, {.pattern = pattern,
+                                      .density = density,
+                                      .angle_rad = angle,
+                                      .layer = options.layer,
+                                      .z_nm = FromMm(options.z_mm),
+                                      .width_nm = width,
+                                      .height_nm = kFlatNm,
+                                      .anchor_nm = 6 * width,
+                                      .anchor_max_nm = 50 * kNmPerMm});
+}
+
+absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern pattern,
+                      double density, const FillOptions& options, FillTotals& totals) {
+  const auto islands = ReadOutlines(from);
+  if (!islands.ok()) return islands.status();
+  const auto start = std::chrono::steady_clock::now();
+  const auto paths = PathsIn(*islands, pattern, density, options);
+  totals.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!paths.ok()) return paths.status();
+  ++totals.outlines;
+  totals.components += std::ssize(FastOffset(*islands, -FromMm(options.width_mm / 2)));
+  totals.paths += std::ssize(*paths);
+  totals.area_mm2 += Area(*islands) / kNmPerMm / kNmPerMm;
+  for (const Path& path : *paths) {
+    const double length = ToMm(PathLength(path));
+    totals.length_mm += length;
+    totals.longest_mm = std::max(totals.longest_mm, length);
+  }
+  return WriteFile(to.string(), PrintFill(*paths));
+}
+
+ExitCode Fill(const FillOptions& options) {
+  const FillPatternInfo* info = FindPattern(options.pattern);
+  if (info == nullptr) {
+    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                          fmt::format("no pattern is named {}; there are: {}", options.pattern,
+                                      PatternNames())));
+  }
+  const std::optional<double> density = ReadDensity(options.density);
+  if (!density) {
+    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                          fmt::format("--density {}: must be above 0 and at most 100%",
+                                      options.density)));
+  }
+  const auto files = OutlineFiles(options.outlines);
+  if (!files.ok()) return Fail(files.status());
+  std::error_code error;
+  fs::create_directories(options.output, error);
+  FillTotals all;
+  for (const fs::path& file : *files) {
+    const absl::Status status = FillFile(file, fs::path(options.output) / file.filename(),
+                                         info->pattern, *density, options, all);
+    if (!status.ok()) return Fail(status);
+  }
+  Print(fmt::format("outlines {}\ncomponents {}\npaths {}\npaths_per_component {:.3f}\n"
+                    "length_mm {:.1f}\nlongest_path_mm {:.1f}\narea_mm2 {:.1f}\n"
+                    "density_by_length {:.5f}\nseconds {:.3f}\n",
+                    all.outlines, all.components, all.paths,
+                    static_cast<double>(all.paths) / static_cast<double>(all.components),
+                    all.length_mm, all.longest_mm, all.area_mm2,
+                    all.length_mm * options.width_mm / all.area_mm2, all.seconds));
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddFill(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("fill", "Infill of outlines, by any pattern");
+  const auto options = std::make_shared<FillOptions>();
+  command->add_option("DIR_OF_OUTLINES", options->outlines, "Its .txt files: outlines, in mm")
+      ->required();
+  command->add_option("-o,--output", options->output, "Where the paths go, by the same names")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--pattern", options->pattern, "As in fill_pattern")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command
+      ->add_option("--density", options->density,
+                   "20% or 0.2; 100%: solid, where the pattern can be")
+      ->capture_default_str()
+      ->type_name("D");
+  command->add_option("--width", options->width_mm, "Of beads, which fill what they are wide")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str()
+      ->type_name("MM");
+  command->add_option("--angle", options->angle_degrees, "As fill_angle")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->capture_default_str()
+      ->type_name("DEGREES");
+  command->add_option("--z", options->z_mm, "Height, for patterns that change with it")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str()
+      ->type_name("MM");
+  command->add_option("--layer", options->layer, "For patterns that turn from layer to layer")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str()
+      ->type_name("N");
+  command->footer(
+      "An outline: two numbers (not used), then rings: number of points, x and y of each.\n"
+      "A path: number of points, x and y of each; one a line.\n"
+      "Prints rows over all outlines: `components` are pieces of the region half a width inside,\n"
+      "`density_by_length` is length times width by area, links and anchors at their full width.\n"
+      "Example:\n"
+      "  slicefarm fill outlines -o paths --pattern gyroid --density 20%");
+  command->callback([options, &context] { context.run = [options] { return Fill(*options); }; });
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,101 @@
+#include "services/infill/algo/lines/edge_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/predicates.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Squares for each edge, at most, and some anyway.
+constexpr double kSquaresPerEdge = 4;
+constexpr double kSquaresAnyway = 4096;
+
+}  // namespace
+
+EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
+  int32_t ring_number = 0;
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], ring_number,
+                        static_cast<int32_t>(i)});
+      box_.Add(ring[i]);
+    }
+    ++ring_number;
+  });
+  begin_ = {0, 0};
+  if (edges_.empty()) {
+    box_ = {{0, 0}, {0, 0}};
+    return;
+  }
+  const double width = static_cast<double>(box_.max.x - box_.min.x) + 1;
+  const double height = static_cast<double>(box_.max.y - box_.min.y) + 1;
+  const double most = kSquaresAnyway + kSquaresPerEdge * static_cast<double>(edges_.size());
+  const double square = std::max({static_cast<double>(square_nm), std::sqrt(width * height / most),
+                                  width / most, height / most});
+  square_nm_ = static_cast<Coord>(square) + 1;
+  columns_ = static_cast<int32_t>((box_.max.x - box_.min.x) / square_nm_) + 1;
+  rows_ = static_cast<int32_t>((box_.max.y - box_.min.y) / square_nm_) + 1;
+  begin_.assign(static_cast<size_t>(rows_) * columns_ + 1, 0);
+  for (const Edge& edge : edges_)
+    ForEachSquare(edge, [this](size_t square_number) { ++begin_[square_number + 1]; });
+  for (size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  items_.resize(static_cast<size_t>(begin_.back()));
+  std::vector<int32_t> at(begin_.begin(), begin_.end() - 1);
+  for (size_t i = 0; i < edges_.size(); ++i)
+    ForEachSquare(edges_[i],
+                  [&](size_t number) { items_[at[number]++] = static_cast<int32_t>(i); });
+}
+
+int32_t EdgeIndex::Column(Coord x) const {
+  return static_cast<int32_t>(std::clamp<Coord>(x - box_.min.x, 0, box_.max.x - box_.min.x) /
+                              square_nm_);
+}
+
+int32_t EdgeIndex::Row(Coord y) const {
+  return static_cast<int32_t>(std::clamp<Coord>(y - box_.min.y, 0, box_.max.y - box_.min.y) /
+                              square_nm_);
+}
+
+/// Row by row: the columns between the places at which the edge enters and leaves it, and one
+/// nanometre more.
+template <typename Visit>
+void EdgeIndex::ForEachSquare(const Edge& edge, Visit visit) const {
+  const Point low = edge.a.y <= edge.b.y ? edge.a : edge.b;
+  const Point high = edge.a.y <= edge.b.y ? edge.b : edge.a;
+  const auto [left, right] = std::minmax(low.x, high.x);
+  const double rise = static_cast<double>(high.y - low.y);
+  const double slope = rise > 0 ? static_cast<double>(high.x - low.x) / rise : 0;
+  for (int32_t row = Row(low.y); row <= Row(high.y); ++row) {
+    const Coord bottom = box_.min.y + static_cast<Coord>(row) * square_nm_;
+    Coord from = left, to = right;
+    if (rise > 0) {
+      const double x0 = slope * static_cast<double>(std::max(bottom, low.y) - low.y);
+      const double x1 = slope * static_cast<double>(std::min(bottom + square_nm_, high.y) - low.y);
+      from = std::max(left, low.x + static_cast<Coord>(std::floor(std::min(x0, x1))) - 1);
+      to = std::min(right, low.x + static_cast<Coord>(std::ceil(std::max(x0, x1))) + 1);
+    }
+    for (int32_t column = Column(from); column <= Column(to); ++column)
+      visit(static_cast<size_t>(row) * columns_ + column);
+  }
+}
+
+bool EdgeIndex::Meets(Point a, Point b) const {
+  bool meets = false;
+  ForEachNear({{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}},
+              [&](int32_t number) {
+                if (meets) return;
+                const Edge& e = At(number);
+                if (std::max(e.a.x, e.b.x) < std::min(a.x, b.x) ||
+                    std::min(e.a.x, e.b.x) > std::max(a.x, b.x) ||
+                    std::max(e.a.y, e.b.y) < std::min(a.y, b.y) ||
+                    std::min(e.a.y, e.b.y) > std::max(a.y, b.y))
+                  return;
+                meets = Orientation(a, b, e.a) * Orientation(a, b, e.b) <= 0 &&
+                        Orientation(e.a, e.b, a) * Orientation(e.a, e.b, b) <= 0;
+              });
+  return meets;
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/infill/algo/lines/piece.h"
+#include "services/infill/algo/lines/scan_lines.h"
+
+namespace slicefarm::infill {
+
+/// The pieces of families of parallel lines inside a region, family by family. Errors and cost: as
+/// CutLines for each.
+absl::StatusOr<std::vector<Piece>> StraightPieces(const MultiPolygon& region,
+                                                  std::span<const LineFamily> families);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,193 @@
+#include "services/infill/algo/lines/tiled_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "services/infill/algo/lines/frame_box.h"
+#include "services/infill/algo/lines/line_limit.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr double kSamePlaceNm = 3;
+
+/// Distance of p to the left of the line ab, signed.
+double LeftOf(Vec p, Vec a, Vec b) {
+  const double u = b.u - a.u, v = b.v - a.v;
+  const double length = std::sqrt(u * u + v * v);
+  if (length == 0) return std::sqrt((p.u - a.u) * (p.u - a.u) + (p.v - a.v) * (p.v - a.v));
+  return (u * (p.v - a.v) - v * (p.u - a.u)) / length;
+}
+
+/// How far the points between first and last lie from their chord at most, signed.
+double RiseOver(const std::vector<Vec>& points, size_t first, size_t last) {
+  double rise = 0;
+  for (size_t i = first + 1; i < last; ++i) {
+    const double height = LeftOf(points[i], points[first], points[last]);
+    if (std::abs(height) > std::abs(rise)) rise = height;
+  }
+  return rise;
+}
+
+/// The corners from `first` to `last`: each chord reaches as far as the tolerance allows.
+std::vector<size_t> Corners(const std::vector<Vec>& points, size_t first, size_t last,
+                            double tolerance) {
+  std::vector<size_t> corners{first};
+  while (corners.back() < last) {
+    const size_t from = corners.back();
+    size_t to = from + 1;
+    while (to < last && std::abs(RiseOver(points, from, to + 1)) <= tolerance) ++to;
+    corners.push_back(to);
+  }
+  return corners;
+}
+
+/// A point moved to the left of its neighbours' chord.
+Vec Moved(Vec p, Vec before, Vec after, double by) {
+  const double u = after.u - before.u, v = after.v - before.v;
+  const double length = std::sqrt(u * u + v * v);
+  return length == 0 ? p : Vec{p.u - by * v / length, p.v + by * u / length};
+}
+
+Vec Shifted(Vec p, double u, double v) { return {p.u + u, p.v + v}; }
+
+/// The extent of a line's points.
+struct Reach {
+  double min_u = 1e300, max_u = -1e300, min_v = 1e300, max_v = -1e300;
+};
+Reach ReachOf(const LevelLine& line) {
+  Reach reach;
+  for (const Vec p : line.points) {
+    reach.min_u = std::min(reach.min_u, p.u), reach.max_u = std::max(reach.max_u, p.u);
+    reach.min_v = std::min(reach.min_v, p.v), reach.max_v = std::max(reach.max_v, p.v);
+  }
+  return reach;
+}
+
+/// Puts copies of lines at the periods that come near a region.
+class Tiler {
+ public:
+  Tiler(const LineFrame& frame, double period_nm, const FrameBox& box)
+      : frame_(frame),
+        period_nm_(period_nm),
+        box_{box.min_u / period_nm, box.max_u / period_nm, box.min_v / period_nm,
+             box.max_v / period_nm} {}
+
+  std::vector<Curve> Tile(std::span<const LevelLine> lines) {
+    for (const LevelLine& line : lines) line.IsClosed() ? TileClosed(line) : TileOpen(line);
+    return std::move(curves_);
+  }
+
+ private:
+  void TileClosed(const LevelLine& line) {
+    const Reach reach = ReachOf(line);
+    for (double v = std::ceil(box_.min_v - reach.max_v); v <= box_.max_v - reach.min_v; ++v) {
+      for (double u = std::ceil(box_.min_u - reach.max_u); u <= box_.max_u - reach.min_u; ++u) {
+        Curve& curve = curves_.emplace_back();
+        curve.closed = true;
+        Append(line, u, v, curve.points);
+        if (curve.points.size() > 1 && curve.points.front() == curve.points.back())
+          curve.points.pop_back();
+      }
+    }
+  }
+
+  /// Copies of an open line that follow each other are one curve. Copies that are not on one curve
+  /// lie at steps (r, k) for r below |step_u| and all k, or the same the other way round.
+  void TileOpen(const LevelLine& line) {
+    const bool by_u = std::abs(line.step_u) >= std::abs(line.step_v);
+    const int step = std::abs(by_u ? line.step_u : line.step_v);
+    const int aside = by_u ? line.step_v : line.step_u;
+    const Reach reach = ReachOf(line);
+    const double from = std::ceil((by_u ? box_.min_u - reach.max_u : box_.min_v - reach.max_v));
+    const double to = by_u ? box_.max_u - reach.min_u : box_.max_v - reach.min_v;
+    const int sign = (by_u ? line.step_u : line.step_v) > 0 ? 1 : -1;
+    const double copies = std::floor((to - from) / step) + 1;
+    for (int r = 0; r < step; ++r) {
+      // Copy k lies at from + r + k * step, and k * aside across.
+      const double drift = sign * aside * copies;
+      const double low = by_u ? box_.min_v - reach.max_v : box_.min_u - reach.max_u;
+      const double high = by_u ? box_.max_v - reach.min_v : box_.max_u - reach.min_u;
+      for (double across = std::ceil(low - std::max(0.0, drift));
+           across <= high - std::min(0.0, drift); ++across)
+        Chain(line, by_u, from + r, across, step, sign * aside, sign < 0);
+    }
+  }
+
+  /// The copies of one curve that come near the region; backward where the line itself runs so.
+  void Chain(const LevelLine& line, bool by_u, double along, double across, int step, int aside,
+             bool backward) {
+    const Reach reach = ReachOf(line);
+    std::vector<Vec> places;
+    const auto flush = [&] {
+      if (places.empty()) return;
+      if (backward) std::reverse(places.begin(), places.end());
+      Curve& curve = curves_.emplace_back();
+      for (const Vec at : places) Append(line, at.u, at.v, curve.points);
+      places.clear();
+    };
+    const double to = by_u ? box_.max_u - reach.min_u : box_.max_v - reach.min_v;
+    for (; along <= to; along += step, across += aside) {
+      const double u = by_u ? along : across, v = by_u ? across : along;
+      const bool near = u + reach.max_u >= box_.min_u && u + reach.min_u <= box_.max_u &&
+                        v + reach.max_v >= box_.min_v && v + reach.min_v <= box_.max_v;
+      if (near) places.push_back({u, v});
+      else flush();
+    }
+    flush();
+  }
+
+  void Append(const LevelLine& line, double u, double v, Polyline& points) const {
+    for (const Vec p : line.points) {
+      const Point q = frame_.At((p.u + u) * period_nm_, (p.v + v) * period_nm_);
+      // Where copies follow each other, one's last point is the other's first, but for rounding.
+      if (points.empty() || Distance(points.back(), q) > kSamePlaceNm) points.push_back(q);
+    }
+  }
+
+  const LineFrame& frame_;
+  const double period_nm_;
+  const FrameBox box_;  ///< in periods
+  std::vector<Curve> curves_;
+};
+
+}  // namespace
+
+LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
+  std::vector<Vec> points = line.points;
+  if (points.size() < 3) return line;
+  if (line.IsClosed()) points.push_back(points[0]);
+  const size_t last = points.size() - 1;
+  // Corners move out by a third of the rise, so chords may have half as much again.
+  const std::vector<size_t> corners = Corners(points, 0, last, 1.5 * tolerance);
+  const size_t chords = corners.size() - 1;
+  std::vector<double> rise(chords);
+  for (size_t c = 0; c < chords; ++c) rise[c] = RiseOver(points, corners[c], corners[c + 1]);
+  LevelLine out;
+  out.step_u = line.step_u;
+  out.step_v = line.step_v;
+  for (size_t c = 0; c < chords; ++c) {
+    const size_t b = (c + chords - 1) % chords;
+    const Vec before = c > 0 ? points[corners[b]]
+                             : Shifted(points[corners[b]], -line.step_u, -line.step_v);
+    out.points.push_back(Moved(points[corners[c]], before, points[corners[c + 1]],
+                               (rise[b] + rise[c]) / 6));
+  }
+  if (!line.IsClosed()) out.points.push_back(Shifted(out.points[0], line.step_u, line.step_v));
+  return out;
+}
+
+absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
+                                              std::span<const LevelLine> lines,
+                                              const LineFrame& frame, double period_nm) {
+  if (region.empty()) return std::vector<Curve>{};
+  const FrameBox box = BoxIn(frame, region);
+  const double periods =
+      ((box.max_u - box.min_u) / period_nm + 2) * ((box.max_v - box.min_v) / period_nm + 2);
+  if (absl::Status ok = CheckLineCount(periods * static_cast<double>(lines.size())); !ok.ok())
+    return ok;
+  return Tiler(frame, period_nm, box).Tile(lines);
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,271 @@
+#include "services/infill/algo/linking/link_choice.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace slicefarm::infill {
+namespace {
+
+/// Steps along paths that moving loose ends may take, for each end there is.
+constexpr int64_t kWorkPerEnd = 400;
+constexpr int kRounds = 4;
+/// How often a growing path may turn a part of itself round.
+constexpr int kTurnsOfItself = 8;
+
+enum class Way { kForward, kBackward };
+
+class Chooser {
+ public:
+  Chooser(const EdgeEnds& ends, double max_link_nm)
+      : ends_(ends), max_link_nm_(max_link_nm), links_(static_cast<size_t>(ends.size()), false) {}
+
+  Links Run() {
+    LinkShortestFirst();
+    MoveLooseEnds();
+    OpenRings();
+    return std::move(links_);
+  }
+
+ private:
+  int32_t Partner(int32_t end) const { return LinkedTo(ends_, links_, end); }
+  bool IsLoose(int32_t end) const { return ends_.IsOnEdge(end) && Partner(end) == kNoEnd; }
+  int32_t Neighbour(int32_t end, Way way) const {
+    return way == Way::kForward ? ends_.Next(end) : ends_.Previous(end);
+  }
+  /// The stretch that leads from an end to its neighbour.
+  int32_t Stretch(int32_t end, Way way) const {
+    return way == Way::kForward ? end : ends_.Previous(end);
+  }
+
+  void LinkShortestFirst() {
+    std::vector<int32_t> stretches = ends_.OnEdge();
+    std::erase_if(stretches, [this](int32_t s) {
+      return ends_.StretchLength(s) > max_link_nm_ || ends_.Next(s) == s;
+    });
+    std::stable_sort(stretches.begin(), stretches.end(), [this](int32_t a, int32_t b) {
+      return ends_.StretchLength(a) < ends_.StretchLength(b);
+    });
+    std::vector<int32_t> path_of(static_cast<size_t>(ends_.PieceCount()));
+    std::iota(path_of.begin(), path_of.end(), 0);
+    const auto path = [&path_of](int32_t piece) {
+      while (path_of[piece] != piece) piece = path_of[piece] = path_of[path_of[piece]];
+      return piece;
+    };
+    for (const int32_t stretch : stretches) {
+      const int32_t next = ends_.Next(stretch);
+      if (Partner(stretch) != kNoEnd || Partner(next) != kNoEnd) continue;
+      const int32_t a = path(stretch / 2), b = path(next / 2);
+      if (a == b) continue;
+      path_of[a] = b;
+      links_[static_cast<size_t>(stretch)] = true;
+    }
+  }
+
+  void MoveLooseEnds() {
+    work_left_ = kWorkPerEnd * ends_.size();
+    for (int round = 0; round < kRounds; ++round) {
+      bool better = false;
+      for (const int32_t end : ends_.OnEdge()) {
+        for (const Way way : {Way::kForward, Way::kBackward}) {
+          if (work_left_ <= 0) return;
+          if (IsLoose(end) && Move(end, way)) better = true;
+          if (IsLoose(end) && Grow(end, way)) better = true;
+        }
+      }
+      if (!better) return;
+    }
+  }
+
+  void Flip(int32_t stretch, std::vector<int32_t>& flipped) {
+    links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
+    flipped.push_back(stretch);
+  }
+
+  /// Takes back all but the first flips.
+  void Undo(const std::vector<int32_t>& flipped, size_t keep) {
+    for (size_t i = flipped.size(); i-- > keep;)
+      links_[static_cast<size_t>(flipped[i])] = !links_[static_cast<size_t>(flipped[i])];
+  }
+
+  /// Lets the path of a loose end grow at that end: each time it takes the neighbour's piece, and
+  /// what hangs on it, from another path, until it meets that one's own loose end, or a ring. True
+  /// if paths are fewer then, else nothing changes.
+  bool Grow(int32_t end, Way first) {
+    const int32_t tail = EndOfPath(end);
+    const Way second = first == Way::kForward ? Way::kBackward : Way::kForward;
+    std::vector<int32_t> flipped;
+    int turns_left = kTurnsOfItself;
+    while (work_left_ > 0) {
+      std::optional<Step> best;
+      for (const Way way : {first, second}) {
+        const std::optional<Step> step = StepFrom(end, tail, way);
+        if (step && (!best || step->kind < best->kind)) best = step;
+      }
+      if (!best || (best->kind == StepKind::kTurns && turns_left-- == 0)) break;
+      if (best->kind != StepKind::kMeets) Flip(best->lost, flipped);
+      Flip(best->made, flipped);
+      if (best->kind == StepKind::kMeets || best->kind == StepKind::kOpens) return true;
+      end = best->end;
+    }
+    Undo(flipped, 0);
+    return false;
+  }
+
+  /// What linking a loose end with a neighbour would do.
+  enum class StepKind {
+    kMeets,  ///< the neighbour is loose: two paths become one
+    kOpens,  ///< it is in a ring: ring and path become one
+    kTakes,  ///< it is in another path, and is taken with what hangs on it
+    kTurns,  ///< it is in the same path, of which a part turns round
+  };
+  struct Step {
+    StepKind kind = StepKind::kMeets;
+    int32_t made = 0;  ///< stretch
+    int32_t lost = 0;  ///< stretch
+    int32_t end = 0;   ///< where the path ends then
+  };
+
+  /// Nothing where the stretch is too long, or a ring would come of it. `tail`: the path's other
+  /// end.
+  std::optional<Step> StepFrom(int32_t end, int32_t tail, Way way) {
+    const int32_t near = Neighbour(end, way);
+    const int32_t made = Stretch(end, way);
+    if (near == end || ends_.StretchLength(made) > max_link_nm_) return std::nullopt;
+    const int32_t far = Partner(near);
+    if (far == kNoEnd) {
+      if (near == tail) return std::nullopt;
+      return Step{StepKind::kMeets, made};
+    }
+    const int32_t lost = Stretch(near, way);
+    for (int32_t at = near;;) {
+      --work_left_;
+      const int32_t out = at ^ 1;
+      if (out == far) return Step{StepKind::kOpens, made, lost};
+      if (out == end) return std::nullopt;
+      if (out == tail) return Step{StepKind::kTurns, made, lost, far};
+      const int32_t next = Partner(out);
+      if (next == kNoEnd)
+        return ends_.IsOnEdge(out) ? std::optional(Step{StepKind::kTakes, made, lost, out})
+                                   : std::nullopt;
+      at = next;
+    }
+  }
+
+  /// Moves a loose end along its ring as far as that makes paths fewest; true if it makes them
+  /// fewer than they were, else nothing changes.
+  bool Move(int32_t end, Way way) {
+    std::vector<int32_t> flipped;  // stretches, in order
+    size_t best_flips = 0;
+    int paths = 0, fewest = 0;  // compared with now
+    const int32_t start = end;
+    do {
+      const int32_t stretch = Stretch(end, way);
+      const int32_t near = Neighbour(end, way);
+      if (near == end || ends_.StretchLength(stretch) > max_link_nm_) break;
+      const int32_t far = Partner(near);
+      if (far == kNoEnd) {
+        if (EndOfPath(end) == near) break;
+        Flip(stretch, flipped);
+        --paths;
+      } else {
+        paths += ChangeByMoving(end, near, far);
+        Flip(Stretch(near, way), flipped);
+        Flip(stretch, flipped);
+      }
+      if (paths < fewest) fewest = paths, best_flips = flipped.size();
+      if (far == kNoEnd) break;
+      end = far;
+    } while (end != start && work_left_ > 0);
+    Undo(flipped, best_flips);
+    return fewest < 0;
+  }
+
+  /// The other end of the path that begins with a loose end, or `end` itself in a ring.
+  int32_t EndOfPath(int32_t end) {
+    for (int32_t at = end;;) {
+      --work_left_;
+      const int32_t next = Partner(at ^ 1);
+      if (next == kNoEnd || next == end) return at ^ 1;
+      at = next;
+    }
+  }
+
+  /// By how much the number of paths changes when a loose end takes `near` from `far`.
+  int ChangeByMoving(int32_t end, int32_t near, int32_t far) {
+    for (int32_t at = end;;) {
+      --work_left_;
+      const int32_t out = at ^ 1;
+      if (out == near) return 1;  // from here to `near` becomes a ring
+      if (out == far) return 0;   // turns round what lies between
+      const int32_t next = Partner(out);
+      if (next == kNoEnd) break;
+      at = next;
+    }
+    // Another path, which is cut in two, or a ring, which is opened.
+    for (int32_t at = near;;) {
+      --work_left_;
+      const int32_t out = at ^ 1;
+      if (out == far) return -1;
+      const int32_t next = Partner(out);
+      if (next == kNoEnd) return 0;
+      at = next;
+    }
+  }
+
+  /// Rings lose their longest link.
+  void OpenRings() {
+    std::vector<bool> seen(static_cast<size_t>(ends_.PieceCount()), false);
+    const auto follow = [&](int32_t from, auto visit) {
+      for (int32_t at = from;;) {
+        seen[static_cast<size_t>(at / 2)] = true;
+        const int32_t next = Partner(at ^ 1);
+        if (next == kNoEnd) return;
+        visit(ends_.Next(at ^ 1) == next && links_[static_cast<size_t>(at ^ 1)] ? (at ^ 1) : next);
+        if (next == from) return;
+        at = next;
+      }
+    };
+    for (int32_t end = 0; end < ends_.size(); ++end)
+      if (Partner(end) == kNoEnd && !seen[static_cast<size_t>(end / 2)])
+        follow(end, [](int32_t) {});
+    for (int32_t piece = 0; piece < ends_.PieceCount(); ++piece) {
+      if (seen[static_cast<size_t>(piece)]) continue;
+      int32_t longest = kNoEnd;
+      follow(2 * piece, [&](int32_t link) {
+        if (longest == kNoEnd || ends_.StretchLength(link) > ends_.StretchLength(longest))
+          longest = link;
+      });
+      if (longest != kNoEnd) links_[static_cast<size_t>(longest)] = false;
+    }
+  }
+
+  const EdgeEnds& ends_;
+  const double max_link_nm_;
+  Links links_;
+  int64_t work_left_ = 0;
+};
+
+}  // namespace
+
+int32_t LinkedTo(const EdgeEnds& ends, const Links& links, int32_t end) {
+  if (!ends.IsOnEdge(end)) return kNoEnd;
+  if (links[static_cast<size_t>(end)]) return ends.Next(end);
+  const int32_t previous = ends.Previous(end);
+  return links[static_cast<size_t>(previous)] ? previous : kNoEnd;
+}
+
+Links ChooseLinks(const EdgeEnds& ends, double max_link_nm) {
+  return Chooser(ends, max_link_nm).Run();
+}
+
+int32_t CountPaths(const EdgeEnds& ends, const Links& links) {
+  int32_t loose = 0;
+  for (int32_t end = 0; end < ends.size(); ++end)
+    loose += LinkedTo(ends, links, end) == kNoEnd ? 1 : 0;
+  return loose / 2;
+}
+
+}  // namespace slicefarm::infill

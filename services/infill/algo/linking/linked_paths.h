@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/model/path.h"
+#include "services/infill/algo/lines/piece.h"
+
+namespace slicefarm::infill {
+
+struct LinkOptions {
+  Coord width_nm = 450'000;  ///< of beads
+  Coord height_nm = 200'000;
+  double max_link_nm = 0;  ///< ends farther apart along the edge are not linked
+  double anchor_nm = 0;    ///< how far a loose end turns along the edge
+  double most_cut_nm = 0;  ///< how much of a corner may be cut off
+  /// What all links and anchors together may add to the pieces' length, in beads of full width.
+  double budget_nm = 0;
+  double most_flow = 1;    ///< of a link, as a share of a bead's: what the edge leaves room for
+  double least_flow = 1;   ///< links that would be thinner are not made
+  double min_length_nm = 0;  ///< shorter paths are left out
+};
+
+/// Joins pieces of any pattern to long paths, by links along the region's edge (ChooseLinks), and
+/// sees to it that the links cost no more plastic than `budget_nm`: first they are as wide as there
+/// is room beside the wall; then their corners are cut off; then they become thinner; and only
+/// then the longest ones are left out.
+///
+/// Every piece is in exactly one path, and no stretch of the edge is used twice. Closed pieces stay
+/// as they are. Cost: as ChooseLinks, and O(n + k) with n points of the region.
+std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
+                              const LinkOptions& options);
+
+}  // namespace slicefarm::infill

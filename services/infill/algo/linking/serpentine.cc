@@ -1,0 +1,174 @@
+#include "services/infill/algo/linking/serpentine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/linking/ring_way.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Of the pieces that may come next, the nearest of this many lowest ones is taken.
+constexpr int kChoices = 64;
+
+/// A way along the boundary from one crossing to the next or the previous one.
+struct Link {
+  int32_t to = 0;
+  bool forward = true;
+};
+
+class Walker {
+ public:
+  Walker(const ScanLines& lines, const SerpentineOptions& options)
+      : lines_(lines), options_(options), done_(lines.PieceCount(), false) {
+    if (options.monotonic) CountSupports();
+  }
+
+  std::vector<SerpentinePath> Run() {
+    std::vector<SerpentinePath> paths;
+    while (const std::optional<int32_t> start = NextStart()) {
+      SerpentinePath path = Walk(*start);
+      at_ = path.points.back();
+      if (Length(path.points) >= options_.min_length_nm) paths.push_back(std::move(path));
+    }
+    return paths;
+  }
+
+ private:
+  const Crossing& At(int32_t place) const { return lines_.crossings[lines_.order[place]]; }
+  Point PlaceAt(int32_t place) const { return lines_.PlaceOf(At(place)); }
+  bool IsReady(int32_t piece) const {
+    return !done_[piece] && (!options_.monotonic || waiting_for_[piece] == 0);
+  }
+
+  /// Calls visit(lower piece, upper piece) for all pieces on adjacent lines that lie beside each
+  /// other.
+  template <typename Visit>
+  void ForEachNeighbours(int32_t line, Visit visit) const {
+    int32_t low = lines_.line_begin[line], high = lines_.line_begin[line + 1];
+    const int32_t low_end = high, high_end = lines_.line_begin[line + 2];
+    while (low < low_end && high < high_end) {
+      if (At(low).u < At(high + 1).u && At(high).u < At(low + 1).u) visit(low / 2, high / 2);
+      (At(low + 1).u < At(high + 1).u ? low : high) += 2;
+    }
+  }
+
+  void CountSupports() {
+    waiting_for_.assign(lines_.PieceCount(), 0);
+    for (int32_t line = 0; line + 1 < lines_.LineCount(); ++line)
+      ForEachNeighbours(line, [&](int32_t, int32_t upper) { ++waiting_for_[upper]; });
+    for (int32_t piece = 0; piece < lines_.PieceCount(); ++piece)
+      if (waiting_for_[piece] == 0) ready_.insert(piece);
+  }
+
+  /// Marks a piece as printed; what lies above it may be free then.
+  void Finish(int32_t piece) {
+    done_[piece] = true;
+    if (!options_.monotonic) return;
+    ready_.erase(piece);
+    const int32_t line = At(2 * piece).line;
+    if (line + 1 >= lines_.LineCount()) return;
+    const double from = At(2 * piece).u, to = At(2 * piece + 1).u;
+    const auto begin = lines_.order.begin() + lines_.line_begin[line + 1];
+    const auto end = lines_.order.begin() + lines_.line_begin[line + 2];
+    auto above = std::partition_point(
+        begin, end, [&](int32_t crossing) { return lines_.crossings[crossing].u <= from; });
+    auto place = static_cast<int32_t>(above - lines_.order.begin()) & ~1;
+    for (; place < lines_.line_begin[line + 2] && At(place).u < to; place += 2) {
+      if (At(place + 1).u <= from) continue;
+      if (--waiting_for_[place / 2] == 0) ready_.insert(place / 2);
+    }
+  }
+
+  /// The place at which the next path begins.
+  std::optional<int32_t> NextStart() {
+    if (!options_.monotonic) {
+      while (next_ < lines_.PieceCount() && done_[next_]) ++next_;
+      if (next_ == lines_.PieceCount()) return std::nullopt;
+      return 2 * next_;
+    }
+    if (ready_.empty()) return std::nullopt;
+    if (!at_) return 2 * *ready_.begin();
+    double nearest = std::numeric_limits<double>::infinity();
+    int32_t best = 0;
+    int tried = 0;
+    for (auto it = ready_.begin(); it != ready_.end() && tried < kChoices; ++it, ++tried) {
+      for (const int32_t place : {2 * *it, 2 * *it + 1}) {
+        const double distance = SquaredNorm(PlaceAt(place) - *at_);
+        if (distance < nearest) nearest = distance, best = place;
+      }
+    }
+    return best;
+  }
+
+  SerpentinePath Walk(int32_t place) {
+    SerpentinePath path;
+    while (true) {
+      path.pieces.push_back(static_cast<int32_t>(path.points.size()));
+      path.points.push_back(PlaceAt(place));
+      path.points.push_back(PlaceAt(place ^ 1));
+      Finish(place / 2);
+      const int32_t from = lines_.order[place ^ 1];
+      const std::optional<Link> link = BestLink(from);
+      if (!link) return path;
+      AppendLink(from, *link, path.points);
+      place = lines_.crossings[link->to].place;
+    }
+  }
+
+  /// The way to a piece that may come next; upwards if there is a choice.
+  std::optional<Link> BestLink(int32_t from) const {
+    const Crossing& crossing = lines_.crossings[from];
+    std::optional<Link> best;
+    for (const Link link : {Link{crossing.next, true}, Link{crossing.previous, false}}) {
+      const Crossing& to = lines_.crossings[link.to];
+      if (std::abs(to.line - crossing.line) != 1 || !IsReady(to.place / 2)) continue;
+      if (options_.monotonic && to.line < crossing.line) continue;
+      if (LinkLength(from, link) > options_.max_link_nm) continue;
+      if (!best || to.line > lines_.crossings[best->to].line) best = link;
+    }
+    return best;
+  }
+
+  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring: that
+  /// meets each line twice, so on the way from a line to the next there are others.
+  template <typename Visit>
+  void ForEachLinkCorner(int32_t from, const Link& link, Visit visit) const {
+    const Crossing& a = lines_.crossings[from];
+    const Crossing& b = lines_.crossings[link.to];
+    ForEachCorner(*lines_.rings[a.ring], {a.edge, b.edge, link.forward}, visit);
+  }
+
+  double LinkLength(int32_t from, const Link& link) const {
+    Point at = lines_.PlaceOf(lines_.crossings[from]);
+    double length = 0;
+    ForEachLinkCorner(from, link, [&](Point p) { length += Distance(at, p), at = p; });
+    return length + Distance(at, lines_.PlaceOf(lines_.crossings[link.to]));
+  }
+
+  void AppendLink(int32_t from, const Link& link, Polyline& path) const {
+    ForEachLinkCorner(from, link, [&](Point p) { path.push_back(p); });
+  }
+
+  const ScanLines& lines_;
+  const SerpentineOptions& options_;
+  std::vector<bool> done_;
+  std::optional<Point> at_;  ///< where the last path ended
+  int32_t next_ = 0;         ///< not monotonic: no undone piece below this
+  std::vector<int32_t>
+      waiting_for_;          ///< monotonic: undone pieces of the line below beside each piece
+  std::set<int32_t> ready_;  ///< monotonic: undone pieces that wait for none
+};
+
+}  // namespace
+
+std::vector<SerpentinePath> Serpentine(const ScanLines& lines, const SerpentineOptions& options) {
+  return Walker(lines, options).Run();
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,106 @@
+#include "services/infill/algo/linking/serpentine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "common/geometry/text_format.h"
+#include "common/model/paths_test.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+std::vector<Polyline> Paths(const MultiPolygon& region, const LineFamily& family, bool monotonic,
+                            double max_link_mm = 3) {
+  const auto lines = CutLines(region, family);
+  std::vector<Polyline> paths;
+  for (SerpentinePath& path :
+       Serpentine(*lines, {.monotonic = monotonic, .max_link_nm = max_link_mm * kNmPerMm}))
+    paths.push_back(std::move(path.points));
+  return paths;
+}
+
+TEST(Serpentine, ConvexRegionIsOnePath) {
+  for (const bool monotonic : {false, true}) {
+    const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
+    const auto paths = Paths(square, {0, 0.5e6, 1e6}, monotonic);
+    ASSERT_EQ(paths.size(), 1u);
+    EXPECT_NEAR(TotalMm(paths), 109, 1e-6);
+    EXPECT_EQ(paths[0].size(), 20u);
+    const MultiPolygon disc = P("(0 0, 4 -1, 8 0, 9 4, 8 8, 4 9, 0 8, -1 4)");
+    EXPECT_EQ(Paths(disc, {0.6, 0, 0.4e6}, monotonic).size(), 1u);
+  }
+}
+
+TEST(Serpentine, TellsPiecesFromLinks) {
+  const MultiPolygon region = P("(0 0, 10 0, 11 1, 10 2, 0 2)");
+  const auto lines = CutLines(region, {0, 0.5e6, 1e6});
+  const auto paths = Serpentine(*lines, {.max_link_nm = 3e6});
+  ASSERT_EQ(paths.size(), 1u);
+  ASSERT_EQ(paths[0].pieces.size(), 2u);
+  for (const int32_t i : paths[0].pieces) EXPECT_EQ(paths[0].points[i].y, paths[0].points[i + 1].y);
+  EXPECT_EQ(paths[0].pieces[1], 3);  // the link's corner lies between
+}
+
+TEST(Serpentine, LinksFollowTheBoundary) {
+  const MultiPolygon region = P("(0 0, 10 0, 11 1, 10 2, 0 2)");
+  const auto paths = Paths(region, {0, 0.5e6, 1e6}, false);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_TRUE(std::count(paths[0].begin(), paths[0].end(), Point{11'000'000, 1'000'000}));
+}
+
+TEST(Serpentine, LongLinksAreLeftToTravel) {
+  const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
+  EXPECT_EQ(Paths(square, {0, 0.5e6, 1e6}, false, 0.9).size(), 10u);
+}
+
+// Nothing is left out or printed twice, whatever the shape.
+TEST(Serpentine, UsesEveryPieceOnce) {
+  const MultiPolygon region =
+      P("(0 0, 20 0, 20 10, 0 10) (3 3, 6 3, 6 6, 3 6) (9 1, 11 1, 11 9, 9 9) (14 4, 16 2, 18 4, "
+        "16 6)");
+  for (const bool monotonic : {false, true}) {
+    for (const double angle : {0.0, 0.5, 1.5}) {
+      const auto lines = CutLines(region, {angle, 0, 0.31e6});
+      const auto paths = Paths(region, {angle, 0, 0.31e6}, monotonic, 0);
+      ASSERT_EQ(paths.size(), static_cast<size_t>(lines->PieceCount()));
+      EXPECT_NEAR(TotalMm(paths), lines->TotalLength() / kNmPerMm, 1e-3);
+    }
+  }
+}
+
+// Each point's piece comes after the pieces below it that it lies beside: so v never falls within a
+// path, and a path starts only above what is printed.
+TEST(Serpentine, MonotonicRisesEverywhere) {
+  const MultiPolygon region =
+      P("(0 0, 20 0, 20 10, 0 10) (3 3, 6 3, 6 6, 3 6) (9 1, 11 1, 11 9, 9 9) (14 4, 16 2, 18 4, "
+        "16 6)");
+  const auto paths = Paths(region, {0, 0.2e6, 0.4e6}, true);
+  EXPECT_LT(paths.size(), 12u);
+  struct Piece {
+    Coord left, right, y;
+  };
+  std::vector<Piece> printed;
+  for (const Polyline& path : paths) {
+    for (size_t i = 1; i < path.size(); ++i) {
+      if (path[i].y != path[i - 1].y || (path[i].y - 200'000) % 400'000 != 0) continue;
+      const auto [left, right] = std::minmax(path[i].x, path[i - 1].x);
+      for (const Piece& earlier : printed) {
+        const bool beside = earlier.left < right && left < earlier.right;
+        EXPECT_FALSE(beside && earlier.y == path[i].y + 400'000) << ToText(path[i]);
+      }
+      printed.push_back({left, right, path[i].y});
+    }
+  }
+}
+
+TEST(Serpentine, ShortPathsAreLeftOut) {
+  const MultiPolygon region = P("(0 0, 0.3 0, 0.3 10, 0 10)");
+  const auto lines = CutLines(region, {0, 0, 1e6});
+  EXPECT_TRUE(Serpentine(*lines, {.max_link_nm = 0, .min_length_nm = 0.45e6}).empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

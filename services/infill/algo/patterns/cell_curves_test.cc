@@ -1,0 +1,42 @@
+#include "services/infill/algo/patterns/cell_curves.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
+
+double LengthOf(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces)
+    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
+  return length;
+}
+
+// Each cell has a pitch of line, and all cells of a region are on few pieces.
+TEST(CellCurves, VisitEveryCellOnce) {
+  const double pitch = 2e6;
+  for (MakePattern* pattern : {Hilbert, Peano}) {
+    const auto pieces = pattern(Box(), {.pitch_nm = pitch});
+    EXPECT_NEAR(LengthOf(*pieces) * pitch / Area(Box()), 1, 0.05);
+    for (const Piece& piece : *pieces)
+      for (size_t i = 1; i < piece.points.size(); ++i)
+        EXPECT_TRUE(piece.points[i].x == piece.points[i - 1].x ||
+                    piece.points[i].y == piece.points[i - 1].y);
+  }
+}
+
+// 16 x 16 cells beside the origin are a square of the curve's own: it goes through without a gap.
+TEST(CellCurves, HilbertGoesThroughASquareOfItsOwnInOnePiece) {
+  const auto square = MakePolygonsOrDie("(0 0, 32 0, 32 32, 0 32)");
+  const auto pieces = Hilbert(square, {.pitch_nm = 2e6});
+  ASSERT_EQ(pieces->size(), 1u);
+  EXPECT_GE(LengthOf(*pieces), 255 * 2e6 - 1);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

@@ -1,0 +1,37 @@
+#include "services/infill/algo/patterns/honeycomb_3d.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
+
+double LengthOf(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces)
+    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
+  return length;
+}
+
+TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
+  const PatternPlace flat{.z_nm = 0, .pitch_nm = 2e6, .spacing_nm = 400'000};
+  const auto rows = Honeycomb3d(Box(), flat);
+  for (const Piece& row : *rows) EXPECT_EQ(row.points.size(), 2u);
+  PatternPlace place = flat;
+  double least = 1e18, most = 0;
+  for (; place.z_nm < 1'700'000; place.z_nm += 100'000) {
+    const double length = LengthOf(*Honeycomb3d(Box(), place));
+    least = std::min(least, length), most = std::max(most, length);
+  }
+  EXPECT_GT(most / least, 1.1);
+  EXPECT_LT(most / least, 1.3);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

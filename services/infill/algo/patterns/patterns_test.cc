@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "common/base/error.h"
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
+#include "services/infill/algo/patterns/registry.h"
+#include "services/infill/algo/sparse.h"
+
+/// Properties of all patterns of the registry.
+namespace slicefarm::infill {
+namespace {
+
+constexpr Coord kWidth = 450'000;
+constexpr Coord kHeight = 200'000;
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+/// Length of a line within a box, weighed by the bead's section.
+double WeightedLengthIn(const Path& path, const Box& box) {
+  const double full = SectionMm2(kWidth, kHeight);
+  double sum = 0;
+  const size_t count = path.points.size();
+  for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
+    const Point a = path.points[i - 1], b = path.points[i % count];
+    double from = 0, to = 1;
+    const auto clip = [&](Coord start, Coord way, Coord low, Coord high) {
+      if (way == 0) {
+        if (start < low || start > high) to = from;
+        return;
+      }
+      double in = static_cast<double>(low - start) / static_cast<double>(way);
+      double out = static_cast<double>(high - start) / static_cast<double>(way);
+      if (in > out) std::swap(in, out);
+      from = std::max(from, in), to = std::min(to, out);
+    };
+    clip(a.x, b.x - a.x, box.min.x, box.max.x);
+    clip(a.y, b.y - a.y, box.min.y, box.max.y);
+    sum += std::max(0.0, to - from) * Distance(a, b) *
+           SectionMm2(path.WidthAt(i % count), kHeight) / full;
+  }
+  return sum;
+}
+
+SparseFill Fill(FillPattern pattern, double density) {
+  return {.pattern = pattern,
+          .density = density,
+          .angle_rad = std::numbers::pi / 4,
+          .width_nm = kWidth,
+          .height_nm = kHeight,
+          .overlap_nm = 157'500,
+          .anchor_nm = 2'700'000,
+          .anchor_max_nm = 50'000'000};
+}
+
+std::string NameOf(const testing::TestParamInfo<FillPattern>& info) {
+  return "P" + std::string(InfoOf(info.param).name);
+}
+
+std::vector<FillPattern> AllPatterns() {
+  std::vector<FillPattern> all;
+  for (const FillPatternInfo& info : kFillPatterns)
+    if (info.sparse) all.push_back(info.pattern);
+  return all;
+}
+
+class Patterns : public testing::TestWithParam<FillPattern> {};
+INSTANTIATE_TEST_SUITE_P(All, Patterns, testing::ValuesIn(AllPatterns()), NameOf);
+
+// Within 1 % two widths inside, within 3 % in all, from 5 to 80 %: the mean over heights and places
+// on the pattern.
+TEST_P(Patterns, DensityIsAsAsked) {
+  const auto spacing = static_cast<double>(Spacing(kWidth, kHeight));
+  for (const double density : {0.05, 0.1, 0.15, 0.2, 0.4, 0.6, 0.8}) {
+    // A whole number of the pattern's own period is not needed where so many are averaged.
+    constexpr int kPlaces = 48;
+    SparseFill fill = Fill(GetParam(), density);
+    double inner_length = 0, inner_area = 0, length = 0, area = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+      const double pitch = spacing / density;
+      const auto aside = [&](double share) {
+        return std::llround((share - std::floor(share)) * 12 * pitch);
+      };
+      MultiPolygon box = P("(-40 -40, 40 -40, 40 40, -40 40)");
+      for (Point& p : box[0].outer)
+        p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
+      fill.layer = i;
+      fill.z_nm = std::llround(i * pitch / std::numbers::sqrt2);
+      const auto paths = FillSparse(box, fill);
+      ASSERT_TRUE(paths.ok()) << paths.status();
+      // Loops keep their distance from the edge: counted is a whole number of them.
+      const double band = GetParam() == FillPattern::kConcentric
+                              ? std::ceil(2 * kWidth / pitch) * pitch + 46'000
+                              : 2 * kWidth;
+      const Box inner = Bounds(FastOffset(box, -std::llround(band)));
+      for (const Path& path : *paths) {
+        inner_length += WeightedLengthIn(path, inner);
+        length += WeightedLengthIn(path, Bounds(box));
+      }
+      inner_area += static_cast<double>(inner.max.x - inner.min.x) *
+                    static_cast<double>(inner.max.y - inner.min.y);
+      area += Area(box);
+    }
+    EXPECT_NEAR(inner_length * spacing / inner_area / density, 1, 0.01) << density;
+    EXPECT_NEAR(length * spacing / area / density, 1, 0.03) << density;
+  }
+}
+
+/// Whether no point of a path, nor of its segments' middles, lies outside.
+void ExpectInside(const std::vector<Path>& paths, const MultiPolygon& region, const char* what) {
+  const MultiPolygon grown = FastOffset(region, 1'000);
+  const auto inside = [&](Point p) {
+    return std::any_of(grown.begin(), grown.end(), [p](const PolygonWithHoles& island) {
+      return Locate(p, island) != Side::kOutside;
+    });
+  };
+  for (const Path& path : paths) {
+    ASSERT_TRUE(WellFormed(path));
+    for (size_t i = 0; i < path.points.size(); ++i) {
+      const Point a = path.points[i], b = path.points[i == 0 ? 0 : i - 1];
+      ASSERT_TRUE(inside(a)) << what << ToText(a);
+      ASSERT_TRUE(inside({(a.x + b.x) / 2, (a.y + b.y) / 2})) << what << ToText(a) << ToText(b);
+    }
+  }
+}
+
+TEST_P(Patterns, StayInside) {
+  const char* const regions[] = {
+      "(0 0, 30 0, 30 30, 15 5, 0 30) (3 2, 3 4, 5 4, 5 2)",
+      "(0 0, 20 0, 20 10, 13 4, 9 10, 0 10) (3 3, 3 6, 6 6, 6 3) ; (30 0, 40 3, 31 9)",
+      "(-9 -7, 11 -7.01, 10 9, 3 8.5, 2.9 -6, 2.5 -6, 2.4 8, -8 9)",
+  };
+  for (const char* text : regions) {
+    for (const double density : {0.1, 0.3, 0.7}) {
+      for (const double angle : {0.0, 0.4, std::numbers::pi / 4}) {
+        SparseFill fill = Fill(GetParam(), density);
+        fill.angle_rad = angle;
+        fill.z_nm = 3'300'000;
+        const auto paths = FillSparse(P(text), fill);
+        ASSERT_TRUE(paths.ok());
+        EXPECT_FALSE(paths->empty());
+        ExpectInside(*paths, P(text), text);
+      }
+    }
+  }
+}
+
+TEST_P(Patterns, AreTheSameEachTime) {
+  const MultiPolygon region = P("(0 0, 30 0, 30 30, 15 5, 0 30) (3 2, 3 4, 5 4, 5 2)");
+  EXPECT_EQ(*FillSparse(region, Fill(GetParam(), 0.2)), *FillSparse(region, Fill(GetParam(), 0.2)));
+}
+
+// A pattern at an angle is the pattern, turned: so is its length.
+TEST_P(Patterns, TurnWithTheAngle) {
+  const MultiPolygon box = P("(-20 -15, 20 -15, 20 15, -20 15)");
+  const MultiPolygon turned = P("(15 -20, 15 20, -15 20, -15 -20)");
+  const auto length = [&](const MultiPolygon& region, double angle) {
+    SparseFill fill = Fill(GetParam(), 0.25);
+    fill.angle_rad = angle;
+    fill.anchor_max_nm = 0;
+    double sum = 0;
+    const auto paths = FillSparse(region, fill);
+    for (const Path& path : *paths) sum += PathLength(path);
+    return sum;
+  };
+  EXPECT_NEAR(length(box, 0.3) / length(turned, 0.3 + std::numbers::pi / 2), 1, 1e-4);
+}
+
+TEST_P(Patterns, TooManyLinesAreRefused) {
+  const MultiPolygon huge = P("(0 0, 2000 0, 2000 2000, 0 2000)");
+  SparseFill fill = Fill(GetParam(), 0.8);
+  fill.width_nm = 50'000;
+  fill.height_nm = 10'000;
+  const auto paths = FillSparse(huge, fill);
+  // Loops and spirals across two metres are fewer than the limit.
+  if (!paths.ok()) {
+    EXPECT_EQ(DetailOf(paths.status()).reason, Reason::kRequestTooLarge);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

@@ -1,0 +1,57 @@
+#include "services/infill/algo/patterns/registry.h"
+
+#include <iterator>
+
+#include "services/infill/algo/patterns/cell_curves.h"
+#include "services/infill/algo/patterns/concentric.h"
+#include "services/infill/algo/patterns/crossing_lines.h"
+#include "services/infill/algo/patterns/honeycomb.h"
+#include "services/infill/algo/patterns/honeycomb_3d.h"
+#include "services/infill/algo/patterns/rectilinear.h"
+#include "services/infill/algo/patterns/spirals.h"
+#include "services/infill/algo/patterns/surfaces.h"
+
+namespace slicefarm::infill {
+namespace {
+
+struct Row {
+  FillPattern pattern;
+  MakePattern* make;
+};
+
+constexpr Row kRows[] = {
+    {FillPattern::kRectilinear, Rectilinear},
+    {FillPattern::kAlignedRectilinear, AlignedRectilinear},
+    {FillPattern::kLine, Rectilinear},
+    {FillPattern::kZigzag, AlignedRectilinear},
+    {FillPattern::kGrid, Grid},
+    {FillPattern::kTriangles, Triangles},
+    {FillPattern::kStars, Stars},
+    {FillPattern::kCubic, Cubic},
+    {FillPattern::kHoneycomb, Honeycomb},
+    {FillPattern::kHoneycombCells, HoneycombCells},
+    {FillPattern::kHoneycomb3d, Honeycomb3d},
+    {FillPattern::kGyroid, Gyroid},
+    {FillPattern::kSchwarzD, SchwarzD},
+    {FillPattern::kFischerKochS, FischerKochS},
+    {FillPattern::kConcentric, Concentric},
+    {FillPattern::kArchimedean, Archimedean},
+    {FillPattern::kOctagram, Octagram},
+    {FillPattern::kHilbert, Hilbert},
+    {FillPattern::kPeano, Peano},
+    {FillPattern::kMonotonic, Rectilinear},
+    {FillPattern::kMonotonicLines, Rectilinear},
+};
+
+constexpr bool InOrder() {
+  for (size_t i = 0; i < std::size(kRows); ++i)
+    if (static_cast<size_t>(kRows[i].pattern) != i) return false;
+  return std::size(kRows) == kFillPatternCount;
+}
+static_assert(InOrder(), "each pattern of common/model/fill_patterns.h has a row, in their order");
+
+}  // namespace
+
+MakePattern* PatternOf(FillPattern pattern) { return kRows[static_cast<int>(pattern)].make; }
+
+}  // namespace slicefarm::infill

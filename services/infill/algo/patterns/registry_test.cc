@@ -1,0 +1,23 @@
+#include "services/infill/algo/patterns/registry.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+TEST(Registry, EveryPatternIsMade) {
+  const MultiPolygon box = MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)");
+  for (const FillPatternInfo& info : kFillPatterns) {
+    MakePattern* const make = PatternOf(info.pattern);
+    ASSERT_NE(make, nullptr) << info.name;
+    const auto pieces = make(box, {.z_nm = 300'000, .pitch_nm = 3e6, .spacing_nm = 400'000});
+    ASSERT_TRUE(pieces.ok()) << info.name;
+    EXPECT_FALSE(pieces->empty()) << info.name;
+    EXPECT_TRUE(make({}, {.pitch_nm = 3e6, .spacing_nm = 400'000})->empty()) << info.name;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

@@ -1,0 +1,97 @@
+#include "services/infill/algo/patterns/spirals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "common/base/portable_math.h"
+#include "services/infill/algo/lines/clip_curves.h"
+#include "services/infill/algo/lines/frame_box.h"
+#include "services/infill/algo/lines/level_lines.h"
+#include "services/infill/algo/lines/line_limit.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kToleranceNm = 50'000;
+constexpr int kCorners = 16;
+
+/// Distance from the origin to the nearest and farthest place of a region's box.
+struct Radii {
+  double least = 0;
+  double most = 0;
+};
+Radii RadiiOf(const MultiPolygon& region, const LineFrame& frame) {
+  const FrameBox box = BoxIn(frame, region);
+  const double near_u = std::clamp(0.0, box.min_u, box.max_u);
+  const double near_v = std::clamp(0.0, box.min_v, box.max_v);
+  const double far_u = std::max(std::abs(box.min_u), std::abs(box.max_u));
+  const double far_v = std::max(std::abs(box.min_v), std::abs(box.max_v));
+  return {std::sqrt(near_u * near_u + near_v * near_v),
+          std::sqrt(far_u * far_u + far_v * far_v)};
+}
+
+/// Nothing of a spiral that is wholly within `least` of the origin is needed. The angle at which it
+/// begins is a whole number of turns, so that its points are the same for all regions.
+double FirstTurn(double least_nm, double nm_per_turn) {
+  return std::max(0.0, std::floor(least_nm / nm_per_turn) - 1);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
+                                               const PatternPlace& place) {
+  if (region.empty()) return std::vector<Piece>{};
+  const LineFrame frame(place.angle_rad);
+  const Radii radii = RadiiOf(region, frame);
+  const double last = std::ceil(radii.most / place.pitch_nm) + 1;
+  if (absl::Status ok = CheckLineCount(last); !ok.ok()) return ok;
+  Curve spiral;
+  for (double turn = FirstTurn(radii.least, place.pitch_nm); turn < last; ++turn) {
+    // Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half
+    // as much again as the tolerance.
+    const double radius = (turn + 1) * place.pitch_nm;
+    const double rise = std::min(1.5 * kToleranceNm, radius / 8);
+    const double chords = std::ceil(std::numbers::pi / Acos(1 - rise / radius));
+    const double half = std::numbers::pi / chords;
+    const double outside = half * half / 6;
+    for (double i = 0; i < chords; ++i) {
+      const double at = turn + i / chords;
+      const double r = at * place.pitch_nm * (1 + outside);
+      spiral.points.push_back(
+          frame.At(r * Cos(kTurn * (i / chords)), r * Sin(kTurn * (i / chords))));
+    }
+  }
+  return ClipCurves(region, {&spiral, 1});
+}
+
+absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region,
+                                            const PatternPlace& place) {
+  if (region.empty()) return std::vector<Piece>{};
+  const LineFrame frame(place.angle_rad);
+  // Of the star whose outer corners lie at 1: how far the inner corners and the edges lie.
+  const double edge = std::numbers::sqrt2 / 2;
+  const double inner = edge / Cos(kTurn / kCorners);
+  std::array<Vec, kCorners> star;
+  for (int i = 0; i < kCorners; ++i) {
+    const double r = i % 2 == 0 ? 1 : inner;
+    star[static_cast<size_t>(i)] = {r * Cos(kTurn * i / kCorners), r * Sin(kTurn * i / kCorners)};
+  }
+  const double growth = place.pitch_nm / edge;  // of the outer corners, a turn
+  const Radii radii = RadiiOf(region, frame);
+  const double last = std::ceil(radii.most / (inner * growth)) + 2;
+  if (absl::Status ok = CheckLineCount(last * kCorners); !ok.ok()) return ok;
+  Curve spiral;
+  for (double turn = FirstTurn(radii.least, growth); turn < last; ++turn) {
+    for (int i = 0; i < kCorners; ++i) {
+      const double r = (turn + static_cast<double>(i) / kCorners) * growth;
+      spiral.points.push_back(frame.At(r * star[static_cast<size_t>(i)].u,
+                                       r * star[static_cast<size_t>(i)].v));
+    }
+  }
+  return ClipCurves(region, {&spiral, 1});
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,73 @@
+#include "services/infill/algo/patterns/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/base/portable_math.h"
+#include "services/infill/algo/lines/tiled_lines.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Largest distance of a straight segment from the surface, and for close surfaces in periods.
+constexpr double kToleranceNm = 50'000;
+constexpr double kTolerancePeriods = 0.01;
+/// Squares of the grid on which sections are found; it is fine enough that what lies between two of
+/// its lines hardly bends.
+constexpr double kSquareNm = 250'000;
+constexpr int kLeastSquares = 32;
+constexpr int kMostSquares = 96;
+
+/// Sine and cosine of a coordinate.
+struct Turn {
+  explicit Turn(double periods)
+      : sine(Sin(2 * std::numbers::pi * periods)), cosine(Cos(2 * std::numbers::pi * periods)) {}
+  double sine;
+  double cosine;
+
+  double CosOfTwice() const { return cosine * cosine - sine * sine; }
+};
+
+/// `value(x, y, z)` of Turns; `pitches`: the period.
+template <typename Value>
+absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const PatternPlace& place,
+                                           double pitches, Value value) {
+  const double period = pitches * place.pitch_nm;
+  const double height = static_cast<double>(place.z_nm) / period;
+  const Turn z(height - std::floor(height));
+  const int squares =
+      static_cast<int>(std::clamp(period / kSquareNm, 1.0 * kLeastSquares, 1.0 * kMostSquares));
+  std::vector<LevelLine> lines = LevelLines(
+      [&](Vec at) { return value(Turn(at.u), Turn(at.v), z); }, squares);
+  const double tolerance = std::min(kToleranceNm / period, kTolerancePeriods);
+  for (LevelLine& line : lines) line = WithLongSegments(line, tolerance);
+  const auto curves = TiledLines(region, lines, LineFrame(place.angle_rad), period);
+  if (!curves.ok()) return curves.status();
+  return ClipCurves(region, *curves);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Piece>> Gyroid(const MultiPolygon& region, const PatternPlace& place) {
+  return Section(region, place, 2.4561, [](const Turn& x, const Turn& y, const Turn& z) {
+    return x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
+  });
+}
+
+absl::StatusOr<std::vector<Piece>> SchwarzD(const MultiPolygon& region,
+                                            const PatternPlace& place) {
+  return Section(region, place, 3.043, [](const Turn& x, const Turn& y, const Turn& z) {
+    return x.cosine * y.cosine * z.cosine - x.sine * y.sine * z.sine;
+  });
+}
+
+absl::StatusOr<std::vector<Piece>> FischerKochS(const MultiPolygon& region,
+                                                const PatternPlace& place) {
+  return Section(region, place, 4.264, [](const Turn& x, const Turn& y, const Turn& z) {
+    return x.CosOfTwice() * y.sine * z.cosine + y.CosOfTwice() * z.sine * x.cosine +
+           z.CosOfTwice() * x.sine * y.cosine;
+  });
+}
+
+}  // namespace slicefarm::infill

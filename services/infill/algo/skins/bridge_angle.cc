@@ -1,0 +1,89 @@
+#include "services/infill/algo/skins/bridge_angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "common/base/portable_math.h"
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "services/infill/algo/lines/scan_lines.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr int kDirections = 36;
+constexpr double kInAir = 10;  ///< how much longer a span counts that ends in air
+constexpr double kTypical = 0.9;
+/// Directions that differ by less than this are as good as each other.
+constexpr double kRounding = 1e-6;
+constexpr double kMaxSamples = 200;
+/// Two ends are one if they are nearer than this: where regions meet, edges are rounded.
+constexpr double kSamePlaceNm = 5'000;
+
+/// Where the pieces of one line begin and end.
+std::vector<double> EndsOn(const ScanLines& lines, int64_t line) {
+  std::vector<double> ends;
+  if (line < 0 || line >= lines.LineCount()) return ends;
+  for (int32_t place = lines.line_begin[line]; place < lines.line_begin[line + 1]; ++place)
+    ends.push_back(lines.crossings[lines.order[place]].u);
+  return ends;
+}
+
+bool HasNear(const std::vector<double>& sorted, double u) {
+  const auto it = std::lower_bound(sorted.begin(), sorted.end(), u - kSamePlaceNm);
+  return it != sorted.end() && *it <= u + kSamePlaceNm;
+}
+
+/// The span that nine tenths of the lines, by length, do not exceed; those that end in air count
+/// as longer. Not the mean: the short spans that slanted lines have in corners would make up for
+/// longer ones between. Infinite if no line meets the spans.
+double TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
+  std::vector<std::pair<double, double>> found;  // counted as, and length
+  double total = 0;
+  for (int32_t line = 0; line < spans.LineCount(); ++line) {
+    const double v = spans.first_v + line * spans.pitch;
+    const int64_t same = std::llround((v - supports.first_v) / supports.pitch);
+    const std::vector<double> ends = EndsOn(spans, line), borne = EndsOn(supports, same);
+    for (size_t i = 0; i + 1 < ends.size(); i += 2) {
+      const double span = ends[i + 1] - ends[i];
+      const bool held = HasNear(borne, ends[i]) && HasNear(borne, ends[i + 1]);
+      found.push_back({held ? span : kInAir * span, span});
+      total += span;
+    }
+  }
+  std::sort(found.begin(), found.end());
+  double length = 0;
+  for (const auto& [counted, span] : found)
+    if ((length += span) >= kTypical * total) return counted;
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
+                                  Coord width_nm) {
+  const MultiPolygon supports = Intersection({region}, below);
+  const MultiPolygon spans = Difference({region}, below);
+  if (supports.empty() || spans.empty()) return std::nullopt;
+  const Box box = Bounds(spans);
+  const double size =
+      Hypot(static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y));
+  const double pitch = std::max(static_cast<double>(width_nm), size / kMaxSamples);
+  std::optional<double> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kDirections; ++i) {
+    const LineFamily family{i * std::numbers::pi / kDirections, pitch / 2, pitch};
+    const auto over_air = CutLines(spans, family), borne = CutLines(supports, family);
+    if (!over_air.ok() || !borne.ok()) continue;
+    const double span = TypicalSpan(*over_air, *borne);
+    if (span < (1 - kRounding) * least) least = span, best = family.angle_rad;
+  }
+  return best;
+}
+
+}  // namespace slicefarm::infill

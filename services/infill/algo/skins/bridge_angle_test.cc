@@ -1,0 +1,52 @@
+#include "services/infill/algo/skins/bridge_angle.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr Coord kWidth = 450'000;
+
+struct AngleCase {
+  std::string name;
+  std::string region;
+  std::string below;
+  double degrees;
+};
+
+class BridgeAngleTest : public testing::TestWithParam<AngleCase> {};
+
+TEST_P(BridgeAngleTest, SpansTheGap) {
+  const AngleCase& c = GetParam();
+  const auto angle =
+      BridgeAngle(MakePolygonsOrDie(c.region)[0], MakePolygonsOrDie(c.below), kWidth);
+  ASSERT_TRUE(angle.has_value());
+  EXPECT_NEAR(*angle * 180 / std::numbers::pi, c.degrees, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bridges, BridgeAngleTest,
+    testing::Values(AngleCase{"BetweenLegsLeftAndRight", "(9 0, 41 0, 41 20, 9 20)",
+                              "(0 0, 10 0, 10 20, 0 20) ; (40 0, 50 0, 50 20, 40 20)", 0},
+                    AngleCase{"BetweenLegsBelowAndAbove", "(0 9, 20 9, 20 41, 0 41)",
+                              "(0 0, 20 0, 20 10, 0 10) ; (0 40, 20 40, 20 50, 0 50)", 90},
+                    AngleCase{"LidOfABoxGoesTheShortWay", "(0 0, 40 0, 40 12, 0 12)",
+                              "(-1 -1, 41 -1, 41 13, -1 13) (1 1, 1 11, 39 11, 39 1)", 90},
+                    AngleCase{"BetweenSlantedLegs", "(-1 -1, 29 29, 22 36, -8 6)",
+                              "(-2 -2, 4 4, -3 11, -9 5) ; (24 24, 31 31, 24 38, 17 31)", 45}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(BridgeAngle, NoneWhereNothingBearsOrAllDoes) {
+  const MultiPolygon region = MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9)");
+  EXPECT_FALSE(BridgeAngle(region[0], {}, kWidth));
+  EXPECT_FALSE(BridgeAngle(region[0], MakePolygonsOrDie("(20 0, 29 0, 29 9, 20 9)"), kWidth));
+  EXPECT_FALSE(BridgeAngle(region[0], MakePolygonsOrDie("(-1 -1, 29 -1, 29 29, -1 29)"), kWidth));
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

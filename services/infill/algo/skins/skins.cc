@@ -1,0 +1,133 @@
+#include "services/infill/algo/skins/skins.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "services/infill/algo/skins/region_mask.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
+constexpr Coord kAnchorBeads = 2;
+constexpr Coord kRoundingNm = 10;
+
+/// The part of `region` that is at least `width_nm` wide.
+MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
+  const MultiPolygon core = FastOffset(region, -width_nm / 2);
+  if (core.empty()) return {};
+  return Intersection(region, FastOffset(core, width_nm / 2 + kRoundingNm));
+}
+
+bool IsAir(const MultiPolygon* layer) { return layer == nullptr || layer->empty(); }
+
+bool HasAir(const std::vector<const MultiPolygon*>& layers) {
+  return std::any_of(layers.begin(), layers.end(), IsAir);
+}
+
+bool Covers(const MultiPolygon& layer, Point p) {
+  return std::any_of(layer.begin(), layer.end(), [p](const PolygonWithHoles& island) {
+    return Locate(p, island) != Side::kOutside;
+  });
+}
+
+/// The islands of `area` that lie under `layer`, of which no edge meets `area`; or with `covered`
+/// false the others.
+MultiPolygon IslandsUnder(const MultiPolygon& area, const MultiPolygon& layer, bool covered) {
+  MultiPolygon islands;
+  for (const PolygonWithHoles& island : area)
+    if (Covers(layer, island.outer[0]) == covered) islands.push_back(island);
+  return islands;
+}
+
+/// Takes from a fill area what its skins need.
+class SparseRegion {
+ public:
+  SparseRegion(const MultiPolygon& fill_area, Coord width_nm)
+      : region_(fill_area), mask_(fill_area), width_nm_(width_nm) {}
+
+  /// Takes the parts over (or under) which `layer` is missing, if they are at least a bead wide,
+  /// and an anchor around them.
+  void TakeBareParts(const MultiPolygon& layer) {
+    if (!mask_.MayMeet(layer)) {
+      MultiPolygon covered = IslandsUnder(region_, layer, true);
+      if (covered.size() != region_.size()) Set(std::move(covered));
+      return;
+    }
+    const MultiPolygon core = FastOffset(Difference(region_, layer), -width_nm_ / 2);
+    if (core.empty()) return;
+    Set(Difference(region_, FastOffset(core, width_nm_ / 2 + kAnchorBeads * width_nm_)));
+  }
+
+  const MultiPolygon& region() const { return region_; }
+
+ private:
+  void Set(MultiPolygon region) {
+    region_ = std::move(region);
+    mask_ = RegionMask(region_);
+  }
+
+  MultiPolygon region_;
+  RegionMask mask_;
+  Coord width_nm_;
+};
+
+/// The part of `area` that is exposed on a side whose nearest layer is `nearest`.
+MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPolygon*>& side,
+                     const MultiPolygon& outline, Coord width_nm) {
+  if (side.empty() || area.empty()) return {};
+  if (IsAir(side[0])) return area;
+  if (side[0] == &outline) return {};
+  if (!RegionMask(area).MayMeet(*side[0])) return IslandsUnder(area, *side[0], false);
+  return WithoutSlivers(Difference(area, *side[0]), width_nm);
+}
+
+/// From far to near: what a far layer leaves bare is most often all that nearer ones do.
+MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                        const Cover& cover, const SkinOptions& options) {
+  if (options.all_solid || HasAir(cover.above) || HasAir(cover.below)) return {};
+  SparseRegion sparse(fill_area, options.width_nm);
+  for (const auto* side : {&cover.above, &cover.below}) {
+    for (size_t i = side->size(); i-- > 0 && !sparse.region().empty();) {
+      const MultiPolygon* layer = (*side)[i];
+      const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
+      if (!seen && layer != &outline) sparse.TakeBareParts(*layer);
+    }
+  }
+  if (sparse.region() == fill_area) return fill_area;
+  return WithoutSlivers(sparse.region(), 2 * options.width_nm);
+}
+
+/// Moves what lies over air from the solid region to the bridges, with as much around it as their
+/// lines need to lie on something at both ends.
+void TakeBridges(const MultiPolygon& over_air, Coord width_nm, Skins& skins) {
+  if (over_air.empty()) return;
+  const MultiPolygon anchored = FastOffset(over_air, kAnchorBeads * width_nm);
+  MultiPolygon rest = WithoutSlivers(Difference(skins.solid, anchored), width_nm);
+  skins.bridge = Difference(skins.solid, rest);
+  skins.solid = std::move(rest);
+}
+
+}  // namespace
+
+Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, const Cover& cover,
+                   const SkinOptions& options) {
+  Skins skins;
+  if (fill_area.empty()) return skins;
+  skins.sparse = SparsePart(fill_area, outline, cover, options);
+  const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
+  std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; });
+  if (skins.sparse == fill_area) return skins;
+  skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
+  skins.top = Exposed(skins.solid, cover.above, outline, options.width_nm);
+  if (!skins.top.empty()) skins.solid = Difference(skins.solid, skins.top);
+  if (!cover.on_bed)
+    TakeBridges(Exposed(skins.solid, cover.below, outline, options.width_nm), options.width_nm,
+                skins);
+  return skins;
+}
+
+}  // namespace slicefarm::infill

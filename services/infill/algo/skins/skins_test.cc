@@ -1,0 +1,122 @@
+#include "services/infill/algo/skins/skins.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
+
+const MultiPolygon kWhole = P("(0 0, 20 0, 20 20, 0 20)");
+const MultiPolygon kFill = P("(1 1, 19 1, 19 19, 1 19)");
+const MultiPolygon kLeftHalf = P("(0 0, 10 0, 10 20, 0 20)");
+
+void ExpectPartition(const Skins& skins, const MultiPolygon& fill) {
+  const MultiPolygon* parts[] = {&skins.top, &skins.bridge, &skins.solid, &skins.sparse};
+  double sum = 0;
+  MultiPolygon all;
+  for (const MultiPolygon* part : parts) sum += Mm2(*part), all = Union(all, *part);
+  EXPECT_NEAR(sum, Mm2(fill), 1e-4);
+  EXPECT_NEAR(Mm2(all), Mm2(fill), 1e-4);
+  EXPECT_LT(Mm2(Difference(all, fill)), 1e-4);
+}
+
+TEST(Skins, PrismIsSparseThroughout) {
+  const Skins skins = PartFillArea(kFill, kWhole, {{&kWhole, &kWhole}, {&kWhole}, false}, {});
+  EXPECT_EQ(skins.sparse, kFill);
+  EXPECT_TRUE(skins.solid.empty());
+}
+
+TEST(Skins, NothingAboveIsTop) {
+  const Skins skins = PartFillArea(kFill, kWhole, {{nullptr, nullptr}, {&kWhole}, false}, {});
+  EXPECT_EQ(skins.top, kFill);
+  EXPECT_TRUE(skins.sparse.empty());
+}
+
+TEST(Skins, AirTwoLayersUpIsSolidButNotTop) {
+  const Skins skins = PartFillArea(kFill, kWhole, {{&kWhole, nullptr}, {&kWhole}, false}, {});
+  EXPECT_EQ(skins.solid, kFill);
+}
+
+TEST(Skins, NothingBelowIsABridgeUnlessOnTheBed) {
+  EXPECT_EQ(PartFillArea(kFill, kWhole, {{&kWhole}, {nullptr}, false}, {}).bridge, kFill);
+  EXPECT_EQ(PartFillArea(kFill, kWhole, {{&kWhole}, {nullptr}, true}, {}).solid, kFill);
+}
+
+TEST(Skins, StepHasTopSolidAndSparse) {
+  const Skins skins = PartFillArea(kFill, kWhole, {{&kLeftHalf, &kLeftHalf}, {&kWhole}, false}, {});
+  EXPECT_NEAR(Mm2(skins.top), 9 * 18, 0.01);
+  EXPECT_NEAR(Mm2(skins.solid), 0.9 * 18, 0.01);  // the anchor of two beads
+  EXPECT_NEAR(Mm2(skins.sparse), 8.1 * 18, 0.01);
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, SliversJoinTheSparseRegion) {
+  const MultiPolygon almost = P("(0 0, 18.9 0, 18.9 20, 0 20)");
+  const Skins skins = PartFillArea(kFill, kWhole, {{&almost}, {&kWhole}, false}, {});
+  EXPECT_EQ(skins.sparse, kFill);
+}
+
+TEST(Skins, ThinSparseRemaindersBecomeSolid) {
+  const MultiPolygon ledge = P("(0 0, 2.5 0, 2.5 20, 0 20)");
+  const Skins skins = PartFillArea(kFill, kWhole, {{&ledge}, {&kWhole}, false}, {});
+  EXPECT_TRUE(skins.sparse.empty());
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, SmallSparseRegionsBecomeSolidIfAsked) {
+  const Skins skins =
+      PartFillArea(kFill, kWhole, {{&kLeftHalf}, {&kWhole}, false}, {.solid_below_area_mm2 = 200});
+  EXPECT_TRUE(skins.sparse.empty());
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, OverhangingStepHasABridge) {
+  const Skins skins = PartFillArea(kFill, kWhole, {{&kWhole}, {&kLeftHalf}, false}, {});
+  EXPECT_NEAR(Mm2(skins.bridge), (9 + 0.9) * 18, 0.01);  // and two beads of what bears it
+  ExpectPartition(skins, kFill);
+}
+
+// A slope over five layers: what the farthest leaves bare is solid, whatever the nearer ones do.
+TEST(Skins, SlopeTakesTheFarthestLayer) {
+  std::vector<MultiPolygon> slope;
+  for (int i = 1; i <= 5; ++i) {
+    const Coord x = FromMm(20 - 2.5 * i);
+    slope.push_back({{{{0, 0}, {x, 0}, {x, FromMm(20)}, {0, FromMm(20)}}, {}}});
+  }
+  Cover cover;
+  for (const MultiPolygon& layer : slope) cover.above.push_back(&layer);
+  cover.below = {&kWhole};
+  const Skins skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_NEAR(Mm2(skins.top), 1.5 * 18, 0.01);                 // beyond 17.5
+  EXPECT_NEAR(Mm2(skins.sparse), (7.5 - 1 - 0.9) * 18, 0.01);  // up to 7.5, less the anchor
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, IslandsNotUnderALayerAreBare) {
+  const MultiPolygon fill = P("(1 1, 4 1, 4 4, 1 4) ; (6 1, 9 1, 9 4, 6 4)");
+  const MultiPolygon outline = P("(0 0, 10 0, 10 5, 0 5)"), left = P("(0 0, 5 0, 5 5, 0 5)");
+  const Skins skins = PartFillArea(fill, outline, {{&left}, {&outline}, false}, {});
+  EXPECT_NEAR(Mm2(skins.sparse), 9, 1e-6);
+  EXPECT_NEAR(Mm2(skins.top), 9, 1e-6);
+}
+
+TEST(Skins, NoSkinsAskedForIsAllSparse) {
+  EXPECT_EQ(PartFillArea(kFill, kWhole, {{}, {}, false}, {}).sparse, kFill);
+}
+
+TEST(Skins, AllSolidStillShowsItsTop) {
+  const Skins skins =
+      PartFillArea(kFill, kWhole, {{&kLeftHalf}, {&kWhole}, false}, {.all_solid = true});
+  EXPECT_TRUE(skins.sparse.empty());
+  EXPECT_NEAR(Mm2(skins.top), 9 * 18, 0.01);
+  ExpectPartition(skins, kFill);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/fill_patterns.h"
+#include "common/model/path.h"
+
+namespace slicefarm::infill {
+
+struct SparseFill {
+  FillPattern pattern = FillPattern::kGrid;
+  double density = 0.2;  ///< (0, 1]
+  double angle_rad = 0;
+  int32_t layer = 0;  ///< of the object's own
+  Coord z_nm = 0;     ///< of the layer's middle, above the object's bottom
+  Coord width_nm = 450'000;
+  Coord height_nm = 200'000;
+  Coord overlap_nm = 0;     ///< how much nearer than half a spacing lines come to the region's edge
+  Coord anchor_nm = 0;      ///< how far a loose end turns along the edge
+  Coord anchor_max_nm = 0;  ///< longest link; 0: none
+};
+
+/// Fills a region with a pattern of the given density: path length per area is density / spacing,
+/// exactly, and links along the edge join the lines to long paths (LinkedPaths).
+///
+/// Links count as plastic. Inside, two widths from the edge, the density is the pattern's own; the
+/// links lie in the band around that. They are no wider than the wall leaves room, cut their
+/// corners off, and are thinned, so that the region as a whole comes to within 3 % of what is
+/// asked for; what cannot be paid so is not linked.
+///
+/// Errors: as MakePattern. Cost: O(n log n) for the inset, and the pattern's and LinkedPaths' own.
+absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,80 @@
+#include "services/infill/algo/sparse.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::infill {
+namespace {
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+/// As peers do by default.
+SparseFill Linked(FillPattern pattern) {
+  return {.pattern = pattern,
+          .overlap_nm = 157'500,
+          .anchor_nm = 2'700'000,
+          .anchor_max_nm = 50'000'000};
+}
+
+TEST(Sparse, LinesOfAllRegionsLieOnOneGrid) {
+  const SparseFill fill{.pattern = FillPattern::kRectilinear};
+  const double pitch = static_cast<double>(Spacing(450'000, 200'000)) / 0.2;
+  for (const char* text : {"(0 0, 30 0, 30 30, 0 30)", "(41 7, 60 3, 77 31)"}) {
+    const auto paths = FillSparse(P(text), fill);
+    ASSERT_TRUE(paths.ok());
+    for (const Path& path : *paths) {
+      const double rows = static_cast<double>(path.points[0].y) / pitch;
+      EXPECT_EQ(path.points[0].y, path.points[1].y);
+      EXPECT_NEAR(rows, std::round(rows), 1e-5);
+    }
+  }
+}
+
+TEST(Sparse, AConvexRegionIsOnePath) {
+  for (const FillPattern pattern :
+       {FillPattern::kRectilinear, FillPattern::kZigzag, FillPattern::kArchimedean})
+    for (const char* text : {"(0 0, 80 0, 80 80, 0 80)", "(3 5, 60 0, 90 44, 20 70)"})
+      EXPECT_EQ(FillSparse(P(text), Linked(pattern))->size(), 1u)
+          << InfoOf(pattern).name << ' ' << text;
+}
+
+// At all heights. Not in all convex regions: where waves run along a side, it cuts off their crests,
+// and crests behind crests are a dead end; a path has two ends, so three such places take two paths.
+TEST(Sparse, GyroidThroughASquareIsOnePath) {
+  SparseFill fill = Linked(FillPattern::kGyroid);
+  fill.angle_rad = std::numbers::pi / 4;
+  for (fill.z_nm = 100'000; fill.z_nm < 6'000'000; fill.z_nm += 200'000)
+    EXPECT_EQ(FillSparse(P("(0 0, 80 0, 80 80, 0 80)"), fill)->size(), 1u) << fill.z_nm;
+}
+
+TEST(Sparse, NothingIsLinkedIfNoLinkIsAllowed) {
+  SparseFill fill = Linked(FillPattern::kRectilinear);
+  fill.anchor_max_nm = 0;
+  const auto paths = FillSparse(P("(0 0, 80 0, 80 80, 0 80)"), fill);
+  for (const Path& path : *paths) EXPECT_EQ(path.points.size(), 2u);
+  EXPECT_GT(paths->size(), 30u);
+}
+
+TEST(Sparse, RectilinearTurnsWithTheLayer) {
+  const MultiPolygon box = P("(0 0, 30 0, 30 30, 0 30)");
+  SparseFill fill{.pattern = FillPattern::kRectilinear};
+  const auto even = FillSparse(box, fill);
+  fill.layer = 1;
+  const auto odd = FillSparse(box, fill);
+  EXPECT_EQ((*even)[0].points[0].y, (*even)[0].points[1].y);
+  EXPECT_EQ((*odd)[0].points[0].x, (*odd)[0].points[1].x);
+}
+
+TEST(Sparse, NothingAtNoDensityAndInNothing) {
+  EXPECT_TRUE(FillSparse(P("(0 0, 30 0, 30 30, 0 30)"), {.density = 0})->empty());
+  EXPECT_TRUE(FillSparse({}, {})->empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::infill
