@@ -7,8 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "common/config/value.h"
 #include "common/base/error.h"
+#include "common/config/value.h"
+#include "common/model/adhesion_options.h"
 
 namespace slicefarm::config {
 namespace {
