@@ -497,15 +497,15 @@ TEST_F(Program, SubmitsAPlateOfSeveralModels) {
   EXPECT_EQ(server.meshes.size(), 2) << "the same file is sent once";
   const v1::JobSpec& spec = server.created.spec();
   ASSERT_EQ(spec.objects_size(), 3);
-  EXPECT_EQ(spec.objects(0).mesh_sha256(), Sha256Hex(kCube));
+  EXPECT_EQ(spec.objects(0).parts(0).mesh().sha256(), Sha256Hex(kCube));
   EXPECT_EQ(spec.objects(0).settings_size(), 0);
-  EXPECT_EQ(spec.objects(1).mesh_sha256(), Sha256Hex(kBar));
+  EXPECT_EQ(spec.objects(1).parts(0).mesh().sha256(), Sha256Hex(kBar));
   EXPECT_EQ(spec.objects(1).name(), "bar.obj");
-  EXPECT_EQ(spec.objects(1).copies(), 4);
+  EXPECT_EQ(spec.objects(1).instances_size(), 4);
   ASSERT_EQ(spec.objects(1).settings_size(), 1);
   EXPECT_EQ(spec.objects(1).settings(0).key(), "perimeters");
   EXPECT_EQ(spec.objects(1).settings(0).value(), "1");
-  EXPECT_EQ(spec.objects(2).mesh_sha256(), Sha256Hex(kCube));
+  EXPECT_EQ(spec.objects(2).parts(0).mesh().sha256(), Sha256Hex(kCube));
   EXPECT_EQ(spec.settings_size(), 0);
 }
 

@@ -71,7 +71,8 @@ TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
       {-5 * kMm, -5 * kMm}, {5 * kMm, -5 * kMm}, {5 * kMm, 5 * kMm}, {-5 * kMm, 5 * kMm}};
   for (int32_t k = 0; k < 50; ++k) {
     EXPECT_EQ(job->layers[k].frame, (LayerFrame{k, (k + 1) * 200'000, 200'000}));
-    const ObjectSection want{0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}};
+    const ObjectSection want{
+        0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}, (k + 1) * 200'000};
     EXPECT_THAT(job->layers[k].sections, ElementsAre(want));
   }
   EXPECT_THAT(job->object_names, ElementsAre("part"));

@@ -59,11 +59,12 @@ TEST(AdviseOrientation, ItsAnglesLayTheObjectSo) {
 TEST(AdviseOrientation, LooksAtAllPartsTogether) {
   const IndexedMesh left = *PlaceMesh(BoxMesh({0, 0, 0}, {5, 40, 60}));
   IndexedMesh right = left;
-  for (Vertex& vertex : right.vertices) vertex.x += FromMm(5);
+  for (Vertex& vertex : right.vertices) vertex.y += FromMm(40);
   const IndexedMesh* parts[] = {&left, &right};
   const auto advice = AdviseOrientation(parts, Transform::Identity(), {});
   ASSERT_TRUE(advice.ok() && advice->has_value());
-  EXPECT_NEAR((*advice)->advised.height_mm, 10, 1e-6);
+  EXPECT_NEAR((*advice)->advised.height_mm, 5, 1e-6);
+  EXPECT_NEAR((*advice)->advised.contact_mm2, 4800, 1e-3);
 }
 
 TEST(AdviseOrientation, ErrorsAreThoseOfTheMesh) {
