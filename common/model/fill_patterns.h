@@ -29,6 +29,9 @@ enum class FillPattern : uint8_t {
   kPeano,
   kMonotonic,
   kMonotonicLines,
+  kFermat,
+  kHilbertQuadtree,
+  kPeanoQuadtree,
 };
 
 /// What all who list patterns read: settings, help, gallery, benchmarks, tests. How each is made
@@ -39,6 +42,7 @@ struct FillPatternInfo {
   bool sparse = false;    ///< may stand in fill_pattern
   bool solid = false;     ///< may stand in top_fill_pattern and the like
   std::string_view doc;
+  bool has_law = true;  ///< the length of its lines follows from the density alone, exactly
 };
 
 inline constexpr FillPatternInfo kFillPatterns[] = {
@@ -79,6 +83,14 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
      "Solid: lines in the order in which they lie, linked; sparse: as rectilinear"},
     {FillPattern::kMonotonicLines, "monotoniclines", true, true,
      "Solid: lines in the order in which they lie, not linked; sparse: as rectilinear"},
+    {FillPattern::kFermat, "fermat", true, true,
+     "Connected Fermat spirals: one path through each region, along its edge",
+     false},
+    {FillPattern::kHilbertQuadtree, "hilbertquadtree", true, true,
+     "Hilbert's curve inside and loops along the edge: one path through each region",
+     false},
+    {FillPattern::kPeanoQuadtree, "peanoquadtree", true, true, "Peano's curve in the same way",
+     false},
 };
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);

@@ -23,8 +23,6 @@
 #include "services/cli/fill_files.h"
 #include "services/cli/files.h"
 #include "services/infill/algo/solid.h"
-#include "services/infill/algo/space_filling/fermat.h"
-#include "services/infill/algo/space_filling/quadtree_fill.h"
 #include "services/infill/algo/sparse.h"
 
 namespace slicefarm::cli {
@@ -76,8 +74,8 @@ const FillPatternInfo* FindPattern(const std::string& name) {
 std::string PatternNames() {
   std::string names;
   for (const FillPatternInfo& info : kFillPatterns)
-    names += std::string(info.name) + ", ";
-  return names + "fermat, hilbertquadtree, peanoquadtree";
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
 }
 
 absl::StatusOr<std::vector<Path>> SolidPaths(const MultiPolygon& islands,
@@ -91,51 +89,8 @@ absl::StatusOr<std::vector<Path>> SolidPaths(const MultiPolygon& islands,
   return paths;
 }
 
-/// Fills of whole regions by one path each, which no setting names yet.
-using WholeFill = absl::StatusOr<std::vector<Polyline>> (*)(const PolygonWithHoles& region,
-                                                            Coord spacing_nm);
-struct WholeFillRow {
-  std::string_view name;
-  WholeFill fill;
-};
-constexpr WholeFillRow kWholeFills[] = {
-    {"fermat",
-     [](const PolygonWithHoles& region, Coord spacing_nm) {
-       return infill::FermatFill(region, {spacing_nm});
-     }},
-    {"hilbertquadtree",
-     [](const PolygonWithHoles& region, Coord spacing_nm) {
-       return infill::HilbertFill(region, {spacing_nm});
-     }},
-    {"peanoquadtree", [](const PolygonWithHoles& region, Coord spacing_nm) {
-       return infill::PeanoFill(region, {spacing_nm});
-     }}};
-
-WholeFill FindWholeFill(const std::string& name) {
-  for (const WholeFillRow& row : kWholeFills)
-    if (row.name == name) return row.fill;
-  return nullptr;
-}
-
-absl::StatusOr<std::vector<Path>> WholePaths(const MultiPolygon& islands, WholeFill fill,
-                                             double density, const FillOptions& options) {
-  std::vector<Path> paths;
-  for (const PolygonWithHoles& island : islands) {
-    auto lines = fill(island, FromMm(options.width_mm / density));
-    if (!lines.ok()) return lines.status();
-    for (Polyline& line : *lines) {
-      Path& path = paths.emplace_back();
-      path.points = std::move(line);
-      path.widths_nm = {FromMm(options.width_mm)};
-    }
-  }
-  return paths;
-}
-
 absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPattern pattern,
                                           double density, const FillOptions& options) {
-  if (const WholeFill whole = FindWholeFill(options.pattern); whole != nullptr)
-    return WholePaths(islands, whole, density, options);
   const double angle = options.angle_degrees * std::numbers::pi / 180;
   const Coord width = FromMm(options.width_mm);
   if (density >= 1 && InfoOf(pattern).solid) {
@@ -178,7 +133,7 @@ absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern patt
 
 ExitCode Fill(const FillOptions& options) {
   const FillPatternInfo* info = FindPattern(options.pattern);
-  if (info == nullptr && FindWholeFill(options.pattern) == nullptr) {
+  if (info == nullptr) {
     return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                           fmt::format("no pattern is named {}; there are: {}", options.pattern,
                                       PatternNames())));
@@ -196,8 +151,7 @@ ExitCode Fill(const FillOptions& options) {
   FillTotals all;
   for (const fs::path& file : *files) {
     const absl::Status status = FillFile(file, fs::path(options.output) / file.filename(),
-                                         info == nullptr ? FillPattern::kGrid : info->pattern,
-                                         *density, options, all);
+                                         info->pattern, *density, options, all);
     if (!status.ok()) return Fail(status);
   }
   Print(fmt::format("outlines {}\ncomponents {}\npaths {}\npaths_per_component {:.3f}\n"
@@ -220,8 +174,7 @@ void AddFill(CLI::App& app, CommandContext& context) {
   command->add_option("-o,--output", options->output, "Where the paths go, by the same names")
       ->required()
       ->type_name("DIR");
-  command->add_option("--pattern", options->pattern, "As in fill_pattern; also fermat (connected Fermat spirals), hilbertquadtree and "
-                       "peanoquadtree, one path through each region")
+  command->add_option("--pattern", options->pattern, "As in fill_pattern")
       ->capture_default_str()
       ->type_name("NAME");
   command

@@ -106,16 +106,20 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   return group;
 }
 
+bool FollowsEdge(FillPattern pattern) {
+  return pattern == FillPattern::kConcentric || pattern == FillPattern::kFermat ||
+         pattern == FillPattern::kHilbertQuadtree || pattern == FillPattern::kPeanoQuadtree;
+}
+
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
-  const bool loops = fill.pattern == FillPattern::kConcentric;
-  // Loops lie half a spacing from the edge by themselves, side by side with the wall: no end of
-  // theirs needs to reach into it.
+  // Lines along the edge lie half a spacing from it by themselves, side by side with the wall: no
+  // end of theirs needs to reach into it.
   const Coord inset =
-      loops ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
+      FollowsEdge(fill.pattern) ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
-  if (loops) pitch = FittingLoops(area, pitch);
+  if (fill.pattern == FillPattern::kConcentric) pitch = FittingLoops(area, pitch);
   const Coord spacing = std::llround(pitch);
   const auto pieces = PatternOf(fill.pattern)(
       area, {0, fill.layer, fill.height_nm, pitch, fill.angle_rad, spacing});
@@ -146,6 +150,9 @@ absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidF
     case FillPattern::kOctagram:
     case FillPattern::kHilbert:
     case FillPattern::kPeano:
+    case FillPattern::kFermat:
+    case FillPattern::kHilbertQuadtree:
+    case FillPattern::kPeanoQuadtree:
       return FillByCurves(region, fill);
     default:
       return FillByLines(region, fill);

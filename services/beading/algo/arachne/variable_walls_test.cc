@@ -8,14 +8,13 @@
 #include <functional>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <string>
 
 #include "common/geometry/boolean.h"
 #include "common/geometry/text_format.h"
 #include "services/beading/algo/bead_raster_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
-#include "tests/corpus_file.h"
+#include "tests/corpus_slice.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -56,22 +55,6 @@ Coverage CoverageOf(const PolygonWithHoles& island, const VariableWalls& walls) 
   for (const WallLine& wall : walls.lines) raster.Add(wall.line);
   raster.Add(walls.fill_area);
   return raster.Measure();
-}
-
-MultiPolygon Slice(const std::string& name) {
-  std::istringstream text(CorpusFile("slices/" + name));
-  double unused = 0;
-  text >> unused >> unused;
-  std::vector<Polygon> rings;
-  for (size_t count = 0; text >> count;) {
-    Polygon& ring = rings.emplace_back(count);
-    for (Point& point : ring) {
-      double x = 0, y = 0;
-      text >> x >> y;
-      point = {FromMm(x), FromMm(y)};
-    }
-  }
-  return Union(rings, FillRule::kEvenOdd);
 }
 
 // --- shapes --------------------------------------------------------------------------------------
@@ -197,7 +180,7 @@ constexpr std::string_view kSlices[] = {"ACAM-Base--scaled_outline_mesh0_z1100",
 
 class OnSlices : public testing::TestWithParam<std::string_view> {
  protected:
-  MultiPolygon Read() const { return Slice(std::string(GetParam()) + ".txt"); }
+  MultiPolygon Read() const { return CorpusSlice(std::string(GetParam()) + ".txt"); }
 
   void ExpectLike(const Totals& want, const MultiPolygon& changed, const std::string& how) const {
     const Totals got = Measure(changed);

@@ -2,27 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
-
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
-
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
 
 // Each cell has a pitch of line, and all cells of a region are on few pieces.
 TEST(CellCurves, VisitEveryCellOnce) {
   const double pitch = 2e6;
   for (MakePattern* pattern : {Hilbert, Peano}) {
-    const auto pieces = pattern(Box(), {.pitch_nm = pitch});
-    EXPECT_NEAR(LengthOf(*pieces) * pitch / Area(Box()), 1, 0.05);
+    const auto pieces = pattern(SampleBox(), {.pitch_nm = pitch});
+    EXPECT_NEAR(LengthOf(*pieces) * pitch / Area(SampleBox()), 1, 0.05);
     for (const Piece& piece : *pieces)
       for (size_t i = 1; i < piece.points.size(); ++i)
         EXPECT_TRUE(piece.points[i].x == piece.points[i - 1].x ||

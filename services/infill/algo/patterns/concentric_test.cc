@@ -2,25 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
 
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
-
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
-
 TEST(Concentric, LoopsAreAPitchApart) {
-  const auto loops = Concentric(Box(), {.pitch_nm = 2e6});
+  const auto loops = Concentric(SampleBox(), {.pitch_nm = 2e6});
   ASSERT_EQ(loops->size(), 12u);
-  EXPECT_NEAR(LengthOf(*loops) * 2e6 / Area(Box()), 1, 1e-6);
+  EXPECT_NEAR(LengthOf(*loops) * 2e6 / Area(SampleBox()), 1, 1e-6);
   for (const Piece& loop : *loops) EXPECT_TRUE(loop.closed);
 }
 

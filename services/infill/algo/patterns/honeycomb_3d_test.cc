@@ -4,29 +4,19 @@
 
 #include <algorithm>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
 
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
-
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
-
 TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
   const PatternPlace flat{.z_nm = 0, .pitch_nm = 2e6, .spacing_nm = 400'000};
-  const auto rows = Honeycomb3d(Box(), flat);
+  const auto rows = Honeycomb3d(SampleBox(), flat);
   for (const Piece& row : *rows) EXPECT_EQ(row.points.size(), 2u);
   PatternPlace place = flat;
   double least = 1e18, most = 0;
   for (; place.z_nm < 1'700'000; place.z_nm += 100'000) {
-    const double length = LengthOf(*Honeycomb3d(Box(), place));
+    const double length = LengthOf(*Honeycomb3d(SampleBox(), place));
     least = std::min(least, length), most = std::max(most, length);
   }
   EXPECT_GT(most / least, 1.1);

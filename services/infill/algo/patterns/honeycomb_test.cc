@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
-
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
 
 // Beads without width: sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
 TEST(Honeycomb, SidesFollowFromTheLaw) {
@@ -23,12 +20,12 @@ TEST(Honeycomb, SidesFollowFromTheLaw) {
         most = std::max(most, Distance(piece.points[i - 1], piece.points[i]));
     return most;
   };
-  EXPECT_NEAR(longest(*Honeycomb(Box(), place)), 8 / (3 * std::sqrt(3.0)) * 2e6, 5);
-  EXPECT_NEAR(longest(*HoneycombCells(Box(), place)), 2 / std::sqrt(3.0) * 2e6, 5);
+  EXPECT_NEAR(longest(*Honeycomb(SampleBox(), place)), 8 / (3 * std::sqrt(3.0)) * 2e6, 5);
+  EXPECT_NEAR(longest(*HoneycombCells(SampleBox(), place)), 2 / std::sqrt(3.0) * 2e6, 5);
 }
 
 TEST(Honeycomb, RowsLieASpacingApartWhereTheyMeet) {
-  const auto rows = Honeycomb(Box(), {.pitch_nm = 2e6, .spacing_nm = 400'000});
+  const auto rows = Honeycomb(SampleBox(), {.pitch_nm = 2e6, .spacing_nm = 400'000});
   Coord nearest = kNmPerMm;
   for (const Piece& a : *rows)
     for (const Piece& b : *rows)

@@ -10,6 +10,7 @@
 #include "services/infill/algo/patterns/rectilinear.h"
 #include "services/infill/algo/patterns/spirals.h"
 #include "services/infill/algo/patterns/surfaces.h"
+#include "services/infill/algo/patterns/whole_paths.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -41,6 +42,9 @@ constexpr Row kRows[] = {
     {FillPattern::kPeano, Peano},
     {FillPattern::kMonotonic, Rectilinear},
     {FillPattern::kMonotonicLines, Rectilinear},
+    {FillPattern::kFermat, Fermat},
+    {FillPattern::kHilbertQuadtree, HilbertQuadtree},
+    {FillPattern::kPeanoQuadtree, PeanoQuadtree},
 };
 
 constexpr bool InOrder() {

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
 
 TEST(Registry, EveryPatternIsMade) {
-  const MultiPolygon box = MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)");
+  const MultiPolygon box = SampleBox();
   for (const FillPatternInfo& info : kFillPatterns) {
     MakePattern* const make = PatternOf(info.pattern);
     ASSERT_NE(make, nullptr) << info.name;

@@ -4,25 +4,15 @@
 
 #include <numbers>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
 
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
-
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
-
 TEST(Spirals, TurnsAreAPitchApart) {
   const double pitch = 2e6;
-  EXPECT_NEAR(LengthOf(*Archimedean(Box(), {.pitch_nm = pitch})) * pitch / Area(Box()), 1, 0.03);
-  EXPECT_NEAR(LengthOf(*Octagram(Box(), {.pitch_nm = pitch})) * pitch / Area(Box()), 1, 0.04);
+  EXPECT_NEAR(LengthOf(*Archimedean(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()), 1, 0.03);
+  EXPECT_NEAR(LengthOf(*Octagram(SampleBox(), {.pitch_nm = pitch})) * pitch / Area(SampleBox()), 1, 0.04);
 }
 
 // A spiral far from the origin is a part of the same spiral.

@@ -5,26 +5,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/geometry/measure.h"
-#include "common/geometry/text_format.h"
+#include "services/infill/algo/patterns/pattern_samples_test.h"
 
 namespace slicefarm::infill {
 namespace {
-
-MultiPolygon Box() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
-
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces)
-    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
-  return length;
-}
 
 TEST(Surfaces, GyroidLiesOnItsSurface) {
   const double pitch = 2e6, period = 2.4561 * pitch;
   const PatternPlace place{.z_nm = 1'300'000, .pitch_nm = pitch};
   const double z = 2 * std::numbers::pi * 1.3e6 / period;
-  const auto pieces = Gyroid(Box(), place);
+  const auto pieces = Gyroid(SampleBox(), place);
   ASSERT_GT(pieces->size(), 10u);
   for (const Piece& piece : *pieces) {
     for (size_t i = 1; i < piece.points.size(); ++i) {
@@ -46,7 +36,7 @@ TEST(Surfaces, GyroidLiesOnItsSurface) {
 
 TEST(Surfaces, SegmentsAreLong) {
   for (MakePattern* pattern : {Gyroid, SchwarzD, FischerKochS}) {
-    const auto pieces = pattern(Box(), {.z_nm = 1'300'000, .pitch_nm = 2e6});
+    const auto pieces = pattern(SampleBox(), {.z_nm = 1'300'000, .pitch_nm = 2e6});
     size_t segments = 0;
     for (const Piece& piece : *pieces) segments += piece.points.size() - 1;
     EXPECT_GT(LengthOf(*pieces) / static_cast<double>(segments), 600'000);

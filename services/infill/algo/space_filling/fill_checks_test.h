@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@
 #include "common/geometry/predicates.h"
 #include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
-#include "tests/corpus_file.h"
+#include "tests/corpus_slice.h"
 
 namespace slicefarm::infill {
 
@@ -69,22 +68,6 @@ inline PolygonWithHoles Shape(const std::string& name) {
     return Union(std::vector<Polygon>{spiral.outer}, FillRule::kNonZero)[0];
   }
   return text("(0 0, 30 0, 30 1, 0 0.3)");  // sliver
-}
-
-inline MultiPolygon CorpusSlice(const std::string& name) {
-  std::istringstream text(CorpusFile("slices/" + name));
-  double unused = 0;
-  text >> unused >> unused;
-  std::vector<Polygon> rings;
-  for (size_t count = 0; text >> count;) {
-    Polygon& ring = rings.emplace_back(count);
-    for (Point& point : ring) {
-      double x = 0, y = 0;
-      text >> x >> y;
-      point = {FromMm(x), FromMm(y)};
-    }
-  }
-  return Union(rings, FillRule::kEvenOdd);
 }
 
 inline constexpr const char* kCorpusSlices[] = {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+#include "services/infill/algo/lines/piece.h"
+
+namespace slicefarm::infill {
+
+/// What the tests of patterns fill: 48 x 48 mm around the origin.
+inline MultiPolygon SampleBox() { return MakePolygonsOrDie("(-24 -24, 24 -24, 24 24, -24 24)"); }
+
+/// In nm, of all pieces.
+inline double LengthOf(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces)
+    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
+  return length;
+}
+
+}  // namespace slicefarm::infill
