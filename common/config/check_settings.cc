@@ -80,14 +80,17 @@ absl::Status CheckRaft(const Draft& draft) {
   return CheckWidth(draft, kWidth, "layer_height");
 }
 
-/// A wall around all copies would stand in the head's way from one to the next.
-absl::Status CheckShield(const Draft& draft) {
-  const bool shields = draft.Number("draft_shield") != static_cast<double>(DraftShield::kDisabled);
-  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0 || !shields)
-    return absl::OkStatus();
+/// From one copy to the next the head would meet a wall around all of them.
+absl::Status CheckSkirt(const Draft& draft) {
+  if (draft.Number("complete_objects") == 0 || draft.Number("skirts") == 0) return absl::OkStatus();
+  const bool shields = draft.Number("draft_shield") == static_cast<double>(DraftShield::kEnabled);
+  if (!shields && draft.Number("skirt_height") <= 1) return absl::OkStatus();
+  const std::string key = shields ? "draft_shield" : "skirt_height";
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   "draft_shield must be disabled with complete_objects = 1",
-                   {{"setting", "draft_shield"}, {"value", draft.At("draft_shield").written}});
+                   fmt::format("{} = {}: with complete_objects = 1 a skirt may have one layer, or "
+                               "the head would meet it",
+                               key, draft.At(key).written),
+                   {{"setting", key}, {"value", draft.At(key).written}});
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ absl::Status CheckSettings(const Draft& draft) {
   }
   if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
-  if (absl::Status status = CheckShield(draft); !status.ok()) return status;
+  if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
 
   if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

@@ -38,11 +38,17 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.motion.cooling.enabled; }},
     {"skirt_distance skirt_height min_skirt_length draft_shield", "skirts of more than 0",
      [](const JobSettings& s) { return s.planning.skirt.loops > 0; }},
-    {"brim_width", "a brim_type other than no_brim, and no raft",
+    {"brim_width brim_separation", "a brim_type other than no_brim, and no raft",
      [](const JobSettings& s) {
        const ObjectPlanOptions& object = s.planning.objects[0];
        return object.brim.type != BrimType::kNone && object.raft.heights.layers == 0;
      }},
+    {"brim_ears_max_angle brim_ears_detection_length", "brim_type = brim_ears",
+     [](const JobSettings& s) { return s.planning.objects[0].brim.type == BrimType::kEars; }},
+    {"avoid_crossing_perimeters_max_detour", "avoid_crossing_perimeters = 1",
+     [](const JobSettings& s) { return s.ordering.travel.avoid_crossing; }},
+    {"retract_inside_after", "only_retract_when_crossing_perimeters = 1",
+     [](const JobSettings& s) { return s.ordering.travel.hide; }},
     {"raft_contact_distance raft_expansion raft_first_layer_expansion raft_first_layer_density "
      "support_material_spacing support_material_angle",
      "raft_layers of more than 0",

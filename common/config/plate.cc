@@ -72,6 +72,7 @@ class Resolver {
     all.insert(all.end(), own.begin(), own.end());
     absl::StatusOr<ResolvedSettings> resolved = Resolve(all);
     if (!resolved.ok()) return OfObject(object, resolved.status());
+    DropMetNeeds(own, resolved->no_effect);
     for (const std::string& note : resolved->no_effect)
       if (told_.insert(note).second && !IsOverride(note, own))
         plate_.no_effect.push_back(object + ": " + note);
@@ -106,6 +107,18 @@ class Resolver {
       });
     }
   };
+
+  /// What needs a setting that the job lacks has its effect where a place gives that setting.
+  void DropMetNeeds(const Settings& own, const std::vector<std::string>& notes_there) {
+    std::erase_if(plate_.no_effect, [&](const std::string& note) {
+      if (note.find(": needs ") == std::string::npos) return false;
+      const bool still = std::ranges::find(notes_there, note) != notes_there.end();
+      const bool replaced = std::ranges::any_of(own, [&](const Setting& setting) {
+        return note.starts_with(setting.key + " = ");
+      });
+      return !still && !replaced;
+    });
+  }
 
   /// That an object's own value takes the place of the job's is what it is for.
   static bool IsOverride(const std::string& note, const Settings& own) {

@@ -70,6 +70,20 @@ double Density(const ResolvedPlate& plate, int32_t row) {
   return plate.settings.infill[static_cast<size_t>(row)].density;
 }
 
+TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
+  const std::vector<Setting> job = {{"raft_expansion", "4"}};
+  SceneObject plain = ObjectOfFile("a", 0, {}, 1);
+  SceneObject raft = ObjectOfFile("b", 1, {}, 1);
+  raft.settings = {{"raft_layers", "2"}};
+  const std::vector<SceneObject> without = {plain}, with = {plain, raft};
+  EXPECT_EQ(ResolvePlate(job, without)->no_effect.size(), 1u);
+  EXPECT_TRUE(ResolvePlate(job, with)->no_effect.empty());
+  // One that replaces the value says nothing about the job's.
+  raft.settings.push_back({"raft_expansion", "5"});
+  const std::vector<SceneObject> replaced = {plain, raft};
+  EXPECT_EQ(ResolvePlate(job, replaced)->no_effect.size(), 1u);
+}
+
 TEST(ResolvePlate, OneObjectWithoutSettingsOfItsOwn) {
   const ResolvedPlate plate = PlateOrDie({{"fill_density", "30%"}}, {ObjectNamed("box")});
   ASSERT_THAT(plate.objects, SizeIs(1));

@@ -12,7 +12,7 @@ namespace slicefarm::config {
 struct ProjectJob {
   std::vector<Setting> settings;     ///< of the project, then of the plate
   std::vector<SceneObject> objects;  ///< with their printable copies; those without are left out
-  /// What the project has besides, and nobody here makes anything of.
+  /// What else the project has that no stage uses, as lines for the report.
   std::vector<std::string> without_effect;
 
   friend bool operator==(const ProjectJob&, const ProjectJob&) = default;

@@ -85,7 +85,7 @@ std::vector<SettingSpec> Brim() {
        .min = 0,
        .max = 180,
        .standard = "125",
-       .doc = "Corners of at most this get an ear (OrcaSlicer's setting)",
+       .doc = "Corners sharper than this get an ear (OrcaSlicer's setting)",
        .field = Bind<Scale::kDegrees>(
            [](auto& s) -> auto& { return s.planning.objects[0].brim.ear_max_angle_rad; })},
       {.key = "brim_ears_detection_length",

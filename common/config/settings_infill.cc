@@ -19,7 +19,7 @@ std::vector<Choice> SparsePatterns() {
 SettingSpec SolidFill(std::string_view key, std::string_view doc, Field field) {
   std::vector<Choice> choices;
   for (const FillPatternInfo& info : kFillPatterns)
-    if (info.solid) choices.push_back({info.name, static_cast<int>(info.pattern)});
+    if (info.solid != SolidWay::kNone) choices.push_back({info.name, static_cast<int>(info.pattern)});
   return {.key = key,
           .kind = Kind::kChoice,
           .standard = "monotonic",

@@ -34,62 +34,70 @@ enum class FillPattern : uint8_t {
   kPeanoQuadtree,
 };
 
+/// How a pattern fills a solid region.
+enum class SolidWay : uint8_t {
+  kNone,       ///< it may not stand in top_fill_pattern and the like
+  kLines,      ///< straight lines whose spacing fits the region
+  kCurves,     ///< lines that end at the region's edge
+  kAlongEdge,  ///< lines that run along it
+};
+
 /// What all who list patterns read: settings, help, gallery, benchmarks, tests. How each is made
 /// stands in services/infill/algo/patterns/.
 struct FillPatternInfo {
   FillPattern pattern = FillPattern::kRectilinear;
   std::string_view name;  ///< in settings: PrusaSlicer's, where it has the pattern
   bool sparse = false;    ///< may stand in fill_pattern
-  bool solid = false;     ///< may stand in top_fill_pattern and the like
+  SolidWay solid = SolidWay::kNone;
   std::string_view doc;
   bool has_law = true;  ///< the length of its lines follows from the density alone, exactly
 };
 
 inline constexpr FillPatternInfo kFillPatterns[] = {
-    {FillPattern::kRectilinear, "rectilinear", true, true,
+    {FillPattern::kRectilinear, "rectilinear", true, SolidWay::kLines,
      "Lines that turn by a right angle from layer to layer"},
-    {FillPattern::kAlignedRectilinear, "alignedrectilinear", true, true,
+    {FillPattern::kAlignedRectilinear, "alignedrectilinear", true, SolidWay::kLines,
      "Lines in one direction in all layers"},
-    {FillPattern::kLine, "line", true, false, "As rectilinear"},
-    {FillPattern::kZigzag, "zigzag", true, true, "As alignedrectilinear"},
-    {FillPattern::kGrid, "grid", true, false, "Lines in two directions in each layer"},
-    {FillPattern::kTriangles, "triangles", true, false,
+    {FillPattern::kLine, "line", true, SolidWay::kNone, "As rectilinear"},
+    {FillPattern::kZigzag, "zigzag", true, SolidWay::kLines, "As alignedrectilinear"},
+    {FillPattern::kGrid, "grid", true, SolidWay::kNone, "Lines in two directions in each layer"},
+    {FillPattern::kTriangles, "triangles", true, SolidWay::kNone,
      "Lines in three directions that meet in points"},
-    {FillPattern::kStars, "stars", true, false,
+    {FillPattern::kStars, "stars", true, SolidWay::kNone,
      "Lines in three directions, the third between where the others cross: triangles and hexagons"},
-    {FillPattern::kCubic, "cubic", true, false,
+    {FillPattern::kCubic, "cubic", true, SolidWay::kNone,
      "Planes of cubes that stand on a corner: three directions that drift with the height"},
-    {FillPattern::kHoneycomb, "honeycomb", true, false,
+    {FillPattern::kHoneycomb, "honeycomb", true, SolidWay::kNone,
      "Hexagons of continuous rows: two beads side by side where rows meet"},
-    {FillPattern::kHoneycombCells, "honeycombcells", true, false,
+    {FillPattern::kHoneycombCells, "honeycombcells", true, SolidWay::kNone,
      "Hexagons with each wall printed once: stiffest for its plastic, and many paths"},
-    {FillPattern::kHoneycomb3d, "3dhoneycomb", true, false,
+    {FillPattern::kHoneycomb3d, "3dhoneycomb", true, SolidWay::kNone,
      "Rows of waves whose height grows and shrinks: cells closed on all sides"},
-    {FillPattern::kGyroid, "gyroid", true, false,
+    {FillPattern::kGyroid, "gyroid", true, SolidWay::kNone,
      "A surface as stiff in all directions: sin x cos y + sin y cos z + sin z cos x = 0"},
-    {FillPattern::kSchwarzD, "schwarzd", true, false,
+    {FillPattern::kSchwarzD, "schwarzd", true, SolidWay::kNone,
      "A surface of diamond symmetry: cos x cos y cos z = sin x sin y sin z"},
-    {FillPattern::kFischerKochS, "fischerkochs", true, false,
+    {FillPattern::kFischerKochS, "fischerkochs", true, SolidWay::kNone,
      "A surface: cos 2x sin y cos z + cos 2y sin z cos x + cos 2z sin x cos y = 0"},
-    {FillPattern::kConcentric, "concentric", true, true, "Loops that follow the region's edge"},
-    {FillPattern::kArchimedean, "archimedeanchords", true, true,
+    {FillPattern::kConcentric, "concentric", true, SolidWay::kAlongEdge, "Loops that follow the region's edge"},
+    {FillPattern::kArchimedean, "archimedeanchords", true, SolidWay::kCurves,
      "A spiral around the object's middle"},
-    {FillPattern::kOctagram, "octagramspiral", true, true,
+    {FillPattern::kOctagram, "octagramspiral", true, SolidWay::kCurves,
      "A spiral in the shape of a star of eight points"},
-    {FillPattern::kHilbert, "hilbertcurve", true, true,
+    {FillPattern::kHilbert, "hilbertcurve", true, SolidWay::kCurves,
      "Hilbert's curve: one line of right angles through all cells"},
-    {FillPattern::kPeano, "peano", true, true, "Peano's curve: the same by thirds"},
-    {FillPattern::kMonotonic, "monotonic", true, true,
+    {FillPattern::kPeano, "peano", true, SolidWay::kCurves, "Peano's curve: the same by thirds"},
+    {FillPattern::kMonotonic, "monotonic", true, SolidWay::kLines,
      "Solid: lines in the order in which they lie, linked; sparse: as rectilinear"},
-    {FillPattern::kMonotonicLines, "monotoniclines", true, true,
+    {FillPattern::kMonotonicLines, "monotoniclines", true, SolidWay::kLines,
      "Solid: lines in the order in which they lie, not linked; sparse: as rectilinear"},
-    {FillPattern::kFermat, "fermat", true, true,
+    {FillPattern::kFermat, "fermat", true, SolidWay::kAlongEdge,
      "Connected Fermat spirals: one path through each region, along its edge",
      false},
-    {FillPattern::kHilbertQuadtree, "hilbertquadtree", true, true,
+    {FillPattern::kHilbertQuadtree, "hilbertquadtree", true, SolidWay::kAlongEdge,
      "Hilbert's curve inside and loops along the edge: one path through each region",
      false},
-    {FillPattern::kPeanoQuadtree, "peanoquadtree", true, true, "Peano's curve in the same way",
+    {FillPattern::kPeanoQuadtree, "peanoquadtree", true, SolidWay::kAlongEdge, "Peano's curve in the same way",
      false},
 };
 

@@ -25,6 +25,7 @@ inline constexpr int64_t kMaxComponentsDepth = 32;
 inline constexpr int64_t kMaxFileResources = 100'000;  ///< objects and components of all its models
 inline constexpr int64_t kMaxParts = 10'000;           ///< of all objects on the plates
 inline constexpr int64_t kMaxHeightRanges = 1'000;     ///< of one object
+inline constexpr int64_t kMaxPartRanges = 100'000;     ///< each part in each range of its object
 inline constexpr int64_t kMaxProjectPlates = 1'000;
 inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< names and settings together
 inline constexpr double kMaxTransformEntry = 1e6;  ///< a scale, or mm: plates lie side by side

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <string>
 
 namespace slicefarm {
 
@@ -17,7 +17,7 @@ struct Lying {
 
 /// A better way round to print an object than the one that was asked for.
 struct OrientationAdvice {
-  int32_t object = 0;
+  std::string object;                            ///< its name
   std::array<double, 3> rotate_deg = {0, 0, 0};  ///< in place of Placement::rotate_deg
   Lying asked;
   Lying advised;

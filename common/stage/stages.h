@@ -118,7 +118,7 @@ struct SlicedJob {
   std::vector<PlacedCopy> copies;         ///< by object, then as in the input
   std::vector<MeshReport> meshes;         ///< one a part, by object
   std::vector<Thumbnail> thumbnails;
-  std::vector<OrientationAdvice> orientations;  ///< of objects that would better lie otherwise
+  std::vector<OrientationAdvice> orientations;  ///< of objects that would print better otherwise
 };
 
 class SlicingStage {

@@ -170,8 +170,6 @@ v1::OrientationAdvice ToProto(const OrientationAdvice& advice) {
 }
 
 absl::StatusOr<OrientationAdvice> FromProto(const v1::OrientationAdvice& proto) {
-  if (proto.object() < 0 || proto.object() >= limits::kMaxObjects)
-    return Malformed("object", "is not the index of an object");
   if (absl::Status ok = CheckTriple(proto.rotate_deg(), "rotate_deg"); !ok.ok()) return ok;
   const absl::StatusOr<Lying> asked = LyingFromProto(proto.asked());
   if (!asked.ok()) return Within("asked", asked.status());

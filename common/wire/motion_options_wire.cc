@@ -267,7 +267,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.before_layer_gcode = proto.before_layer_gcode();
   options.layer_gcode = proto.layer_gcode();
   options.layer_settings = proto.layer_settings();
-  options.labels = static_cast<ObjectLabels>(static_cast<int>(proto.labels()) - 1);
+  options.labels = Known<ObjectLabels>(proto.labels());
   options.between_objects_gcode = proto.between_objects_gcode();
   options.max_print_height_nm = proto.max_print_height_nm();
   return options;

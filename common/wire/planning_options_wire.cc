@@ -217,6 +217,7 @@ absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
   if (!skirt.ok()) return Within("skirt", skirt.status());
   absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
   if (!bed.ok()) return bed.status();
+  if (!bed->empty() && bed->size() < 3) return Malformed("bed_xy_nm", "has fewer than 3 points");
   options.sequence = {sequence.complete_objects(), sequence.clearance_radius_nm(),
                       sequence.clearance_height_nm()};
   options.skirt = *skirt;

@@ -91,6 +91,14 @@ class SceneReader {
   SubmittedScene Take() && { return std::move(scene_); }
 
  private:
+  /// Before any copy is made: a short message may ask for very many.
+  absl::Status CountCopies(int64_t copies) {
+    copies_ += std::max<int64_t>(copies, 1);
+    if (copies_ <= limits::kMaxObjects) return absl::OkStatus();
+    return LimitError(Reason::kRequestTooLarge, "objects with their copies", limits::kMaxObjects,
+                      copies_);
+  }
+
   absl::StatusOr<int32_t> FileOf(const std::string& sha256, v1::MeshFormat proto_format,
                                  const std::string& name, std::string_view field) {
     if (!IsSha256Hex(sha256))
@@ -107,10 +115,9 @@ class SceneReader {
     if (!proto.instances().empty())
       return Malformed("instances", "are those of an object of parts, and there are no parts");
     if (proto.copies() < 0) return Malformed("copies", "are negative");
-    if (proto.copies() > limits::kMaxObjects) {
-      return LimitError(Reason::kRequestTooLarge, "copies of an object", limits::kMaxObjects,
-                        proto.copies());
-    }
+    const int64_t centers = proto.placement().centers_size();
+    if (absl::Status ok = CountCopies(std::max<int64_t>(proto.copies(), centers)); !ok.ok())
+      return ok;
     const auto file = FileOf(proto.mesh_sha256(), proto.format(), proto.name(), "mesh_sha256");
     if (!file.ok()) return file.status();
     const auto placement = slicefarm::FromProto(proto.placement());
@@ -122,10 +129,17 @@ class SceneReader {
   absl::StatusOr<SceneObject> OfParts(const v1::Object& proto) {
     if (!proto.mesh_sha256().empty() || proto.has_placement() || proto.copies() != 0)
       return Malformed("parts", "exclude mesh_sha256, placement and copies");
+    if (absl::Status ok = CountCopies(proto.instances_size()); !ok.ok()) return ok;
     parts_ += proto.parts_size();
     if (parts_ > limits::kMaxParts) {
       return LimitError(Reason::kRequestTooLarge, "parts of all objects", limits::kMaxParts,
                         parts_);
+    }
+    // Each part gets a row of settings in each range.
+    slices_ += int64_t{proto.parts_size()} * (proto.height_ranges_size() + 1);
+    if (slices_ > limits::kMaxPartRanges) {
+      return LimitError(Reason::kRequestTooLarge, "parts of all objects, in each height range",
+                        limits::kMaxPartRanges, slices_);
     }
     SceneObject object;
     object.name = proto.name();
@@ -168,6 +182,8 @@ class SceneReader {
   SubmittedScene scene_;
   std::map<std::pair<std::string, MeshFormat>, int32_t> known_;
   int64_t parts_ = 0;
+  int64_t slices_ = 0;  ///< parts by height ranges
+  int64_t copies_ = 0;
 };
 
 }  // namespace

@@ -165,10 +165,23 @@ TEST(SceneWire, HasBounds) {
   for (int64_t i = 0; i < limits::kMaxHeightRanges; ++i) ranges[0].add_height_ranges();
   EXPECT_EQ(DetailOf(FromProto(ranges).status()).reason, Reason::kRequestTooLarge);
 
+  Objects slices;
+  v1::Object& sliced = *slices.Add();
+  for (int i = 0; i < 1'000; ++i) sliced.add_parts()->mutable_mesh()->set_sha256(Sha256Hex("a"));
+  for (int i = 0; i < 100; ++i) sliced.add_height_ranges();
+  EXPECT_EQ(DetailOf(FromProto(slices).status()).reason, Reason::kRequestTooLarge);
+
   Objects copies;
   copies.Add()->set_mesh_sha256(Sha256Hex("a"));
-  copies[0].set_copies(static_cast<int32_t>(limits::kMaxObjects) + 1);
-  EXPECT_EQ(DetailOf(FromProto(copies).status()).reason, Reason::kRequestTooLarge);
+  copies[0].set_copies(501);
+  EXPECT_TRUE(FromProto(copies).ok());
+  *copies.Add() = copies[0];
+  EXPECT_EQ(DetailOf(FromProto(copies).status()).metadata.at("got"), "1002");
+
+  Objects many;
+  for (int64_t i = 0; i <= limits::kMaxObjects; ++i)
+    many.Add()->set_mesh_sha256(Sha256Hex("a"));
+  EXPECT_EQ(DetailOf(FromProto(many).status()).reason, Reason::kRequestTooLarge);
 }
 
 }  // namespace

@@ -110,6 +110,10 @@ absl::Status Check(const v1::InfillOptions& proto) {
                                {"top_width_nm", proto.top_width_nm()},
                                {"first_layer_width_nm", proto.first_layer_width_nm()}}));
   status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
+  status.Update(CheckNotNegative(
+      {{"anchor_nm", proto.anchor_nm()}, {"anchor_max_nm", proto.anchor_max_nm()}}));
+  if (proto.solid_every_layers() < 0)
+    status.Update(Malformed("solid_every_layers", "is negative"));
   return status;
 }
 

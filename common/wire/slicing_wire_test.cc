@@ -97,7 +97,7 @@ TEST(SliceSummaryWire, Returns) {
   SlicedJob job;
   // A new member does not compile until it is sent here, and so on the wire.
   auto& [layers, object_names, copies, meshes, thumbnails, orientations] = job;
-  orientations = {{1, {90, 0, 0}, {1, 2, 3, false}, {4, 0, 5, true}}};
+  orientations = {{"lid", {90, 0, 0}, {1, 2, 3, false}, {4, 0, 5, true}}};
   layers.resize(7);
   object_names = {"a", "b"};
   copies = {{0, {1'000, -2'000}, {{1, 2}, {3, 4}, {5, 6}}}, {1, {}, {}}};

@@ -19,7 +19,7 @@ std::string Advice(const absl::Status& status) {
     case Reason::kSettingMisplaced:
       return "`slicefarm settings` lists every setting with its range";
     case Reason::kMeshFormatUnknown:
-      return "give an STL (binary or ASCII), OBJ or PLY file";
+      return "give an STL (binary or ASCII), OBJ, PLY or 3MF file";
     case Reason::kMeshTruncated:
       return "the file was cut off: export or download it again";
     case Reason::kOutOfRange:

@@ -93,7 +93,7 @@ absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPatte
                                           double density, const FillOptions& options) {
   const double angle = options.angle_degrees * std::numbers::pi / 180;
   const Coord width = FromMm(options.width_mm);
-  if (density >= 1 && InfoOf(pattern).solid) {
+  if (density >= 1 && InfoOf(pattern).solid != SolidWay::kNone) {
     return SolidPaths(islands, {.pattern = pattern,
                                 .angle_rad = angle,
                                 .width_nm = width,
@@ -131,6 +131,9 @@ absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern patt
   return WriteFile(to.string(), PrintFill(*paths));
 }
 
+/// 0 of nothing.
+double Ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
 ExitCode Fill(const FillOptions& options) {
   const FillPatternInfo* info = FindPattern(options.pattern);
   if (info == nullptr) {
@@ -158,9 +161,9 @@ ExitCode Fill(const FillOptions& options) {
                     "length_mm {:.1f}\nlongest_path_mm {:.1f}\narea_mm2 {:.1f}\n"
                     "density_by_length {:.5f}\nseconds {:.3f}\n",
                     all.outlines, all.components, all.paths,
-                    static_cast<double>(all.paths) / static_cast<double>(all.components),
+                    Ratio(static_cast<double>(all.paths), static_cast<double>(all.components)),
                     all.length_mm, all.longest_mm, all.area_mm2,
-                    all.length_mm * options.width_mm / all.area_mm2, all.seconds));
+                    Ratio(all.length_mm * options.width_mm, all.area_mm2), all.seconds));
   return ExitCode::kOk;
 }
 

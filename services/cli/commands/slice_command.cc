@@ -114,6 +114,10 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return Fail(models.status());
   for (size_t i = 0; i < models->plates.size(); ++i) {
+    absl::Status may = CheckWritable(options.job, options.output, i);
+    if (!may.ok()) return Fail(may);
+  }
+  for (size_t i = 0; i < models->plates.size(); ++i) {
     SliceOptions one = options;
     one.output = OutputOf(options.job, options.output, i);
     one.job.report = OutputOf(options.job, options.job.report, i);

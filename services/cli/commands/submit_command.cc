@@ -107,6 +107,14 @@ absl::StatusOr<std::vector<StoredMesh>> UploadMeshes(const std::vector<MeshFile>
   return meshes;
 }
 
+/// Of plates whose last one cannot be printed, nobody wants the first ones alone.
+void CancelAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs) {
+  JobsClient client(ClientOptions(options.server, nullptr));
+  for (const v1::Job& job : jobs)
+    if (!client.CancelJob(job.id()).ok())
+      fmt::print(stderr, "job {} may go on: it could not be cancelled\n", job.id());
+}
+
 /// A job for each plate.
 absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
@@ -114,6 +122,8 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
   if (!settings.ok()) return settings.status();
   const auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return models.status();
+  for (size_t i = 0; i < models->plates.size(); ++i)
+    if (absl::Status may = CheckWritable(options.job, options.output, i); !may.ok()) return may;
   std::vector<v1::CreateJobRequest> requests;
   for (const GivenPlate& plate : models->plates) {
     auto request = RequestOf(options, plate, *settings);
@@ -127,7 +137,10 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
     for (const SceneObject& object : models->plates[i].objects)
       slicefarm::ToProto(object, *meshes, requests[i].mutable_spec()->add_objects());
     auto job = client.CreateJob(std::move(requests[i]));
-    if (!job.ok()) return job.status();
+    if (!job.ok()) {
+      CancelAll(options, jobs);
+      return job.status();
+    }
     jobs.push_back(*std::move(job));
   }
   return jobs;
@@ -186,19 +199,16 @@ absl::Status CheckWishes(const SubmitOptions& options) {
   return CheckOutputs(options.job, options.output);
 }
 
-/// An object that would better lie another way round.
-std::string AdviceText(const v1::Job& job, const v1::OrientationAdvice& advice) {
+/// An object that would print better another way round.
+std::string AdviceText(const v1::OrientationAdvice& advice) {
   const auto describe = [](const v1::Lying& lying) {
     return fmt::format("{:.1f} cm2 on the bed, {:.1f} cm2 of overhangs, {:.1f} mm high{}",
                        lying.contact_mm2() / 100, lying.overhang_mm2() / 100, lying.height_mm(),
                        lying.stable() ? "" : ", not stable");
   };
-  const bool known = advice.object() < job.spec().objects_size();
-  return fmt::format("{} lies better with --rotate {},{},{}: {}; now: {}\n",
-                     known ? job.spec().objects(advice.object()).name()
-                           : fmt::format("object {}", advice.object()),
-                     advice.rotate_deg(0), advice.rotate_deg(1), advice.rotate_deg(2),
-                     describe(advice.advised()), describe(advice.asked()));
+  return fmt::format("{} would print better turned by {},{},{} degrees about x, y, z: {}; now: {}\n",
+                     advice.object(), advice.rotate_deg(0), advice.rotate_deg(1),
+                     advice.rotate_deg(2), describe(advice.advised()), describe(advice.asked()));
 }
 
 void PrintPreflight(const v1::Job& job) {
@@ -210,7 +220,7 @@ void PrintPreflight(const v1::Job& job) {
                       mesh.name(), mesh.triangles(), mesh.open_edges() == 0 ? "closed" : "open",
                       side(0), side(1), side(2), mesh.volume_mm3() / 1000));
   }
-  for (const v1::OrientationAdvice& advice : found.orientations()) Print(AdviceText(job, advice));
+  for (const v1::OrientationAdvice& advice : found.orientations()) Print(AdviceText(advice));
   Print(fmt::format("first layer: {:.1f} cm2\nestimate: ", found.first_layer_area_mm2() / 100) +
         SummaryText({.layers = found.layers(),
                      .print_time_s = found.print_time_s(),
@@ -261,9 +271,6 @@ ExitCode FetchAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs
 
 ExitCode Submit(const SubmitOptions& options, Interrupt& interrupt) {
   if (absl::Status fits = CheckWishes(options); !fits.ok()) return Fail(fits);
-  for (const std::string& path : {options.output, options.job.report}) {
-    if (absl::Status may = CheckWritable(path); !may.ok()) return Fail(may);
-  }
   JobsClientOptions client_options = ClientOptions(options.server, &interrupt);
   client_options.trace = TraceOf(options);
   JobsClient client(std::move(client_options));
@@ -315,7 +322,7 @@ void AddSubmit(CLI::App& app, CommandContext& context) {
                     "Only look whether the job can be made, and estimate it; nothing is kept but "
                     "the mesh");
   command->add_flag("--orient", options->orient,
-                    "With --check: tell objects that would better lie another way round, with a "
+                    "With --check: name objects that would print better another way round, with a "
                     "large face on the bed and little that needs support");
   command
       ->add_option("--traceparent", options->traceparent,

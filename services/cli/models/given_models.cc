@@ -254,6 +254,11 @@ absl::Status CheckOutputs(const JobOptions& options, const std::string& output) 
   return Malformed("--plates makes several files: stdout is no place for them");
 }
 
+absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate) {
+  absl::Status may = CheckWritable(OutputOf(options, output, plate));
+  return may.ok() ? CheckWritable(OutputOf(options, options.report, plate)) : may;
+}
+
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate) {
   if (!options.plates || path.empty()) return path;
   const std::filesystem::path given(path);

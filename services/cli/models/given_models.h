@@ -42,6 +42,9 @@ std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setti
 /// Errors: REQUEST_MALFORMED for --plates to stdout.
 absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
 
+/// Whether the results of a plate can be written where OutputOf says, as CheckWritable.
+absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate);
+
 /// Where the result of the plate with this index goes: `out-2.gcode` for index 1 with --plates, else
 /// as it was given. Nothing stays nothing.
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);

@@ -8,6 +8,7 @@
 #include "common/geometry/boolean.h"
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/random_islands_test.h"
+#include "services/infill/algo/inside_checks_test.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
 
@@ -33,18 +34,6 @@ MultiPolygon RandomRegion(std::mt19937& random) {
   return region;
 }
 
-void ExpectInside(const std::vector<Path>& paths, const MultiPolygon& region, Coord beyond) {
-  const MultiPolygon grown = FastOffset(region, beyond + 2'000);
-  for (const Path& path : paths) {
-    ASSERT_TRUE(WellFormed(path));
-    for (size_t i = 0; i < path.points.size(); ++i) {
-      const Point a = path.points[i], b = path.points[i == 0 ? 0 : i - 1];
-      ASSERT_TRUE(Inside(a, grown));
-      ASSERT_TRUE(Inside({(a.x + b.x) / 2, (a.y + b.y) / 2}, grown));
-    }
-  }
-}
-
 TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
   const uint64_t count = FromEnvironment("SLICEFARM_FILL_REGIONS", 40);
   const uint64_t seed = FromEnvironment("SLICEFARM_FILL_SEED", 1);
@@ -64,17 +53,17 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
       if (info.sparse) {
         const auto paths = FillSparse(region, sparse);
         ASSERT_TRUE(paths.ok());
-        ExpectInside(*paths, region, 0);
+        ExpectInside(*paths, region);
         EXPECT_EQ(*paths, *FillSparse(region, sparse));
       }
-      if (!info.solid || region.empty()) continue;
+      if (info.solid == SolidWay::kNone || region.empty()) continue;
       const SolidFill solid{.pattern = info.pattern,
                             .angle_rad = sparse.angle_rad,
                             .layer = sparse.layer,
                             .overlap_nm = 112'500};
       const auto group = FillSolid(region[0], solid);
       ASSERT_TRUE(group.ok());
-      ExpectInside(group->paths, {region[0]}, 0);
+      ExpectInside(group->paths, {region[0]});
       EXPECT_EQ(*group, *FillSolid(region[0], solid));
       if (HasFatalFailure()) return;
     }

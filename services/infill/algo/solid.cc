@@ -7,6 +7,7 @@
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "services/infill/algo/lines/frame_box.h"
 #include "services/infill/algo/lines/scan_lines.h"
 #include "services/infill/algo/linking/linked_paths.h"
 #include "services/infill/algo/linking/serpentine.h"
@@ -24,12 +25,12 @@ constexpr double kMinLengthWidths = 0.5;
 constexpr double kLeastLinkSpacings = 0.3;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
-constexpr int kDepthSteps = 24;
+constexpr double kDepthPrecision = 0.001;  // of a spacing
 
 /// Lines across a region that fill it from edge to edge, if that takes no more stretch than
 /// allowed; else as many as come nearest, in its middle.
 LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double spacing) {
-  const Extent extent = ExtentAcross({region}, LineFrame(angle_rad));
+  const FrameBox extent = BoxIn(LineFrame(angle_rad), {region});
   const double height = extent.max_v - extent.min_v;
   const double count = std::max(1.0, std::round(height / spacing));
   const double pitch = std::clamp(height / count, kLeastStretch * spacing, kMostStretch * spacing);
@@ -61,10 +62,10 @@ Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
   return path;
 }
 
-/// Half the width of a region's widest place.
-double DepthOf(const MultiPolygon& region, double at_most) {
+/// Half the width of a region's widest place, to `precision`.
+double DepthOf(const MultiPolygon& region, double at_most, double precision) {
   double low = 0, high = at_most;
-  for (int i = 0; i < kDepthSteps; ++i) {
+  while (high - low > precision) {
     const double middle = (low + high) / 2;
     (FastOffset(region, -std::llround(middle)).empty() ? high : low) = middle;
   }
@@ -74,8 +75,8 @@ double DepthOf(const MultiPolygon& region, double at_most) {
 /// The distance of loops that leave no room in the middle.
 double FittingLoops(const MultiPolygon& region, double spacing) {
   const Box box = Bounds(region);
-  const auto size = static_cast<double>(std::max(box.max.x - box.min.x, box.max.y - box.min.y));
-  const double depth = DepthOf(region, size / 2 + 1);
+  const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));
+  const double depth = DepthOf(region, size / 2 + 1, kDepthPrecision * spacing);
   const double count = std::max(1.0, std::round(depth / spacing));
   return std::clamp(depth / count, kLeastStretch * spacing, kMostStretch * spacing);
 }
@@ -106,23 +107,19 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   return group;
 }
 
-bool FollowsEdge(FillPattern pattern) {
-  return pattern == FillPattern::kConcentric || pattern == FillPattern::kFermat ||
-         pattern == FillPattern::kHilbertQuadtree || pattern == FillPattern::kPeanoQuadtree;
-}
-
 absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const SolidFill& fill) {
   auto pitch = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
   // Lines along the edge lie half a spacing from it by themselves, side by side with the wall: no
   // end of theirs needs to reach into it.
+  const bool along_edge = InfoOf(fill.pattern).solid == SolidWay::kAlongEdge;
   const Coord inset =
-      FollowsEdge(fill.pattern) ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
+      along_edge ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
   if (fill.pattern == FillPattern::kConcentric) pitch = FittingLoops(area, pitch);
   const Coord spacing = std::llround(pitch);
   const auto pieces = PatternOf(fill.pattern)(
-      area, {0, fill.layer, fill.height_nm, pitch, fill.angle_rad, spacing});
+      area, {0, fill.layer, pitch, fill.angle_rad, spacing});
   if (!pieces.ok()) return pieces.status();
   const Coord width = WidthForSpacing(spacing, fill.height_nm);
   FillGroup group;
@@ -144,19 +141,8 @@ bool IsAligned(FillPattern pattern) {
 }
 
 absl::StatusOr<FillGroup> FillSolid(const PolygonWithHoles& region, const SolidFill& fill) {
-  switch (fill.pattern) {
-    case FillPattern::kConcentric:
-    case FillPattern::kArchimedean:
-    case FillPattern::kOctagram:
-    case FillPattern::kHilbert:
-    case FillPattern::kPeano:
-    case FillPattern::kFermat:
-    case FillPattern::kHilbertQuadtree:
-    case FillPattern::kPeanoQuadtree:
-      return FillByCurves(region, fill);
-    default:
-      return FillByLines(region, fill);
-  }
+  const bool lines = InfoOf(fill.pattern).solid == SolidWay::kLines;
+  return lines ? FillByLines(region, fill) : FillByCurves(region, fill);
 }
 
 }  // namespace slicefarm::infill

@@ -31,7 +31,7 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   const MultiPolygon area = FastOffset(region, -inset);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
   const auto pieces = PatternOf(fill.pattern)(
-      area, {fill.z_nm, fill.layer, fill.height_nm, pitch, fill.angle_rad, spacing});
+      area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing});
   if (!pieces.ok()) return pieces.status();
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.

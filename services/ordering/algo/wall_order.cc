@@ -87,8 +87,12 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
   if (groups.empty()) return;
   const size_t outer = OuterGroup(groups);
   print(outer, InsetOrder::kOuterFirst);
+  std::swap(groups[outer], groups.back());
+  std::swap(starts[outer], starts.back());
+  std::swap(legs[outer], legs.back());
+  legs.pop_back();
   for (const Visit visit : OrderByTravel(route.To(), legs, budget))
-    if (visit.leg != outer) print(visit.leg, InsetOrder::kInnerFirst);
+    print(visit.leg, InsetOrder::kInnerFirst);
 }
 
 }  // namespace slicefarm::ordering

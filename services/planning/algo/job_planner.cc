@@ -1,5 +1,8 @@
 #include "services/planning/algo/job_planner.h"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 #include "common/base/error.h"
@@ -24,6 +27,32 @@ absl::Status CheckRaft(const ObjectPlanOptions& object) {
                    {{"field", "raft_settings"}});
 }
 
+std::string NameOf(int32_t object, std::span<const std::string> names) {
+  const auto index = static_cast<size_t>(object);
+  return index < names.size() ? names[index] : fmt::format("object {}", object);
+}
+
+/// All rafts are printed with the first copy. If one were higher than that under a copy that is
+/// printed later, the head would meet it.
+absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const PlacedCopy> copies,
+                                std::span<const std::string> names) {
+  if (!options.sequence.complete_objects || copies.empty()) return absl::OkStatus();
+  const auto heights_of = [&](int32_t object) {
+    return options.objects[static_cast<size_t>(object)].raft.heights;
+  };
+  const int32_t first = copies.front().object;
+  for (const PlacedCopy& copy : copies) {
+    if (heights_of(copy.object) == heights_of(first)) continue;
+    const std::string a = NameOf(first, names), b = NameOf(copy.object, names);
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kObjectsCollide,
+                     fmt::format("'{}' and '{}' cannot be printed one after the other: their rafts "
+                                 "are not of one height",
+                                 a, b),
+                     {{"first", a}, {"second", b}, {"rule", "raft"}});
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,
@@ -43,6 +72,7 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
     if (absl::Status ok = CheckObject(copy.object, options); !ok.ok()) return ok;
   for (const ObjectPlanOptions& object : options.objects)
     if (absl::Status ok = CheckRaft(object); !ok.ok()) return ok;
+  if (absl::Status ok = CheckRaftsAreAlike(options, copies, object_names); !ok.ok()) return ok;
   return JobPlanner(options, copies, object_names);
 }
 

@@ -26,7 +26,8 @@ class JobPlanner {
  public:
   /// All must outlive this. `object_names`: by object, for messages; may be fewer. Errors:
   /// REQUEST_MALFORMED for copies of objects that have no options, or for an object whose raft has
-  /// not a row of settings for each layer.
+  /// not a row of settings for each layer; OBJECTS_COLLIDE for copies that are printed one after the
+  /// other and whose rafts are not of one height.
   static absl::StatusOr<JobPlanner> Make(const PlanningOptions& options,
                                          std::span<const PlacedCopy> copies,
                                          std::span<const std::string> object_names = {});

@@ -56,6 +56,27 @@ TEST(JobPlanner, ErrorsOfPlannersEndThePlan) {
   EXPECT_EQ(DetailOf(planner->Finish().status()).reason, Reason::kObjectsCollide);
 }
 
+TEST(JobPlanner, RaftsOfCopiesOneAfterTheOtherAreOfOneHeight) {
+  PlanningOptions options;
+  options.objects.resize(2);
+  for (ObjectPlanOptions& object : options.objects) {
+    object.raft.heights.layers = 2;
+    object.raft_settings = {0, 0};
+  }
+  const std::vector<PlacedCopy> copies = {{0, {}, {}}, {1, {FromMm(100), 0}, {}}};
+  const std::vector<std::string> names = {"cup", "lid"};
+  options.sequence.complete_objects = true;
+  EXPECT_TRUE(JobPlanner::Make(options, copies, names).ok());
+  options.objects[1].raft.heights.layers = 3;
+  options.objects[1].raft_settings.push_back(0);
+  const ErrorDetail detail = DetailOf(JobPlanner::Make(options, copies, names).status());
+  EXPECT_EQ(detail.reason, Reason::kObjectsCollide);
+  EXPECT_EQ(detail.metadata.at("first"), "cup");
+  EXPECT_EQ(detail.metadata.at("second"), "lid");
+  options.sequence.complete_objects = false;
+  EXPECT_TRUE(JobPlanner::Make(options, copies, names).ok());
+}
+
 TEST(JobPlanner, RefusesARaftWithoutItsRows) {
   PlanningOptions options;
   options.objects[0].raft.heights.layers = 2;

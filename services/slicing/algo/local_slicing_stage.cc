@@ -175,7 +175,7 @@ class SlicingRun {
       auto advice = AdviseOrientation(solid, objects_[object].to_plate, call_.cancel);
       if (!advice.ok()) return advice.status();
       if (!advice->has_value()) continue;
-      (*advice)->object = static_cast<int32_t>(object);
+      (*advice)->object = objects_[object].name;
       job_.orientations.push_back(**advice);
     }
     return absl::OkStatus();

@@ -59,7 +59,7 @@ TEST(LocalSlicing, AdvisesOrientationsOnRequestOnly) {
   const auto job = Slice(input);
   ASSERT_TRUE(job.ok()) << job.status();
   ASSERT_THAT(job->orientations, SizeIs(1));
-  EXPECT_EQ(job->orientations[0].object, 1);
+  EXPECT_EQ(job->orientations[0].object, job->object_names[1]);
   EXPECT_NEAR(job->orientations[0].advised.contact_mm2, 2400, 1e-3);
 }
 

@@ -26,10 +26,6 @@ void AppendWalls(const std::vector<MultiPolygon>& centre_lines, const WallPlan& 
   }
 }
 
-void MoveTo(std::vector<Path>& paths, std::vector<Path> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(paths));
-}
-
 }  // namespace
 
 absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
@@ -42,11 +38,11 @@ absl::StatusOr<IslandBeads> MakeClassicIsland(const PolygonWithHoles& outline,
   island.fill_area = std::move(walls.fill_area);
   auto gap_paths = FillGaps(walls.gaps, gap_options, cancel);
   if (!gap_paths.ok()) return gap_paths.status();
-  MoveTo(island.walls, *std::move(gap_paths));
+  std::ranges::move(*gap_paths, std::back_inserter(island.walls));
   if (!plan.gap_fill || plan.perimeters == 0) return island;
   auto narrow_paths = FillNarrowParts(gap_options, cancel, island.fill_area);
   if (!narrow_paths.ok()) return narrow_paths.status();
-  MoveTo(island.walls, *std::move(narrow_paths));
+  std::ranges::move(*narrow_paths, std::back_inserter(island.walls));
   return island;
 }
 

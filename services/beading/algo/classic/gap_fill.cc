@@ -54,10 +54,6 @@ std::vector<Path> FillGap(const Gap& gap, double least_area_nm2, const GapFillOp
   return paths;
 }
 
-void MoveTo(std::vector<Path>& paths, std::vector<Path> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(paths));
-}
-
 /// What is left of an area for the infill; its narrow parts' beads are added to `paths`.
 MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions& options,
                              std::vector<Path>& paths) {
@@ -67,7 +63,7 @@ MultiPolygon TakeNarrowParts(const PolygonWithHoles& area, const GapFillOptions&
   for (const PolygonWithHoles& part : narrow.parts) {
     std::vector<Path> beads = FillGap({part, false}, least, options);
     if (!beads.empty()) taken.push_back(part);
-    MoveTo(paths, std::move(beads));
+    std::ranges::move(beads, std::back_inserter(paths));
   }
   if (narrow.are_all) return {};
   return taken.empty() ? MultiPolygon{area} : Difference({area}, taken);
@@ -81,7 +77,7 @@ absl::StatusOr<std::vector<Path>> FillGaps(const std::vector<Gap>& gaps,
   std::vector<Path> paths;
   for (const Gap& gap : gaps) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    MoveTo(paths, FillGap(gap, kLeastDotNm2, options));
+    std::ranges::move(FillGap(gap, kLeastDotNm2, options), std::back_inserter(paths));
   }
   return paths;
 }

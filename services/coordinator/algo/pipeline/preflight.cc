@@ -20,7 +20,8 @@ double AreaMm2(const SlicedLayer& layer, const std::vector<PlacedCopy>& copies) 
   return nm2 * 1e-12;
 }
 
-/// Without complete_objects planning has nothing to say.
+/// Only complete_objects changes the number of layers; what else planning refuses comes with the
+/// job.
 absl::StatusOr<int32_t> CountLayers(const StageCall& call, const SlicedJob& job,
                                     const PlanningOptions& options,
                                     const PlanningStage& planning) {

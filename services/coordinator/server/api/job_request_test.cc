@@ -48,18 +48,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"WhichMesh", [](auto& r) { FirstOf(r).parts[0].mesh.mesh = 1; }},
         Case{"FirstTriangle", [](auto& r) { FirstOf(r).parts[0].mesh.first_triangle = 1; }},
         Case{"TriangleCount", [](auto& r) { FirstOf(r).parts[0].mesh.triangle_count = 1; }},
-        Case{"Role",
-             [](auto& r) {
-               FirstOf(r).parts.push_back(FirstOf(r).parts[0]);
-               FirstOf(r).parts[1].role = PartRole::kNegative;
-             }},
+        Case{"Role", [](auto& r) { FirstOf(r).parts[0].role = PartRole::kNegative; }},
         Case{"PlaceInTheObject", [](auto& r) { FirstOf(r).parts[0].to_object(2, 3) = 1e-9; }},
         Case{"Scale", [](auto& r) { FirstOf(r).instances[0].to_plate(2, 2) = 1 + 1e-15; }},
         Case{"Placed", [](auto& r) { FirstOf(r).instances[0].placed = true; }},
-        Case{"ByOrigin",
+        Case{"ByOrigin", [](auto& r) { FirstOf(r).instances[0].by_middle = false; }},
+        Case{"SourceOfASetting",
              [](auto& r) {
-               FirstOf(r).instances[0].placed = true;
-               FirstOf(r).instances[0].by_middle = false;
+               FirstOf(r).settings = {{"perimeters", "3", config::Source::kProfile}};
+             }},
+        Case{"SettingOfARange",
+             [](auto& r) {
+               FirstOf(r).ranges = {{1, 2, {{"layer_height", "0.1"}}}};
              }},
         Case{"Copies", [](auto& r) { FirstOf(r).instances.resize(2); }},
         Case{"HeightRange", [](auto& r) { FirstOf(r).ranges.push_back({1, 2, {}}); }},

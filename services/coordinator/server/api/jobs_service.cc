@@ -30,9 +30,10 @@ constexpr int64_t kMaxEchoedBytes = 2 << 20;
 int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
   auto bytes = static_cast<int64_t>(batch.ByteSizeLong());
   for (const v1::CreateJobRequest& each : batch.requests()) {
-    for (const v1::Setting& setting : each.spec().settings()) {
-      bytes -= static_cast<int64_t>(setting.ByteSizeLong());
-    }
+    v1::JobSpec echoed = each.spec();
+    bytes -= static_cast<int64_t>(echoed.ByteSizeLong());
+    ClearSettings(echoed);
+    bytes += static_cast<int64_t>(echoed.ByteSizeLong());
   }
   return bytes;
 }
@@ -130,7 +131,7 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     v1::BatchCreateJobsResponse::Outcome& outcome = *response->add_outcomes();
     if (created.ok()) {
       *outcome.mutable_job() = ToProto(*created);
-      outcome.mutable_job()->mutable_spec()->clear_settings();
+      ClearSettings(*outcome.mutable_job()->mutable_spec());
     } else {
       // As short as errors of calls are: there may be many in this answer.
       const absl::Status cut = rpc::FromGrpc(rpc::ToGrpc(created.status()));

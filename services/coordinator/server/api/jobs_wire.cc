@@ -59,17 +59,6 @@ absl::Status TakeTimes(const v1::ListJobsRequest& request, ListQuery& query) {
   return absl::OkStatus();
 }
 
-void ClearSettings(v1::JobSpec& spec) {
-  spec.clear_settings();
-  spec.clear_project_settings();
-  spec.clear_without_effect();
-  for (v1::Object& object : *spec.mutable_objects()) {
-    object.clear_settings();
-    for (v1::Part& part : *object.mutable_parts()) part.clear_settings();
-    for (v1::HeightRange& range : *object.mutable_height_ranges()) range.clear_settings();
-  }
-}
-
 /// All but the spec.
 v1::Job SummaryToProto(const JobRecord& job) {
   v1::Job proto;
@@ -112,6 +101,17 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
     request.settings.push_back(std::move(setting));
   request.without_effect.assign(spec.without_effect().begin(), spec.without_effect().end());
   return request;
+}
+
+void ClearSettings(v1::JobSpec& spec) {
+  spec.clear_settings();
+  spec.clear_project_settings();
+  spec.clear_without_effect();
+  for (v1::Object& object : *spec.mutable_objects()) {
+    object.clear_settings();
+    for (v1::Part& part : *object.mutable_parts()) part.clear_settings();
+    for (v1::HeightRange& range : *object.mutable_height_ranges()) range.clear_settings();
+  }
 }
 
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority) {

@@ -15,6 +15,9 @@ namespace slicefarm::coordinator {
 
 absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec);
 
+/// Takes out all settings and what has no effect: lists of jobs would be too long with them.
+void ClearSettings(v1::JobSpec& spec);
+
 absl::StatusOr<Priority> FromProto(v1::JobPriority priority);
 /// Microseconds since 1970. Errors: also for times before that.
 absl::StatusOr<int64_t> FromProto(const google::protobuf::Timestamp& time);

@@ -45,7 +45,7 @@ class FakeSlicing : public SlicingStage {
         layer.sections.push_back(Square(object, layer, std::ssize(bytes)));
       job.layers.push_back(std::move(layer));
     }
-    if (input.advise_orientations) job.orientations = {{0, {0, 90, 0}, {}, {}}};
+    if (input.advise_orientations) job.orientations = {{"part", {0, 90, 0}, {}, {}}};
     job.meshes.resize(input.objects.size());
     for (const ObjectInput& object : input.objects) {
       const auto index = static_cast<int32_t>(job.object_names.size());

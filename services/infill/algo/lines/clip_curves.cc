@@ -13,9 +13,9 @@ namespace {
 
 constexpr Coord kSquareNm = 1'000'000;
 
-/// Where a curve runs exactly through a corner or along an edge, its side is a matter of taste, but
-/// must be the same for all neighbours. So curves are taken a fraction of a nanometre aside, in a
-/// direction in which hardly an edge runs; what is exact then stays exact.
+/// A curve may run exactly through a corner or along an edge. So that neighbours agree on its side,
+/// curves are moved by less than a nanometre, in a direction that hardly an edge has. The test of
+/// sides stays exact.
 constexpr Coord kScale = 1024;
 constexpr Point kAside{313, 511};
 Point OfRegion(Point p) { return {kScale * p.x, kScale * p.y}; }

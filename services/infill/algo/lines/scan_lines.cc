@@ -5,9 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "common/base/error.h"
 #include "common/base/portable_math.h"
-#include "common/model/limits.h"
+#include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -131,10 +130,7 @@ absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily&
       count += span.last - span.first;
     });
   }
-  if (count / 2 > limits::kMaxLinesPerFill) {
-    return LimitError(Reason::kRequestTooLarge, "lines of one infill region",
-                      limits::kMaxLinesPerFill, count / 2);
-  }
+  if (absl::Status ok = CheckLineCount(static_cast<double>(count / 2)); !ok.ok()) return ok;
   lines.line_begin = {0};
   if (count == 0) return lines;
   lines.first_v = family.phase_nm + static_cast<double>(first) * family.pitch_nm;
@@ -143,18 +139,6 @@ absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily&
     AppendCrossings(static_cast<int32_t>(ring), family, first, lines);
   SortByLine(static_cast<int32_t>(last - first), lines);
   return lines;
-}
-
-Extent ExtentAcross(const MultiPolygon& region, const LineFrame& frame) {
-  Extent extent{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-  for (const PolygonWithHoles& island : region) {
-    for (const Point p : island.outer) {
-      const double v = frame.V(p);
-      extent.min_v = std::min(extent.min_v, v);
-      extent.max_v = std::max(extent.max_v, v);
-    }
-  }
-  return extent;
 }
 
 }  // namespace slicefarm::infill

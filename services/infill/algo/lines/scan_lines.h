@@ -75,11 +75,4 @@ struct ScanLines {
 /// Cost: O(n + k + k log k'), n points, k crossings, at most k' of them on one line.
 absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family);
 
-/// Extent of a region across the lines: least and greatest v. REQUIRES: not empty.
-struct Extent {
-  double min_v = 0;
-  double max_v = 0;
-};
-Extent ExtentAcross(const MultiPolygon& region, const LineFrame& frame);
-
 }  // namespace slicefarm::infill

@@ -261,11 +261,4 @@ Links ChooseLinks(const EdgeEnds& ends, double max_link_nm) {
   return Chooser(ends, max_link_nm).Run();
 }
 
-int32_t CountPaths(const EdgeEnds& ends, const Links& links) {
-  int32_t loose = 0;
-  for (int32_t end = 0; end < ends.size(); ++end)
-    loose += LinkedTo(ends, links, end) == kNoEnd ? 1 : 0;
-  return loose / 2;
-}
-
 }  // namespace slicefarm::infill

@@ -25,7 +25,4 @@ int32_t LinkedTo(const EdgeEnds& ends, const Links& links, int32_t end);
 /// Cost: O(k log k), and up to kWorkPerEnd steps for each end.
 Links ChooseLinks(const EdgeEnds& ends, double max_link_nm);
 
-/// Number of paths that pieces and links come to.
-int32_t CountPaths(const EdgeEnds& ends, const Links& links);
-
 }  // namespace slicefarm::infill

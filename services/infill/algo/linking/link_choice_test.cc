@@ -19,6 +19,14 @@ constexpr double kRightAngle = std::numbers::pi / 2;
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
+/// Of pieces that links join.
+int32_t CountPaths(const EdgeEnds& ends, const Links& links) {
+  int32_t loose = 0;
+  for (int32_t end = 0; end < ends.size(); ++end)
+    loose += LinkedTo(ends, links, end) == kNoEnd ? 1 : 0;
+  return loose / 2;
+}
+
 /// Each piece in exactly one path, no ring, no end in two links; gives the number of paths.
 int32_t CheckedPaths(const EdgeEnds& ends, const Links& links) {
   int32_t paths = 0, pieces = 0;

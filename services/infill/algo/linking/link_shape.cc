@@ -61,6 +61,7 @@ class Shaper {
   /// Cuts off the corner between the end of a piece and a place `along_nm` further on the edge, if
   /// that can be.
   Corner CutCorner(int32_t end, Point on_edge, double along_nm) const {
+    if (along_nm < kLeastCutNm) return {};
     const Piece& piece = ends_.PieceAt(end / 2);
     const double length = Length(piece.points);
     const double cut_nm = std::min(along_nm, (1 - kLeastKept) / 2 * length);

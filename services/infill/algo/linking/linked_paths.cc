@@ -55,7 +55,7 @@ Plan MakePlan(const EdgeEnds& ends, const EdgeIndex& edges, const LinkOptions& o
   for (const double cut : {0.0, options.most_cut_nm / 2, options.most_cut_nm}) {
     plan.shapes = ShapeLinks(ends, plan.links, edges, cut);
     plan.flow = FlowFor(plan.shapes, options.budget_nm);
-    if (plan.flow >= options.most_flow) break;
+    if (plan.flow >= options.most_flow || options.most_cut_nm <= 0) break;
   }
   plan.flow = std::clamp(plan.flow, options.least_flow, options.most_flow);
   DropLongest(options.budget_nm, plan);

@@ -13,7 +13,6 @@ namespace slicefarm::infill {
 struct PatternPlace {
   Coord z_nm = 0;  ///< of the layer's middle, above the object's bottom
   int32_t layer = 0;
-  Coord height_nm = 200'000;
   double pitch_nm = 0;  ///< the law: length of lines per area is 1 / pitch, over a period in z
   double angle_rad = 0;
   Coord spacing_nm = 0;  ///< of beads that lie side by side

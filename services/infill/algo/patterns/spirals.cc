@@ -33,6 +33,13 @@ Radii RadiiOf(const MultiPolygon& region, const LineFrame& frame) {
           std::sqrt(far_u * far_u + far_v * far_v)};
 }
 
+/// Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half as
+/// much again as the tolerance.
+double ChordsAt(double radius_nm) {
+  const double rise = std::min(1.5 * kToleranceNm, radius_nm / 8);
+  return std::ceil(std::numbers::pi / Acos(1 - rise / radius_nm));
+}
+
 /// Nothing of a spiral that is wholly within `least` of the origin is needed. The angle at which it
 /// begins is a whole number of turns, so that its points are the same for all regions.
 double FirstTurn(double least_nm, double nm_per_turn) {
@@ -47,14 +54,11 @@ absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
   const LineFrame frame(place.angle_rad);
   const Radii radii = RadiiOf(region, frame);
   const double last = std::ceil(radii.most / place.pitch_nm) + 1;
-  if (absl::Status ok = CheckLineCount(last); !ok.ok()) return ok;
+  const double chords_at_most = last * ChordsAt(last * place.pitch_nm);
+  if (absl::Status ok = CheckLineCount(chords_at_most); !ok.ok()) return ok;
   Curve spiral;
   for (double turn = FirstTurn(radii.least, place.pitch_nm); turn < last; ++turn) {
-    // Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half
-    // as much again as the tolerance.
-    const double radius = (turn + 1) * place.pitch_nm;
-    const double rise = std::min(1.5 * kToleranceNm, radius / 8);
-    const double chords = std::ceil(std::numbers::pi / Acos(1 - rise / radius));
+    const double chords = ChordsAt((turn + 1) * place.pitch_nm);
     const double half = std::numbers::pi / chords;
     const double outside = half * half / 6;
     for (double i = 0; i < chords; ++i) {

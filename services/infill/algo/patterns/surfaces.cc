@@ -10,8 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Largest distance of a straight segment from the surface, and for close surfaces in periods.
-constexpr double kToleranceNm = 50'000;
+/// Largest distance of a straight segment from the section's points, and for close surfaces in
+/// periods; with the points' own distance a segment lies within 50 um of the surface.
+constexpr double kToleranceNm = 40'000;
 constexpr double kTolerancePeriods = 0.01;
 /// Squares of the grid on which sections are found; it is fine enough that what lies between two of
 /// its lines hardly bends.

@@ -6,7 +6,7 @@ namespace slicefarm::infill {
 
 /// Sections of periodic minimal surfaces, given as f(x, y, z) = 0 with period 2 pi. The law holds
 /// over a period in z: the period, in pitches, is the mean length of the section per area of a
-/// period by the coarea formula (notes of the project; asserted in patterns_test). Single layers
+/// period by the coarea formula (integrated numerically; patterns_test checks the density). Single layers
 /// deviate: the gyroid -5.9 to +12.8 %, Schwarz' D -7 to +16 %, Fischer and Koch's S -11 to +13 %.
 
 /// sin x cos y + sin y cos z + sin z cos x

@@ -10,27 +10,63 @@
 namespace slicefarm::infill {
 namespace {
 
-TEST(Surfaces, GyroidLiesOnItsSurface) {
-  const double pitch = 2e6, period = 2.4561 * pitch;
-  const PatternPlace place{.z_nm = 1'300'000, .pitch_nm = pitch};
-  const double z = 2 * std::numbers::pi * 1.3e6 / period;
-  const auto pieces = Gyroid(SampleBox(), place);
-  ASSERT_GT(pieces->size(), 10u);
-  for (const Piece& piece : *pieces) {
-    for (size_t i = 1; i < piece.points.size(); ++i) {
-      const Point a = piece.points[i - 1], b = piece.points[i];
-      const double x = std::numbers::pi * static_cast<double>(a.x + b.x) / period;
-      const double y = std::numbers::pi * static_cast<double>(a.y + b.y) / period;
-      const double f = std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) +
-                       std::sin(z) * std::cos(x);
-      const double fx = std::cos(x) * std::cos(y) - std::sin(z) * std::sin(x);
-      const double fy = std::cos(y) * std::cos(z) - std::sin(x) * std::sin(y);
-      // Distance to first order, where the surface is steep enough to say.
-      const double slope = std::hypot(fx, fy);
-      if (slope > 0.5) {
-        EXPECT_LT(std::abs(f) / slope * period / (2 * std::numbers::pi), 60'000);
+struct Surface {
+  MakePattern* make;
+  double period;  ///< in pitches
+  double (*value)(double x, double y, double z);
+};
+
+double GyroidAt(double x, double y, double z) {
+  return std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x);
+}
+double SchwarzDAt(double x, double y, double z) {
+  return std::cos(x) * std::cos(y) * std::cos(z) - std::sin(x) * std::sin(y) * std::sin(z);
+}
+double FischerKochSAt(double x, double y, double z) {
+  return std::cos(2 * x) * std::sin(y) * std::cos(z) + std::cos(2 * y) * std::sin(z) * std::cos(x) +
+         std::cos(2 * z) * std::sin(x) * std::cos(y);
+}
+
+/// How far the line where `value` is zero lies from (x, y): by Newton's steps across the line.
+double WayToZero(double (*value)(double, double, double), double x, double y, double z) {
+  constexpr double kStep = 1e-6;
+  const double x0 = x, y0 = y;
+  for (int step = 0; step < 5; ++step) {
+    const double f = value(x, y, z);
+    const double dx = (value(x + kStep, y, z) - f) / kStep;
+    const double dy = (value(x, y + kStep, z) - f) / kStep;
+    x -= f * dx / (dx * dx + dy * dy);
+    y -= f * dy / (dx * dx + dy * dy);
+  }
+  return std::hypot(x - x0, y - y0);
+}
+
+// The middles of segments, where the surface is steep enough to say.
+TEST(Surfaces, LinesLieOnTheirSurface) {
+  constexpr double kPitch = 2e6, kStep = 1e-6;
+  for (const auto& [make, pitches, value] : {Surface{Gyroid, 2.4561, GyroidAt},
+                                             Surface{SchwarzD, 3.043, SchwarzDAt},
+                                             Surface{FischerKochS, 4.264, FischerKochSAt}}) {
+    const double turn = 2 * std::numbers::pi / (pitches * kPitch);
+    const double z = 1.3e6 * turn;
+    const auto pieces = make(SampleBox(), {.z_nm = 1'300'000, .pitch_nm = kPitch});
+    ASSERT_GT(pieces->size(), 10u);
+    int steep = 0, all = 0;
+    for (const Piece& piece : *pieces) {
+      for (size_t i = 1; i < piece.points.size(); ++i) {
+        const Point a = piece.points[i - 1], b = piece.points[i];
+        const double x = turn * static_cast<double>(a.x + b.x) / 2;
+        const double y = turn * static_cast<double>(a.y + b.y) / 2;
+        const double f = value(x, y, z);
+        const double slope =
+            std::hypot(value(x + kStep, y, z) - f, value(x, y + kStep, z) - f) / kStep;
+        ++all;
+        if (slope < 0.5) continue;
+        ++steep;
+        EXPECT_LT(WayToZero(value, x, y, z) / turn, 50'500) << pitches;
       }
     }
+    EXPECT_GT(steep, all / 2) << pitches;
   }
 }
 

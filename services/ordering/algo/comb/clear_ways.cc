@@ -188,6 +188,7 @@ class ClearWays::Search {
 
 std::optional<std::vector<Point>> ClearWays::Find(Point a, Point b, double longest_nm,
                                                    WorkBudget& budget) {
+  if (budget.moves <= 0) return std::nullopt;
   const std::optional<Point> from = Indoors(a), to = Indoors(b);
   if (!from || !to) return std::nullopt;
   const double ends = Distance(a, *from) + Distance(*to, b);

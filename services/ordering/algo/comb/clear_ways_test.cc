@@ -84,16 +84,6 @@ double ShortestByAllPairs(const PolygonWithHoles& island, Point a, Point b) {
   return length[1];
 }
 
-PolygonWithHoles Mirrored(PolygonWithHoles island) {
-  const auto mirror = [](Polygon& ring) {
-    for (Point& p : ring) p.x = -p.x;
-    std::reverse(ring.begin(), ring.end());
-  };
-  mirror(island.outer);
-  for (Polygon& hole : island.holes) mirror(hole);
-  return island;
-}
-
 class RandomWays : public testing::TestWithParam<int> {
  protected:
   RandomWays() : island_(RandomIsland(random_, {}, 20).front()), inner_(LanesOf(island_)) {}
@@ -130,7 +120,7 @@ TEST_P(RandomWays, AreAsShortAsTheBestOfAllPairsAndKeepClear) {
 }
 
 TEST_P(RandomWays, AreTheSameInAMirrorAndBackwards) {
-  ClearWays ways({island_}, kClearance), mirrored({Mirrored(island_)}, kClearance);
+  ClearWays ways({island_}, kClearance), mirrored(Mirrored(MultiPolygon{island_}), kClearance);
   for (int i = 0; i < 12; ++i) {
     Point a, b;
     if (!Place(a) || !Place(b)) return;
@@ -187,6 +177,15 @@ TEST(ClearWays, GoesRoundASlot) {
   ASSERT_EQ(corners->size(), 2U);
   EXPECT_LT(Distance((*corners)[0], Mm(10, 10)), 1.5 * 1.5 * kClearance);
   EXPECT_LT(Distance((*corners)[1], Mm(14, 10)), 1.5 * 1.5 * kClearance);
+}
+
+TEST(ClearWays, FromWallToWallGoesRoundASlot) {
+  ClearWays ways({Fork()}, kClearance);
+  const Point a = Mm(9.775, 18), b = Mm(14.225, 18);
+  const auto corners = Find(ways, a, b);
+  ASSERT_TRUE(corners);
+  const std::vector<Point> way = Whole(a, *corners, b);
+  for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], {Fork()}));
 }
 
 TEST(ClearWays, FindsNothingLongerThanAllowed) {

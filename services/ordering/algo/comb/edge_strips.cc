@@ -65,7 +65,9 @@ void EdgeStrips::Build() {
   if (edges_.empty()) return;
   Coord heights = 0;
   for (const Edge& edge : edges_) heights += edge.high.y - edge.low.y;
-  height_ = heights / static_cast<Coord>(edges_.size()) + 1;
+  // No more strips than edges: level edges have no height.
+  height_ =
+      std::max(heights, box_.max.y - box_.min.y) / static_cast<Coord>(edges_.size()) + 1;
   begins_.assign(StripOf(box_.max.y) + 2, 0);
   const auto for_each_strip = [&](const Edge& edge, auto visit) {
     for (size_t i = StripOf(edge.low.y), last = StripOf(edge.high.y); i <= last; ++i) visit(i);

@@ -128,5 +128,14 @@ TEST(EdgeStrips, OfLevelEdges) {
   EXPECT_FALSE(edges.Meets({15, -5}, {15, 5}));
 }
 
+// As many strips as edges, and not one for each nanometre between them.
+TEST(EdgeStrips, OfLevelEdgesFarApart) {
+  const EdgeStrips edges =
+      StripsOf(std::vector<Segment>{{{0, 0}, {10, 0}}, {{0, 4'000'000'000}, {10, 4'000'000'000}}});
+  EXPECT_TRUE(edges.Meets({5, -5}, {5, 5}));
+  EXPECT_TRUE(edges.Meets({5, 3'999'999'000}, {5, 4'000'000'001}));
+  EXPECT_FALSE(edges.Meets({5, 5}, {5, 3'999'999'000}));
+}
+
 }  // namespace
 }  // namespace slicefarm::ordering

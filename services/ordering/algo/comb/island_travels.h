@@ -13,8 +13,8 @@ namespace slicefarm::ordering {
 /// The ways between the paths of one island, which are printed in this order: one for each path, the
 /// first one's straight and in sight.
 ///
-/// A way is hidden if `edges` do not part its ends, it is not too long, crosses no bead of a top surface
-/// that is printed already, and does not lead to a bead that is seen, which would begin with a gap.
+/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, is
+/// not too long, and does not lead to a visible bead, which would begin with a gap.
 /// With avoid_crossing a way that is not clear of the walls goes round inside the island if a detour
 /// that is allowed leads there. `budget`: for lines of sight.
 std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,

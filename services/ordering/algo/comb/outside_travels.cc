@@ -25,7 +25,8 @@ Polygon Rectangle(const Box& box) {
 
 OutsideTravels::OutsideTravels(const FilledSection& section, const TravelOptions& options)
     : section_(section), options_(options) {
-  if (!options.avoid_crossing || section.islands.size() < 2) return;
+  const auto is_known = [](const FilledIsland& island) { return !island.outline.outer.empty(); };
+  if (!options.avoid_crossing || std::ranges::count_if(section.islands, is_known) < 2) return;
   std::vector<Path> outer;
   for (const FilledIsland& island : section.islands)
     for (const Path& wall : island.walls)

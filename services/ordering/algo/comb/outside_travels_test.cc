@@ -84,6 +84,11 @@ TEST_F(Outside, StraightWhereNothingIsCrossed) {
   EXPECT_EQ(Between(left, right), Travel{});
 }
 
+TEST_F(Outside, StraightWhereNoOutlineIsKnown) {
+  for (FilledIsland& island : section.islands) island.outline = {};
+  EXPECT_EQ(Between(left, right), Travel{});
+}
+
 TEST_F(Outside, StraightFromAndToTheInside) {
   EXPECT_EQ(Between(section.islands[0].walls[1], right), Travel{});
   EXPECT_EQ(Between(left, section.islands[2].walls[1]), Travel{});

@@ -154,7 +154,8 @@ std::vector<AdhesionPlanner::PlacedLayer> AdhesionPlanner::PlaceRafts() const {
     for (RaftLayer& layer : RaftUnder(Carried(own), own.raft)) {
       layer.region = Without(Intersection(layer.region, {{bed_, {}}}), others);
       for (size_t i = 0; i < before; ++i)
-        if (Overlap(layer, placed[i].layer))
+        if (Overlap(layer, placed[i].layer) &&
+            Bounds(layer.region).Grown(kRaftClearanceNm).Intersects(Bounds(placed[i].layer.region)))
           layer.region = Without(layer.region, Cleared(placed[i].layer.region));
       const auto index = placed.size() - before;
       placed.push_back({std::move(layer), own.raft_settings[index]});

@@ -60,6 +60,15 @@ Polygon Disc(Point center, Coord radius_nm) {
   return disc;
 }
 
+/// By halves: united all at once, discs that cover each other would cross too often.
+MultiPolygon United(std::span<const Polygon> discs) {
+  constexpr size_t kFew = 8;
+  if (discs.size() <= kFew)
+    return Union(std::vector<Polygon>(discs.begin(), discs.end()), FillRule::kNonZero);
+  const size_t half = discs.size() / 2;
+  return Union(United(discs.first(half)), United(discs.subspan(half)));
+}
+
 /// Discs around the sharp corners of islands without holes.
 MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
   std::vector<Polygon> discs;
@@ -71,7 +80,7 @@ MultiPolygon Ears(const MultiPolygon& filled, const BrimOptions& options) {
         discs.push_back(Disc(ring[i], options.width_nm));
     }
   }
-  return Union(discs, FillRule::kNonZero);
+  return United(discs);
 }
 
 /// Where the brim may lie for all that its own object's rings say; the part itself included.

@@ -78,8 +78,8 @@ TEST(SkirtLoops, CornersAreRound) {
 TEST(SkirtLoops, GoRoundTheHullOfAll) {
   const MultiPolygon apart = P("(0 0, 5 0, 5 5, 0 5) ; (15 15, 20 15, 20 20, 15 20)");
   const MultiPolygon hull = P("(0 0, 5 0, 20 15, 20 20, 15 20, 0 5)");
-  EXPECT_EQ(SkirtLoops(apart, {}, {}), SkirtLoops(hull, {}, {}));
-  EXPECT_EQ(SkirtLoops(Union(Box20(), apart), {}, {}), SkirtLoops(Box20(), {}, {}));
+  EXPECT_EQ(SkirtLoops(apart, {}, kOne), SkirtLoops(hull, {}, kOne));
+  EXPECT_EQ(SkirtLoops(Union(Box20(), apart), {}, kOne), SkirtLoops(Box20(), {}, kOne));
 }
 
 // PrusaSlicer's count: 6 loops where 20 mm of filament are asked for.
@@ -134,9 +134,9 @@ TEST(ShieldKeepOut, IsTheBandOfItsLoops) {
 }
 
 TEST(SkirtLoops, SurviveCrumbs) {
-  EXPECT_TRUE(SkirtLoops({{{{0, 0}, {5, 5}}, {}}}, {}, {}).empty());
-  EXPECT_TRUE(SkirtLoops({{{}, {}}}, {}, {}).empty());
-  EXPECT_LE(SkirtLoops({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, {}).size(), 1u);
+  EXPECT_TRUE(SkirtLoops({{{{0, 0}, {5, 5}}, {}}}, {}, kOne).empty());
+  EXPECT_TRUE(SkirtLoops({{{}, {}}}, {}, kOne).empty());
+  EXPECT_LE(SkirtLoops({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, {}, kOne).size(), 1u);
   EXPECT_EQ(SkirtLoops(P("(0 0, 50 0.000001, 100 0)"), {}, kOne).size(), 1u);
 }
 

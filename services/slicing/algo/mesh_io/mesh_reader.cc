@@ -45,7 +45,7 @@ absl::StatusOr<RawMesh> ReadOneMesh(std::string_view bytes, MeshFormat format,
       break;
   }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshFormatUnknown,
-                   "neither STL, OBJ nor PLY; export the part in one of these formats");
+                   "neither STL, OBJ, PLY nor 3MF; export the part in one of these formats");
 }
 
 /// One object with the file's only mesh, to be put anywhere.

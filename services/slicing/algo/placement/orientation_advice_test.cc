@@ -56,6 +56,18 @@ TEST(AdviseOrientation, ItsAnglesLayTheObjectSo) {
   }
 }
 
+TEST(AdviseOrientation, HasNoAnglesForWhatIsMirroredOrSheared) {
+  const IndexedMesh upright = *PlaceMesh(BoxMesh({0, 0, 0}, {60, 5, 40}));
+  const IndexedMesh* parts[] = {&upright};
+  Transform to_plate = Transform::Identity();
+  EXPECT_TRUE(AdviseOrientation(parts, to_plate, {})->has_value());
+  to_plate(0, 0) = -1;
+  EXPECT_FALSE(AdviseOrientation(parts, to_plate, {})->has_value());
+  to_plate = Transform::Identity();
+  to_plate(0, 1) = 0.5;
+  EXPECT_FALSE(AdviseOrientation(parts, to_plate, {})->has_value());
+}
+
 TEST(AdviseOrientation, LooksAtAllPartsTogether) {
   const IndexedMesh left = *PlaceMesh(BoxMesh({0, 0, 0}, {5, 40, 60}));
   IndexedMesh right = left;

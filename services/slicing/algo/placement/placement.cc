@@ -1,5 +1,7 @@
 #include "services/slicing/algo/placement/placement.h"
 
+#include <Eigen/LU>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -74,8 +76,11 @@ absl::StatusOr<IndexedMesh> TransformMesh(const RawMesh& raw, const Transform& t
   }
   IndexedMesh mesh;
   mesh.triangles = raw.triangles;
-  for (auto& triangle : mesh.triangles)
+  const bool mirrors = transform.leftCols<3>().determinant() < 0;
+  for (auto& triangle : mesh.triangles) {
     for (uint32_t& corner : triangle) corner = renumbered[corner];
+    if (mirrors) std::swap(triangle[1], triangle[2]);
+  }
   mesh.vertices = std::move(welder).TakePoints();
   return mesh;
 }

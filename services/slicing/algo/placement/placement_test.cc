@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "common/base/error.h"
@@ -82,6 +83,27 @@ TEST(PlaceMesh, RefusesWhatDoesNotFitTheNumbers) {
   EXPECT_FALSE(PlaceMesh(BoxMesh({0, 0, 0}, {4201, 1, 1})).ok());
   const auto huge = PlaceMesh(Box(), TransformOf({.scale = {1e300, 1e300, 1}}));
   EXPECT_EQ(DetailOf(huge.status()).reason, Reason::kOutOfRange);
+}
+
+// A mirror turns each triangle over: its corners change their order, and the mesh is not inside out.
+TEST(TransformMesh, KeepsTheOutsideOutOfMirrorImages) {
+  const auto volume = [](const Transform& transform) {
+    const IndexedMesh mesh = *TransformMesh(Box(), transform);
+    double six = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto at = [&](uint32_t i) {
+        const Vertex& v = mesh.vertices[i];
+        return Eigen::Vector3d(ToMm(static_cast<double>(v.x)), ToMm(static_cast<double>(v.y)),
+                               ToMm(static_cast<double>(v.z)));
+      };
+      six += at(a).dot(at(b).cross(at(c)));
+    }
+    return six / 6;
+  };
+  Transform mirror = Transform::Identity();
+  EXPECT_NEAR(volume(mirror), 6000, 1e-6);
+  mirror(1, 1) = -1;
+  EXPECT_NEAR(volume(mirror), 6000, 1e-6);
 }
 
 TEST(ToOrigin, LeavesWhatIsSunkBelowTheBed) {

@@ -101,7 +101,10 @@ absl::StatusOr<std::vector<std::vector<Point>>> ShiftsOf(const std::vector<Objec
 absl::Status CheckObject(const ObjectInput& object) {
   const bool solid = std::ranges::any_of(
       object.parts, [](const PartInput& part) { return part.role == PartRole::kSolid; });
-  if (!solid) return Malformed("an object has no solid part");
+  if (!solid) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                     "no part of the object is solid: modifiers alone print nothing");
+  }
   if (object.copies.empty()) return Malformed("an object has no copy");
   for (const PartInput& part : object.parts) {
     if (part.regions.size() != object.ranges.size() + 1)

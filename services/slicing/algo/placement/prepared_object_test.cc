@@ -157,7 +157,7 @@ TEST(PrepareObjects, RefusesWhatIsNoObject) {
   };
   ObjectInput bad = ObjectOf(0);
   bad.parts[0].role = PartRole::kModifier;
-  EXPECT_EQ(reason(bad), Reason::kRequestMalformed) << "no solid part";
+  EXPECT_EQ(reason(bad), Reason::kNothingToPrint) << "no solid part";
   EXPECT_EQ(reason(ObjectOf(1)), Reason::kRequestMalformed) << "no such file";
   bad = ObjectOf(0);
   bad.parts[0].mesh.mesh = 3;
