@@ -32,6 +32,7 @@ enum class Reason {
   kSettingMalformed,
   kSettingOutOfRange,
   kSettingMisplaced,
+  kSettingOfOtherProcess,
   kRequestMalformed,
   kRequestIdReused,
   kRequestTooLarge,

@@ -93,9 +93,23 @@ absl::Status CheckSkirt(const Draft& draft) {
                    {{"setting", key}, {"value", draft.At(key).written}});
 }
 
+/// Stripes and islands that overlap by all of their width would not get on.
+absl::Status CheckLaser(const Draft& draft) {
+  const double overlap = draft.Number("scan_overlap");
+  for (const std::string_view width : {"stripe_width", "island_width"}) {
+    if (draft.Number(width) > 2 * overlap) continue;
+    return Refuse(draft, width,
+                  fmt::format("it must be more than twice scan_overlap = {} mm",
+                              PrintNumber(overlap)),
+                  2 * overlap, kUnbounded);
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
+  if (draft.process() == Process::kLaser) return CheckLaser(draft);
   for (const std::string_view key : {"layer_height", "first_layer_height"}) {
     if (absl::Status status = CheckHeight(draft, key); !status.ok()) return status;
   }

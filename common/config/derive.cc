@@ -28,7 +28,7 @@ double Absolute(const Value& value, double whole) {
 /// Replaces a percentage by what it comes to of the setting it relates to, which must be an
 /// absolute number by now.
 void TakePercentage(Draft& draft, std::string_view key) {
-  const std::string_view whole = SettingsTable()[FindSetting(key)].relative_to;
+  const std::string_view whole = SettingsTable(draft.process())[FindSetting(key, draft.process())].relative_to;
   draft.SetNumber(key, Absolute(*draft.At(key).value, draft.Number(whole)));
 }
 
@@ -125,7 +125,7 @@ absl::Status DeriveGcode(Draft& draft) {
 }
 
 absl::Status CheckPercentages(const Draft& draft) {
-  const auto table = SettingsTable();
+  const auto table = SettingsTable(draft.process());
   for (const bool given : {true, false}) {  // what the user wrote is to blame before what follows
     for (size_t i = 0; i < table.size(); ++i) {
       const Draft::Entry& entry = draft.entries()[i];
@@ -141,6 +141,7 @@ absl::Status CheckPercentages(const Draft& draft) {
 
 absl::Status Derive(Draft& draft) {
   TakePercentage(draft, "first_layer_height");
+  if (draft.process() == Process::kLaser) return CheckPercentages(draft);
   DeriveWidths(draft);
   DeriveVariableWalls(draft);
   for (const std::string_view key : {"infill_overlap", "infill_anchor", "infill_anchor_max"})

@@ -6,8 +6,8 @@
 
 namespace slicefarm::config {
 
-Draft::Draft() {
-  for (const SettingSpec& spec : SettingsTable()) {
+Draft::Draft(Process process) : process_(process) {
+  for (const SettingSpec& spec : SettingsTable(process)) {
     Entry entry{.written = std::string(spec.standard)};
     if (spec.standard != kNotSet) {
       auto value = ParseValue(spec, spec.standard);
@@ -19,13 +19,13 @@ Draft::Draft() {
 }
 
 Draft::Entry& Draft::At(std::string_view key) {
-  const int index = FindSetting(key);
+  const int index = FindSetting(key, process_);
   assert(index >= 0);
   return entries_[index];
 }
 
 const Draft::Entry& Draft::At(std::string_view key) const {
-  const int index = FindSetting(key);
+  const int index = FindSetting(key, process_);
   assert(index >= 0);
   return entries_[index];
 }

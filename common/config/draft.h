@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "common/config/value.h"
+#include "common/model/process.h"
 
 namespace slicefarm::config {
 
 /// The values of all settings on their way from text to JobSettings, in the order of
-/// SettingsTable().
+/// SettingsTable(process()).
 class Draft {
  public:
-  Draft();  ///< every setting at its standard
+  /// Every setting of the process at its standard.
+  explicit Draft(Process process = Process::kFdm);
 
   struct Entry {
     std::optional<Value> value = {};  ///< none: `nil`
@@ -22,6 +24,7 @@ class Draft {
     bool requested = false;           ///< by a person, who names no more than they want
   };
 
+  Process process() const { return process_; }
   std::vector<Entry>& entries() { return entries_; }
   const std::vector<Entry>& entries() const { return entries_; }
 
@@ -34,6 +37,7 @@ class Draft {
   void SetNumber(std::string_view key, double number);
 
  private:
+  Process process_;
   std::vector<Entry> entries_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <span>
+
 #include "common/config/settings_table.h"
 #include "common/base/text.h"
 
@@ -62,6 +64,46 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.planning.sequence.complete_objects; }},
 };
 
+constexpr Need kLaserNeeds[] = {
+    {"decompose_method ring_overlap link_rings", "scan_strategy = rings or rings_inward",
+     [](const JobSettings& s) {
+       const ScanStrategy strategy = s.exposure.regions[0].strategy;
+       return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
+     }},
+    {"stripe_width", "scan_strategy = stripes",
+     [](const JobSettings& s) {
+       return s.exposure.regions[0].strategy == ScanStrategy::kStripes;
+     }},
+    {"island_width", "scan_strategy = islands",
+     [](const JobSettings& s) {
+       return s.exposure.regions[0].strategy == ScanStrategy::kIslands;
+     }},
+    {"scan_overlap", "scan_strategy = stripes or islands",
+     [](const JobSettings& s) {
+       const ScanStrategy strategy = s.exposure.regions[0].strategy;
+       return strategy == ScanStrategy::kStripes || strategy == ScanStrategy::kIslands;
+     }},
+    {"output_layer", "output_format = dxf",
+     [](const JobSettings& s) { return s.exposure.output.format == OutputFormat::kDxf; }},
+    {"cli_unit", "output_format = cli or cli_binary",
+     [](const JobSettings& s) {
+       const OutputFormat format = s.exposure.output.format;
+       return format == OutputFormat::kCliAscii || format == OutputFormat::kCliBinary;
+     }},
+    {"laser_full_power laser_full_s", "output_format = grbl or marlin",
+     [](const JobSettings& s) {
+       const OutputFormat format = s.exposure.output.format;
+       return format == OutputFormat::kGrbl || format == OutputFormat::kMarlin;
+     }},
+    {"laser_dynamic_power", "output_format = grbl",
+     [](const JobSettings& s) { return s.exposure.output.format == OutputFormat::kGrbl; }},
+};
+
+std::span<const Need> NeedsOf(Process process) {
+  if (process == Process::kLaser) return kLaserNeeds;
+  return kNeeds;
+}
+
 /// Whether somebody wants it, rather than a profile listing it.
 bool Wanted(const SettingSpec& spec, const Draft::Entry& entry) {
   if (!entry.given || !entry.value.has_value()) return false;
@@ -72,12 +114,12 @@ bool Wanted(const SettingSpec& spec, const Draft::Entry& entry) {
 
 std::vector<std::string> UnmetNeeds(const Draft& draft, const JobSettings& settings) {
   std::vector<std::string> notes;
-  for (const Need& need : kNeeds) {
+  for (const Need& need : NeedsOf(draft.process())) {
     if (need.met(settings)) continue;
     for (const std::string_view key : Split(need.keys, " ")) {
-      const int index = FindSetting(key);
+      const int index = FindSetting(key, draft.process());
       const Draft::Entry& entry = draft.At(key);
-      if (!Wanted(SettingsTable()[index], entry)) continue;
+      if (!Wanted(SettingsTable(draft.process())[index], entry)) continue;
       notes.push_back(fmt::format("{} = {}: needs {}", key, entry.written, need.what));
     }
   }

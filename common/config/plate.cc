@@ -41,8 +41,8 @@ absl::Status Misplaced(const Setting& setting, Scope place) {
 }
 
 /// A range has a layer height of its own, besides what regions have.
-bool MayBeGiven(const Setting& setting, Scope place, bool of_range) {
-  if (FindSetting(setting.key) < 0) return true;  // Resolve says what it is
+bool MayBeGiven(const Setting& setting, Process process, Scope place, bool of_range) {
+  if (FindSetting(setting.key, process) < 0) return true;  // Resolve says what it is
   if (of_range && setting.key == "layer_height") return true;
   return ScopeOf(setting.key) >= place;
 }
@@ -50,11 +50,11 @@ bool MayBeGiven(const Setting& setting, Scope place, bool of_range) {
 /// Resolves settings of places inside a job, each set of settings once.
 class Resolver {
  public:
-  Resolver(std::span<const Setting> job, ResolvedPlate& plate)
-      : job_(job.begin(), job.end()), plate_(plate) {}
+  Resolver(std::span<const Setting> job, Process process, ResolvedPlate& plate)
+      : job_(job.begin(), job.end()), process_(process), plate_(plate) {}
 
   absl::Status ResolveJob() {
-    absl::StatusOr<ResolvedSettings> base = Resolve(job_);
+    absl::StatusOr<ResolvedSettings> base = Resolve(job_, process_);
     if (!base.ok()) return base.status();
     plate_.settings = base->settings;
     plate_.effective_text = base->effective_text;
@@ -70,7 +70,7 @@ class Resolver {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
     Settings all = job_;
     all.insert(all.end(), own.begin(), own.end());
-    absl::StatusOr<ResolvedSettings> resolved = Resolve(all);
+    absl::StatusOr<ResolvedSettings> resolved = Resolve(all, process_);
     if (!resolved.ok()) return OfObject(object, resolved.status());
     DropMetNeeds(own, resolved->no_effect);
     for (const std::string& note : resolved->no_effect)
@@ -86,7 +86,7 @@ class Resolver {
                                    bool of_range = false) {
     Settings fitting;
     for (const Setting& setting : settings) {
-      if (MayBeGiven(setting, place, of_range)) {
+      if (MayBeGiven(setting, process_, place, of_range)) {
         fitting.push_back(setting);
       } else if (setting.source == Source::kRequest) {
         return OfObject(object, Misplaced(setting, place));
@@ -128,6 +128,7 @@ class Resolver {
   }
 
   const Settings job_;
+  const Process process_;
   ResolvedPlate& plate_;
   std::set<std::string> told_;
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
@@ -344,9 +345,9 @@ void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
 }  // namespace
 
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
-                                           std::span<const SceneObject> objects) {
+                                           std::span<const SceneObject> objects, Process process) {
   ResolvedPlate plate;
-  Resolver resolver(job, plate);
+  Resolver resolver(job, process, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;
   const JobSettings base = plate.settings;
   plate.settings.slicing.objects.clear();
@@ -373,6 +374,9 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
     plate.settings.planning.skirt_settings = *row;
   }
   table.PutInto(plate.settings);
+  // FDM is what jobs were before there were processes: its text says nothing of it.
+  if (process != Process::kFdm)
+    plate.effective_text += fmt::format("process = {}\n", ProcessName(process));
   plate.effective_text += ObjectsText(objects);
   return plate;
 }

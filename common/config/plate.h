@@ -33,6 +33,7 @@ struct ResolvedPlate {
 /// limits::kMaxRegionSettings different sets of settings; REQUEST_MALFORMED for ranges that are
 /// none, NOTHING_TO_PRINT if no copy is printable.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
-                                           std::span<const SceneObject> objects);
+                                           std::span<const SceneObject> objects,
+                                           Process process = Process::kFdm);
 
 }  // namespace slicefarm::config

@@ -28,6 +28,7 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
   beading.wall_class = ClassOf(WallsOf(settings));
   for (size_t i = 0; i < beading_.size(); ++i) {
     if (beading_[i] == beading && infill_[i] == settings.infill.front() &&
+        exposure_[i] == settings.exposure.regions.front() &&
         order_[i] == settings.ordering.walls.front() &&
         speeds_[i] == settings.motion.speeds.front())
       return static_cast<int32_t>(i);
@@ -38,6 +39,7 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
                       limits::kMaxRegionSettings, rows);
   beading_.push_back(beading);
   infill_.push_back(settings.infill.front());
+  exposure_.push_back(settings.exposure.regions.front());
   order_.push_back(settings.ordering.walls.front());
   speeds_.push_back(settings.motion.speeds.front());
   return static_cast<int32_t>(rows - 1);
@@ -46,6 +48,7 @@ absl::StatusOr<int32_t> RegionTable::RowOf(const JobSettings& settings) {
 void RegionTable::PutInto(JobSettings& settings) const {
   settings.beading = beading_;
   settings.infill = infill_;
+  settings.exposure.regions = exposure_;
   settings.ordering.walls = order_;
   settings.motion.speeds = speeds_;
 }

@@ -33,6 +33,7 @@ class RegionTable {
 
   std::vector<BeadingOptions> beading_;
   std::vector<InfillOptions> infill_;
+  std::vector<ExposureOptions> exposure_;
   std::vector<WallOrder> order_;
   std::vector<RegionSpeeds> speeds_;
   std::vector<Walls> classes_;

@@ -41,13 +41,19 @@ absl::Status CheckLimits(std::span<const Setting> given) {
 /// The last value of each key by source, and what is said about the others.
 class Reader {
  public:
-  explicit Reader(ResolvedSettings& result) : result_(result) {}
+  Reader(ResolvedSettings& result, Process process)
+      : result_(result), process_(process), draft_(process) {}
 
   absl::Status Read(const Setting& setting) {
     const std::string_view value = Trim(setting.value);
     NoteOverridden(setting, value);
-    if (const int index = FindSetting(setting.key); index >= 0) {
-      return ReadEffective(SettingsTable()[index], draft_.entries()[index], setting, value);
+    if (const int index = FindSetting(setting.key, process_); index >= 0) {
+      return ReadEffective(SettingsTable(process_)[index], draft_.entries()[index], setting, value);
+    }
+    if (const std::string_view owner = OwnerOf(setting.key); !owner.empty()) {
+      if (setting.source == Source::kRequest) return OfOtherProcess(setting.key, owner);
+      foreign_[setting.key] = {owner, std::string(value)};
+      return absl::OkStatus();
     }
     if (const KnownKey* known = FindKnownKey(setting.key)) {
       others_[setting.key] = {known, std::string(value)};
@@ -60,11 +66,14 @@ class Reader {
 
   /// Says what has no effect, once all settings are read.
   Draft Finish() {
-    const auto table = SettingsTable();
+    const auto table = SettingsTable(process_);
     for (size_t i = 0; i < table.size(); ++i) {
       if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i].written);
     }
     for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
+    for (const auto& [key, other] : foreign_)
+      result_.no_effect.push_back(
+          fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
     return std::move(draft_);
   }
 
@@ -76,8 +85,24 @@ class Reader {
   }
 
  private:
-  static absl::Status Unknown(const std::string& key) {
-    const std::string nearest = NearestSetting(key);
+  /// The process that has the setting; empty: the job's own, or none.
+  std::string_view OwnerOf(std::string_view key) const {
+    for (const ProcessInfo& info : kProcesses)
+      if (info.process != process_ && FindSetting(key, info.process) >= 0) return info.name;
+    // What PrusaSlicer knows is about FDM.
+    const bool of_fdm = process_ != Process::kFdm && FindKnownKey(key) != nullptr;
+    return of_fdm ? ProcessName(Process::kFdm) : std::string_view();
+  }
+
+  absl::Status OfOtherProcess(const std::string& key, std::string_view owner) const {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOfOtherProcess,
+                     fmt::format("{} is a setting of process {}, and the job is of process {}", key,
+                                 owner, ProcessName(process_)),
+                     {{"setting", key}, {"process", std::string(owner)}});
+  }
+
+  absl::Status Unknown(const std::string& key) const {
+    const std::string nearest = NearestSetting(key, process_);
     std::map<std::string, std::string> metadata = {{"setting", key}};
     if (!nearest.empty()) metadata["suggestion"] = nearest;
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
@@ -194,7 +219,9 @@ class Reader {
   }
 
   ResolvedSettings& result_;
+  const Process process_;
   Draft draft_;
+  std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;
 };
@@ -247,10 +274,11 @@ void TakeAdhesion(JobSettings& settings) {
 
 }  // namespace
 
-absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
-  Reader reader(result);
+  result.settings.process = process;
+  Reader reader(result, process);
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
@@ -260,15 +288,17 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
   if (absl::Status status = Derive(draft); !status.ok()) return status;
   if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
 
-  const auto table = SettingsTable();
+  const auto table = SettingsTable(process);
   for (size_t i = 0; i < table.size(); ++i) {
     for (const Field& field : {table[i].field, table[i].also}) {
       if (field.set != nullptr) field.set(result.settings, *draft.entries()[i].value);
     }
   }
-  TakeFootWidth(result.settings);
-  TakeClearance(result.settings);
-  TakeAdhesion(result.settings);
+  if (process == Process::kFdm) {
+    TakeFootWidth(result.settings);
+    TakeClearance(result.settings);
+    TakeAdhesion(result.settings);
+  }
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
   }
@@ -280,7 +310,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
 
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
   ToldSettings all = told;
-  for (const SettingSpec& spec : SettingsTable()) {
+  for (const SettingSpec& spec : SettingsTable(settings.process)) {
     if (spec.field.get == nullptr) continue;
     all[std::string(spec.key)] = PrintValue(spec, spec.field.get(settings));
   }

@@ -30,11 +30,13 @@ struct ResolvedSettings {
 ///
 /// Errors: REQUEST_TOO_LARGE past the limits, for what the layers' G-code names too;
 /// SETTING_UNKNOWN for a kRequest key that neither slicefarm nor PrusaSlicer knows (metadata
-/// `setting` and, where one comes near, `suggestion`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
+/// `setting` and, where one comes near, `suggestion`); SETTING_OF_OTHER_PROCESS for a kRequest key
+/// of another process (metadata `setting`, `process`); SETTING_MALFORMED; SETTING_OUT_OF_RANGE
 /// (metadata `setting`, `value`, `min`, `max`), also where settings do not fit each other.
-absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given);
+absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given,
+                                         Process process = Process::kFdm);
 
-/// All settings that have an effect, and those that are told, as `key = value` lines, sorted by
+/// All settings that have an effect on the job's process, and those that are told, as `key = value` lines, sorted by
 /// key: equal texts for equal settings, and the other way round.
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told = {});
 

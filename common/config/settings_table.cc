@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -16,15 +17,40 @@
 namespace slicefarm::config {
 namespace {
 
-std::vector<SettingSpec> MakeTable() {
-  std::vector<SettingSpec> table;
+std::vector<SettingSpec> FdmSettings() {
+  std::vector<SettingSpec> all;
   for (const auto& section : {LayerSettings, WallSettings, InfillSettings, AdhesionSettings,
-                              SpeedSettings, FilamentSettings, MachineSettings}) {
-    for (SettingSpec& spec : section()) {
-      spec.scope = ScopeOf(spec.key);
-      table.push_back(std::move(spec));
+                              SpeedSettings, FilamentSettings, MachineSettings})
+    std::ranges::move(section(), std::back_inserter(all));
+  return all;
+}
+
+/// What a laser shares with other machines: how meshes become layers, and where these have room.
+bool IsShared(const SettingSpec& spec) {
+  constexpr std::string_view kPlate[] = {"bed_shape", "max_print_height", "duplicate_distance"};
+  constexpr std::string_view kBeads[] = {"elefant_foot_compensation", "thumbnails"};
+  for (const SettingSpec& of_layers : LayerSettings())
+    if (of_layers.key == spec.key) return std::ranges::find(kBeads, spec.key) == std::end(kBeads);
+  return std::ranges::find(kPlate, spec.key) != std::end(kPlate);
+}
+
+std::vector<SettingSpec> LaserSettings() {
+  std::vector<SettingSpec> all = ExposureTable();
+  for (SettingSpec& spec : FdmSettings()) {
+    if (!IsShared(spec)) continue;
+    if (spec.key == "layer_height" || spec.key == "first_layer_height") {
+      spec.standard = "0.05";
+      spec.doc = spec.key == "layer_height" ? "Height of a layer" : "Height of the first layer";
+      spec.min = 0.001;
     }
+    all.push_back(std::move(spec));
   }
+  return all;
+}
+
+std::vector<SettingSpec> MakeTable(Process process) {
+  std::vector<SettingSpec> table = process == Process::kLaser ? LaserSettings() : FdmSettings();
+  for (SettingSpec& spec : table) spec.scope = ScopeOf(spec.key);
   std::sort(table.begin(), table.end(),
             [](const SettingSpec& a, const SettingSpec& b) { return a.key < b.key; });
   return table;
@@ -102,13 +128,17 @@ std::string_view FirstItem(const SettingSpec& spec, std::string_view text) {
 
 }  // namespace
 
-std::span<const SettingSpec> SettingsTable() {
-  static const std::vector<SettingSpec>& table = *new std::vector<SettingSpec>(MakeTable());
-  return table;
+std::span<const SettingSpec> SettingsTable(Process process) {
+  static const auto& tables = *new std::vector<std::vector<SettingSpec>>([] {
+    std::vector<std::vector<SettingSpec>> made;
+    for (const ProcessInfo& info : kProcesses) made.push_back(MakeTable(info.process));
+    return made;
+  }());
+  return tables[static_cast<size_t>(process)];
 }
 
-int FindSetting(std::string_view key) {
-  const auto table = SettingsTable();
+int FindSetting(std::string_view key, Process process) {
+  const auto table = SettingsTable(process);
   const auto found =
       std::lower_bound(table.begin(), table.end(), key,
                        [](const SettingSpec& spec, std::string_view k) { return spec.key < k; });

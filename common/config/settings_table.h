@@ -9,11 +9,11 @@
 
 namespace slicefarm::config {
 
-/// All settings that have an effect, sorted by key. Made once; cheap to call.
-std::span<const SettingSpec> SettingsTable();
+/// All settings that have an effect on jobs of the process, sorted by key. Made once; cheap to call.
+std::span<const SettingSpec> SettingsTable(Process process = Process::kFdm);
 
-/// Index into SettingsTable(), or -1.
-int FindSetting(std::string_view key);
+/// Index into SettingsTable(process), or -1.
+int FindSetting(std::string_view key, Process process = Process::kFdm);
 
 /// Reads one value as a config.ini writes it. Of a list, the first item.
 /// Errors: SETTING_MALFORMED, SETTING_OUT_OF_RANGE with metadata `setting`, `value`, `min`, `max`.

@@ -35,12 +35,12 @@ int EditDistance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
-std::string NearestSetting(std::string_view key) {
+std::string NearestSetting(std::string_view key, Process process) {
   if (key.size() > kMaxKey) return "";
   std::string_view nearest;
   const int most = std::max(2, static_cast<int>(key.size()) / 4);
   std::pair<int, int> least = {most + 1, 0};
-  for (const SettingSpec& spec : SettingsTable()) {
+  for (const SettingSpec& spec : SettingsTable(process)) {
     // A word left out or added, as in `bed_temp` or `layer_heights_mm`, is nearer than its letters
     // say.
     const bool contained = key.size() >= 5 && (Contains(spec.key, key) || Contains(key, spec.key));

@@ -3,13 +3,16 @@
 #include <string>
 #include <string_view>
 
+#include "common/model/process.h"
+
 namespace slicefarm::config {
 
 /// How many insertions, deletions, replacements and swaps of neighbours make `a` into `b`. Cost:
 /// O(|a| |b|). Source: Damerau; optimal string alignment.
 int EditDistance(std::string_view a, std::string_view b);
 
-/// The setting that `key` most likely means (settings_table.h), or "": none comes near.
-std::string NearestSetting(std::string_view key);
+/// The setting of the process that `key` most likely means (settings_table.h), or "": none comes
+/// near.
+std::string NearestSetting(std::string_view key, Process process = Process::kFdm);
 
 }  // namespace slicefarm::config

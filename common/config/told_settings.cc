@@ -70,7 +70,7 @@ void Tell(std::string_view key, std::string_view value, ToldSettings& told) {
 }
 
 void TellDerived(const Draft& draft, ToldSettings& told) {
-  const auto table = SettingsTable();
+  const auto table = SettingsTable(draft.process());
   for (size_t i = 0; i < table.size(); ++i) {
     const Draft::Entry& entry = draft.entries()[i];
     if (table[i].field.get != nullptr || !entry.given || !entry.value.has_value()) continue;

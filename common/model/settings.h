@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "common/model/beading_options.h"
+#include "common/model/exposure_settings.h"
 #include "common/model/infill_options.h"
 #include "common/model/motion_options.h"
 #include "common/model/ordering_options.h"
 #include "common/model/planning_options.h"
+#include "common/model/process.h"
 #include "common/model/slicing_options.h"
 
 namespace slicefarm {
@@ -16,12 +18,14 @@ namespace slicefarm {
 /// both at the edge). What regions have of their own stands in tables with a row for each: Region
 /// and Path name the row. INVARIANT: all tables of regions are equally long, and not empty.
 struct JobSettings {
+  Process process = Process::kFdm;  ///< options of stages of other processes have no effect
   SlicingOptions slicing;
   PlanningOptions planning;
   std::vector<BeadingOptions> beading = {{}};  ///< by region
   std::vector<InfillOptions> infill = {{}};    ///< by region
   OrderingOptions ordering;
   MotionOptions motion;
+  ExposureSettings exposure;
 
   friend bool operator==(const JobSettings&, const JobSettings&) = default;
 };

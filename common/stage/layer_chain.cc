@@ -7,15 +7,6 @@
 
 namespace slicefarm {
 
-void StageTimes::Add(const StageTimes& other) {
-  slicing_s += other.slicing_s;
-  planning_s += other.planning_s;
-  beading_s += other.beading_s;
-  infill_s += other.infill_s;
-  ordering_s += other.ordering_s;
-  motion_s += other.motion_s;
-}
-
 namespace {
 
 /// The layers of a neighbourhood that hold a halo of `halo`: a stage elsewhere is sent no outlines
@@ -37,8 +28,8 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
 
 }  // namespace
 
-absl::StatusOr<RangeResult> LayerChain::Run(const StageCall& call, const RangeTask& task) const {
-  RangeResult result;
+absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
+  FdmResult result;
   const Neighbourhood neighbourhood{task.range, task.layers};
   const JobSettings& settings = *task.settings;
   if (absl::Status ok = CheckHalo(task.layers, task.range, HaloLayers(settings)); !ok.ok())

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 
 namespace slicefarm {
 
 /// The four layer stages one after the other, each local or remote. The stages must outlive the
 /// chain.
-class LayerChain : public RangeRunner {
+class LayerChain : public FdmRunner {
  public:
   LayerChain(const BeadingStage& beading, const InfillStage& infill, const OrderingStage& ordering,
              const MotionStage& motion)
       : beading_(beading), infill_(infill), ordering_(ordering), motion_(motion) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override;
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override;
 
  private:
   const BeadingStage& beading_;

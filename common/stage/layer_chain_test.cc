@@ -84,7 +84,7 @@ class LayerChainTest : public testing::Test {
     facts_.copies.resize(3);
   }
 
-  absl::StatusOr<RangeResult> Run(LayerRange range, LayerRange sent) {
+  absl::StatusOr<FdmResult> Run(LayerRange range, LayerRange sent) {
     plans_.resize(static_cast<size_t>(range.size()));
     return chain_.Run(StageCall{},
                       {.range = range,

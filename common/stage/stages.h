@@ -8,6 +8,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/model/exposed_program.h"
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
@@ -192,48 +193,17 @@ class MotionStage {
                                              const MotionOptions& options) const = 0;
 };
 
-/// What each stage took, in seconds of wall time as the caller sees it.
-struct StageTimes {
-  double slicing_s = 0;
-  double planning_s = 0;
-  double beading_s = 0;
-  double infill_s = 0;
-  double ordering_s = 0;
-  double motion_s = 0;
-
-  void Add(const StageTimes& other);
-};
-
-/// A range of a job, with everything its layers depend on.
-struct RangeTask {
-  LayerRange range;
-  std::span<const SlicedLayer> layers;  ///< the range and its halo
-  std::span<const LayerPlan> plans;     ///< one for each layer of the range
-  std::span<const Copy> copies;         ///< of the whole job
-  const JobFacts* facts = nullptr;
-  const JobSettings* settings = nullptr;
-};
-
-/// What a stage could not do as it was asked to, in one layer.
-struct LayerWarning {
-  int32_t layer = 0;
-  int32_t plain_islands = 0;  ///< islands that fell back to walls of constant width
-
-  friend bool operator==(const LayerWarning&, const LayerWarning&) = default;
-};
-
-struct RangeResult {
-  std::vector<LayerProgram> programs;
-  std::vector<LayerWarning> warnings;
-  StageTimes times;
-};
-
-/// Takes a range from outlines to programs: a chain of stages (LayerChain) or a worker that runs
-/// one elsewhere.
-class RangeRunner {
+/// Of lasers: what beading, infill, ordering and motion are of FDM.
+class ExposureStage {
  public:
-  virtual ~RangeRunner() = default;
-  virtual absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const = 0;
+  virtual ~ExposureStage() = default;
+  /// A program for each layer of the range. `copies`: of the whole job.
+  virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
+      const ExposureSettings& settings) const = 0;
+  virtual absl::StatusOr<ExposureFrame> Frame(const StageCall& call,
+                                              const ExposureSummary& summary,
+                                              const ExposureSettings& settings) const = 0;
 };
 
 }  // namespace slicefarm

@@ -132,16 +132,17 @@ v1::StageTimes ToProto(const StageTimes& times) {
   proto.set_ordering_s(times.ordering_s);
   proto.set_motion_s(times.motion_s);
   proto.set_planning_s(times.planning_s);
+  proto.set_exposure_s(times.exposure_s);
   return proto;
 }
 
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto) {
   if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(), proto.ordering_s(),
-                   proto.motion_s()})) {
+                   proto.motion_s(), proto.exposure_s()})) {
     return Malformed("times", "not all are times");
   }
   return StageTimes{proto.slicing_s(), proto.planning_s(), proto.beading_s(),
-                    proto.infill_s(),  proto.ordering_s(), proto.motion_s()};
+                    proto.infill_s(),  proto.ordering_s(), proto.motion_s(), proto.exposure_s()};
 }
 
 v1::LayerWarning ToProto(const LayerWarning& warning) {

@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/layer.h"
 #include "common/model/program_summary.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 #include "slicefarm/v1/layer.pb.h"
 #include "slicefarm/v1/motion.pb.h"
 

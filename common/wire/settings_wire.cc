@@ -6,6 +6,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
+#include "common/wire/exposure_options_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/planning_options_wire.h"
@@ -23,6 +24,8 @@ static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kAra
 static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
 static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
 static_assert(v1::FillPattern_MAX == kFillPatternCount);
+static_assert(v1::PROCESS_LASER == static_cast<int>(Process::kLaser) + 1);
+static_assert(v1::Process_MAX == kProcessCount);
 
 constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
 
@@ -333,6 +336,8 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
 }
 
 absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
+  proto->set_process(EnumToProto<v1::Process>(settings.process));
+  *proto->mutable_exposure() = ToProto(settings.exposure);
   for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
   for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
   *proto->mutable_ordering() = ToProto(settings.ordering);
@@ -352,15 +357,21 @@ absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto) {
   if (!ordering.ok()) return Within("ordering", ordering.status());
   absl::StatusOr<MotionOptions> motion = FromProto(proto.motion());
   if (!motion.ok()) return Within("motion", motion.status());
-  JobSettings settings{*std::move(slicing), *std::move(planning), {}, {},
-                       *std::move(ordering), *std::move(motion)};
+  absl::StatusOr<ExposureSettings> exposure = FromProto(proto.exposure());
+  if (!exposure.ok()) return Within("exposure", exposure.status());
+  const absl::StatusOr<Process> process =
+      EnumFromProto<Process>(proto.process(), kProcessCount, "process");
+  if (!process.ok()) return process.status();
+  JobSettings settings{*process, *std::move(slicing), *std::move(planning), {}, {},
+                       *std::move(ordering), *std::move(motion), *std::move(exposure)};
   absl::Status status = CheckRows(proto.beading_size(), "beading");
   status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
   status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
   if (!status.ok()) return status;
   const size_t rows = settings.beading.size();
   if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
-      settings.motion.speeds.size() != rows) {
+      settings.motion.speeds.size() != rows ||
+      settings.exposure.regions.size() != rows) {
     return Malformed("settings", "the tables of regions are not equally long");
   }
   return settings;

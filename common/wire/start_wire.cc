@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/wire/exposure_options_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
 #include "common/wire/plan_wire.h"
@@ -128,6 +129,27 @@ absl::StatusOr<ProgramStart> FromProto(const v1::ProgramStart& proto) {
   return start;
 }
 
+absl::Status ToProto(const ExposeStart& start, v1::ExposeStart* proto) {
+  *proto->mutable_call() = ToProto(start.call);
+  *proto->mutable_settings() = ToProto(start.settings);
+  *proto->mutable_range() = ToProto(start.range);
+  return AllToProto(start.copies, "copies", proto->mutable_copies());
+}
+absl::StatusOr<ExposeStart> FromProto(const v1::ExposeStart& proto) {
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  if (!status.ok()) return status;
+  absl::StatusOr<StageCall> call = FromProto(proto.call());
+  if (!call.ok()) return call.status();
+  absl::StatusOr<ExposureSettings> settings = FromProto(proto.settings());
+  if (!settings.ok()) return Within("settings", settings.status());
+  const absl::StatusOr<LayerRange> range = FromProto(proto.range());
+  if (!range.ok()) return range.status();
+  ExposeStart start{*std::move(call), *std::move(settings), *range, {}};
+  status = AllFromProto(proto.copies(), "copies", &start.copies);
+  if (!status.ok()) return status;
+  return start;
+}
+
 absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto) {
   *proto->mutable_call() = ToProto(start.call);
   *proto->mutable_range() = ToProto(start.range);
@@ -150,9 +172,11 @@ absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto) {
   if (!range.ok()) return range.status();
   absl::StatusOr<JobFacts> facts = FromProto(proto.facts());
   if (!facts.ok()) return Within("facts", facts.status());
+  const Process process = settings->process;
   WorkStart start{*std::move(call), *std::move(settings), *range, {}, {}, *std::move(facts)};
-  if (proto.plans_size() != range->size()) {
-    return Malformed("plans", "not one for each layer of the range");
+  const int planned = process == Process::kFdm ? range->size() : 0;
+  if (proto.plans_size() != planned) {
+    return Malformed("plans", "not one for each layer of the range of FDM");
   }
   status = AllFromProto(proto.plans(), "plans", &start.plans);
   status.Update(AllFromProto(proto.copies(), "copies", &start.copies));

@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/beading.pb.h"
+#include "slicefarm/v1/exposure.pb.h"
 #include "slicefarm/v1/infill.pb.h"
 #include "slicefarm/v1/motion.pb.h"
 #include "slicefarm/v1/ordering.pb.h"
@@ -49,13 +50,21 @@ struct ProgramStart {
   JobFacts facts;
 };
 
+struct ExposeStart {
+  StageCall call;
+  ExposureSettings settings;
+  LayerRange range;
+  std::vector<Copy> copies;
+};
+
+/// Of a range of any process.
 struct WorkStart {
   StageCall call;
   JobSettings settings;
   LayerRange range;
-  std::vector<LayerPlan> plans;  ///< one for each layer of the range
+  std::vector<LayerPlan> plans;  ///< of FDM: one for each layer of the range
   std::vector<Copy> copies;
-  JobFacts facts;
+  JobFacts facts;  ///< of FDM
 };
 
 absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto);
@@ -72,6 +81,9 @@ absl::StatusOr<OrderStart> FromProto(const v1::OrderStart& proto);
 
 absl::Status ToProto(const ProgramStart& start, v1::ProgramStart* proto);
 absl::StatusOr<ProgramStart> FromProto(const v1::ProgramStart& proto);
+
+absl::Status ToProto(const ExposeStart& start, v1::ExposeStart* proto);
+absl::StatusOr<ExposeStart> FromProto(const v1::ExposeStart& proto);
 
 absl::Status ToProto(const WorkStart& start, v1::WorkStart* proto);
 absl::StatusOr<WorkStart> FromProto(const v1::WorkStart& proto);

@@ -12,6 +12,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kSettingMalformed:
     case Reason::kSettingOutOfRange:
     case Reason::kSettingMisplaced:
+    case Reason::kSettingOfOtherProcess:
       return ExitCode::kBadSettings;
     case Reason::kMeshFormatUnknown:
     case Reason::kMeshTruncated:

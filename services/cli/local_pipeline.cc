@@ -16,10 +16,11 @@ LocalPipeline::LocalPipeline(int threads)
       infill_(infill::MakeLocalInfill()),
       ordering_(ordering::MakeLocalOrdering()),
       motion_(motion::MakeLocalMotion()),
-      pipeline_(*slicing_, *planning_, *motion_, dispatcher_) {
+      fdm_(*slicing_, *planning_, *motion_),
+      pipeline_({&fdm_}, dispatcher_) {
   dispatcher_.Join(
       {.name = "here",
-       .ranges = std::make_shared<LayerChain>(*beading_, *infill_, *ordering_, *motion_),
+       .tasks = std::make_shared<LayerChain>(*beading_, *infill_, *ordering_, *motion_),
        .slots = threads});
 }
 

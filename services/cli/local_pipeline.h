@@ -6,6 +6,7 @@
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/process/fdm_process.h"
 
 namespace slicefarm::cli {
 
@@ -27,6 +28,7 @@ class LocalPipeline {
   std::unique_ptr<OrderingStage> ordering_;
   std::unique_ptr<MotionStage> motion_;
   coordinator::Dispatcher dispatcher_;
+  coordinator::FdmProcess fdm_;
   coordinator::JobPipeline pipeline_;
 };
 

@@ -87,7 +87,7 @@ struct Job {
     const LayerRange halo = Halo(range);
     return {range, std::span(sliced.layers).subspan(halo.first, halo.size())};
   }
-  RangeTask Task(LayerRange range) const {
+  FdmTask Task(LayerRange range) const {
     return {.range = range,
             .layers = Around(range).layers,
             .plans = std::span(plan.layers).subspan(range.first, range.size()),
@@ -115,7 +115,7 @@ class CannedStages : public BeadingStage,
                      public InfillStage,
                      public OrderingStage,
                      public MotionStage,
-                     public RangeRunner {
+                     public FdmRunner {
  public:
   explicit CannedStages(const Job& job) : job_(job) {}
   absl::StatusOr<std::vector<WalledLayer>> Bead(const StageCall&, const Neighbourhood& n,
@@ -143,8 +143,8 @@ class CannedStages : public BeadingStage,
                                      const MotionOptions&) const override {
     return ProgramFrame{};
   }
-  absl::StatusOr<RangeResult> Run(const StageCall&, const RangeTask& task) const override {
-    return RangeResult{Part(job_.programs, task.range), {}, {}};
+  absl::StatusOr<FdmResult> Run(const StageCall&, const FdmTask& task) const override {
+    return FdmResult{Part(job_.programs, task.range), {}, {}};
   }
 
  private:

@@ -304,7 +304,7 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
     for (int32_t first = 0; first < count; first += size) {
       const LayerRange range{first, std::min(count, first + size)};
       const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(settings));
-      const RangeTask task{
+      const FdmTask task{
           range, std::span(plate.layers).subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
           std::span(plan->layers).subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
           plan->copies, &facts, &settings};

@@ -279,7 +279,7 @@ absl::StatusOr<ProgramFrame> FakeMotion::Frame(const StageCall& call, const Prog
   return TheSample().frame;
 }
 
-absl::StatusOr<RangeResult> FakeRunner::Run(const StageCall& call, const RangeTask& task) const {
+absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {
   Note({task.range, task.layers}, &fakes_);
   fakes_.plans.assign(task.plans.begin(), task.plans.end());
   fakes_.copies.assign(task.copies.begin(), task.copies.end());
@@ -287,7 +287,7 @@ absl::StatusOr<RangeResult> FakeRunner::Run(const StageCall& call, const RangeTa
   fakes_.settings = *task.settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   const Sample& sample = TheSample();
-  return RangeResult{Answer(sample.programs, fakes_), sample.warnings, sample.times};
+  return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.times};
 }
 
 }  // namespace slicefarm

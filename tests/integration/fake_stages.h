@@ -8,7 +8,7 @@
 
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 #include "slicefarm/v1/planning.grpc.pb.h"
 
 namespace slicefarm {
@@ -146,10 +146,10 @@ class FakeMotion : public MotionStage {
   FakeStages& fakes_;
 };
 
-class FakeRunner : public RangeRunner {
+class FakeRunner : public FdmRunner {
  public:
   explicit FakeRunner(FakeStages& fakes) : fakes_(fakes) {}
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override;
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override;
 
  private:
   FakeStages& fakes_;

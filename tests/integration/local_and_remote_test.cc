@@ -35,7 +35,7 @@ class LocalAndRemote : public testing::Test {
 
   int32_t LayerCount() const { return static_cast<int32_t>(job_.layers.size()); }
 
-  RangeTask TaskOf(LayerRange range) const {
+  FdmTask TaskOf(LayerRange range) const {
     const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(settings_));
     return {range,
             std::span(job_.layers).subspan(halo.first, halo.size()),
@@ -59,7 +59,7 @@ class LocalAndRemote : public testing::Test {
   SlicedJob job_;
   JobPlan plan_;
   JobFacts facts_;
-  RangeTask task_;
+  FdmTask task_;
 };
 
 TEST_F(LocalAndRemote, EachStageGivesTheSame) {
@@ -141,7 +141,7 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
 }
 
 TEST_F(LocalAndRemote, ARangeWithoutAllTheLayersAroundItIsRefused) {
-  RangeTask task = TaskOf({10, 12});
+  FdmTask task = TaskOf({10, 12});
   const std::span<const SlicedLayer> all = task.layers;
   for (const auto& some : {all.subspan(1), all.first(all.size() - 1), all.subspan(all.size())}) {
     task.layers = some;

@@ -58,7 +58,7 @@ Neighbourhood TheNeighbourhood() { return {Sample::kRange, TheSample().outlines}
 
 SlicedOutlines TheOutlines() { return {TheSample().job.layers, TheSample().job.copies}; }
 
-RangeTask TheTask() {
+FdmTask TheTask() {
   const Sample& sample = TheSample();
   return {Sample::kRange,     sample.outlines, sample.plans,
           sample.plan.copies, &sample.facts,   &sample.settings};
@@ -393,7 +393,7 @@ TEST(StageServices, RefuseTablesOfDifferentLengths) {
   Farm farm;
   JobSettings settings = TheSample().settings;
   settings.infill.pop_back();
-  RangeTask task = TheTask();
+  FdmTask task = TheTask();
   task.settings = &settings;
   EXPECT_EQ(DetailOf(farm.worker.Run(NewCall(), task).status()).reason, Reason::kRequestMalformed);
 }

@@ -7,7 +7,7 @@
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/server.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 #include "services/beading/server/beading_service.h"
 #include "services/infill/server/infill_service.h"
 #include "services/motion/server/motion_service.h"
@@ -25,7 +25,7 @@ struct HostedStages {
   const InfillStage& infill;
   const OrderingStage& ordering;
   const MotionStage& motion;
-  const RangeRunner& runner;
+  const FdmRunner& runner;
   /// Planning has its algorithm within its service.
   std::function<std::unique_ptr<v1::Planning::Service>(rpc::CallGate&)> planning =
       [](rpc::CallGate& gate) { return std::make_unique<planning::PlanningService>(gate); };

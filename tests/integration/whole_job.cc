@@ -7,6 +7,7 @@
 #include "common/stage/slice_input_test.h"
 #include "services/cli/local_pipeline.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/process/fdm_process.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {
@@ -22,7 +23,7 @@ absl::StatusOr<std::string> GcodeBy(const coordinator::JobPipeline& pipeline,
                      if (layers_done) layers_done(progress.layers_done);
                    });
   if (!output.ok()) return output.status();
-  return std::move(output->gcode);
+  return std::move(output->program);
 }
 
 std::string Computed() {
@@ -44,7 +45,8 @@ absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningS
                                     const MotionStage& motion,
                                     coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done) {
-  return GcodeBy(coordinator::JobPipeline(slicing, planning, motion, dispatcher), layers_done);
+  const coordinator::FdmProcess process(slicing, planning, motion);
+  return GcodeBy(coordinator::JobPipeline({&process}, dispatcher), layers_done);
 }
 
 const std::string& GcodeOfThisProcess() {

@@ -24,12 +24,12 @@ namespace slicefarm {
 namespace {
 
 /// Takes so long a layer, and makes a line of each.
-class SleepingRunner final : public RangeRunner {
+class SleepingRunner final : public FdmRunner {
  public:
   explicit SleepingRunner(std::chrono::duration<double, std::milli> layer) : layer_(layer) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
-    RangeResult result;
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
+    FdmResult result;
     for (const SlicedLayer& layer : task.layers) {
       if (!task.range.Contains(layer.frame.index)) continue;
       if (absl::Status go_on = call.cancel.Check(); !go_on.ok()) return go_on;
@@ -48,7 +48,7 @@ class SleepingRunner final : public RangeRunner {
 };
 
 struct VirtualWorker {
-  VirtualWorker(const RangeRunner& runner, const rpc::JsonLog& log, rpc::CallMetrics& metrics)
+  VirtualWorker(const FdmRunner& runner, const rpc::JsonLog& log, rpc::CallMetrics& metrics)
       : gate({.slots = 1, .queue = 4}, log),
         service(runner, gate),
         server(*rpc::Server::Start({}, {&service}, metrics)) {}

@@ -71,7 +71,7 @@ absl::Status WriteResults(const SliceOptions& options, const coordinator::JobOut
                         .build_id = std::string(BuildId())});
     if (absl::Status status = WriteFile(options.job.report, json); !status.ok()) return status;
   }
-  return WriteFile(options.output, output.gcode);
+  return WriteFile(options.output, output.program);
 }
 
 void PrintSummary(const SliceOptions& options, const coordinator::JobReport& report,

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "common/rpc/client/client_call.h"
+#include "common/wire/exposure_options_wire.h"
+#include "common/wire/exposure_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/motion_options_wire.h"
@@ -13,6 +15,7 @@
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
 #include "slicefarm/v1/beading.grpc.pb.h"
+#include "slicefarm/v1/exposure.grpc.pb.h"
 #include "slicefarm/v1/infill.grpc.pb.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 #include "slicefarm/v1/ordering.grpc.pb.h"
@@ -28,6 +31,7 @@ constexpr char kBeading[] = "beading";
 constexpr char kInfill[] = "infill";
 constexpr char kOrdering[] = "ordering";
 constexpr char kMotion[] = "motion";
+constexpr char kExposure[] = "exposure";
 
 template <typename Layers>
 absl::StatusOr<Layers> ForRange(Layers layers, LayerRange range, std::string_view stage) {
@@ -243,6 +247,47 @@ absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
   absl::StatusOr<ProgramFrame> frame = FromProto(std::move(response));
   if (!frame.ok()) return BadAnswer(kMotion, frame.status());
   return frame;
+}
+
+absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
+    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
+    const ExposureSettings& settings) const {
+  std::vector<ExposedProgram> programs;
+  const auto write = [&](auto& stream) {
+    absl::Status started = WriteStart<v1::ExposeRequest>(
+        stream,
+        ExposeStart{call, settings, neighbourhood.range, {copies.begin(), copies.end()}});
+    if (!started.ok()) return started;
+    return WriteEach<v1::ExposeRequest>(stream, neighbourhood.layers,
+                                        [](const SlicedLayer& layer, v1::ExposeRequest* request) {
+                                          return ToProto(layer, request->mutable_layer());
+                                        });
+  };
+  const absl::Status status = StreamOver(
+      replicas_, options_, call, kExposure, &v1::Exposure::Stub::PrepareAsyncExposeLayers, write,
+      [&](auto& stream) { return ReadAll<v1::ExposedProgram>(stream, &programs); });
+  if (!status.ok()) return status;
+  return ForRange(std::move(programs), neighbourhood.range, kExposure);
+}
+
+absl::StatusOr<ExposureFrame> RemoteExposure::Frame(const StageCall& call,
+                                                    const ExposureSummary& summary,
+                                                    const ExposureSettings& settings) const {
+  v1::ExposureFrameRequest request;
+  *request.mutable_call() = ToProto(call);
+  *request.mutable_settings() = ToProto(settings);
+  if (absl::Status status = ToProto(summary, &request); !status.ok()) return status;
+  v1::ExposureFrame response;
+  const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
+    const auto stub = v1::Exposure::NewStub(channel);
+    return OutcomeOf(
+        kExposure, options_,
+        rpc::UnaryCall({options_.deadline, call.cancel, ChildSpan(call.trace, kExposure)}, request,
+                       &response,
+                       [&](auto&&... arguments) { return stub->AsyncFrameExposure(arguments...); }));
+  });
+  if (!status.ok()) return status;
+  return FromProto(std::move(response));
 }
 
 }  // namespace slicefarm::coordinator

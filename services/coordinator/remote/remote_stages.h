@@ -101,4 +101,20 @@ class RemoteMotion : public MotionStage {
   const RemoteOptions options_;
 };
 
+class RemoteExposure : public ExposureStage {
+ public:
+  explicit RemoteExposure(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
+      const ExposureSettings& settings) const override;
+  absl::StatusOr<ExposureFrame> Frame(const StageCall& call, const ExposureSummary& summary,
+                                      const ExposureSettings& settings) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
 }  // namespace slicefarm::coordinator

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/wire/exposure_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/program_wire.h"
@@ -13,50 +14,85 @@ namespace {
 
 constexpr char kWorker[] = "worker";
 
-template <typename Stream>
-absl::Status WriteTask(Stream& stream, const StageCall& call, const RangeTask& task) {
-  v1::WorkRequest request;
+/// The range's own layers, in order.
+absl::Status CheckLayers(const std::vector<ExposedProgram>& programs, LayerRange range) {
+  int32_t next = range.first;
+  for (const ExposedProgram& program : programs)
+    if (program.frame.index != next++) return Malformed("exposed", "not the layers of the range");
+  return next == range.last ? absl::OkStatus() : Malformed("exposed", "not all of the range");
+}
+
+absl::Status TakeTimes(const v1::WorkResponse& response, StageTimes* times) {
+  absl::StatusOr<StageTimes> taken = FromProto(response.times());
+  if (taken.ok()) *times = *taken;
+  return taken.status();
+}
+
+absl::Status Take(v1::WorkResponse& response, FdmResult* result) {
+  if (response.has_program())
+    return Append(FromProto(std::move(*response.mutable_program())), &result->programs);
+  if (response.has_warning()) return Append(FromProto(response.warning()), &result->warnings);
+  return TakeTimes(response, &result->times);
+}
+
+absl::Status Take(v1::WorkResponse& response, LaserResult* result) {
+  if (response.has_exposed())
+    return Append(FromProto(std::move(*response.mutable_exposed())), &result->programs);
+  return TakeTimes(response, &result->times);
+}
+
+}  // namespace
+
+template <typename Result>
+absl::StatusOr<Result> RemoteWorker::Ask(const StageCall& call, const WorkStart& start,
+                                         std::span<const SlicedLayer> layers) const {
+  Result result;
+  const auto write = [&](auto& stream) {
+    v1::WorkRequest request;
+    absl::Status status = ToProto(start, request.mutable_start());
+    if (!status.ok() || !stream.Write(request)) return status;
+    return WriteEach<v1::WorkRequest>(stream, layers,
+                                      [](const SlicedLayer& layer, v1::WorkRequest* message) {
+                                        return ToProto(layer, message->mutable_layer());
+                                      });
+  };
+  const auto read = [&](auto& stream) {
+    result = {};
+    return ReadEach<v1::WorkResponse>(
+        stream, [&](v1::WorkResponse& response) { return Take(response, &result); });
+  };
+  const absl::Status status = StreamOver(replicas_, options_, call, kWorker,
+                                         &v1::Worker::Stub::PrepareAsyncWorkRange, write, read);
+  if (!status.ok()) return status;
+  return result;
+}
+
+absl::StatusOr<TaskResult> RemoteWorker::Run(const StageCall& call, const FdmTask& task) const {
   const WorkStart start{call,
                         *task.settings,
                         task.range,
                         {task.plans.begin(), task.plans.end()},
                         {task.copies.begin(), task.copies.end()},
                         *task.facts};
-  absl::Status status = ToProto(start, request.mutable_start());
-  if (!status.ok() || !stream.Write(request)) return status;
-  return WriteEach<v1::WorkRequest>(stream, task.layers,
-                                    [](const SlicedLayer& layer, v1::WorkRequest* message) {
-                                      return ToProto(layer, message->mutable_layer());
-                                    });
-}
-
-absl::Status Take(v1::WorkResponse& response, RangeResult* result) {
-  if (response.has_program()) {
-    return Append(FromProto(std::move(*response.mutable_program())), &result->programs);
-  }
-  if (response.has_warning()) return Append(FromProto(response.warning()), &result->warnings);
-  const absl::StatusOr<StageTimes> times = FromProto(response.times());
-  if (times.ok()) result->times = *times;
-  return times.status();
-}
-
-}  // namespace
-
-absl::StatusOr<RangeResult> RemoteWorker::Run(const StageCall& call, const RangeTask& task) const {
-  RangeResult result;
-  const absl::Status status = StreamOver(
-      replicas_, options_, call, kWorker, &v1::Worker::Stub::PrepareAsyncWorkRange,
-      [&](auto& stream) { return WriteTask(stream, call, task); },
-      [&](auto& stream) {
-        result = {};
-        return ReadEach<v1::WorkResponse>(
-            stream, [&](v1::WorkResponse& response) { return Take(response, &result); });
-      });
-  if (!status.ok()) return status;
-  if (absl::Status fits = CheckProgramsOfRange(result.programs, task.range); !fits.ok()) {
+  absl::StatusOr<FdmResult> result = Ask<FdmResult>(call, start, task.layers);
+  if (!result.ok()) return result.status();
+  if (absl::Status fits = CheckProgramsOfRange(result->programs, task.range); !fits.ok())
     return BadAnswer(kWorker, fits);
-  }
-  return result;
+  return *std::move(result);
+}
+
+absl::StatusOr<TaskResult> RemoteWorker::Run(const StageCall& call, const LaserTask& task) const {
+  const WorkStart start{
+      call, *task.settings, task.range, {}, {task.copies.begin(), task.copies.end()}, {}};
+  absl::StatusOr<LaserResult> result = Ask<LaserResult>(call, start, task.layers);
+  if (!result.ok()) return result.status();
+  if (absl::Status fits = CheckLayers(result->programs, task.range); !fits.ok())
+    return BadAnswer(kWorker, fits);
+  return *std::move(result);
+}
+
+absl::StatusOr<TaskResult> RemoteWorker::RunTask(const StageCall& call, const Task& task) const {
+  return std::visit([&](const auto& of) { return Run(call, of); }, task);
 }
 
 }  // namespace slicefarm::coordinator

@@ -22,10 +22,22 @@ using std::chrono::system_clock;
 
 constexpr milliseconds kRetryDelay{100};
 
+/// Those that this build knows.
+ProcessSet ProcessesOf(const v1::WorkerInfo& info) {
+  ProcessSet processes;
+  for (const int process : info.processes())
+    if (process >= 1 && process <= kProcessCount) processes.Add(static_cast<Process>(process - 1));
+  return processes;
+}
+
 absl::Status CheckInfo(const v1::WorkerInfo& info) {
   if (info.build_id() != BuildId()) {
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch,
                      "the worker is of build " + info.build_id());
+  }
+  if (ProcessesOf(info).empty()) {
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     "the worker knows no process");
   }
   if (info.slots() < 1) {
     return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "the worker has no slots");
@@ -62,22 +74,26 @@ struct WorkerPool::Member {
   int greetings = 0;    ///< that have not ended
   RunnerId runner = 0;  ///< 0: has not joined
   int slots = 0;        ///< of that runner
+  ProcessSet processes;
   bool dismissed = false;
 };
 
-/// The ranges of a worker for as long as it is the one that was greeted: when it turns out to be of
+/// The tasks of a worker for as long as it is the one that was greeted: when it turns out to be of
 /// another build, it leaves, once.
-class WorkerPool::Ranges : public RangeRunner {
+class WorkerPool::Tasks : public TaskRunner {
  public:
-  Ranges(MemberPtr member, rpc::JsonLog log) : member_(std::move(member)), log_(std::move(log)) {}
+  Tasks(MemberPtr member, ProcessSet processes, rpc::JsonLog log)
+      : member_(std::move(member)), processes_(processes), log_(std::move(log)) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
-    auto result = member_->worker.Run(call, task);
+  ProcessSet processes() const override { return processes_; }
+
+  absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override {
+    auto result = member_->worker.RunTask(call, task);
     if (IsReplicasFault(result.status())) {
       log_.Warn("worker failed", {{"address", member_->address},
                                   {"job", call.job_id},
-                                  {"layer_first", int64_t{task.range.first}},
-                                  {"layer_last", int64_t{task.range.last - 1}},
+                                  {"layer_first", int64_t{LayersOf(task).first}},
+                                  {"layer_last", int64_t{LayersOf(task).last - 1}},
                                   {"error", std::string(result.status().message())}});
     }
     if (DetailOf(result.status()).reason != Reason::kBuildMismatch || misfit_.exchange(true)) {
@@ -90,6 +106,7 @@ class WorkerPool::Ranges : public RangeRunner {
 
  private:
   const MemberPtr member_;
+  const ProcessSet processes_;
   const rpc::JsonLog log_;
   mutable std::atomic<bool> misfit_ = false;
 };
@@ -181,22 +198,22 @@ void WorkerPool::Hear(const MemberPtr& member, const absl::Status& status,
     log_.Warn("worker refused",
               {{"address", member->address}, {"error", std::string(fit.message())}});
   }
-  if (status.ok()) Seat(member, fit.ok() ? info.slots() : 0);
+  if (status.ok()) Seat(member, fit.ok() ? info.slots() : 0, ProcessesOf(info));
   if (absl::IsDeadlineExceeded(status)) Leave(member, "it does not answer");
   Greet(member, absent ? kRetryDelay : options_.greet_every);
 }
 
 /// Has the member among the runners with so many slots; 0: not at all.
-void WorkerPool::Seat(const MemberPtr& member, int slots) {
+void WorkerPool::Seat(const MemberPtr& member, int slots, ProcessSet processes) {
   {
     const std::lock_guard lock(mutex_);
-    if (member->runner != 0 && member->slots == slots) return;
+    if (member->runner != 0 && member->slots == slots && member->processes == processes) return;
   }
   Leave(member, "another one was started in its place");
   if (slots == 0) return;
   Runner runner;
   runner.name = member->address;
-  runner.ranges = std::make_shared<Ranges>(member, log_);
+  runner.tasks = std::make_shared<Tasks>(member, processes, log_);
   runner.slots = slots;
   runner.await_ready = [channel = member->replica.channel()](milliseconds patience) {
     return channel->WaitForConnected(system_clock::now() + patience);
@@ -205,6 +222,7 @@ void WorkerPool::Seat(const MemberPtr& member, int slots) {
   if (member->dismissed) return;
   member->runner = runners_.Join(std::move(runner));
   member->slots = slots;
+  member->processes = processes;
   log_.Info("worker joined", {{"address", member->address}, {"slots", int64_t{slots}}});
 }
 

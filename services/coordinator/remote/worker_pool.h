@@ -49,7 +49,7 @@ class WorkerPool {
  private:
   struct Greeting;
   struct Member;
-  class Ranges;
+  class Tasks;
   using MemberPtr =
       std::shared_ptr<Member>;  // shared with the calls in flight, which may outlive a membership
 
@@ -57,7 +57,7 @@ class WorkerPool {
   void Greet(const MemberPtr& member, std::chrono::milliseconds delay);
   void Ask(Greeting& greeting);
   void Hear(const MemberPtr& member, const absl::Status& status, const v1::WorkerInfo& info);
-  void Seat(const MemberPtr& member, int slots);
+  void Seat(const MemberPtr& member, int slots, ProcessSet processes);
   void Leave(const MemberPtr& member, std::string_view why);
   void Dismiss(const MemberPtr& member);
   void End(Greeting& greeting);

@@ -184,11 +184,11 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARan
   ASSERT_TRUE(runner.await_ready(seconds(60)));
   const JobFacts facts;
   const JobSettings settings;
-  const RangeTask task{{0, 1}, {}, {}, {}, &facts, &settings};
+  const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
   for (int i = 0; i < 2; ++i) {
     absl::Status refused;
     do {
-      refused = runner.ranges->Run({}, task).status();
+      refused = runner.tasks->Run({}, task).status();
     } while (absl::IsUnavailable(refused));  // the channel may not have noticed the kill yet
     EXPECT_EQ(DetailOf(refused).reason, Reason::kBuildMismatch);
     EXPECT_THAT(runners_.Current(), IsEmpty());
@@ -224,8 +224,8 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
   pool_.reset();
   const JobFacts facts;
   const JobSettings settings;
-  const RangeTask task{{0, 1}, {}, {}, {}, &facts, &settings};
-  EXPECT_FALSE(runner.ranges->Run({}, task).ok());  // the fake implements no WorkRange
+  const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
+  EXPECT_FALSE(runner.tasks->Run({}, task).ok());  // the fake implements no WorkRange
 }
 
 }  // namespace

@@ -1,29 +1,60 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "common/rpc/server/serve.h"
+#include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
+#include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/worker/server/worker_service.h"
 
+namespace {
+
+/// The runners of the processes that are named; of all if none is.
+slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
+                                    const slicefarm::TaskRunner& fdm,
+                                    const slicefarm::TaskRunner& laser) {
+  using slicefarm::Process;
+  std::vector<const slicefarm::TaskRunner*> runners;
+  for (const auto& [process, runner] : {std::pair(Process::kFdm, &fdm),
+                                        std::pair(Process::kLaser, &laser)}) {
+    const bool named = std::ranges::find(names, ProcessName(process)) != names.end();
+    if (names.empty() || named) runners.push_back(runner);
+  }
+  return slicefarm::ProcessRunners(std::move(runners));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   slicefarm::rpc::ServerProgram program("worker");
-  CLI::App app("slicefarm-worker: the four layer stages in one process, as a gRPC service");
+  CLI::App app("slicefarm-worker: the layer stages in one process, as a gRPC service");
   slicefarm::rpc::ServeFlags flags;
   AddServeFlags(app, &flags);
   app.add_option("--slots", flags.max_concurrent, "Ranges worked on at once; 0: one for each core")
       ->check(CLI::Range(0, 1024));
+  std::vector<std::string> names;
+  app.add_option("--processes", names, "Whose ranges it makes, by commas; default: all")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"fdm", "laser"}));
   CLI11_PARSE(app, argc, argv);
 
   const auto beading = slicefarm::beading::MakeLocalBeading();
   const auto infill = slicefarm::infill::MakeLocalInfill();
   const auto ordering = slicefarm::ordering::MakeLocalOrdering();
   const auto motion = slicefarm::motion::MakeLocalMotion();
-  const slicefarm::LayerChain chain(*beading, *infill, *ordering, *motion);
+  const auto exposure = slicefarm::exposure::MakeLocalExposure();
+  const slicefarm::LayerChain fdm(*beading, *infill, *ordering, *motion);
+  const slicefarm::LaserChain laser(*exposure);
+  const slicefarm::ProcessRunners runners = RunnersOf(names, fdm, laser);
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  slicefarm::worker::WorkerService service(chain, gate);
+  slicefarm::worker::WorkerService service(runners, gate);
   return program.Run(flags, {&service});
 }

@@ -4,11 +4,35 @@
 #include <vector>
 
 #include "common/base/build_info.h"
+#include "common/wire/enum_wire.h"
+#include "common/wire/exposure_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/program_wire.h"
 #include "common/wire/start_wire.h"
 
 namespace slicefarm::worker {
+namespace {
+
+/// A range of the start's process. It points into its arguments.
+Task TaskOf(const WorkStart& start, std::span<const SlicedLayer> layers) {
+  switch (start.settings.process) {
+    case Process::kFdm:
+      return FdmTask{start.range, layers, start.plans, start.copies, &start.facts, &start.settings};
+    case Process::kLaser:
+      return LaserTask{start.range, layers, start.copies, &start.settings};
+  }
+  return {};
+}
+
+/// The last message. A client that is gone needs no error.
+template <typename Stream>
+void WriteTimes(const StageTimes& times, Stream& stream) {
+  v1::WorkResponse response;
+  *response.mutable_times() = ToProto(times);
+  stream.Write(response);
+}
+
+}  // namespace
 
 grpc::Status WorkerService::WorkRange(
     grpc::ServerContext* context,
@@ -22,6 +46,9 @@ grpc::Status WorkerService::GetWorkerInfo(grpc::ServerContext* /*context*/,
                                           v1::WorkerInfo* response) {
   response->set_build_id(std::string(BuildId()));
   response->set_slots(gate_.admission().slots());
+  for (const ProcessInfo& info : kProcesses)
+    if (runner_.processes().Has(info.process))
+      response->add_processes(EnumToProto<v1::Process>(info.process));
   return grpc::Status::OK;
 }
 
@@ -34,14 +61,15 @@ absl::Status WorkerService::Work(rpc::Call& call, Stream& stream) const {
       ReadNeighbourhood<v1::WorkRequest>(stream, *start);
   if (!layers.ok()) return layers.status();
 
-  absl::StatusOr<RangeResult> result = runner_.Run(
-      start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
-                    &start->settings});
+  const Task task = TaskOf(*start, *layers);
+  if (!runner_.processes().Has(ProcessOf(task)))
+    return Malformed("start.settings.process", "is none of this worker's");
+  absl::StatusOr<TaskResult> result = runner_.RunTask(start->call, task);
   if (!result.ok()) return result.status();
-  return Answer(*std::move(result), stream);
+  return std::visit([&](auto&& of) { return Answer(std::move(of), stream); }, *std::move(result));
 }
 
-absl::Status WorkerService::Answer(RangeResult result, Stream& stream) {
+absl::Status WorkerService::Answer(FdmResult result, Stream& stream) {
   absl::Status status = WriteEach<v1::WorkResponse>(
       stream, result.programs, [](LayerProgram& program, v1::WorkResponse* proto) {
         return ToProto(std::move(program), proto->mutable_program());
@@ -53,9 +81,17 @@ absl::Status WorkerService::Answer(RangeResult result, Stream& stream) {
         return absl::OkStatus();
       }));
   if (!status.ok()) return status;
-  v1::WorkResponse times;
-  *times.mutable_times() = ToProto(result.times);
-  stream.Write(times);  // a client that is gone needs no error
+  WriteTimes(result.times, stream);
+  return absl::OkStatus();
+}
+
+absl::Status WorkerService::Answer(LaserResult result, Stream& stream) {
+  absl::Status status = WriteEach<v1::WorkResponse>(
+      stream, result.programs, [](ExposedProgram& program, v1::WorkResponse* proto) {
+        return ToProto(std::move(program), proto->mutable_exposed());
+      });
+  if (!status.ok()) return status;
+  WriteTimes(result.times, stream);
   return absl::OkStatus();
 }
 

@@ -2,16 +2,16 @@
 
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server_stream.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 #include "slicefarm/v1/worker.grpc.pb.h"
 
 namespace slicefarm::worker {
 
-/// Translates slicefarm.v1.Worker to a RangeRunner and back. The gate's slots are the worker's.
+/// Translates slicefarm.v1.Worker to a TaskRunner and back. The gate's slots are the worker's.
 class WorkerService final : public v1::Worker::Service {
  public:
   /// `runner` and `gate` must outlive the service.
-  WorkerService(const RangeRunner& runner, rpc::CallGate& gate) : runner_(runner), gate_(gate) {}
+  WorkerService(const TaskRunner& runner, rpc::CallGate& gate) : runner_(runner), gate_(gate) {}
 
   grpc::Status WorkRange(
       grpc::ServerContext* context,
@@ -22,9 +22,10 @@ class WorkerService final : public v1::Worker::Service {
  private:
   using Stream = rpc::ServerStream<v1::WorkResponse, v1::WorkRequest>;
   absl::Status Work(rpc::Call& call, Stream& stream) const;
-  static absl::Status Answer(RangeResult result, Stream& stream);
+  static absl::Status Answer(FdmResult result, Stream& stream);
+  static absl::Status Answer(LaserResult result, Stream& stream);
 
-  const RangeRunner& runner_;
+  const TaskRunner& runner_;
   rpc::CallGate& gate_;
 };
 

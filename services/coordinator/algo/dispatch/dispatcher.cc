@@ -37,6 +37,7 @@ absl::Status PoisonedError(const LayerRange& range, int tries, const std::string
 struct Dispatcher::Member {
   RunnerId id = 0;
   Runner runner;
+  ProcessSet can;
   bool leaving = false;
   int threads_running = 0;
   std::vector<std::thread> threads;
@@ -45,8 +46,8 @@ struct Dispatcher::Member {
 struct Dispatcher::Job {
   const FanOut::JobId id;
   const StageCall& call;
-  const std::span<const RangeTask> tasks;
-  std::vector<RangeResult> results = std::vector<RangeResult>(tasks.size());
+  const std::span<const Task> tasks;
+  std::vector<TaskResult> results = std::vector<TaskResult>(tasks.size());
   std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
   int32_t layers_done = 0;
   bool over = false;
@@ -83,6 +84,7 @@ RunnerId Dispatcher::Join(Runner runner) {
   const RunnerId id = next_runner_++;
   auto& member = *(members_[id] = std::make_unique<Member>());
   member.id = id;
+  member.can = runner.tasks->processes();
   member.runner = std::move(runner);
   member.threads_running = std::max(member.runner.slots, 1);
   for (int i = 0; i < member.threads_running; ++i) {
@@ -113,10 +115,11 @@ void Dispatcher::Reap() {
   });
 }
 
-int Dispatcher::Slots() const {
+int Dispatcher::Slots(Process process) const {
   Lock lock(mutex_);
   int slots = 0;
-  for (const auto& [id, member] : members_) slots += std::max(member->runner.slots, 1);
+  for (const auto& [id, member] : members_)
+    if (member->can.Has(process)) slots += std::max(member->runner.slots, 1);
   return slots;
 }
 
@@ -125,11 +128,12 @@ DispatchCounts Dispatcher::Counts() const {
   return fan_out_.Counts();
 }
 
-absl::StatusOr<std::vector<RangeResult>> Dispatcher::Execute(
-    const StageCall& call, std::span<const RangeTask> tasks,
+absl::StatusOr<std::vector<TaskResult>> Dispatcher::Execute(
+    const StageCall& call, std::span<const Task> tasks,
     const std::function<void(int32_t)>& layers_done) {
   Lock lock(mutex_);
-  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant), call, tasks};
+  const Process process = tasks.empty() ? Process::kFdm : ProcessOf(tasks.front());
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant, process), call, tasks};
   jobs_[job.id] = &job;
   work_.notify_all();
   int32_t told = 0;
@@ -171,9 +175,9 @@ void Dispatcher::Serve(Member& member) {
     }
     std::optional<Assignment> assignment = Take(member);
     if (!assignment) continue;
-    const RangeTask& task = assignment->job->tasks[assignment->grant.range];
+    const Task& task = assignment->job->tasks[assignment->grant.range];
     lock.unlock();
-    auto result = member.runner.ranges->Run(assignment->call, task);
+    auto result = member.runner.tasks->RunTask(assignment->call, task);
     const absl::Status wanted = assignment->call.cancel.Check();
     const bool failed = !result.ok() && wanted.ok();
     lock.lock();
@@ -189,7 +193,7 @@ void Dispatcher::Serve(Member& member) {
 bool Dispatcher::AwaitWork(Lock& lock, Member& member) {
   const auto ended = [&] { return stopping_ || member.leaving; };
   while (!ended()) {
-    if (fan_out_.AnyQueued()) return true;
+    if (fan_out_.AnyQueued(member.can)) return true;
     if (jobs_.empty() || members_.size() < 2) {
       work_.wait(lock);
     } else if (work_.wait_for(lock, kPoll) == std::cv_status::timeout) {
@@ -214,7 +218,7 @@ void Dispatcher::Rest(Lock& lock, const Member& member, int failures) {
 }
 
 std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
-  const auto grant = fan_out_.Take(member.id, clock_.Seconds());
+  const auto grant = fan_out_.Take(member.id, clock_.Seconds(), member.can);
   if (!grant) return std::nullopt;
   Job& job = *jobs_.at(grant->job);
   Assignment assignment{&job, *grant, job.call, std::make_shared<std::atomic<bool>>(false)};
@@ -228,7 +232,7 @@ std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
 
 /// `wanted`: not OK if the job or this copy of the range was cancelled meanwhile.
 void Dispatcher::Report(const Member& member, const Assignment& assignment,
-                        const absl::Status& wanted, absl::StatusOr<RangeResult> result) {
+                        const absl::Status& wanted, absl::StatusOr<TaskResult> result) {
   Job& job = *assignment.job;
   job.calls.erase(assignment.grant.ticket);
   if (job.over) {
@@ -245,10 +249,10 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
   changed_.notify_all();
 }
 
-void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult result) {
+void Dispatcher::Accept(Job& job, const Assignment& assignment, TaskResult result) {
   const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
   if (!accepted.first) {
-    if (job.results[assignment.grant.range].programs != result.programs) fan_out_.Differed();
+    if (!SameOutput(job.results[assignment.grant.range], result)) fan_out_.Differed();
     return;
   }
   for (const FanOut::Ticket ticket : accepted.superfluous) {
@@ -257,7 +261,7 @@ void Dispatcher::Accept(Job& job, const Assignment& assignment, RangeResult resu
   }
   const int32_t range = assignment.grant.range;
   job.results[range] = std::move(result);
-  job.layers_done += job.tasks[range].range.size();
+  job.layers_done += LayersOf(job.tasks[range]).size();
 }
 
 void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assignment,
@@ -270,7 +274,7 @@ void Dispatcher::Reject(Job& job, const Member& member, const Assignment& assign
     case FanOut::Verdict::kInputAtFault:
       return End(job, error);
     case FanOut::Verdict::kPoisoned:
-      return End(job, PoisonedError(job.tasks[range].range, fan_out_.Tries(job.id, range),
+      return End(job, PoisonedError(LayersOf(job.tasks[range]), fan_out_.Tries(job.id, range),
                                     member.runner.name, error));
   }
 }

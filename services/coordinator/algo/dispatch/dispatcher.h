@@ -10,7 +10,7 @@
 
 #include "common/base/stopwatch.h"
 #include "services/coordinator/algo/dispatch/fan_out.h"
-#include "services/coordinator/algo/dispatch/range_executor.h"
+#include "services/coordinator/algo/dispatch/task_executor.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 
 namespace slicefarm::coordinator {
@@ -25,11 +25,13 @@ struct DispatcherOptions {
 /// Runs the ranges of any number of jobs over the runners there are, as FanOut decides. One thread
 /// a slot: a runner gets a range when it has answered one, so a fast runner gets more.
 ///
+/// A runner gets tasks of its processes only.
+///
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
 /// RANGE_POISONED naming the layers where a range failed too often; CANCELLED. BUILD_MISMATCH is
-/// the runner's fault and no try of the range. With no runner at all, Execute waits for one to
+/// the runner's fault and no try of the range. With no runner for their process, Execute waits for one to
 /// join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
-class Dispatcher : public RangeExecutor, public RunnerSet {
+class Dispatcher : public TaskExecutor, public RunnerSet {
  public:
   explicit Dispatcher(const DispatcherOptions& options = {});
   ~Dispatcher() override;
@@ -37,10 +39,10 @@ class Dispatcher : public RangeExecutor, public RunnerSet {
   RunnerId Join(Runner runner) override;
   void Leave(RunnerId id) override;
 
-  absl::StatusOr<std::vector<RangeResult>> Execute(
-      const StageCall& call, std::span<const RangeTask> tasks,
+  absl::StatusOr<std::vector<TaskResult>> Execute(
+      const StageCall& call, std::span<const Task> tasks,
       const std::function<void(int32_t)>& layers_done) override;
-  int Slots() const override;
+  int Slots(Process process) const override;
 
   DispatchCounts Counts() const;
 
@@ -56,8 +58,8 @@ class Dispatcher : public RangeExecutor, public RunnerSet {
   bool Ready(Lock& lock, const Member& member);
   std::optional<Assignment> Take(Member& member);
   void Report(const Member& member, const Assignment& assignment, const absl::Status& wanted,
-              absl::StatusOr<RangeResult> result);
-  void Accept(Job& job, const Assignment& assignment, RangeResult result);
+              absl::StatusOr<TaskResult> result);
+  void Accept(Job& job, const Assignment& assignment, TaskResult result);
   void Reject(Job& job, const Member& member, const Assignment& assignment,
               const absl::Status& error);
   void End(Job& job, absl::Status status);

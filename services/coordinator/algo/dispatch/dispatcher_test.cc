@@ -18,14 +18,14 @@ namespace {
 using testing::HasSubstr;
 
 /// A runner made of a function.
-class FakeRunner : public RangeRunner {
+class FakeRunner : public FdmRunner {
  public:
-  using Body = std::function<absl::Status(const StageCall&, const RangeTask&)>;
+  using Body = std::function<absl::Status(const StageCall&, const FdmTask&)>;
   FakeRunner(Body body, std::string gcode) : body_(std::move(body)), gcode_(std::move(gcode)) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
     if (absl::Status status = body_(call, task); !status.ok()) return status;
-    RangeResult result;
+    FdmResult result;
     for (int i = task.range.first; i < task.range.last; ++i) {
       LayerProgram program;
       program.frame.index = i;
@@ -42,24 +42,28 @@ class FakeRunner : public RangeRunner {
 
 Runner RunnerOf(std::string name, FakeRunner::Body body, int slots = 1, std::string gcode = "") {
   return {.name = std::move(name),
-          .ranges = std::make_shared<FakeRunner>(std::move(body), std::move(gcode)),
+          .tasks = std::make_shared<FakeRunner>(std::move(body), std::move(gcode)),
           .slots = slots,
           .await_ready = {}};
 }
 
-absl::Status Good(const StageCall&, const RangeTask&) { return absl::OkStatus(); }
-absl::Status Unavailable(const StageCall&, const RangeTask&) {
+absl::Status Good(const StageCall&, const FdmTask&) { return absl::OkStatus(); }
+absl::Status Unavailable(const StageCall&, const FdmTask&) {
   return absl::UnavailableError("gone");
 }
 /// Never answers; ends when it is told to.
-absl::Status Stuck(const StageCall& call, const RangeTask&) {
+absl::Status Stuck(const StageCall& call, const FdmTask&) {
   while (!call.cancel.Cancelled()) std::this_thread::yield();
   return call.cancel.Check();
 }
 
-std::vector<RangeTask> Tasks(int count, int layers_each = 10) {
-  std::vector<RangeTask> tasks(count);
-  for (int i = 0; i < count; ++i) tasks[i].range = {i * layers_each, (i + 1) * layers_each};
+std::vector<Task> Tasks(int count, int layers_each = 10) {
+  std::vector<Task> tasks;
+  for (int i = 0; i < count; ++i) {
+    FdmTask task;
+    task.range = {i * layers_each, (i + 1) * layers_each};
+    tasks.push_back(task);
+  }
   return tasks;
 }
 
@@ -71,14 +75,14 @@ DispatcherOptions Quick() {
   return options;
 }
 
-testing::AssertionResult IsWhole(const absl::StatusOr<std::vector<RangeResult>>& results,
-                                 const std::vector<RangeTask>& tasks) {
+testing::AssertionResult IsWhole(const absl::StatusOr<std::vector<TaskResult>>& results,
+                                 const std::vector<Task>& tasks) {
   if (!results.ok()) return testing::AssertionFailure() << results.status();
   if (results->size() != tasks.size()) return testing::AssertionFailure() << results->size();
   for (size_t i = 0; i < tasks.size(); ++i) {
-    const auto& programs = (*results)[i].programs;
-    if (static_cast<int>(programs.size()) != tasks[i].range.size() ||
-        programs[0].frame.index != tasks[i].range.first) {
+    const auto& programs = std::get<FdmResult>((*results)[i]).programs;
+    if (static_cast<int>(programs.size()) != LayersOf(tasks[i]).size() ||
+        programs[0].frame.index != LayersOf(tasks[i]).first) {
       return testing::AssertionFailure() << "range " << i;
     }
   }
@@ -89,7 +93,7 @@ TEST(Dispatcher, RunsAllRangesInOrder) {
   Dispatcher dispatcher;
   dispatcher.Join(RunnerOf("a", Good, 3));
   dispatcher.Join(RunnerOf("b", Good, 2));
-  EXPECT_EQ(dispatcher.Slots(), 5);
+  EXPECT_EQ(dispatcher.Slots(Process::kFdm), 5);
   const auto tasks = Tasks(50);
   std::vector<int32_t> done;
   EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, [&](int32_t n) { done.push_back(n); }), tasks));
@@ -117,7 +121,7 @@ TEST(Dispatcher, WaitsForARunner) {
 TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
   Dispatcher dispatcher(Quick());
   std::atomic<int> calls = 0;
-  dispatcher.Join(RunnerOf("a", [&](const StageCall&, const RangeTask&) {
+  dispatcher.Join(RunnerOf("a", [&](const StageCall&, const FdmTask&) {
     ++calls;
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange, "too wide");
   }));
@@ -129,7 +133,7 @@ TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
 
 TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   Dispatcher dispatcher(Quick());
-  const auto body = [](const StageCall&, const RangeTask& task) {
+  const auto body = [](const StageCall&, const FdmTask& task) {
     return task.range.first == 20 ? absl::InternalError("crash") : absl::OkStatus();
   };
   dispatcher.Join(RunnerOf("a", body));
@@ -159,7 +163,7 @@ TEST(Dispatcher, AnUnreachableRunnerGetsNothing) {
   std::atomic<int> calls = 0;
   Runner dead = RunnerOf(
       "dead",
-      [&](const StageCall&, const RangeTask&) {
+      [&](const StageCall&, const FdmTask&) {
         ++calls;
         return absl::OkStatus();
       },
@@ -177,7 +181,7 @@ TEST(Dispatcher, SecondAnswersThatDifferAreCounted) {
     Dispatcher dispatcher(Quick());
     std::atomic<bool> begun = false;
     // Is superseded, and answers all the same.
-    const auto slow = [&](const StageCall& call, const RangeTask&) {
+    const auto slow = [&](const StageCall& call, const FdmTask&) {
       begun = true;
       while (!call.cancel.Cancelled()) std::this_thread::yield();
       return absl::OkStatus();
@@ -208,7 +212,7 @@ TEST(Dispatcher, AStuckRunnerIsHedged) {
 TEST(Dispatcher, CancelReachesTheCalls) {
   Dispatcher dispatcher;
   std::atomic<int> started = 0;
-  const auto body = [&](const StageCall& call, const RangeTask& task) {
+  const auto body = [&](const StageCall& call, const FdmTask& task) {
     ++started;
     return Stuck(call, task);
   };
@@ -223,7 +227,7 @@ TEST(Dispatcher, LeavingGivesTheRangesToOthers) {
   Dispatcher dispatcher(Quick());
   std::atomic<bool> has_one = false;
   const RunnerId stuck =
-      dispatcher.Join(RunnerOf("stuck", [&](const StageCall& call, const RangeTask& task) {
+      dispatcher.Join(RunnerOf("stuck", [&](const StageCall& call, const FdmTask& task) {
         has_one = true;
         has_one.notify_all();
         return Stuck(call, task);
@@ -236,13 +240,13 @@ TEST(Dispatcher, LeavingGivesTheRangesToOthers) {
   const auto tasks = Tasks(5);
   EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
   mover.join();
-  EXPECT_EQ(dispatcher.Slots(), 1);
+  EXPECT_EQ(dispatcher.Slots(Process::kFdm), 1);
 }
 
 TEST(Dispatcher, ARunnerOfAnotherBuildCostsARangeNoTries) {
   Dispatcher dispatcher(Quick());
   std::atomic<int> refusals = 0;
-  const auto misfit = [&](const StageCall&, const RangeTask&) -> absl::Status {
+  const auto misfit = [&](const StageCall&, const FdmTask&) -> absl::Status {
     if (++refusals > 40) return absl::OkStatus();
     return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kBuildMismatch, "old");
   };
@@ -258,7 +262,7 @@ TEST(Dispatcher, JobsShareTheRunners) {
   std::atomic<bool> both = false;
   std::string order;
   // The first call holds until both jobs are there; then the only slot takes turns.
-  dispatcher.Join(RunnerOf("a", [&](const StageCall& call, const RangeTask&) {
+  dispatcher.Join(RunnerOf("a", [&](const StageCall& call, const FdmTask&) {
     both.wait(false);
     order += call.job_id;
     return absl::OkStatus();
@@ -292,7 +296,7 @@ TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
   options.scheduler.max_tries = 1000;
   Dispatcher dispatcher(options);
   std::atomic<uint32_t> salt = 1;
-  const auto flaky = [&](const StageCall& call, const RangeTask&) {
+  const auto flaky = [&](const StageCall& call, const FdmTask&) {
     std::mt19937 random(salt++);
     const uint32_t what = random() % 10;
     if (what < 3) return absl::UnavailableError("flaky");

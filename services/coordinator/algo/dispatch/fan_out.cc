@@ -17,9 +17,9 @@ bool IsFinal(const absl::Status& status) {
 
 }  // namespace
 
-FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant) {
+FanOut::JobId FanOut::Add(int32_t ranges, Claimant claimant, Process process) {
   const JobId id = next_job_++;
-  jobs_.emplace(id, Job{RangeScheduler(ranges, options_), std::move(claimant)});
+  jobs_.emplace(id, Job{RangeScheduler(ranges, options_), std::move(claimant), process});
   return id;
 }
 
@@ -31,8 +31,8 @@ void FanOut::Remove(JobId job) {
   jobs_.erase(found);
 }
 
-/// The jobs, those first whose turn it is. Cost: n log n.
-std::vector<FanOut::JobId> FanOut::Order() const {
+/// The jobs of these processes, those first whose turn it is. Cost: n log n.
+std::vector<FanOut::JobId> FanOut::Order(ProcessSet can) const {
   using Turn = std::pair<int32_t, int64_t>;  // ranges in flight, the last time it got one
   std::map<std::string, Turn> tenants;
   for (const auto& [id, job] : jobs_) {
@@ -42,6 +42,7 @@ std::vector<FanOut::JobId> FanOut::Order() const {
   }
   std::vector<std::tuple<Turn, int, Turn, JobId>> keys;
   for (const auto& [id, job] : jobs_) {
+    if (!can.Has(job.process)) continue;
     keys.emplace_back(tenants.at(job.claimant.tenant), -job.claimant.priority,
                       Turn(job.scheduler.Running(), job.last_turn), id);
   }
@@ -51,8 +52,8 @@ std::vector<FanOut::JobId> FanOut::Order() const {
   return order;
 }
 
-std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s) {
-  const std::vector<JobId> order = Order();
+std::optional<FanOut::Grant> FanOut::Take(RunnerId runner, double now_s, ProcessSet can) {
+  const std::vector<JobId> order = Order(can);
   for (const JobId id : order) {
     Job& job = jobs_.at(id);
     if (const auto grant = job.scheduler.Next(runner, now_s)) return Granted(id, job, *grant);
@@ -105,9 +106,10 @@ void FanOut::RunnerGone(RunnerId runner) {
   for (auto& [id, job] : jobs_) job.scheduler.RunnerGone(runner);
 }
 
-bool FanOut::AnyQueued() const {
-  return std::any_of(jobs_.begin(), jobs_.end(),
-                     [](const auto& job) { return job.second.scheduler.Queued() > 0; });
+bool FanOut::AnyQueued(ProcessSet can) const {
+  return std::ranges::any_of(jobs_, [can](const auto& job) {
+    return can.Has(job.second.process) && job.second.scheduler.Queued() > 0;
+  });
 }
 
 DispatchCounts FanOut::Counts() const {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 #include "services/coordinator/algo/dispatch/range_scheduler.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 
@@ -53,13 +53,14 @@ class FanOut {
   explicit FanOut(const SchedulerOptions& options = {})
       : options_(options), hedges_left_(options.hedge_burst) {}
 
-  /// A job with so many ranges to run.
-  JobId Add(int32_t ranges, Claimant claimant = {});
+  /// A job with so many ranges to run, by runners that know its process.
+  JobId Add(int32_t ranges, Claimant claimant = {}, Process process = Process::kFdm);
 
   /// Nothing of the job is wanted any more.
   void Remove(JobId job);
 
-  std::optional<Grant> Take(RunnerId runner, double now_s);
+  /// What a slot of the runner is to do next; `can`: the processes that the runner knows.
+  std::optional<Grant> Take(RunnerId runner, double now_s, ProcessSet can = ProcessSet::All());
 
   RangeScheduler::Accepted Succeeded(const Grant& grant, double now_s);
   Verdict Failed(const Grant& grant, const absl::Status& error);
@@ -69,7 +70,8 @@ class FanOut {
   void Differed() { ++counts_.differing; }
   void RunnerGone(RunnerId runner);
 
-  bool AnyQueued() const;
+  /// Of jobs of these processes.
+  bool AnyQueued(ProcessSet can = ProcessSet::All()) const;
   bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
   int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
   DispatchCounts Counts() const;
@@ -78,10 +80,11 @@ class FanOut {
   struct Job {
     RangeScheduler scheduler;
     Claimant claimant;
+    Process process = Process::kFdm;
     int64_t last_turn = 0;
   };
 
-  std::vector<JobId> Order() const;
+  std::vector<JobId> Order(ProcessSet can) const;
   Grant Granted(JobId id, Job& job, const RangeScheduler::Grant& grant);
   RangeScheduler* Find(JobId job);
 

@@ -13,14 +13,14 @@ namespace {
 /// So much of a message tells what went wrong; a job may have thousands of spans.
 constexpr size_t kMaxErrorBytes = 200;
 
-void NoteOutcome(const absl::StatusOr<RangeResult>& result, ScopedSpan& span) {
+void NoteOutcome(const absl::StatusOr<TaskResult>& result, ScopedSpan& span) {
   if (!result.ok()) {
     span.Set("outcome", std::string(ReasonName(DetailOf(result.status()).reason)));
     span.Set("error", std::string(result.status().message().substr(0, kMaxErrorBytes)));
     return;
   }
   span.Set("outcome", "ok");
-  const StageTimes& times = result->times;
+  const StageTimes& times = TimesOf(*result);
   for (const auto& [stage, seconds] :
        {std::pair{"beading_s", times.beading_s}, std::pair{"infill_s", times.infill_s},
         std::pair{"ordering_s", times.ordering_s}, std::pair{"motion_s", times.motion_s}}) {
@@ -30,19 +30,22 @@ void NoteOutcome(const absl::StatusOr<RangeResult>& result, ScopedSpan& span) {
 
 }  // namespace
 
-/// A runner's ranges, with a look at who comes and goes.
-class Fleet::Watched : public RangeRunner {
+/// A runner's tasks, with a look at who comes and goes.
+class Fleet::Watched : public TaskRunner {
  public:
   Watched(Runner runner, int64_t member) : runner_(std::move(runner)), member_(member) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
-    const std::string name = absl::StrCat("layers ", task.range.first, "-", task.range.last - 1);
+  ProcessSet processes() const override { return runner_.tasks->processes(); }
+
+  absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override {
+    const LayerRange& layers = LayersOf(task);
+    const std::string name = absl::StrCat("layers ", layers.first, "-", layers.last - 1);
     const int64_t turn = Begin(call, task);
     StageCall traced = call;
     traced.trace = ChildSpan(call.trace, absl::StrCat(name, " ", member_, "/", turn));
     ScopedSpan span(call.spans, name, runner_.name);
     span.Set("span_id", traced.trace.span_id);
-    auto result = runner_.ranges->Run(traced, task);
+    auto result = runner_.tasks->RunTask(traced, task);
     NoteOutcome(result, span);
     End(turn);
     return result;
@@ -64,9 +67,9 @@ class Fleet::Watched : public RangeRunner {
     Stopwatch clock = {};
   };
 
-  int64_t Begin(const StageCall& call, const RangeTask& task) const {
+  int64_t Begin(const StageCall& call, const Task& task) const {
     const std::lock_guard lock(mutex_);
-    at_work_.emplace(++turns_, AtWork{call.job_id, task.range});
+    at_work_.emplace(++turns_, AtWork{call.job_id, LayersOf(task)});
     return turns_;
   }
 
@@ -85,7 +88,7 @@ class Fleet::Watched : public RangeRunner {
 RunnerId Fleet::Join(Runner runner) {
   const std::lock_guard lock(mutex_);
   const auto watched = std::make_shared<const Watched>(runner, next_member_++);
-  runner.ranges = watched;
+  runner.tasks = watched;
   const RunnerId id = runners_.Join(std::move(runner));
   members_[id] = watched;
   return id;

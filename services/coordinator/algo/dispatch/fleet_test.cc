@@ -17,12 +17,12 @@ using testing::Pair;
 using testing::SizeIs;
 
 /// Calls what it was given, in the midst of a range.
-class CalledRanges : public RangeRunner {
+class CalledRanges : public FdmRunner {
  public:
-  using Work = std::function<absl::StatusOr<RangeResult>(const StageCall&)>;
+  using Work = std::function<absl::StatusOr<FdmResult>(const StageCall&)>;
   explicit CalledRanges(Work work) : work_(std::move(work)) {}
 
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask&) const override {
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask&) const override {
     return work_(call);
   }
 
@@ -49,7 +49,7 @@ class FleetTest : public testing::Test {
  protected:
   RunnerId Join(const std::string& name, CalledRanges::Work work) {
     return fleet_.Join(
-        {.name = name, .ranges = std::make_shared<CalledRanges>(std::move(work)), .slots = 3});
+        {.name = name, .tasks = std::make_shared<CalledRanges>(std::move(work)), .slots = 3});
   }
 
   absl::Status Run(RunnerId id, LayerRange layers) {
@@ -57,9 +57,9 @@ class FleetTest : public testing::Test {
     call.job_id = "j1";
     call.trace = TraceOfJob("j1");
     call.spans = &spans_;
-    RangeTask task;
+    FdmTask task;
     task.range = layers;
-    return kept_.runners.at(id).ranges->Run(call, task).status();
+    return kept_.runners.at(id).tasks->RunTask(call, task).status();
   }
 
   KeptRunners kept_;
@@ -71,7 +71,7 @@ TEST_F(FleetTest, ShowsWhatIsBeingWorkedOn) {
   std::vector<RunnerAtWork> seen;
   const RunnerId id = Join("w:1", [&](const StageCall&) {
     seen = fleet_.Runners();
-    return RangeResult();
+    return FdmResult();
   });
   EXPECT_TRUE(Run(id, {8, 16}).ok());
   ASSERT_THAT(seen, SizeIs(1));
@@ -91,11 +91,11 @@ TEST_F(FleetTest, EachCallIsASpanOfItsJob) {
   std::vector<TraceContext> traces;
   const RunnerId good = Join("w:1", [&](const StageCall& call) {
     traces.push_back(call.trace);
-    RangeResult result;
+    FdmResult result;
     result.times.infill_s = 0.5;
     return result;
   });
-  const RunnerId bad = Join("w:2", [&](const StageCall& call) -> absl::StatusOr<RangeResult> {
+  const RunnerId bad = Join("w:2", [&](const StageCall& call) -> absl::StatusOr<FdmResult> {
     traces.push_back(call.trace);
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "gone");
   });
@@ -124,7 +124,7 @@ TEST_F(FleetTest, AMemberThatComesBackHasOtherSpans) {
   std::vector<std::string> span_ids;
   const auto work = [&](const StageCall& call) {
     span_ids.push_back(call.trace.span_id);
-    return RangeResult();
+    return FdmResult();
   };
   for (int life = 0; life < 2; ++life) {
     const RunnerId id = Join("w:1", work);
@@ -138,10 +138,10 @@ TEST_F(FleetTest, ACallMayOutliveItsMembership) {
   RunnerId id = 0;
   id = Join("w:1", [&](const StageCall&) {
     fleet_.Leave(id);
-    return RangeResult();
+    return FdmResult();
   });
   const Runner runner = kept_.runners.at(id);  // as a slot holds it
-  EXPECT_TRUE(runner.ranges->Run(StageCall(), RangeTask()).ok());
+  EXPECT_TRUE(runner.tasks->RunTask(StageCall(), FdmTask()).ok());
   EXPECT_THAT(spans_.spans(), IsEmpty());
 }
 

@@ -6,19 +6,19 @@
 #include <memory>
 #include <string>
 
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
 
-/// Something that runs ranges, and how many at once: a worker elsewhere, a chain of remote stages,
-/// or this process.
+/// Something that runs tasks of the processes it knows, and how many at once: a worker elsewhere, a
+/// chain of remote stages, or this process.
 struct Runner {
   std::string name = {};  ///< for logs and errors: an address
-  std::shared_ptr<const RangeRunner>
-      ranges;     ///< shared: a call may outlive the runner's membership
+  std::shared_ptr<const TaskRunner>
+      tasks;      ///< shared: a call may outlive the runner's membership
   int slots = 1;  ///< calls in flight
-  /// Asked before each range: waits until the runner can be reached, at most for the given time,
-  /// and tells whether it can; so a dead runner costs no range a try. At once when it can. Empty:
+  /// Asked before each task: waits until the runner can be reached, at most for the given time,
+  /// and tells whether it can; so a dead runner costs no task a try. At once when it can. Empty:
   /// it always can. Thread-safe.
   std::function<bool(std::chrono::milliseconds)> await_ready = {};
 };

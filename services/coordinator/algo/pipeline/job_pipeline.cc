@@ -1,312 +1,45 @@
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/base/span_log.h"
-#include "common/base/stopwatch.h"
-#include "common/geometry/boolean.h"
-#include "common/stage/object_layers.h"
-#include "services/coordinator/algo/pipeline/mesh_warnings.h"
-#include "services/coordinator/algo/pipeline/pass_facts.h"
-#include "services/coordinator/algo/pipeline/range_split.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-/// What the tasks of a job point into.
-struct PlannedJob {
-  std::vector<SlicedLayer> layers;
-  JobPlan plan;
-  JobFacts facts;
-};
-
-std::vector<RangeTask> MakeTasks(const PlannedJob& job, const JobSettings& settings, int slots) {
-  const std::span<const SlicedLayer> layers = job.layers;
-  const std::span<const LayerPlan> plans = job.plan.layers;
-  const int32_t halo = HaloLayers(settings);
-  std::vector<RangeTask> tasks;
-  for (const LayerRange& range : SplitIntoRanges(layers, slots)) {
-    const LayerRange grown = WithHalo(layers, range, halo);
-    const auto at = [](int32_t index) { return static_cast<size_t>(index); };
-    tasks.push_back({.range = range,
-                     .layers = layers.subspan(at(grown.first), at(grown.size())),
-                     .plans = plans.subspan(at(range.first), at(range.size())),
-                     .copies = job.plan.copies,
-                     .facts = &job.facts,
-                     .settings = &settings});
-  }
-  return tasks;
-}
-
-/// The regions of a plate lie apart, each in its own place.
-MultiPolygon WholeOf(const std::vector<Region>& regions) {
-  MultiPolygon all;
-  for (const Region& region : regions)
-    all.insert(all.end(), region.outlines.begin(), region.outlines.end());
-  return Union(all, {});
-}
-
-/// Puts what planning adds to the plate where the stages look for it: regions among the sections of
-/// their layer, finished paths into its plan.
-absl::Status AddToPlate(PlannedJob& job) {
-  for (PlateAddition& addition : job.plan.additions) {
-    if (addition.layer < 0 || addition.layer >= std::ssize(job.layers))
-      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                       absl::StrCat("planning added to layer ", addition.layer, " of ",
-                                    job.layers.size()));
-    const auto layer = static_cast<size_t>(addition.layer);
-    std::ranges::move(addition.paths, std::back_inserter(job.plan.layers[layer].paths));
-    if (addition.regions.empty()) continue;
-    ObjectSection plate;
-    plate.object = kPlate;
-    plate.height_nm = addition.height_nm;
-    plate.regions = std::move(addition.regions);
-    if (plate.regions.size() > 1) plate.whole = WholeOf(plate.regions);
-    std::vector<ObjectSection>& sections = job.layers[layer].sections;
-    const auto first = std::ranges::find_if(
-        sections, [](const ObjectSection& section) { return section.object != kPlate; });
-    sections.insert(first, std::move(plate));
-  }
-  return absl::OkStatus();
-}
-
-/// The names of the copies, in their order.
-std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
-                              const std::vector<PlacedCopy>& copies) {
-  std::vector<int32_t> count(objects.size(), 0);
-  std::vector<CopyName> names;
-  for (const PlacedCopy& copy : copies) {
-    const auto object = static_cast<size_t>(copy.object);
-    names.push_back({objects[object], copy.object, count[object]++, 1});
-  }
-  for (CopyName& name : names) name.copies = count[static_cast<size_t>(name.object)];
-  return names;
-}
-
-absl::Status CheckPrograms(const std::vector<RangeResult>& results, size_t layer_count) {
-  int32_t next = 0;
-  int32_t pass = -1;
-  for (const RangeResult& result : results) {
-    for (const LayerProgram& program : result.programs) {
-      const int32_t index = program.frame.index;
-      const bool next_pass = index == next - 1 && program.pass > pass;
-      if (index != next && !next_pass)
-        return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                         absl::StrCat("layer ", next, " came back as ", index));
-      next = index + 1;
-      pass = program.pass;
-    }
-  }
-  if (next == static_cast<int32_t>(layer_count)) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                   absl::StrCat(next, " of ", layer_count, " layers came back"));
-}
-
-/// All programs in the order of printing: by pass, then bottom up.
-std::vector<LayerProgram> InOrder(std::vector<RangeResult> results) {
-  std::vector<LayerProgram> programs;
-  for (RangeResult& result : results)
-    std::ranges::move(result.programs, std::back_inserter(programs));
-  std::ranges::stable_sort(programs, {}, &LayerProgram::pass);
-  return programs;
-}
-
-/// An object that ends between two planes may leave outlines at its top that no bead fits into. A
-/// pass ends with the last layer that has beads; empty layers below it stay. Errors:
-/// InvalidArgument (NOTHING_TO_PRINT) if there is none at all.
-absl::Status DropEmptyTops(std::vector<LayerProgram>& programs) {
-  std::vector<LayerProgram> kept;
-  std::map<int32_t, size_t> last;  // of a pass, with beads
-  const auto is_empty = [](const LayerProgram& program) {
-    return program.stats.ExtrudedMm() == 0;
-  };
-  for (size_t i = 0; i < programs.size(); ++i)
-    if (!is_empty(programs[i])) last[programs[i].pass] = i;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    const auto end = last.find(programs[i].pass);
-    if (end != last.end() && i <= end->second) kept.push_back(std::move(programs[i]));
-  }
-  programs = std::move(kept);
-  if (!programs.empty()) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "the outlines of all layers are too thin for a bead");
-}
-
-LayerSummary Summarize(const LayerProgram& program) {
-  return {.frame = program.frame,
-          .pass = program.pass,
-          .entry = program.entry,
-          .exit = program.exit,
-          .time_s = program.stats.TimeS(),
-          .empty = program.stats.ExtrudedMm() == 0};
-}
-
-ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
-  ProgramSummary summary;
-  for (const LayerProgram& program : programs) {
-    summary.layers.push_back(Summarize(program));
-    summary.total.Add(program.stats);
-  }
-  return summary;
-}
-
-/// Prologue, prefixes and programs, epilogue. Each part is freed as soon as it is copied.
-std::string Assemble(ProgramFrame frame, std::vector<LayerProgram> programs) {
-  size_t size = frame.prologue.size() + frame.epilogue.size();
-  for (const std::string& prefix : frame.layer_prefixes) size += prefix.size();
-  for (const LayerProgram& program : programs) size += program.gcode.size();
-  std::string gcode;
-  gcode.reserve(size);
-  gcode += frame.prologue;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    if (i < frame.layer_prefixes.size()) gcode += frame.layer_prefixes[i];
-    gcode += programs[i].gcode;
-    std::string().swap(programs[i].gcode);
-  }
-  gcode += frame.epilogue;
-  return gcode;
-}
-
-/// Nothing if all islands got the walls that were asked for.
-std::string WallWarning(const std::vector<LayerWarning>& warnings) {
-  int64_t islands = 0;
-  std::vector<int32_t> layers;
-  for (const LayerWarning& warning : warnings) {
-    if (warning.plain_islands > 0) layers.push_back(warning.layer);
-    islands += warning.plain_islands;
-  }
-  if (islands == 0) return {};
-  constexpr size_t kNamed = 5;
-  const size_t named = std::min(kNamed, layers.size());
-  return absl::StrCat(
-      islands,
-      " islands got walls of constant width and gap fill, as no trustworthy medial axis "
-      "of their outlines was found; in layers ",
-      absl::StrJoin(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(named), ", "),
-      layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
-}
-
-void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame& frame,
-            const MotionOptions& motion) {
-  report.stats = summary.total;
-  report.layer_count = static_cast<int32_t>(summary.layers.size());
-  for (const LayerSummary& layer : summary.layers) {
-    const double top_mm = ToMm(static_cast<double>(layer.frame.print_z_nm));
-    if (!layer.empty) report.object_height_mm = std::max(report.object_height_mm, top_mm);
-  }
-  report.print_time_s = frame.time_s;
-  report.travel_mm = frame.travel_mm;
-  report.filament = FilamentUseOf(summary.total, motion);
-  for (const MeshReport& mesh : report.meshes) {
-    for (std::string& warning : MeshWarnings(mesh)) report.warnings.push_back(std::move(warning));
-  }
-}
-
-/// Ranges, executor: outlines and their plan to programs.
-absl::StatusOr<std::vector<RangeResult>> RunRanges(
-    const StageCall& call, const PlannedJob& job, const JobSettings& settings,
-    RangeExecutor& executor, const std::function<void(PipelineProgress)>& progress) {
-  const int32_t total = static_cast<int32_t>(job.layers.size());
+absl::StatusOr<std::vector<TaskResult>> RunTasks(
+    const StageCall& call, const PlannedJob& job, Process process, TaskExecutor& executor,
+    const std::function<void(PipelineProgress)>& progress) {
+  const int32_t total = job.LayerCount();
   const auto tell = [&](int32_t done) {
     if (progress) progress({.layers_total = total, .layers_done = done});
   };
   tell(0);
-  const auto tasks = MakeTasks(job, settings, executor.Slots());
+  const std::vector<Task> tasks = job.Tasks(executor.Slots(process));
   ScopedSpan span(call.spans, "ranges");
   span.Set("layers", absl::StrCat(total));
   span.Set("ranges", absl::StrCat(tasks.size()));
-  auto results = executor.Execute(call, tasks, tell);
-  if (!results.ok()) return results.status();
-  if (absl::Status whole = CheckPrograms(*results, job.layers.size()); !whole.ok()) return whole;
-  return results;
-}
-
-/// Copies with their names, for those who read G-code.
-std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
-                                         std::vector<PlacedCopy> copies) {
-  std::vector<CopySummary> summaries;
-  for (size_t i = 0; i < names.size(); ++i)
-    summaries.push_back({std::move(names[i]), std::move(copies[i].footprint)});
-  return summaries;
+  return executor.Execute(call, tasks, tell);
 }
 
 }  // namespace
 
-absl::Status CheckPrintable(std::span<const SlicedLayer> layers) {
-  const bool printable = std::any_of(layers.begin(), layers.end(),
-                                     [](const SlicedLayer& layer) {
-                                       return std::ranges::any_of(
-                                           layer.sections, [](const ObjectSection& section) {
-                                             return !section.regions.empty();
-                                           });
-                                     });
-  if (printable) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "no layer of the meshes has an outline to print");
-}
-
 absl::StatusOr<JobOutput> JobPipeline::Run(
     const StageCall& call, JobInput input,
     const std::function<void(PipelineProgress)>& progress) const {
-  JobOutput output;
-  JobReport& report = output.report;
-  const JobSettings& settings = input.settings;
-  StageTimes& times = report.stage_times;
-
-  auto sliced = Timed(times.slicing_s, [&] {
-    const ScopedSpan span(call.spans, "slicing");
-    return slicing_.Slice(call, std::move(input.meshes), settings.slicing);
-  });
-  if (!sliced.ok()) return sliced.status();
-  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
-  report.meshes = std::move(sliced->meshes);
-  report.warnings = std::move(input.warnings);
-
-  auto plan = Timed(times.planning_s, [&] {
-    const ScopedSpan span(call.spans, "planning");
-    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names},
-                          settings.planning);
-  });
-  if (!plan.ok()) return plan.status();
-  PlannedJob job{std::move(sliced->layers), *std::move(plan), {}};
-  if (absl::Status added = AddToPlate(job); !added.ok()) return added;
-  PassPlan passes = PassesOf(job.layers, job.plan.copies);
-  job.facts = {passes.layer_count, NamesOf(sliced->object_names, sliced->copies),
-               std::move(passes.passes)};
-
-  auto results = RunRanges(call, job, settings, executor_, progress);
+  const Process kind = input.settings.process;
+  const auto process = std::ranges::find(processes_, kind, &JobProcess::process);
+  if (process == processes_.end())
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     absl::StrCat("jobs of process ", std::string(ProcessName(kind)), " are not made here"));
+  const auto job = (*process)->Plan(call, std::move(input));
+  if (!job.ok()) return job.status();
+  auto results = RunTasks(call, **job, kind, executor_, progress);
   if (!results.ok()) return results.status();
-  job.layers = {};
-  std::vector<LayerWarning> warnings;
-  for (const RangeResult& result : *results) {
-    times.Add(result.times);
-    warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
-  }
-  std::vector<LayerProgram> programs = InOrder(*std::move(results));
-  if (absl::Status printable = DropEmptyTops(programs); !printable.ok()) return printable;
-
-  ProgramSummary summary = Summarize(programs);
-  summary.thumbnails = std::move(sliced->thumbnails);
-  summary.copies = SummarizeCopies(std::move(job.facts.copies), std::move(sliced->copies));
-  summary.settings_text = std::move(input.settings_text);
-  auto frame = Timed(times.motion_s, [&] {
-    const ScopedSpan span(call.spans, "frame");
-    return motion_.Frame(call, summary, settings.motion);
-  });
-  if (!frame.ok()) return frame.status();
-
-  const ScopedSpan span(call.spans, "assembly");
-  FillIn(report, summary, *frame, settings.motion);
-  if (std::string warning = WallWarning(warnings); !warning.empty())
-    report.warnings.push_back(std::move(warning));
-  output.gcode = Assemble(*std::move(frame), std::move(programs));
-  return output;
+  return (*job)->Assemble(call, *std::move(results));
 }
 
 }  // namespace slicefarm::coordinator

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/geometry/measure.h"
+#include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/pass_facts.h"
 

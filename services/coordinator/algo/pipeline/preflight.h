@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/stage/stages.h"
-#include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/process/job_process.h"
 #include "services/coordinator/algo/pipeline/print_estimate.h"
 
 namespace slicefarm::coordinator {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "services/coordinator/algo/pipeline/job_pipeline.h"
+#include "services/coordinator/algo/process/job_process.h"
 
 namespace slicefarm::coordinator {
 

@@ -21,7 +21,7 @@ namespace slicefarm::coordinator {
 /// and served again, with the same state.
 class ServedCoordinatorTest : public testing::Test {
  protected:
-  ServedCoordinatorTest() { fleet_.Join({.name = "fake", .ranges = ranges_, .slots = 2}); }
+  ServedCoordinatorTest() { fleet_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
 
   /// While what a derived test lends to the coordinator is still there.
   void TearDown() override {

@@ -9,7 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
 
@@ -114,9 +114,9 @@ class FakeMotion : public MotionStage {
 };
 
 /// Programs of one line a layer. While it is held, calls wait until they are let go or cancelled.
-class FakeRanges : public RangeRunner {
+class FakeRanges : public FdmRunner {
  public:
-  absl::StatusOr<RangeResult> Run(const StageCall& call, const RangeTask& task) const override {
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const override {
     ++calls_;
     {
       std::unique_lock lock(mutex_);
@@ -130,7 +130,7 @@ class FakeRanges : public RangeRunner {
       ++cancelled_;
       return wanted;
     }
-    RangeResult result;
+    FdmResult result;
     for (int i = task.range.first; i < task.range.last; ++i) {
       LayerProgram program;
       program.frame.index = i;

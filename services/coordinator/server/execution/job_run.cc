@@ -22,7 +22,7 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
   run.report_json = ReportJson(report, {.settings_without_effect = job.plate.no_effect,
                                         .settings_digest = job.settings_digest,
                                         .build_id = std::string(build_id)});
-  run.gcode = std::move(output.gcode);
+  run.gcode = std::move(output.program);
   run.result.print_time_s = report.print_time_s;
   run.result.filament_mm = report.filament.length_mm;
   run.result.filament_g = report.filament.mass_g;

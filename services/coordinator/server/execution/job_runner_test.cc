@@ -13,6 +13,7 @@
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/run/run_conclusion.h"
 #include "services/coordinator/server/execution/failing_job_store_test.h"
 #include "services/coordinator/server/execution/fake_stages_test.h"
@@ -29,7 +30,7 @@ constexpr int64_t kSecondUs = 1'000'000;
 
 class JobRunnerTest : public testing::Test {
  protected:
-  JobRunnerTest() { dispatcher_.Join({.name = "fake", .ranges = ranges_, .slots = 2}); }
+  JobRunnerTest() { dispatcher_.Join({.name = "fake", .tasks = ranges_, .slots = 2}); }
 
   ~JobRunnerTest() override { ranges_->LetGo(); }
 
@@ -127,7 +128,8 @@ class JobRunnerTest : public testing::Test {
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();
   Dispatcher dispatcher_;
-  JobPipeline pipeline_{slicing_, planning_, motion_, dispatcher_};
+  FdmProcess fdm_{slicing_, planning_, motion_};
+  JobPipeline pipeline_{{&fdm_}, dispatcher_};
   ByteBudget mesh_memory_{3};
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;

@@ -16,7 +16,7 @@ SplitStages::SplitStages(const Names& names,
 std::array<Runner, 2> SplitStages::AsRunners(int slots) {
   Runner runner;
   runner.name = "split stages";
-  runner.ranges = std::make_shared<LayerChain>(beading_, infill_, ordering_, motion_);
+  runner.tasks = std::make_shared<LayerChain>(beading_, infill_, ordering_, motion_);
   runner.await_ready = [this](std::chrono::milliseconds patience) { return AwaitReady(patience); };
   std::array<Runner, 2> runners = {runner, runner};
   runners[0].slots = (slots + 1) / 2;

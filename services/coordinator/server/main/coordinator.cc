@@ -22,7 +22,7 @@ int64_t SteadyUs() {
 
 absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOptions options,
                                                                const JobStages& stages,
-                                                               RangeExecutor& executor,
+                                                               TaskExecutor& executor,
                                                                const rpc::JsonLog& log) {
   auto stores = OpenStores(options.stores);
   if (!stores.ok()) return stores.status();
@@ -30,7 +30,7 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
       new Coordinator(std::move(options), *std::move(stores), stages, executor, log));
 }
 
-Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages, RangeExecutor& executor,
+Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages, TaskExecutor& executor,
                          const rpc::JsonLog& log)
     : options_(std::move(options)),
       stores_(std::move(stores)),
@@ -39,7 +39,8 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       runs_(*stores_.runs, Registry()),
       blobs_(*stores_.blobs, Registry()),
       stage_seconds_(Registry()),
-      pipeline_(stages.slicing, stages.planning, stages.motion, executor),
+      fdm_(stages.slicing, stages.planning, stages.motion),
+      pipeline_({&fdm_}, executor),
       results_(runs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),

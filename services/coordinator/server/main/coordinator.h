@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/model/limits.h"
+#include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/execution/maintenance.h"
@@ -51,7 +52,7 @@ class Coordinator {
   /// another process uses the directory.
   static absl::StatusOr<std::unique_ptr<Coordinator>> Open(CoordinatorOptions options,
                                                            const JobStages& stages,
-                                                           RangeExecutor& executor,
+                                                           TaskExecutor& executor,
                                                            const rpc::JsonLog& log);
   ~Coordinator();
 
@@ -69,7 +70,7 @@ class Coordinator {
 
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
-              RangeExecutor& executor, const rpc::JsonLog& log);
+              TaskExecutor& executor, const rpc::JsonLog& log);
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
 
@@ -81,6 +82,7 @@ class Coordinator {
   MeteredJobStore runs_;
   MeteredBlobStores blobs_;
   StageSeconds stage_seconds_;
+  FdmProcess fdm_;
   JobPipeline pipeline_;
   ByteBudget mesh_memory_{limits::kMaxMeshBytes};
   JobResults results_;

@@ -58,14 +58,14 @@ TEST_F(CoordinatorMetricsTest, ShowsTheQueue) {
 
 TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   EXPECT_EQ(Value("slicefarm_workers"), 0);
-  fleet_.Join({.name = "w:1", .ranges = ranges_, .slots = 2});
-  fleet_.Join({.name = "w:2", .ranges = ranges_, .slots = 3});
+  fleet_.Join({.name = "w:1", .tasks = ranges_, .slots = 2});
+  fleet_.Join({.name = "w:2", .tasks = ranges_, .slots = 3});
   EXPECT_EQ(Value("slicefarm_workers"), 2);
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 0);
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "idle"}}), 5);
   ranges_->Hold();
   std::thread job([&] {
-    const std::vector<RangeTask> tasks(1);
+    const std::vector<Task> tasks(1);
     EXPECT_TRUE(dispatcher_.Execute({}, tasks, {}).ok());
   });
   ranges_->AwaitCall();

@@ -4,7 +4,7 @@
 #include <prometheus/histogram.h>
 #include <prometheus/registry.h>
 
-#include "common/stage/stages.h"
+#include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <string_view>
+
+namespace slicefarm {
+
+/// What kind of machine a job is for: it decides which stages the job goes through.
+enum class Process : uint8_t {
+  kFdm,
+  kLaser,
+};
+
+struct ProcessInfo {
+  Process process = Process::kFdm;
+  std::string_view name;  ///< as jobs, workers and command lines write it
+  std::string_view doc;
+};
+
+/// All processes, in the order of Process.
+inline constexpr ProcessInfo kProcesses[] = {
+    {Process::kFdm, "fdm", "Filament is laid down in beads; the result is G-code"},
+    {Process::kLaser, "laser", "A laser scans each layer's area, in powder or resin"},
+};
+
+inline constexpr int kProcessCount = static_cast<int>(std::size(kProcesses));
+
+constexpr std::string_view ProcessName(Process process) {
+  return kProcesses[static_cast<size_t>(process)].name;
+}
+
+/// A set of processes: what a worker can run.
+class ProcessSet {
+ public:
+  constexpr ProcessSet() = default;
+  constexpr ProcessSet(std::initializer_list<Process> processes) {
+    for (const Process process : processes) Add(process);
+  }
+
+  static constexpr ProcessSet All() {
+    ProcessSet all;
+    for (const ProcessInfo& info : kProcesses) all.Add(info.process);
+    return all;
+  }
+
+  constexpr void Add(Process process) { bits_ |= Bit(process); }
+  constexpr bool Has(Process process) const { return (bits_ & Bit(process)) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+
+  friend constexpr bool operator==(ProcessSet, ProcessSet) = default;
+
+ private:
+  static constexpr uint32_t Bit(Process process) { return 1U << static_cast<uint32_t>(process); }
+
+  uint32_t bits_ = 0;
+};
+
+}  // namespace slicefarm

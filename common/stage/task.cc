@@ -1,0 +1,45 @@
+#include "common/stage/task.h"
+
+#include <string>
+#include <type_traits>
+
+#include "common/base/error.h"
+
+namespace slicefarm {
+
+void StageTimes::Add(const StageTimes& other) {
+  slicing_s += other.slicing_s;
+  planning_s += other.planning_s;
+  beading_s += other.beading_s;
+  infill_s += other.infill_s;
+  ordering_s += other.ordering_s;
+  motion_s += other.motion_s;
+  exposure_s += other.exposure_s;
+}
+
+bool SameOutput(const TaskResult& a, const TaskResult& b) {
+  return std::visit(
+      [&](const auto& first) {
+        const auto* second = std::get_if<std::remove_cvref_t<decltype(first)>>(&b);
+        return second != nullptr && first.SameOutput(*second);
+      },
+      a);
+}
+
+ProcessSet ProcessRunners::processes() const {
+  ProcessSet all;
+  for (const ProcessInfo& info : kProcesses)
+    for (const TaskRunner* runner : runners_)
+      if (runner->processes().Has(info.process)) all.Add(info.process);
+  return all;
+}
+
+absl::StatusOr<TaskResult> ProcessRunners::RunTask(const StageCall& call, const Task& task) const {
+  for (const TaskRunner* runner : runners_)
+    if (runner->processes().Has(ProcessOf(task))) return runner->RunTask(call, task);
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   "no jobs of process " + std::string(ProcessName(ProcessOf(task))) +
+                       " are made here");
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/exposed_program.h"
+#include "slicefarm/v1/exposure.pb.h"
+
+namespace slicefarm {
+
+/// Programs of lasers and what stands around them. Texts are moved, not copied. Errors:
+/// OUT_OF_RANGE, REQUEST_MALFORMED, REQUEST_TOO_LARGE naming the field.
+
+absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto);
+absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto);
+
+absl::Status ToProto(ExposedProgram program, v1::ExposedProgram* proto);
+absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
+
+/// All of ExposureFrameRequest but its call and settings.
+absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
+absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
+
+v1::ExposureFrame ToProto(ExposureFrame frame);
+absl::StatusOr<ExposureFrame> FromProto(v1::ExposureFrame proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

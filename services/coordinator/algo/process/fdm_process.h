@@ -1,0 +1,25 @@
+#pragma once
+
+#include "services/coordinator/algo/process/job_process.h"
+
+namespace slicefarm::coordinator {
+
+/// Meshes to G-code:
+///   1 slicing   2 planning   3 ranges with halo (range_split.h)   4 tasks   5 frame and assembly
+class FdmProcess : public JobProcess {
+ public:
+  /// The stages must outlive it.
+  FdmProcess(const SlicingStage& slicing, const PlanningStage& planning, const MotionStage& motion)
+      : slicing_(slicing), planning_(planning), motion_(motion) {}
+
+  Process process() const override { return Process::kFdm; }
+  absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
+                                                   JobInput input) const override;
+
+ private:
+  const SlicingStage& slicing_;
+  const PlanningStage& planning_;
+  const MotionStage& motion_;
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/filament_use.h"
+#include "common/stage/task.h"
+
+namespace slicefarm::coordinator {
+
+struct JobInput {
+  SliceInput meshes;
+  JobSettings settings;
+  std::string settings_text;  ///< effective settings as `key = value` lines, quoted at the end of
+                              ///< the G-code
+  std::vector<std::string> warnings = {};  ///< of the settings: the report begins with them
+};
+
+/// What a job came to, besides its program.
+struct JobReport {
+  std::vector<MeshReport> meshes;
+  ProgramStats stats;  ///< of all layers
+  int32_t layer_count = 0;
+  double object_height_mm = 0;
+  double print_time_s = 0;
+  double travel_mm = 0;  ///< between layers included
+  FilamentUse filament;
+  StageTimes stage_times;
+  std::vector<std::string> warnings;  ///< such as what a mesh lacks
+};
+
+struct JobOutput {
+  std::string program;  ///< for the machine: G-code, or a file of the settings' output_format
+  JobReport report;
+};
+
+/// A job between its first stages and its tasks. It holds what the tasks point into.
+class PlannedJob {
+ public:
+  virtual ~PlannedJob() = default;
+
+  virtual int32_t LayerCount() const = 0;
+
+  /// All work that is left, cut for so many slots; the result of the job does not depend on the
+  /// cut. They point into this object.
+  virtual std::vector<Task> Tasks(int slots) const = 0;
+
+  /// The tasks' results, in their order, put together. Called once, when no task runs any more.
+  /// Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; those of stages that see the whole.
+  virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call,
+                                             std::vector<TaskResult> results) = 0;
+};
+
+/// How the jobs of one process become tasks: DESIGN section 1, "A process". One class a process;
+/// pipeline, dispatcher, cache, watch and cancel are the same for all.
+class JobProcess {
+ public:
+  virtual ~JobProcess() = default;
+
+  virtual Process process() const = 0;
+
+  /// The stages that see the whole job. Errors: theirs; NOTHING_TO_PRINT.
+  virtual absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
+                                                           JobInput input) const = 0;
+};
+
+}  // namespace slicefarm::coordinator
