@@ -12,10 +12,9 @@ namespace slicefarm::exposure {
 
 struct DecomposeOptions {
   DecomposeMethod method = DecomposeMethod::kBian;
-  /// Corners are left out where that moves the border by less than this (and changes the whole area
-  /// by at most 2e-10 of it, if `keep_area`).
+  /// Corners are left out where that moves the border by less than this, and all of them change the
+  /// area by at most 2e-10 of it.
   double merge_nm = 1'000;
-  bool keep_area = true;
 };
 
 /// Convex pieces that cover the islands once.
