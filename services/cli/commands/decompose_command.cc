@@ -1,0 +1,106 @@
+#include <fmt/core.h>
+
+#include <chrono>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "common/base/error.h"
+#include "services/cli/commands/commands.h"
+#include "services/cli/console.h"
+#include "services/cli/files.h"
+#include "services/cli/poly_files.h"
+#include "services/exposure/algo/decompose/decompose.h"
+#include "services/exposure/algo/decompose/join_pieces.h"
+#include "services/exposure/algo/decompose/piece_angles.h"
+
+namespace slicefarm::cli {
+namespace {
+
+struct DecomposeCommandOptions {
+  std::string file;
+  std::string output;
+  std::string method = "bian";
+};
+
+constexpr int64_t kMaxPolyBytes = 64 << 20;
+
+const std::map<std::string, DecomposeMethod> kMethods = {
+    {"bian", DecomposeMethod::kBian},
+    {"optimal", DecomposeMethod::kOptimal},
+    {"approximate", DecomposeMethod::kApproximate}};
+
+int DigitsOf(Coord scale) {
+  int digits = 0;
+  for (; scale > 1; scale /= 10) ++digits;
+  return digits;
+}
+
+std::string PiecesText(const exposure::ConvexPieces& result, int decimals) {
+  std::string text;
+  for (const Polygon& piece : result.pieces) {
+    text += std::to_string(piece.size());
+    for (const Point p : piece)
+      text += " " + DecimalText(p.x, decimals) + " " + DecimalText(p.y, decimals);
+    text += "\n";
+  }
+  return text;
+}
+
+ExitCode Decompose(const DecomposeCommandOptions& options) {
+  const auto text = ReadFile(options.file, kMaxPolyBytes);
+  if (!text.ok()) return Fail(text.status());
+  const auto file = ParsePoly(*text);
+  if (!file.ok()) return Fail(file.status());
+  // The file has no unit: what counts as straight is decided by area alone.
+  const exposure::DecomposeOptions how = {.method = kMethods.at(options.method),
+                                          .merge_nm = std::numeric_limits<double>::infinity()};
+  const auto start = std::chrono::steady_clock::now();
+  const auto result = exposure::Decompose(file->islands, how);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!result.ok()) return Fail(result.status());
+  const absl::Status written =
+      WriteFile(options.output, PiecesText(*result, file->decimals + DigitsOf(result->scale)));
+  if (!written.ok()) return Fail(written);
+  double worst = 0, least_angle = 180;
+  for (const Polygon& piece : result->pieces) {
+    worst = std::max(worst, exposure::ShapeFactor(piece));
+    least_angle = std::min(least_angle, exposure::LeastAngleDeg(piece));
+  }
+  Print(fmt::format("pieces {}\nreflex {}\nmin_angle_deg {:.4f}\nworst_shape {:.4f}\nseconds {:.6f}\n"
+                    "extra_points {}\nsharp_cuts {}\nmin_cut_angle_deg {:.4f}\n",
+                    result->counts.pieces, result->counts.reflex, least_angle, worst, seconds,
+                    result->counts.extra_points, result->counts.sharp_cuts,
+                    result->min_cut_angle_deg));
+  return ExitCode::kOk;
+}
+
+}  // namespace
+
+void AddDecompose(CLI::App& app, CommandContext& context) {
+  CLI::App* command = app.add_subcommand("decompose", "Convex pieces of a polygon");
+  const auto options = std::make_shared<DecomposeCommandOptions>();
+  command->add_option("FILE", options->file, "A .poly file, outlines, or `x y` a line")->required();
+  command->add_option("-o,--output", options->output, "Where the pieces go: `n x y x y ...` a line")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--method", options->method,
+                   "bian: good shapes, by visibility and angles; optimal: fewest pieces, slow; "
+                   "approximate: fast")
+      ->check(CLI::IsMember({"bian", "optimal", "approximate"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+  command->footer(
+      "Prints rows: `worst_shape` is the greatest perimeter^2 / (4 pi area) of a piece, 1 for a\n"
+      "disc; `extra_points` are ends of cuts that are no corners, `sharp_cuts` those with an angle\n"
+      "below 30 degrees. Pieces have the file's unit.\n"
+      "Example:\n"
+      "  slicefarm decompose texas.poly -o pieces.txt");
+  command->callback(
+      [options, &context] { context.run = [options] { return Decompose(*options); }; });
+}
+
+}  // namespace slicefarm::cli

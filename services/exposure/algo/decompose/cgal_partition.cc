@@ -1,0 +1,74 @@
+#include "services/exposure/algo/decompose/cgal_partition.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Partition_traits_2.h>
+#include <CGAL/partition_2.h>
+
+#include <cmath>
+#include <iterator>
+#include <list>
+
+#include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "common/geometry/ring_cleaning.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+using Traits = CGAL::Partition_traits_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
+
+constexpr double kAreaTolerance = 1e-12;  ///< areas are rounded to doubles
+
+bool IsConvex(const Polygon& ring) {
+  for (size_t i = 0, n = ring.size(); i < n; ++i)
+    if (Orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) <= 0) return false;
+  return ring.size() >= 3;
+}
+
+bool AreRight(const std::vector<Polygon>& pieces, const Polygon& whole) {
+  double area = 0;
+  for (const Polygon& piece : pieces) {
+    if (!IsConvex(piece)) return false;
+    area += SignedArea(piece);
+  }
+  const double expected = SignedArea(whole);
+  return std::abs(area - expected) <= kAreaTolerance * expected;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method) {
+  const bool optimal = method == DecomposeMethod::kOptimal;
+  if (optimal && polygon.size() > kMaxOptimalCorners) {
+    return LimitError(Reason::kRequestTooLarge, "corners of an outline to divide optimally",
+                      kMaxOptimalCorners, std::ssize(polygon));
+  }
+  CGAL::Polygon_2<Traits> whole;
+  for (const Point p : polygon)
+    whole.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+  std::list<Traits::Polygon_2> parts;
+  const Traits traits;
+  if (optimal) {
+    CGAL::optimal_convex_partition_2(whole.vertices_begin(), whole.vertices_end(),
+                                     std::back_inserter(parts), traits);
+  } else {
+    CGAL::approx_convex_partition_2(whole.vertices_begin(), whole.vertices_end(),
+                                    std::back_inserter(parts), traits);
+  }
+  std::vector<Polygon> pieces;
+  for (const Traits::Polygon_2& part : parts) {
+    Polygon piece;
+    for (const auto& p : part.container())
+      piece.push_back({static_cast<Coord>(p.x()), static_cast<Coord>(p.y())});
+    pieces.push_back(CleanedRing(piece));
+  }
+  if (!AreRight(pieces, polygon)) {
+    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                     "CGAL's partition of an outline is not convex or does not cover it; method "
+                     "bian has no such faults");
+  }
+  return pieces;
+}
+
+}  // namespace slicefarm::exposure

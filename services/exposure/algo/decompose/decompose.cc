@@ -1,0 +1,190 @@
+#include "services/exposure/algo/decompose/decompose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "common/base/error.h"
+#include "common/base/portable_math.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "services/exposure/algo/decompose/cgal_partition.h"
+#include "services/exposure/algo/decompose/cut_region.h"
+#include "services/exposure/algo/decompose/exact_vector.h"
+#include "services/exposure/algo/decompose/join_pieces.h"
+#include "services/exposure/algo/decompose/link_choice.h"
+#include "services/exposure/algo/decompose/merge_corners.h"
+#include "services/exposure/algo/decompose/ring_crossings.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+constexpr double kKeptArea = 2e-10;     ///< share of the area that merging corners may change
+constexpr Coord kMaxScale = 1'000'000;  ///< finer parts than of a nanometre serve nobody
+constexpr double kCosine30 = 0.86602540378443865;
+
+Coord Extent(const MultiPolygon& islands) {
+  Coord extent = 1;
+  ForEachRing(islands, [&](const Polygon& ring) {
+    for (const Point p : ring) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
+  });
+  return extent;
+}
+
+/// The greatest power of ten that leaves room.
+Coord ScaleFor(const MultiPolygon& islands) {
+  const Coord extent = Extent(islands);
+  Coord scale = 1;
+  while (scale < kMaxScale && extent <= kExactCoord / (10 * scale)) scale *= 10;
+  return scale;
+}
+
+MultiPolygon Scaled(MultiPolygon islands, Coord scale) {
+  const auto apply = [scale](Polygon& ring) {
+    for (Point& p : ring) p = {p.x * scale, p.y * scale};
+  };
+  for (PolygonWithHoles& island : islands) {
+    apply(island.outer);
+    for (Polygon& hole : island.holes) apply(hole);
+  }
+  return islands;
+}
+
+absl::Status CannotCut(Point p, Coord scale) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("the outline cannot be cut at ({:.6f}, {:.6f}) mm: its rings cross or "
+                               "overlap",
+                               ToMm(static_cast<double>(p.x) / static_cast<double>(scale)),
+                               ToMm(static_cast<double>(p.y) / static_cast<double>(scale))));
+}
+
+/// A corner of a ring that passes a point twice: the next one from which a cut parts its two
+/// visits. nullopt: no point is passed twice.
+std::optional<CornerIndex> InsideRepeat(const CutRegion& region) {
+  const Polygon& ring = region.rings[0];
+  std::vector<size_t> order(ring.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](size_t a, size_t b) { return std::tuple(ring[a], a) < std::tuple(ring[b], b); });
+  std::optional<std::pair<size_t, size_t>> least;
+  for (size_t k = 1; k < order.size(); ++k) {
+    if (ring[order[k]] != ring[order[k - 1]]) continue;
+    if (!least || order[k] - order[k - 1] < least->second - least->first)
+      least = {order[k - 1], order[k]};
+  }
+  if (!least) return std::nullopt;
+  const auto inside = FirstReflex(region, {0, least->first + 1});
+  return inside && inside->ring == 0 ? inside : FirstReflex(region);
+}
+
+/// Cuts regions until each is done.
+class Cutter {
+ public:
+  Cutter(const DecomposeOptions& options, const CancelToken& cancel, ConvexPieces& result)
+      : options_(options), cancel_(cancel), result_(result) {}
+
+  absl::Status Cut(CutRegion island) {
+    std::vector<CutRegion> open;
+    open.push_back(std::move(island));
+    while (!open.empty()) {
+      CutRegion region = std::move(open.back());
+      open.pop_back();
+      const std::optional<CornerIndex> corner = NextCorner(region);
+      if (!corner) {
+        if (absl::Status status = Finish(std::move(region.rings[0])); !status.ok()) return status;
+        continue;
+      }
+      if (absl::Status status = cancel_.Check(); !status.ok()) return status;
+      const std::optional<Link> link = choice_.Choose(region, *corner);
+      if (!link) return CannotCut(region.rings[corner->ring][corner->point], result_.scale);
+      std::vector<CutRegion> parts = Apply(std::move(region), *corner, *link);
+      std::move(parts.rbegin(), parts.rend(), std::back_inserter(open));
+    }
+    return absl::OkStatus();
+  }
+
+ private:
+  /// Where to cut next; nullopt: the region can be finished.
+  std::optional<CornerIndex> NextCorner(const CutRegion& region) const {
+    if (options_.method == DecomposeMethod::kBian) return FirstReflex(region);
+    if (region.rings.size() > 1) return FirstReflex(region, {1, 0});
+    return InsideRepeat(region);
+  }
+
+  std::vector<CutRegion> Apply(CutRegion region, CornerIndex corner, const Link& link) {
+    CornerIndex end = link.end;
+    if (link.extra) {
+      Polygon& ring = region.rings[end.ring];
+      ring.insert(ring.begin() + static_cast<ptrdiff_t>(end.point) + 1, *link.extra);
+      ++end.point;
+      if (corner.ring == end.ring && corner.point >= end.point) ++corner.point;
+      ++result_.counts.extra_points;
+    }
+    if (link.cosine > kCosine30) ++result_.counts.sharp_cuts;
+    greatest_cosine_ = std::max(greatest_cosine_, link.cosine);
+    result_.min_cut_angle_deg = Acos(greatest_cosine_) * 180 / std::numbers::pi;
+    return CutAlong(std::move(region), corner, end);
+  }
+
+  absl::Status Finish(Polygon ring) {
+    if (options_.method == DecomposeMethod::kBian) {
+      result_.pieces.push_back(std::move(ring));
+      return absl::OkStatus();
+    }
+    auto pieces = CgalPartition(ring, options_.method);
+    if (!pieces.ok()) return pieces.status();
+    std::move(pieces->begin(), pieces->end(), std::back_inserter(result_.pieces));
+    return absl::OkStatus();
+  }
+
+  const DecomposeOptions& options_;
+  const CancelToken& cancel_;
+  ConvexPieces& result_;
+  LinkChoice choice_;
+  double greatest_cosine_ = -1;
+};
+
+int64_t ReflexCount(const MultiPolygon& islands) {
+  int64_t count = 0;
+  ForEachRing(islands, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i)
+      count += Orientation(Before(ring, i), ring[i], After(ring, i)) < 0 ? 1 : 0;
+  });
+  return count;
+}
+
+}  // namespace
+
+absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
+                                       const CancelToken& cancel) {
+  if (absl::Status status = CheckCrossings(islands); !status.ok()) return status;
+  ConvexPieces result;
+  result.scale = ScaleFor(islands);
+  const double scale = static_cast<double>(result.scale);
+  const double area = Area(islands) * scale * scale;
+  const MultiPolygon merged =
+      MergeCorners(Scaled(islands, result.scale),
+                   {.sagitta = options.merge_nm * scale, .area = kKeptArea * area});
+  result.counts.reflex = ReflexCount(merged);
+  Cutter cutter(options, cancel, result);
+  for (const PolygonWithHoles& island : merged) {
+    const size_t first = result.pieces.size();
+    CutRegion region{{island.outer}};
+    region.rings.insert(region.rings.end(), island.holes.begin(), island.holes.end());
+    if (absl::Status status = cutter.Cut(std::move(region)); !status.ok()) return status;
+    std::vector<Polygon> pieces(std::make_move_iterator(result.pieces.begin() + static_cast<ptrdiff_t>(first)),
+                                std::make_move_iterator(result.pieces.end()));
+    result.pieces.resize(first);
+    if (options.method == DecomposeMethod::kBian) pieces = JoinPieces(std::move(pieces));
+    std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
+  }
+  result.counts.pieces = std::ssize(result.pieces);
+  return result;
+}
+
+}  // namespace slicefarm::exposure

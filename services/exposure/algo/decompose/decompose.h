@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/geometry/polygon.h"
+#include "common/model/exposed_layer.h"
+#include "common/model/exposure_options.h"
+
+namespace slicefarm::exposure {
+
+struct DecomposeOptions {
+  DecomposeMethod method = DecomposeMethod::kBian;
+  /// Corners are left out where that moves the border by less than this, and all of them change the
+  /// area by at most 2e-10 of it.
+  double merge_nm = 1'000;
+};
+
+/// Convex pieces that cover the islands once.
+struct ConvexPieces {
+  /// Coordinates are in 1 / `scale` nm: ends of cuts that are no corners lie exactly on the edges
+  /// that they divide, as far as integers allow.
+  Coord scale = 1;
+  std::vector<Polygon> pieces;  ///< counter-clockwise, without straight corners
+  CutCounts counts;
+  double min_cut_angle_deg = 180;  ///< least angle between a cut and an edge
+};
+
+/// Cuts islands, holes or not, into convex pieces.
+///
+/// kBian: Bian et al. 2005 with these rules: for a reflex corner, among the corners that it sees
+/// within the extensions of its edges, those that are reflex, then those where the cut makes no
+/// angle below 30 degrees; one on the extension of an edge first, then by the paper's weight; if
+/// there is none, the place where the bisector meets the border. A cut from a hole to another ring
+/// is that hole's bridge. Cuts that turn out not to be needed are taken away again.
+///
+/// The others are CGAL's, after the holes were cut open by the same rules; what they return is
+/// checked.
+///
+/// REQUIRES: coordinates within +-2^52.
+/// Errors:  Cancelled, polled once a cut; REQUEST_MALFORMED for rings that cross themselves or each
+///          other; REQUEST_TOO_LARGE for kOptimal with over 300 corners in one piece.
+/// Cost:    kBian: O(n) a reflex corner and the candidates' tests; kOptimal O(n^4) at worst;
+///          kApproximate O(n log n).
+absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
+                                       const CancelToken& cancel = {});
+
+}  // namespace slicefarm::exposure

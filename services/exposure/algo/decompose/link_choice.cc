@@ -1,0 +1,191 @@
+#include "services/exposure/algo/decompose/link_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "services/exposure/algo/decompose/edge_point.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+constexpr double kCosine30 = 0.86602540378443865;
+/// Ranks of candidates; the last is for when nothing else is left.
+enum Rank { kBothReflex, kReflex, kConvex, kSharp };
+/// The share of A, from its first side to its other one, at which a cut without a corner to go to
+/// is tried: the bisector first.
+constexpr std::array kShares = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875, 0.0625, 0.9375};
+/// How far beside it such a cut may end, as a share of A, for the sake of a rounder place.
+constexpr double kShareTolerance = 0.04;
+
+/// Whether the ray from a corner towards `to` starts inside the region. `in` and `out`: the
+/// corner's edges.
+bool InCone(ExactVector in, ExactVector out, ExactVector to) {
+  const bool left_of_in = CrossSign(in, to) > 0;
+  const bool left_of_out = CrossSign(out, to) > 0;
+  return CrossSign(in, out) >= 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
+}
+
+/// A vector that need not be whole.
+struct Direction {
+  double x = 0;
+  double y = 0;
+};
+
+Direction Unit(ExactVector v) {
+  const double norm = NormOf(v);
+  return {v.x / norm, v.y / norm};
+}
+
+double CrossOf(Direction a, ExactVector b) { return a.x * b.y - a.y * b.x; }
+
+/// The direction that divides A, which is between `in` and -`out`, by `share`: for 1/2, the
+/// bisector. Other shares need not be those of its angle.
+Direction Between(ExactVector in, ExactVector out, double share) {
+  const Direction first = Unit(in), straight = Unit(out);
+  // Bisectors: the sum of A's sides, and the perpendicular of P's edges; the longer is the more precise.
+  Direction sum{first.x - straight.x, first.y - straight.y};
+  const Direction across{-(first.y + straight.y), first.x + straight.x};
+  if (across.x * across.x + across.y * across.y > sum.x * sum.x + sum.y * sum.y) sum = across;
+  const double norm = std::sqrt(sum.x * sum.x + sum.y * sum.y);
+  const Direction middle{sum.x / norm, sum.y / norm};
+  const Direction side = share < 0.5 ? first : Direction{-straight.x, -straight.y};
+  const double toward_side = 2 * std::abs(share - 0.5);
+  return {middle.x + toward_side * (side.x - middle.x), middle.y + toward_side * (side.y - middle.y)};
+}
+
+}  // namespace
+
+void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns) {
+  const Point q = ring[index.point];
+  const ExactVector in = VectorBetween(Before(ring, index.point), q);
+  const ExactVector out = VectorBetween(q, After(ring, index.point));
+  const ExactVector back{-at.x, -at.y};
+  if (!InCone(in, out, back)) return;
+  Candidate candidate{.turns = turns, .at = at, .index = index};
+  const double here_a = -CosineOf(in_, at), here_b = CosineOf(out_, at);
+  const double there_a = -CosineOf(in, back), there_b = CosineOf(out, back);
+  candidate.weight = std::abs(here_a - here_b) + std::abs(there_a - there_b);
+  candidate.cosine = std::max({here_a, here_b, there_a, there_b});
+  if (CrossSign(in, out) < 0) {
+    const bool both = CrossSign(in, back) >= 0 && CrossSign(out, back) >= 0;
+    candidate.rank = both ? kBothReflex : kReflex;
+  } else {
+    candidate.rank = std::max(there_a, there_b) > kCosine30 ? kSharp : kConvex;
+  }
+  candidates_.push_back(candidate);
+}
+
+void LinkChoice::Collect(const CutRegion& region, CornerIndex from) {
+  const Polygon& own = region.rings[from.ring];
+  origin_ = own[from.point];
+  in_ = VectorBetween(Before(own, from.point), origin_);
+  out_ = VectorBetween(origin_, After(own, from.point));
+  edges_.clear();
+  candidates_.clear();
+  for (size_t r = 0; r < region.rings.size(); ++r) {
+    const Polygon& ring = region.rings[r];
+    ExactVector before = VectorBetween(origin_, ring.back());
+    int before_in = CrossSign(in_, before), before_out = CrossSign(out_, before);
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const ExactVector at = VectorBetween(origin_, ring[i]);
+      const int side_in = CrossSign(in_, at), side_out = CrossSign(out_, at);
+      if (!(before_in < 0 && side_in < 0) && !(before_out < 0 && side_out < 0)) {
+        const size_t start = i == 0 ? ring.size() - 1 : i - 1;
+        edges_.push_back({before, at, CrossSign(before, at), {r, start}});
+      }
+      if (side_in >= 0 && side_out >= 0 && at != ExactVector{})
+        AddCandidate(ring, {r, i}, at, side_in != 0 && side_out != 0);
+      before = at;
+      before_in = side_in;
+      before_out = side_out;
+    }
+  }
+}
+
+/// Whether no edge crosses the way from P to `at`, and no corner lies on it.
+bool LinkChoice::Sees(ExactVector at) {
+  const double length2 = DotOf(at, at);
+  const auto on_way = [&](ExactVector u) {
+    const double along = DotOf(at, u);
+    return along > 0 && along < length2 && u != at;
+  };
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& edge = edges_[i];
+    const int from = CrossSign(at, edge.from), to = CrossSign(at, edge.to);
+    const bool blocks =
+        (from == 0 && on_way(edge.from)) || (to == 0 && on_way(edge.to)) ||
+        (from * to < 0 &&
+         edge.origin_side * CrossSign(edge.to - edge.from, at - edge.from) < 0);
+    if (!blocks) continue;
+    std::swap(edges_[i], edges_[i / 2]);  // what blocks often moves to the front
+    return false;
+  }
+  return true;
+}
+
+/// A cut that divides A by `share` and ends on the first edge in its way.
+std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share) {
+  const Direction way = Between(in_, out_, share);
+  const Edge* hit = nullptr;
+  double nearest = 0;
+  for (const Edge& edge : edges_) {
+    const double from = CrossOf(way, edge.from), to = CrossOf(way, edge.to);
+    // The interior is to an edge's left, so only those that pass from right to left are seen.
+    if (!(from <= 0 && to > 0) || edge.origin_side <= 0) continue;
+    const double t = from / (from - to);
+    const double distance = way.x * (edge.from.x + t * (edge.to.x - edge.from.x)) +
+                            way.y * (edge.from.y + t * (edge.to.y - edge.from.y));
+    if (hit == nullptr || distance < nearest) {
+      hit = &edge;
+      nearest = distance;
+    }
+  }
+  if (hit == nullptr) return std::nullopt;
+
+  const auto share_on_hit = [&](Direction d, double otherwise) {
+    const double from = CrossOf(d, hit->from), to = CrossOf(d, hit->to);
+    return from <= 0 && to > 0 ? from / (from - to) : otherwise;
+  };
+  const double low = share_on_hit(Between(in_, out_, share - kShareTolerance), 0);
+  const double high = share_on_hit(Between(in_, out_, share + kShareTolerance), 1);
+  const Polygon& ring = region.rings[hit->index.ring];
+  const Point a = ring[hit->index.point], b = After(ring, hit->index.point);
+  const double middle = share_on_hit(way, 0.5);
+  const double span = std::min({middle - low, high - middle, 0.9 * middle, 0.9 * (1 - middle)});
+  if (!(span > 0)) return std::nullopt;
+  const EdgePoint place = PointOnEdge(a, b, middle - span, middle + span);
+  const ExactVector at = VectorBetween(origin_, place.point);
+  if (place.point == a || place.point == b || at == ExactVector{}) return std::nullopt;
+  if (CrossSign(in_, at) < 0 || CrossSign(out_, at) < 0 || CrossSign(hit->to - hit->from, at - hit->from) < 0)
+    return std::nullopt;
+  const ExactVector edge = hit->to - hit->from;
+  const double cosine = std::max({-CosineOf(in_, at), CosineOf(out_, at), std::abs(CosineOf(edge, at))});
+  const CornerIndex index = hit->index;
+  if (!Sees(at)) return std::nullopt;
+  return Link{.end = index, .extra = place.point, .cosine = cosine};
+}
+
+std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region) {
+  for (const double share : kShares)
+    if (const std::optional<Link> link = LinkAlong(region, share)) return link;
+  return std::nullopt;
+}
+
+std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from) {
+  Collect(region, from);
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.Key() < b.Key(); });
+  bool tried_bisector = false;
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.rank == kSharp && !tried_bisector) {
+      if (const std::optional<Link> link = BisectorLink(region)) return link;
+      tried_bisector = true;
+    }
+    if (Sees(candidate.at)) return Link{.end = candidate.index, .cosine = candidate.cosine};
+  }
+  return tried_bisector ? std::nullopt : BisectorLink(region);
+}
+
+}  // namespace slicefarm::exposure

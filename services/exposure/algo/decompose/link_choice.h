@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "common/geometry/point.h"
+#include "services/exposure/algo/decompose/cut_region.h"
+#include "services/exposure/algo/decompose/exact_vector.h"
+
+namespace slicefarm::exposure {
+
+/// Where a cut from a reflex corner ends.
+struct Link {
+  CornerIndex end;             ///< the corner; or the start of the edge that is divided
+  std::optional<Point> extra = {};  ///< the place on that edge
+  double cosine = 0;           ///< of the least angle of the cut with an edge, at either end
+};
+
+/// Finds the best end of a cut from a reflex corner P, after Bian et al. 2005.
+///
+/// Region A is what lies between the extensions of P's two edges: a cut into it leaves less than
+/// 180 degrees on both sides. Of the corners in A that P sees are preferred
+///   1. reflex ones that have P in their own region A, as one cut does for both;
+///   2. other reflex ones;
+///   3. convex ones at which the cut makes no angle below 30 degrees;
+/// among these, those on the extension of an edge at P (rings have a turn less there), then those
+/// of least weight |cos a - cos b|, a and b the cut's angles with the edges, summed over both ends.
+/// If there is none, the cut runs along the bisector of A to the border.
+///
+/// All tests of sides are exact. A cut never passes another corner. Cost: O(n), and O(edges in A)
+/// for each candidate that is tried. Keeps its memory from call to call.
+class LinkChoice {
+ public:
+  /// nullopt: the corner sees no place to go to, which does not happen in regions whose rings do
+  /// not cross.
+  std::optional<Link> Choose(const CutRegion& region, CornerIndex from);
+
+ private:
+  struct Edge {
+    ExactVector from, to;  ///< relative to P
+    int origin_side = 0;   ///< on which side of the edge P lies
+    CornerIndex index;
+  };
+  struct Candidate {
+    int rank = 0;
+    bool turns = true;  ///< is not on the extension of an edge at P
+    double weight = 0;
+    double cosine = 0;
+    ExactVector at;
+    CornerIndex index;
+
+    auto Key() const { return std::tuple(rank, turns, weight, DotOf(at, at), index.ring, index.point); }
+  };
+
+  void Collect(const CutRegion& region, CornerIndex from);
+  void AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns);
+  bool Sees(ExactVector at);
+  std::optional<Link> BisectorLink(const CutRegion& region);
+  std::optional<Link> LinkAlong(const CutRegion& region, double share);
+
+  Point origin_;              ///< P
+  ExactVector in_, out_;      ///< P's edges, towards P and away from it
+  std::vector<Edge> edges_;   ///< those that may reach into A; the last ones to block come first
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace slicefarm::exposure

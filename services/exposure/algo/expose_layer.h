@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/model/exposed_layer.h"
+#include "common/model/exposure_options.h"
+#include "common/model/job_plan.h"
+#include "common/model/layer.h"
+#include "common/stage/object_layers.h"
+
+namespace slicefarm::exposure {
+
+/// The vectors of one layer: contours, hatch or rings, skins and thin walls of each section, once
+/// for all copies of its object; and the order in which the copies are scanned.
+///
+/// `objects`: the layer and ExposureOptions::Halo() layers of each object above and below, as
+/// WithHalo gives them. `regions`: by row of the job's tables. `copies`: of the whole job; those of
+/// objects that have no section here are left out.
+///
+/// The result depends on nothing else, so not on how a job is cut into ranges.
+/// Errors:  Cancelled, polled a few times a section; SETTING_OUT_OF_RANGE, naming the setting;
+///          REQUEST_MALFORMED for regions whose settings are in no table; those of Decompose.
+absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
+                                         std::span<const ExposureOptions> regions,
+                                         std::span<const Copy> copies, const CancelToken& cancel);
+
+/// What the exposure of one layer takes. Jumps start at the layer's first line: the way to it and
+/// the recoater's time belong to no layer.
+ExposureReport ReportOf(const ExposedLayer& layer, std::span<const ExposureOptions> regions);
+
+/// SETTING_OUT_OF_RANGE, with metadata `setting`, for options that cannot be scanned with.
+absl::Status CheckExposure(const ExposureOptions& options);
+
+}  // namespace slicefarm::exposure
