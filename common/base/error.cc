@@ -32,6 +32,7 @@ constexpr std::array kNames = std::to_array<std::pair<Reason, std::string_view>>
     {Reason::kSettingOutOfRange, "SETTING_OUT_OF_RANGE"},
     {Reason::kSettingMisplaced, "SETTING_MISPLACED"},
     {Reason::kSettingOfOtherProcess, "SETTING_OF_OTHER_PROCESS"},
+    {Reason::kProcessUnavailable, "PROCESS_UNAVAILABLE"},
     {Reason::kRequestMalformed, "REQUEST_MALFORMED"},
     {Reason::kRequestIdReused, "REQUEST_ID_REUSED"},
     {Reason::kRequestTooLarge, "REQUEST_TOO_LARGE"},

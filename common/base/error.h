@@ -33,6 +33,7 @@ enum class Reason {
   kSettingOutOfRange,
   kSettingMisplaced,
   kSettingOfOtherProcess,
+  kProcessUnavailable,
   kRequestMalformed,
   kRequestIdReused,
   kRequestTooLarge,

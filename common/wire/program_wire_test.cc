@@ -91,13 +91,14 @@ ProgramFrame DistinctFrame() {
 
 StageTimes DistinctTimes() {
   StageTimes times;
-  auto& [slicing, planning, beading, infill, ordering, motion] = times;
+  auto& [slicing, planning, beading, infill, ordering, motion, exposure] = times;
   slicing = 1;
   beading = 2;
   infill = 3;
   ordering = 4;
   motion = 5;
   planning = 6;
+  exposure = 7;
   return times;
 }
 

@@ -307,17 +307,21 @@ MotionOptions DistinctMotion() {
 
 JobSettings Distinct() {
   JobSettings settings;
-  auto& [slicing, planning, beading, infill, ordering, motion] = settings;
+  auto& [process, slicing, planning, beading, infill, ordering, motion, exposure] = settings;
+  process = Process::kLaser;
   slicing = DistinctSlicing();
   planning = DistinctPlanning();
   beading = {DistinctBeading(), {}};
   infill = {DistinctInfill(), {}};
   ordering = DistinctOrdering();
   motion = DistinctMotion();
+  exposure.regions = {{}, {}};
+  exposure.regions[1].spot_nm = 701;
   return settings;
 }
 
 constexpr char kDistinct[] = R"pb(
+  process: PROCESS_LASER
   slicing {
     first_layer_height_nm: 102
     max_gap_nm: 105
@@ -498,6 +502,7 @@ constexpr char kDistinct[] = R"pb(
 
 /// The first row of each table; what is in the others needs no text of its own.
 v1::JobSettings WithoutLastRows(v1::JobSettings proto) {
+  proto.clear_exposure();  // exposure_wire_test.cc has it
   proto.mutable_slicing()->mutable_objects()->RemoveLast();
   proto.mutable_planning()->mutable_objects()->RemoveLast();
   proto.mutable_beading()->RemoveLast();

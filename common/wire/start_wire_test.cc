@@ -40,6 +40,7 @@ JobSettings Settings() {
   settings.infill[1].density = 0.7;
   settings.ordering.walls = {{}, {true, false}};
   settings.motion = Motion();
+  settings.exposure.regions.resize(2);
   return settings;
 }
 
@@ -151,6 +152,37 @@ TEST(StartWire, ProgramAndWorkReturn) {
   EXPECT_EQ(work->facts, Facts());
 }
 
+TEST(StartWire, ExposureReturns) {
+  ExposeStart start;
+  auto& [call, settings, range, copies] = start;
+  call = Call();
+  settings.regions = {{}, {}};
+  settings.regions[1].spot_nm = 7;
+  settings.output.layer = 3;
+  range = kRange;
+  copies = Copies();
+  const absl::StatusOr<ExposeStart> back = FromProto(ProtoOf<v1::ExposeStart>(start));
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(back->call.job_id, "job-1");
+  EXPECT_EQ(back->settings, settings);
+  EXPECT_EQ(back->range, kRange);
+  EXPECT_EQ(back->copies, Copies());
+  ExpectEveryChangeReturns<v1::ExposeStart, ExposeStart>(ProtoOf<v1::ExposeStart>(start),
+                                                         {"build_id", "shift"});
+}
+
+TEST(StartWire, OnlyWorkOfFdmIsPlanned) {
+  WorkStart start = Work();
+  start.settings.process = Process::kLaser;
+  ExpectMalformed(FromProto(ProtoOf<v1::WorkStart>(start)).status(), "plans");
+  start.plans.clear();
+  const absl::StatusOr<WorkStart> laser = FromProto(ProtoOf<v1::WorkStart>(start));
+  ASSERT_TRUE(laser.ok()) << laser.status();
+  EXPECT_EQ(laser->settings, start.settings);
+  start.settings.process = Process::kFdm;
+  ExpectMalformed(FromProto(ProtoOf<v1::WorkStart>(start)).status(), "plans");
+}
+
 TEST(StartWire, EveryFieldChangedAloneReturns) {
   ExpectEveryChangeReturns<v1::BeadStart, BeadStart>(ProtoOf<v1::BeadStart>(Bead()), {"build_id"});
   ExpectEveryChangeReturns<v1::FillStart, FillStart>(ProtoOf<v1::FillStart>(Fill()), {"build_id"});
@@ -162,9 +194,9 @@ TEST(StartWire, EveryFieldChangedAloneReturns) {
   // The only copy of "a" has no second one.
   ExpectEveryChangeReturns<v1::ProgramStart, ProgramStart>(ProtoOf<v1::ProgramStart>(Program()),
                                                            {"build_id", "facts.copies[0].copy"});
-  // Another range has another number of plans.
+  // Another range has another number of plans, and other processes have none.
   ExpectEveryChangeReturns<v1::WorkStart, WorkStart>(
-      ProtoOf<v1::WorkStart>(Work()), {"build_id", "range", "shift", "facts.copies[0].copy"});
+      ProtoOf<v1::WorkStart>(Work()), {"build_id", "range", "shift", "facts.copies[0].copy", "process"});
 }
 
 template <typename Start, typename Proto>

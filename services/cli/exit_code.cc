@@ -13,6 +13,7 @@ ExitCode ExitCodeOf(const absl::Status& status) {
     case Reason::kSettingOutOfRange:
     case Reason::kSettingMisplaced:
     case Reason::kSettingOfOtherProcess:
+    case Reason::kProcessUnavailable:
       return ExitCode::kBadSettings;
     case Reason::kMeshFormatUnknown:
     case Reason::kMeshTruncated:

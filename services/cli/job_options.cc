@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include "common/config/ini.h"
@@ -41,11 +44,21 @@ void AddSettingOptions(CLI::App& app, SettingOptions& options) {
       ->allow_extra_args(false);
 }
 
+void AddMachineOption(CLI::App& app, Process& process) {
+  std::map<std::string, Process> names;
+  for (const ProcessInfo& info : kProcesses) names[std::string(info.name)] = info.process;
+  app.add_option("--machine", process,
+                 "What the job is for: fdm (filament, the default) or laser (powder, resin)")
+      ->transform(CLI::CheckedTransformer(std::move(names)))
+      ->type_name("MACHINE");
+}
+
 void AddJobOptions(CLI::App& app, JobOptions& options) {
   app.add_option("MODEL", options.models,
                  "STL (binary or ASCII), OBJ or PLY file, or 3MF project; several: a plate of them")
       ->required();
   AddSettingOptions(app, options);
+  AddMachineOption(app, options.process);
   auto* plate =
       app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
           ->check(CLI::Range(1, static_cast<int>(limits::kMaxProjectPlates)))
@@ -114,6 +127,21 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
   for (const config::Setting& setting : settings) {
     if (absl::Status ok = CheckText(setting); !ok.ok()) return ok;
   }
+  return settings;
+}
+
+absl::StatusOr<std::vector<config::Setting>> SettingsForOutput(const JobOptions& options,
+                                                               const std::string& output) {
+  auto settings = GivenSettings(options);
+  if (!settings.ok() || options.process != Process::kLaser) return settings;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormats = {{
+      {".cli", "cli"}, {".nc", "grbl"}, {".gcode", "marlin"}, {".svg", "svg"}, {".dxf", "dxf"}}};
+  const bool given = std::ranges::find(*settings, "output_format", &config::Setting::key) !=
+                     settings->end();
+  if (given) return settings;
+  for (const auto& [suffix, format] : kFormats)
+    if (output.ends_with(suffix))
+      settings->push_back({"output_format", std::string(format), config::Source::kRequest});
   return settings;
 }
 

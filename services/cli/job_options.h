@@ -6,6 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
+#include "common/model/process.h"
 
 namespace slicefarm::cli {
 
@@ -18,6 +19,7 @@ struct SettingOptions {
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
+  Process process = Process::kFdm;
   std::vector<std::string> copies;       ///< MODEL=N
   std::vector<std::string> object_sets;  ///< MODEL:key=value
   std::string units = "mm";
@@ -35,10 +37,18 @@ struct JobOptions : SettingOptions {
 void AddSettingOptions(CLI::App& app, SettingOptions& options);
 void AddJobOptions(CLI::App& app, JobOptions& options);
 
+/// `--machine NAME`: whose settings and results.
+void AddMachineOption(CLI::App& app, Process& process);
+
 /// The settings of the files, in their order, then those set by hand. Errors: REQUEST_MALFORMED for
 /// a file that cannot be read and for a --set without `=`; those of ReadIni, with the file's name;
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
+
+/// As GivenSettings, and of lasers the output_format that the name of `output` stands for, unless
+/// one is set: .cli, .nc, .gcode, .svg, .dxf.
+absl::StatusOr<std::vector<config::Setting>> SettingsForOutput(const JobOptions& options,
+                                                               const std::string& output);
 
 /// `KEY=VALUE` as a setting that was asked for. `option`: for errors, as GivenSettings' are.
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);

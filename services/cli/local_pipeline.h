@@ -2,11 +2,13 @@
 
 #include <memory>
 
+#include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/algo/process/fdm_process.h"
+#include "services/coordinator/algo/process/laser_process.h"
 
 namespace slicefarm::cli {
 
@@ -27,8 +29,12 @@ class LocalPipeline {
   std::unique_ptr<InfillStage> infill_;
   std::unique_ptr<OrderingStage> ordering_;
   std::unique_ptr<MotionStage> motion_;
+  std::unique_ptr<ExposureStage> exposure_;
+  LayerChain fdm_chain_;
+  LaserChain laser_chain_;
   coordinator::Dispatcher dispatcher_;
   coordinator::FdmProcess fdm_;
+  coordinator::LaserProcess laser_;
   coordinator::JobPipeline pipeline_;
 };
 

@@ -8,12 +8,14 @@
 #include "common/base/error.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
+#include "services/cli/job_options.h"
 
 namespace slicefarm::cli {
 namespace {
 
 struct SettingsOptions {
   std::string pattern;
+  Process process = Process::kFdm;
   bool json = false;
   bool ini = false;
 };
@@ -44,7 +46,7 @@ std::string ToIni(const config::SettingSpec& spec) {
 ExitCode List(const SettingsOptions& options) {
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const config::SettingSpec& spec : config::SettingsTable()) {
+  for (const config::SettingSpec& spec : config::SettingsTable(options.process)) {
     if (spec.key.find(options.pattern) == std::string_view::npos) continue;
     if (options.json) {
       all.push_back(ToJson(spec));
@@ -67,6 +69,7 @@ void AddSettings(CLI::App& app, CommandContext& context) {
       app.add_subcommand("settings", "List every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
   command->add_option("PATTERN", options->pattern, "Only those with this in their name");
+  AddMachineOption(*command, options->process);
   CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--ini", options->ini, "As a commented config.ini of the defaults")
       ->excludes(json);

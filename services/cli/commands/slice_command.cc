@@ -35,8 +35,9 @@ int ThreadsOf(const SliceOptions& options) {
 }
 
 absl::StatusOr<config::ResolvedPlate> Resolve(const GivenPlate& given,
-                                              const std::vector<Setting>& settings) {
-  auto plate = config::ResolvePlate(SettingsOf(given, settings), given.objects);
+                                              const std::vector<Setting>& settings,
+                                              Process process) {
+  auto plate = config::ResolvePlate(SettingsOf(given, settings), given.objects, process);
   if (plate.ok())
     plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
                             given.without_effect.end());
@@ -92,7 +93,7 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
 ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
                     const GivenPlate& given, const std::vector<Setting>& settings,
                     Interrupt& interrupt) {
-  const auto resolved = Resolve(given, settings);
+  const auto resolved = Resolve(given, settings, options.job.process);
   if (!resolved.ok()) return Fail(resolved.status());
   auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);
   if (!output.ok()) {
@@ -109,7 +110,7 @@ ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
 
 ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
-  const auto settings = GivenSettings(options.job);
+  const auto settings = SettingsForOutput(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return Fail(models.status());
@@ -136,7 +137,7 @@ void AddSlice(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
-  command->add_option("-o,--output", options->output, "Where the G-code goes; -: to stdout")
+  command->add_option("-o,--output", options->output, "Where the G-code, or a laser's file, goes; -: to stdout")
       ->type_name("OUT.gcode")
       ->required();
   command
@@ -151,6 +152,7 @@ void AddSlice(CLI::App& app, CommandContext& context) {
       "  slicefarm slice part.stl -o part.gcode --config prusa.ini\n"
       "  slicefarm slice project.3mf -o plate2.gcode --plate 2\n"
       "  slicefarm slice part.obj -o part.gcode --set layer_height=0.15 --set fill_density=30%\n"
+      "  slicefarm slice part.stl -o part.cli --machine laser --set scan_strategy=stripes\n"
       "  slicefarm slice bracket.stl -o - --units inch --rotate 90,0,0 | gzip > bracket.gcode.gz");
   command->callback([options, &context] {
     context.run = [options, &context] { return Slice(*options, *context.interrupt); };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/wire/enum_wire.h"
 #include "common/wire/given_settings_wire.h"
 #include "common/wire/scene_wire.h"
 #include "services/cli/commands/commands.h"
@@ -53,6 +54,8 @@ TraceContext TraceOf(const SubmitOptions& options) {
 v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
                    const std::vector<Setting>& settings) {
   v1::JobSpec spec;
+  if (submit.job.process != Process::kFdm)
+    spec.set_process(EnumToProto<v1::Process>(submit.job.process));
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
   SettingsToProto(settings, spec.mutable_settings());
@@ -118,7 +121,7 @@ void CancelAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs) {
 /// A job for each plate.
 absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
-  const auto settings = GivenSettings(options.job);
+  const auto settings = SettingsForOutput(options.job, options.output);
   if (!settings.ok()) return settings.status();
   const auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return models.status();

@@ -205,8 +205,9 @@ absl::StatusOr<std::vector<int>> PlatesToPrint(const JobOptions& options) {
 /// The plate's copies on as many beds as it takes.
 absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& files,
                                                const GivenPlate& plate,
-                                               const std::vector<Setting>& given) {
-  const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects);
+                                               const std::vector<Setting>& given,
+                                               Process process) {
+  const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects, process);
   if (!resolved.ok()) return resolved.status();
   auto beds = slicing::PutOnPlates(files, plate.objects, resolved->settings.slicing,
                                    *slicing::MakeDirectMeshSource(), {});
@@ -227,7 +228,7 @@ absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options,
   for (const int number : *numbers) {
     auto one = PlateReader(options, number).Run();
     if (!one.ok()) return one.status();
-    auto beds = OnBeds(one->files, one->plates.front(), given);
+    auto beds = OnBeds(one->files, one->plates.front(), given, options.process);
     if (!beds.ok()) return beds.status();
     all.files = std::move(one->files);
     std::ranges::move(*beds, std::back_inserter(all.plates));

@@ -33,7 +33,7 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   const Process kind = input.settings.process;
   const auto process = std::ranges::find(processes_, kind, &JobProcess::process);
   if (process == processes_.end())
-    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProcessUnavailable,
                      absl::StrCat("jobs of process ", std::string(ProcessName(kind)), " are not made here"));
   const auto job = (*process)->Plan(call, std::move(input));
   if (!job.ok()) return job.status();

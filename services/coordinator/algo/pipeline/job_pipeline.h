@@ -24,9 +24,16 @@ class JobPipeline {
   JobPipeline(std::vector<const JobProcess*> processes, TaskExecutor& executor)
       : processes_(std::move(processes)), executor_(executor) {}
 
+  /// Whose jobs it makes.
+  ProcessSet processes() const {
+    ProcessSet all;
+    for (const JobProcess* process : processes_) all.Add(process->process());
+    return all;
+  }
+
   /// `progress` may be called from any thread, one call at a time.
-  /// Errors: those of the process and of the executor; INTERNAL if the job's process is none of
-  /// those given.
+  /// Errors: those of the process and of the executor; PROCESS_UNAVAILABLE if the job's process
+  /// is none of those given.
   absl::StatusOr<JobOutput> Run(const StageCall& call, JobInput input,
                                 const std::function<void(PipelineProgress)>& progress) const;
 

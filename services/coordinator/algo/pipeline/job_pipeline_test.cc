@@ -82,7 +82,7 @@ TEST_F(JobPipelineTest, ErrorsOfThePlanEndTheJob) {
 
 TEST_F(JobPipelineTest, AProcessThatIsNotThereIsAnError) {
   const auto output = JobPipeline({}, dispatcher_).Run({}, {}, nullptr);
-  EXPECT_EQ(DetailOf(output.status()).reason, Reason::kInternal);
+  EXPECT_EQ(DetailOf(output.status()).reason, Reason::kProcessUnavailable);
 }
 
 }  // namespace

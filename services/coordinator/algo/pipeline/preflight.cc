@@ -5,6 +5,7 @@
 
 #include "common/geometry/measure.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
+#include "services/coordinator/algo/pipeline/exposure_estimate.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/pass_facts.h"
 
@@ -44,7 +45,9 @@ absl::StatusOr<Preflight> LookAt(const StageCall& call, JobInput input,
   if (!layers.ok()) return layers.status();
   found.layers = *layers;
   found.first_layer_area_mm2 = AreaMm2(sliced->layers.front(), sliced->copies);
-  found.estimate = EstimatePrint({sliced->layers, sliced->copies}, input.settings);
+  found.estimate = input.settings.process == Process::kLaser
+                       ? EstimateExposure({sliced->layers, sliced->copies}, input.settings.exposure)
+                       : EstimatePrint({sliced->layers, sliced->copies}, input.settings);
   found.meshes = std::move(sliced->meshes);
   found.orientations = std::move(sliced->orientations);
   found.warnings = std::move(input.warnings);

@@ -49,7 +49,37 @@ Json ToJson(const StageTimes& times) {
           {"beading", times.beading_s},
           {"infill", times.infill_s},
           {"ordering", times.ordering_s},
-          {"motion", times.motion_s}};
+          {"motion", times.motion_s},
+          {"exposure", times.exposure_s}};
+}
+
+Json Exposure(const ExposureReport& report) {
+  Json kinds = Json::object();
+  for (int i = 0; i < kExposureKindCount; ++i) {
+    const KindExposure& kind = report.kinds[static_cast<size_t>(i)];
+    if (kind.lines == 0) continue;
+    kinds[std::string(ExposureKindName(static_cast<ExposureKind>(i)))] = {
+        {"vectors", kind.vectors}, {"lines", kind.lines},     {"length_mm", kind.length_mm},
+        {"time_s", kind.time_s},   {"energy_j", kind.energy_j}};
+  }
+  const KindExposure total = report.Total();
+  return {{"time_s", report.TimeS()},
+          {"exposed_mm", total.length_mm},
+          {"vectors", total.vectors},
+          {"laser_on", total.lines},
+          {"laser_off", total.lines},
+          {"jumps", report.jumps},
+          {"jump_mm", report.jump_mm},
+          {"jump_time_s", report.jump_time_s},
+          {"energy_j", total.energy_j},
+          {"energy_density_j_mm3", report.EnergyDensityJmm3()},
+          {"area_mm2", report.area_mm2},
+          {"volume_mm3", report.volume_mm3},
+          {"kinds", kinds},
+          {"pieces", report.cuts.pieces},
+          {"reflex_corners", report.cuts.reflex},
+          {"extra_points", report.cuts.extra_points},
+          {"sharp_cuts", report.cuts.sharp_cuts}};
 }
 
 Json Travel(const JobReport& report) {
@@ -57,6 +87,15 @@ Json Travel(const JobReport& report) {
           {"time_s", report.stats.travel_time_s},
           {"count", report.stats.travels},
           {"retractions", report.stats.retractions}};
+}
+
+void AddFdm(const JobReport& report, Json& json) {
+  json["filament"] = {{"mm", report.filament.length_mm},
+                      {"mm3", report.filament.volume_mm3},
+                      {"g", report.filament.mass_g},
+                      {"cost", report.filament.cost}};
+  json["features"] = Features(report.stats);
+  json["travel"] = Travel(report);
 }
 
 }  // namespace
@@ -69,12 +108,11 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["object_height_mm"] = report.object_height_mm;
   json["print_time_s"] = report.print_time_s;
   json["print_time"] = DurationText(report.print_time_s);
-  json["filament"] = {{"mm", report.filament.length_mm},
-                      {"mm3", report.filament.volume_mm3},
-                      {"g", report.filament.mass_g},
-                      {"cost", report.filament.cost}};
-  json["features"] = Features(report.stats);
-  json["travel"] = Travel(report);
+  if (report.exposure) {
+    json["exposure"] = Exposure(*report.exposure);
+  } else {
+    AddFdm(report, json);
+  }
   json["stage_times_s"] = ToJson(report.stage_times);
   json["warnings"] = report.warnings;
   json["settings_without_effect"] = context.settings_without_effect;

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/exposed_layer.h"
 #include "common/model/filament_use.h"
 #include "common/stage/task.h"
 
@@ -28,6 +30,7 @@ struct JobReport {
   double print_time_s = 0;
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
+  std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
 };

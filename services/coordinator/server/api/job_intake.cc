@@ -32,6 +32,12 @@ absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
                       spec_bytes);
   }
   if (absl::Status ok = CheckLabels(submission.labels); !ok.ok()) return ok;
+  if (!processes_.Has(submission.request.process)) {
+    const std::string_view process = ProcessName(submission.request.process);
+    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProcessUnavailable,
+                     fmt::format("this farm makes no jobs of process {}", process),
+                     {{"process", std::string(process)}});
+  }
   auto resolved =
       ResolveJob(submission.request, build_id_, ResultTenant(sharing_, submission.tenant));
   if (!resolved.ok()) return resolved.status();

@@ -33,18 +33,20 @@ struct Submission {
 class JobIntake {
  public:
   JobIntake(JobStore& jobs, BlobStores& blobs, const DiskGuard& disk, FullQueues& full_queues,
-            std::string build_id, ResultSharing sharing, std::function<int64_t()> now_us)
+            std::string build_id, ResultSharing sharing, std::function<int64_t()> now_us,
+            ProcessSet processes = ProcessSet::All())
       : jobs_(jobs),
         blobs_(blobs),
         disk_(disk),
         full_queues_(full_queues),
         build_id_(std::move(build_id)),
         sharing_(sharing),
-        now_us_(std::move(now_us)) {}
+        now_us_(std::move(now_us)),
+        processes_(processes) {}
 
   /// Returns once the job is on disk. Errors: those of ResolveJob, DiskGuard and JobStore::Create;
   /// BLOB_NOT_FOUND (FailedPrecondition, metadata `sha256`) for a mesh that the tenant has not
-  /// uploaded.
+  /// uploaded; PROCESS_UNAVAILABLE (FailedPrecondition) for a process whose jobs are not made here.
   absl::StatusOr<Created> Create(Submission submission);
 
   /// All of that but the keeping: the job that would be made, without an id.
@@ -64,6 +66,7 @@ class JobIntake {
   const std::string build_id_;
   const ResultSharing sharing_;
   const std::function<int64_t()> now_us_;
+  const ProcessSet processes_;
 };
 
 /// 32 hex digits that nobody can guess. Dies without a source of randomness.

@@ -162,7 +162,7 @@ absl::StatusOr<ResolvedJob> ResolveJob(JobRequest request, std::string_view buil
                                        std::string_view result_tenant) {
   if (absl::Status ok = CheckRequest(request); !ok.ok()) return ok;
   ResolvedJob job;
-  auto settings = config::ResolvePlate(request.settings, request.scene.objects);
+  auto settings = config::ResolvePlate(request.settings, request.scene.objects, request.process);
   if (!settings.ok()) return settings.status();
   settings->no_effect.insert(settings->no_effect.begin(), request.without_effect.begin(),
                              request.without_effect.end());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/model/limits.h"
+#include "common/wire/enum_wire.h"
 #include "common/wire/given_settings_wire.h"
 #include "common/wire/mesh_wire.h"
 #include "common/wire/wire_error.h"
@@ -93,6 +94,11 @@ absl::StatusOr<JobRequest> FromProto(const v1::JobSpec& spec) {
   JobRequest request;
   if (!v1::JobMode_IsValid(spec.mode())) return Malformed("mode", "is not one of this version");
   if (spec.mode() == v1::JOB_MODE_QUOTE) request.mode = JobMode::kQuote;
+  if (spec.process() != v1::PROCESS_UNSPECIFIED) {
+    const auto process = EnumFromProto<Process>(spec.process(), kProcessCount, "process");
+    if (!process.ok()) return process.status();
+    request.process = *process;
+  }
   auto scene = slicefarm::FromProto(spec.objects());
   if (!scene.ok()) return scene.status();
   request.scene = *std::move(scene);

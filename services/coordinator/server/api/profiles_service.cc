@@ -20,7 +20,12 @@ namespace {
 constexpr int32_t kDefaultPageSize = 50;
 
 absl::Status CheckSettings(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
-  return config::Resolve(SettingsFromProto(settings)).status();
+  const std::vector<Setting> given = SettingsFromProto(settings);
+  const absl::Status of_fdm = config::Resolve(given).status();
+  if (of_fdm.ok()) return of_fdm;
+  for (const ProcessInfo& info : kProcesses)
+    if (config::Resolve(given, info.process).ok()) return absl::OkStatus();
+  return of_fdm;
 }
 
 }  // namespace

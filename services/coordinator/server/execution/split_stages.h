@@ -1,12 +1,13 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
 #include "services/coordinator/remote/remote_stages.h"
@@ -25,20 +26,21 @@ class SplitStages {
     std::vector<std::string> ordering;
   };
 
-  /// `options` of the pool of a stage, by its name. `motion` must outlive it.
+  /// `options` of the pool of a stage, by its name. `motion` and `exposure` must outlive it; null:
+  /// no jobs of lasers are made.
   SplitStages(const Names& names,
               const std::function<StagePoolOptions(const std::string& stage)>& options,
-              StagePool& motion, const rpc::JsonLog& log);
+              StagePool& motion, StagePool* exposure, const rpc::JsonLog& log);
 
-  /// The chain as runners of `slots` ranges at a time together, at least one each; they can be
+  /// The chain of each process as two runners of `slots` ranges at a time together, at least one each; they can be
   /// reached when all stages can. The object must outlive the runners' calls.
-  std::array<Runner, 2> AsRunners(int slots);
+  std::vector<Runner> AsRunners(int slots);
 
   /// The stages besides motion, by name.
   std::map<std::string, const StagePool*> Pools() const;
 
  private:
-  bool AwaitReady(std::chrono::milliseconds patience);
+  static void AddTwice(Runner runner, int slots, std::vector<Runner>& runners);
 
   StagePool beading_pool_;
   StagePool infill_pool_;
@@ -48,6 +50,8 @@ class SplitStages {
   RemoteInfill infill_{infill_pool_};
   RemoteOrdering ordering_{ordering_pool_};
   RemoteMotion motion_{motion_pool_};
+  StagePool* const exposure_pool_;
+  std::optional<RemoteExposure> exposure_;
 };
 
 }  // namespace slicefarm::coordinator

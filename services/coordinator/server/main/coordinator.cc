@@ -18,6 +18,11 @@ int64_t SteadyUs() {
       .count();
 }
 
+std::optional<LaserProcess> LaserOver(const JobStages& stages) {
+  if (stages.exposure == nullptr) return std::nullopt;
+  return LaserProcess(stages.slicing, *stages.exposure);
+}
+
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOptions options,
@@ -40,12 +45,14 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       blobs_(*stores_.blobs, Registry()),
       stage_seconds_(Registry()),
       fdm_(stages.slicing, stages.planning, stages.motion),
-      pipeline_({&fdm_}, executor),
+      laser_(LaserOver(stages)),
+      pipeline_(Processes(), executor),
       results_(runs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),
       callers_(options_.tenants, NowUs),
-      intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs),
+      intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs,
+              pipeline_.processes()),
       runner_(RunEnvironment{runs_, blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
                              options_.build_id, options_.sharing, log,
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
@@ -56,6 +63,12 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
                                 stages.planning, mesh_memory_, options_.rates, NowUs, log},
                     options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
+
+std::vector<const JobProcess*> Coordinator::Processes() const {
+  std::vector<const JobProcess*> processes = {&fdm_};
+  if (laser_) processes.push_back(&*laser_);
+  return processes;
+}
 
 prometheus::Registry& Coordinator::Registry() {
   return options_.metrics == nullptr ? unseen_metrics_ : *options_.metrics;

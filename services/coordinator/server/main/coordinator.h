@@ -7,6 +7,7 @@
 
 #include "common/model/limits.h"
 #include "services/coordinator/algo/process/fdm_process.h"
+#include "services/coordinator/algo/process/laser_process.h"
 #include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/api/jobs_service.h"
 #include "services/coordinator/server/execution/maintenance.h"
@@ -42,6 +43,7 @@ struct JobStages {
   const SlicingStage& slicing;
   const PlanningStage& planning;
   const MotionStage& motion;
+  const ExposureStage* exposure = nullptr;  ///< null: no jobs of lasers are made
 };
 
 /// The coordinator put together: stores, intake, runner and services over given stages. Several may
@@ -71,6 +73,7 @@ class Coordinator {
  private:
   Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
               TaskExecutor& executor, const rpc::JsonLog& log);
+  std::vector<const JobProcess*> Processes() const;
   void Changed(const std::optional<JobChange>& change);
   prometheus::Registry& Registry();
 
@@ -83,6 +86,7 @@ class Coordinator {
   MeteredBlobStores blobs_;
   StageSeconds stage_seconds_;
   FdmProcess fdm_;
+  std::optional<LaserProcess> laser_;
   JobPipeline pipeline_;
   ByteBudget mesh_memory_{limits::kMaxMeshBytes};
   JobResults results_;

@@ -116,6 +116,8 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
       ->required();
   app.add_option("--planning", flags->planning, "Addresses of planning services")->required();
   app.add_option("--motion", flags->motion, "Addresses of motion services")->required();
+  app.add_option("--exposure", flags->exposure,
+                 "Addresses of exposure services; without, no jobs of lasers are made");
   app.add_option("--workers", flags->workers, "Addresses of fused workers");
   auto* beading = app.add_option("--beading", flags->beading,
                                  "Addresses of beading services, for split stages");

@@ -18,6 +18,7 @@ struct CoordinatorFlags {
   std::string slicing;
   std::string planning;
   std::string motion;
+  std::string exposure;  ///< empty: no jobs of lasers
   std::string workers;  ///< fused; or the three below
   std::string beading;
   std::string infill;

@@ -48,11 +48,20 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
                           pool_options("planning"));
   StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
                         pool_options("motion"));
+  std::optional<StagePool> exposure_pool;
+  std::optional<RemoteExposure> exposure;
+  if (!flags.exposure.empty()) {
+    exposure_pool.emplace("exposure", SplitAddresses(flags.exposure), program.log(),
+                          pool_options("exposure"));
+    exposure.emplace(*exposure_pool);
+  }
   const RemoteSlicing slicing(slicing_pool);
   const RemotePlanning planning(planning_pool);
   const RemoteMotion motion(motion_pool);
   std::optional<SplitStages> split;
-  if (flags.split()) split.emplace(flags.split_names(), pool_options, motion_pool, program.log());
+  if (flags.split()) 
+    split.emplace(flags.split_names(), pool_options, motion_pool,
+                  exposure_pool ? &*exposure_pool : nullptr, program.log());
   Dispatcher dispatcher;
   Fleet fleet(dispatcher);
   std::optional<WorkerPool> workers;
@@ -100,7 +109,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .metrics = &program.metrics().registry()};
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
-      Coordinator::Open(std::move(options), {slicing, planning, motion}, dispatcher,
+      Coordinator::Open(std::move(options), {slicing, planning, motion, exposure ? &*exposure : nullptr}, dispatcher,
                         program.log());
   if (!coordinator.ok()) {
     program.log().Error("cannot open the state",
@@ -112,6 +121,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
                                                     {"planning", &planning_pool},
                                                     {"motion", &motion_pool}};
+  if (exposure_pool) stages["exposure"] = &*exposure_pool;
   if (split) stages.merge(split->Pools());
   const StatusBoard board({.name = flags.runner.owner,
                            .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",

@@ -1,0 +1,149 @@
+#include "services/coordinator/algo/process/laser_process.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/base/error.h"
+#include "common/base/span_log.h"
+#include "common/base/stopwatch.h"
+#include "common/stage/object_layers.h"
+#include "services/coordinator/algo/pipeline/check_printable.h"
+#include "services/coordinator/algo/pipeline/mesh_warnings.h"
+#include "services/coordinator/algo/pipeline/range_split.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
+  if (output.format != OutputFormat::kDxf || static_cast<size_t>(output.layer) < layers)
+    return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   absl::StrCat("output_layer = ", output.layer, ": the part has layers 0 to ",
+                                layers - 1),
+                   {{"setting", "output_layer"}, {"value", absl::StrCat(output.layer)},
+                    {"min", "0"}, {"max", absl::StrCat(layers - 1)}});
+}
+
+absl::Status CheckPrograms(const std::vector<ExposedProgram>& programs, size_t layers) {
+  for (size_t i = 0; i < programs.size(); ++i)
+    if (programs[i].frame.index != static_cast<int32_t>(i))
+      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                       absl::StrCat("layer ", i, " came back as ", programs[i].frame.index));
+  if (programs.size() == layers) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
+                   absl::StrCat(programs.size(), " of ", layers, " layers came back"));
+}
+
+class LaserJob : public PlannedJob {
+ public:
+  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report,
+           SlicedJob sliced)
+      : exposure_(exposure),
+        settings_(std::move(settings)),
+        report_(std::move(report)),
+        layers_(std::move(sliced.layers)),
+        object_names_(std::move(sliced.object_names)) {
+    for (const PlacedCopy& copy : sliced.copies) copies_.push_back({copy.object, copy.shift, 0});
+  }
+
+  int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
+
+  std::vector<Task> Tasks(int slots) const override {
+    const std::span<const SlicedLayer> layers = layers_;
+    const int32_t halo = HaloLayers(settings_);
+    std::vector<Task> tasks;
+    for (const LayerRange& range : SplitIntoRanges(layers, slots)) {
+      const LayerRange grown = WithHalo(layers, range, halo);
+      tasks.push_back(LaserTask{.range = range,
+                                .layers = layers.subspan(static_cast<size_t>(grown.first),
+                                                         static_cast<size_t>(grown.size())),
+                                .copies = copies_,
+                                .settings = &settings_});
+    }
+    return tasks;
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call,
+                                     std::vector<TaskResult> results) override {
+    std::vector<ExposedProgram> programs;
+    for (TaskResult& task : results) {
+      auto& result = std::get<LaserResult>(task);
+      report_.stage_times.Add(result.times);
+      std::ranges::move(result.programs, std::back_inserter(programs));
+    }
+    if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
+    const ExposureSummary summary = FillIn(programs);
+    if (report_.exposure->Total().lines == 0)
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                       "the outlines of all layers are too thin for the laser's spot");
+    auto frame = Timed(report_.stage_times.exposure_s, [&] {
+      const ScopedSpan span(call.spans, "frame");
+      return exposure_.Frame(call, summary, settings_.exposure);
+    });
+    if (!frame.ok()) return frame.status();
+    const ScopedSpan span(call.spans, "assembly");
+    return JobOutput{WholeFile(*frame, std::move(programs)), std::move(report_)};
+  }
+
+ private:
+  /// Sums up the layers, in their order.
+  ExposureSummary FillIn(const std::vector<ExposedProgram>& programs) {
+    ExposureReport& sum = report_.exposure.emplace();
+    for (const ExposedProgram& program : programs) sum.Add(program.report);
+    const LayerFrame& first = programs.front().frame;
+    const LayerFrame& last = programs.back().frame;
+    report_.layer_count = static_cast<int32_t>(programs.size());
+    report_.print_time_s = sum.TimeS();
+    report_.travel_mm = sum.jump_mm;
+    report_.object_height_mm = ToMm(static_cast<double>(last.print_z_nm));
+    return {report_.layer_count, sum.bounds, first.print_z_nm - first.height_nm, last.print_z_nm,
+            object_names_};
+  }
+
+  /// Each part is freed as soon as it is copied.
+  static std::string WholeFile(const ExposureFrame& frame, std::vector<ExposedProgram> programs) {
+    size_t size = frame.header.size() + frame.footer.size();
+    for (const ExposedProgram& program : programs) size += program.text.size();
+    std::string file;
+    file.reserve(size);
+    file += frame.header;
+    for (ExposedProgram& program : programs) {
+      file += program.text;
+      std::string().swap(program.text);
+    }
+    file += frame.footer;
+    return file;
+  }
+
+  const ExposureStage& exposure_;
+  const JobSettings settings_;
+  JobReport report_;
+  const std::vector<SlicedLayer> layers_;
+  const std::vector<std::string> object_names_;
+  std::vector<Copy> copies_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& call,
+                                                               JobInput input) const {
+  JobReport report;
+  auto sliced = Timed(report.stage_times.slicing_s, [&] {
+    const ScopedSpan span(call.spans, "slicing");
+    return slicing_.Slice(call, std::move(input.meshes), input.settings.slicing);
+  });
+  if (!sliced.ok()) return sliced.status();
+  if (absl::Status printable = CheckPrintable(sliced->layers); !printable.ok()) return printable;
+  const ExposureOutput& output = input.settings.exposure.output;
+  if (absl::Status there = CheckLayer(output, sliced->layers.size()); !there.ok()) return there;
+  report.meshes = std::move(sliced->meshes);
+  report.warnings = std::move(input.warnings);
+  for (const MeshReport& mesh : report.meshes)
+    std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
+  return std::make_unique<LaserJob>(exposure_, std::move(input.settings), std::move(report),
+                                    *std::move(sliced));
+}
+
+}  // namespace slicefarm::coordinator

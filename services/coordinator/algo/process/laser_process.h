@@ -1,0 +1,25 @@
+#pragma once
+
+#include "services/coordinator/algo/process/job_process.h"
+
+namespace slicefarm::coordinator {
+
+/// Meshes to a file of scan vectors:
+///   1 slicing   2 ranges with halo (range_split.h)   3 tasks   4 frame and assembly
+class LaserProcess : public JobProcess {
+ public:
+  /// The stages must outlive it.
+  LaserProcess(const SlicingStage& slicing, const ExposureStage& exposure)
+      : slicing_(slicing), exposure_(exposure) {}
+
+  Process process() const override { return Process::kLaser; }
+  /// Errors also: SETTING_OUT_OF_RANGE if the one layer that is asked for is not there.
+  absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
+                                                   JobInput input) const override;
+
+ private:
+  const SlicingStage& slicing_;
+  const ExposureStage& exposure_;
+};
+
+}  // namespace slicefarm::coordinator

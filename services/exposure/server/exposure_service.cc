@@ -1,0 +1,63 @@
+#include "services/exposure/server/exposure_service.h"
+
+#include <utility>
+#include <vector>
+
+#include "common/wire/exposure_options_wire.h"
+#include "common/wire/exposure_wire.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/stage_call_wire.h"
+#include "common/wire/start_wire.h"
+
+namespace slicefarm::exposure {
+
+grpc::Status ExposureService::ExposeLayers(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::ExposedProgram, v1::ExposeRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "ExposeLayers",
+                   [&](rpc::Call& call) { return Expose(call, buffered); });
+}
+
+absl::Status ExposureService::Expose(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<ExposeStart> start = ReadStart<v1::ExposeRequest>(stream, call.cancel);
+  if (!start.ok()) return start.status();
+  call.job_id = start->call.job_id;
+  call.layers = start->range;
+  const absl::StatusOr<std::vector<SlicedLayer>> layers =
+      ReadNeighbourhood<v1::ExposeRequest>(stream, *start);
+  if (!layers.ok()) return layers.status();
+  absl::StatusOr<std::vector<ExposedProgram>> programs =
+      stage_.Expose(start->call, {start->range, *layers}, start->copies, start->settings);
+  if (!programs.ok()) return programs.status();
+  return WriteEach<v1::ExposedProgram>(stream, *programs,
+                                       [](ExposedProgram& program, v1::ExposedProgram* proto) {
+                                         return ToProto(std::move(program), proto);
+                                       });
+}
+
+grpc::Status ExposureService::FrameExposure(grpc::ServerContext* context,
+                                            const v1::ExposureFrameRequest* request,
+                                            v1::ExposureFrame* response) {
+  return gate_.Run(*context, "FrameExposure",
+                   [&](rpc::Call& call) { return Frame(call, *request, response); });
+}
+
+absl::Status ExposureService::Frame(rpc::Call& call, const v1::ExposureFrameRequest& request,
+                                    v1::ExposureFrame* response) const {
+  absl::StatusOr<StageCall> stage_call = FromProto(request.call());
+  if (!stage_call.ok()) return stage_call.status();
+  const absl::StatusOr<ExposureSettings> settings = FromProto(request.settings());
+  if (!settings.ok()) return Within("settings", settings.status());
+  const absl::StatusOr<ExposureSummary> summary = FromProto(request);
+  if (!summary.ok()) return summary.status();
+  call.job_id = stage_call->job_id;
+  stage_call->cancel = call.cancel;
+  absl::StatusOr<ExposureFrame> frame = stage_.Frame(*stage_call, *summary, *settings);
+  if (!frame.ok()) return frame.status();
+  *response = ToProto(*std::move(frame));
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::exposure
