@@ -17,8 +17,8 @@
 #include "services/exposure/algo/decompose/cut_region.h"
 #include "services/exposure/algo/decompose/exact_vector.h"
 #include "services/exposure/algo/decompose/link_choice.h"
+#include "services/exposure/algo/decompose/mended_rings.h"
 #include "services/exposure/algo/decompose/merge_corners.h"
-#include "services/exposure/algo/decompose/ring_crossings.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -161,13 +161,14 @@ int64_t ReflexCount(const MultiPolygon& islands) {
 
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
                                        const CancelToken& cancel) {
-  if (absl::Status status = CheckCrossings(islands); !status.ok()) return status;
+  auto mended = MendedRings(islands);
+  if (!mended.ok()) return mended.status();
   ConvexPieces result;
   result.scale = ScaleFor(islands);
   const double scale = static_cast<double>(result.scale);
   const double area = Area(islands) * scale * scale;
   const MultiPolygon merged =
-      MergeCorners(Scaled(islands, result.scale),
+      MergeCorners(Scaled(*std::move(mended), result.scale),
                    {.sagitta = options.merge_nm * scale, .area = kKeptArea * area});
   result.counts.reflex = ReflexCount(merged);
   Cutter cutter(options, cancel, result);
