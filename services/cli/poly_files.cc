@@ -285,7 +285,9 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
     Polygon points;
     for (size_t i = 0; i + 1 < ring.numbers.size(); i += 2)
       points.push_back({Scaled(ring.numbers[i], file.decimals), Scaled(ring.numbers[i + 1], file.decimals)});
-    std::vector<Polygon> loops = ring.hole ? std::vector{std::move(points)} : Loops(points);
+    std::vector<Polygon> loops;
+    if (ring.hole) loops.push_back(std::move(points));
+    else loops = Loops(points);
     std::move(loops.begin(), loops.end(), std::back_inserter(rings));
     told.resize(rings.size(), ring.hole);
   }
