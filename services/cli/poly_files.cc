@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -194,6 +196,30 @@ absl::StatusOr<std::vector<ReadRing>> ReadRings(const Words& words) {
   return std::vector<ReadRing>{std::move(ring)};
 }
 
+/// Parts of a ring that passes points twice, each of which it passes once. Loops of no area vanish.
+std::vector<Polygon> Loops(const Polygon& ring) {
+  std::vector<Polygon> loops;
+  Polygon way;
+  std::map<Point, size_t> places;  // of the points on the way
+  const auto add = [&](Polygon loop) {
+    if (loop.size() > 2 && SignedArea(loop) != 0) loops.push_back(std::move(loop));
+  };
+  for (const Point p : ring) {
+    if (const auto seen = places.find(p); seen != places.end()) {
+      const auto start = way.begin() + static_cast<ptrdiff_t>(seen->second);
+      for (auto q = start; q != way.end(); ++q)
+        if (*q != p) places.erase(*q);
+      add(Polygon(start, way.end()));
+      way.erase(start + 1, way.end());
+    } else {
+      places.emplace(p, way.size());
+      way.push_back(p);
+    }
+  }
+  add(std::move(way));
+  return loops;
+}
+
 /// In how many of the other rings a ring lies.
 int Depth(size_t ring, const std::vector<Polygon>& rings) {
   int depth = 0;
@@ -254,15 +280,19 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
   PolyFile file;
   file.decimals = static_cast<int>(std::min<int64_t>({decimals, 14 - magnitude, kMaxDecimals}));
   std::vector<Polygon> rings;
+  std::vector<std::optional<bool>> told;  // whether it is a hole
   for (const ReadRing& ring : *read) {
     Polygon points;
     for (size_t i = 0; i + 1 < ring.numbers.size(); i += 2)
       points.push_back({Scaled(ring.numbers[i], file.decimals), Scaled(ring.numbers[i + 1], file.decimals)});
-    rings.push_back(std::move(points));
+    std::vector<Polygon> loops;
+    if (ring.hole) loops.push_back(std::move(points));
+    else loops = Loops(points);
+    std::move(loops.begin(), loops.end(), std::back_inserter(rings));
+    told.resize(rings.size(), ring.hole);
   }
   std::vector<bool> holes;
-  for (size_t i = 0; i < rings.size(); ++i)
-    holes.push_back((*read)[i].hole.value_or(Depth(i, rings) % 2 == 1));
+  for (size_t i = 0; i < rings.size(); ++i) holes.push_back(told[i].value_or(Depth(i, rings) % 2 == 1));
   auto islands = Nested(std::move(rings), holes);
   if (!islands.ok()) return islands.status();
   file.islands = *std::move(islands);

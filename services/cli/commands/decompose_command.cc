@@ -12,8 +12,7 @@
 #include "services/cli/files.h"
 #include "services/cli/poly_files.h"
 #include "services/exposure/algo/decompose/decompose.h"
-#include "services/exposure/algo/decompose/join_pieces.h"
-#include "services/exposure/algo/decompose/piece_angles.h"
+#include "services/exposure/algo/decompose/piece_quality.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -9,6 +9,8 @@
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
 #include "common/stage/object_layers.h"
+#include "services/exposure/algo/check_exposure.h"
+#include "services/exposure/algo/exposure_report.h"
 
 namespace slicefarm::exposure {
 
@@ -25,12 +27,5 @@ namespace slicefarm::exposure {
 absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
                                          std::span<const ExposureOptions> regions,
                                          std::span<const Copy> copies, const CancelToken& cancel);
-
-/// What the exposure of one layer takes. Jumps start at the layer's first line: the way to it and
-/// the recoater's time belong to no layer.
-ExposureReport ReportOf(const ExposedLayer& layer, std::span<const ExposureOptions> regions);
-
-/// SETTING_OUT_OF_RANGE, with metadata `setting`, for options that cannot be scanned with.
-absl::Status CheckExposure(const ExposureOptions& options);
 
 }  // namespace slicefarm::exposure

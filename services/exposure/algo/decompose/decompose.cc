@@ -16,10 +16,9 @@
 #include "services/exposure/algo/decompose/cgal_partition.h"
 #include "services/exposure/algo/decompose/cut_region.h"
 #include "services/exposure/algo/decompose/exact_vector.h"
-#include "services/exposure/algo/decompose/join_pieces.h"
 #include "services/exposure/algo/decompose/link_choice.h"
+#include "services/exposure/algo/decompose/mended_rings.h"
 #include "services/exposure/algo/decompose/merge_corners.h"
-#include "services/exposure/algo/decompose/ring_crossings.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -162,26 +161,21 @@ int64_t ReflexCount(const MultiPolygon& islands) {
 
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
                                        const CancelToken& cancel) {
-  if (absl::Status status = CheckCrossings(islands); !status.ok()) return status;
+  auto mended = MendedRings(islands);
+  if (!mended.ok()) return mended.status();
   ConvexPieces result;
   result.scale = ScaleFor(islands);
   const double scale = static_cast<double>(result.scale);
   const double area = Area(islands) * scale * scale;
   const MultiPolygon merged =
-      MergeCorners(Scaled(islands, result.scale),
+      MergeCorners(Scaled(*std::move(mended), result.scale),
                    {.sagitta = options.merge_nm * scale, .area = kKeptArea * area});
   result.counts.reflex = ReflexCount(merged);
   Cutter cutter(options, cancel, result);
   for (const PolygonWithHoles& island : merged) {
-    const size_t first = result.pieces.size();
     CutRegion region{{island.outer}};
     region.rings.insert(region.rings.end(), island.holes.begin(), island.holes.end());
     if (absl::Status status = cutter.Cut(std::move(region)); !status.ok()) return status;
-    std::vector<Polygon> pieces(std::make_move_iterator(result.pieces.begin() + static_cast<ptrdiff_t>(first)),
-                                std::make_move_iterator(result.pieces.end()));
-    result.pieces.resize(first);
-    if (options.method == DecomposeMethod::kBian) pieces = JoinPieces(std::move(pieces));
-    std::move(pieces.begin(), pieces.end(), std::back_inserter(result.pieces));
   }
   result.counts.pieces = std::ssize(result.pieces);
   return result;

@@ -1,9 +1,10 @@
-#include "services/exposure/algo/decompose/piece_angles.h"
+#include "services/exposure/algo/decompose/piece_quality.h"
 
 #include <algorithm>
 #include <numbers>
 
 #include "common/base/portable_math.h"
+#include "common/geometry/measure.h"
 #include "services/exposure/algo/decompose/cut_region.h"
 
 namespace slicefarm::exposure {
@@ -15,6 +16,11 @@ double LeastAngleDeg(const Polygon& piece) {
     least = std::min(least, Atan2(Cross(to_after, to_before), Dot(to_after, to_before)));
   }
   return least * 180 / std::numbers::pi;
+}
+
+double ShapeFactor(const Polygon& piece) {
+  const double perimeter = Perimeter(piece);
+  return perimeter * perimeter / (4 * std::numbers::pi * SignedArea(piece));
 }
 
 }  // namespace slicefarm::exposure

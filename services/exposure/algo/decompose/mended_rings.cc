@@ -1,0 +1,194 @@
+#include "services/exposure/algo/decompose/mended_rings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/predicates.h"
+#include "common/geometry/simple_rings.h"
+#include "services/exposure/algo/decompose/exact_vector.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+struct Edge {
+  Point a, b;
+  std::vector<Point> touches = {};  ///< corners that lie on it
+
+  Coord Left() const { return std::min(a.x, b.x); }
+  Coord Right() const { return std::max(a.x, b.x); }
+  bool StrictlyHas(Point p) const { return p != a && p != b && OnSegment(p, a, b); }
+};
+
+absl::Status Malformed(const char* what, Point at) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("the outline's rings {} near ({:.6f}, {:.6f}) mm", what,
+                               ToMm(static_cast<double>(at.x)), ToMm(static_cast<double>(at.y))));
+}
+
+bool Cross(const Edge& e, const Edge& f) {
+  return Orientation(e.a, e.b, f.a) * Orientation(e.a, e.b, f.b) < 0 &&
+         Orientation(f.a, f.b, e.a) * Orientation(f.a, f.b, e.b) < 0;
+}
+
+/// Notes which corners lie on which edges; fails where edges cross.
+absl::Status FindTouches(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& e, const Edge& f) { return e.Left() < f.Left(); });
+  for (size_t i = 0; i < edges.size(); ++i) {
+    for (size_t j = i + 1; j < edges.size() && edges[j].Left() <= edges[i].Right(); ++j) {
+      Edge &e = edges[i], &f = edges[j];
+      if (std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) ||
+          std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y))
+        continue;
+      if (Cross(e, f)) return Malformed("cross", f.a);
+      for (const Point p : {f.a, f.b})
+        if (e.StrictlyHas(p)) e.touches.push_back(p);
+      for (const Point p : {e.a, e.b})
+        if (f.StrictlyHas(p)) f.touches.push_back(p);
+    }
+  }
+  return absl::OkStatus();
+}
+
+/// A directed edge without corners on it.
+struct Way {
+  Point from, to;
+  bool used = false;
+
+  friend bool operator<(const Way& v, const Way& w) {
+    return v.from != w.from ? v.from < w.from : v.to < w.to;
+  }
+};
+
+/// Edges divided where they are touched; those that run to and fro are gone. Sorted.
+absl::StatusOr<std::vector<Way>> Divided(std::vector<Edge> edges) {
+  std::vector<Way> ways;
+  for (Edge& edge : edges) {
+    const auto from_start = [&](Point p, Point q) {
+      return Distance(edge.a, p) < Distance(edge.a, q);
+    };
+    std::sort(edge.touches.begin(), edge.touches.end(), from_start);
+    Point from = edge.a;
+    for (const Point p : edge.touches) {
+      if (p != from) ways.push_back({from, p});
+      from = p;
+    }
+    ways.push_back({from, edge.b});
+  }
+  std::sort(ways.begin(), ways.end());
+  std::vector<Way> left;
+  for (size_t i = 0; i < ways.size(); ++i) {
+    if (i > 0 && !(ways[i - 1] < ways[i])) return Malformed("lie on each other", ways[i].from);
+    if (!std::binary_search(ways.begin(), ways.end(), Way{ways[i].to, ways[i].from}))
+      left.push_back(ways[i]);
+  }
+  return left;
+}
+
+/// Whether, turning clockwise from direction `from`, `a` comes before `b`. None are equal.
+bool ComesFirst(ExactVector from, ExactVector a, ExactVector b) {
+  const auto half = [&](ExactVector v) {  // 0: to the right of `from`; 1: to its left, or behind
+    const int side = CrossSign(from, v);
+    return side < 0 ? 0 : side > 0 ? 2 : 1;
+  };
+  const int half_a = half(a), half_b = half(b);
+  return half_a != half_b ? half_a < half_b : CrossSign(a, b) < 0;
+}
+
+/// Follows the ways from corner to corner, each time taking the first one clockwise: nothing lies
+/// between it and the way that came.
+absl::StatusOr<std::vector<Polygon>> Followed(std::vector<Way> ways) {
+  const auto leaving = [&](Point p) {
+    const auto first = std::lower_bound(ways.begin(), ways.end(), Way{p, {INT64_MIN, INT64_MIN}});
+    auto last = first;
+    while (last != ways.end() && last->from == p) ++last;
+    return std::span<Way>(first, last);
+  };
+  std::vector<Polygon> rings;
+  for (Way& start : ways) {
+    if (start.used) continue;
+    Polygon ring;
+    for (Way* way = &start; !way->used;) {
+      way->used = true;
+      ring.push_back(way->from);
+      const ExactVector back = VectorBetween(way->to, way->from);
+      Way* next = nullptr;
+      for (Way& other : leaving(way->to)) {
+        if (next == nullptr || ComesFirst(back, VectorBetween(other.from, other.to),
+                                          VectorBetween(next->from, next->to)))
+          next = &other;
+      }
+      if (next == nullptr) return Malformed("are not closed", way->to);
+      way = next;
+    }
+    rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+/// The side of `outer` on which a ring lies that may touch it; nullopt: it is on it all along.
+std::optional<Side> SideOf(const Polygon& ring, const Polygon& outer) {
+  for (const Point p : ring)
+    if (const Side side = Locate(p, outer); side != Side::kBoundary) return side;
+  return std::nullopt;
+}
+
+absl::StatusOr<MultiPolygon> Nested(std::vector<Polygon> rings) {
+  MultiPolygon islands;
+  std::vector<Polygon> holes;
+  for (Polygon& ring : rings) {
+    const double area = SignedArea(ring);
+    if (area > 0) islands.push_back({std::move(ring), {}});
+    if (area < 0) holes.push_back(std::move(ring));
+  }
+  for (Polygon& hole : holes) {
+    PolygonWithHoles* owner = nullptr;
+    for (PolygonWithHoles& island : islands) {
+      if (SideOf(hole, island.outer) == Side::kInside &&
+          (owner == nullptr || SignedArea(island.outer) < SignedArea(owner->outer)))
+        owner = &island;
+    }
+    if (owner == nullptr) return Malformed("are turned the wrong way", hole[0]);
+    owner->holes.push_back(std::move(hole));
+  }
+  return islands;
+}
+
+absl::Status CheckTurns(const MultiPolygon& islands) {
+  for (const PolygonWithHoles& island : islands) {
+    if (SignedArea(island.outer) < 0) return Malformed("are turned the wrong way", island.outer[0]);
+    for (const Polygon& hole : island.holes)
+      if (SignedArea(hole) > 0) return Malformed("are turned the wrong way", hole[0]);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands) {
+  if (absl::Status status = CheckTurns(islands); !status.ok()) return status;
+  std::vector<const Polygon*> rings;
+  ForEachRing(islands, [&](const Polygon& ring) { rings.push_back(&ring); });
+  if (AreSimple(rings)) return islands;
+  std::vector<Edge> edges;
+  for (const Polygon* ring : rings)
+    for (size_t i = 0; i < ring->size(); ++i)
+      if (const Edge edge{(*ring)[i], (*ring)[(i + 1) % ring->size()]}; edge.a != edge.b)
+        edges.push_back(edge);
+  if (absl::Status status = FindTouches(edges); !status.ok()) return status;
+  auto ways = Divided(std::move(edges));
+  if (!ways.ok()) return ways.status();
+  auto followed = Followed(*std::move(ways));
+  if (!followed.ok()) return followed.status();
+  return Nested(*std::move(followed));
+}
+
+}  // namespace slicefarm::exposure

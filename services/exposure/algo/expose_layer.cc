@@ -1,0 +1,126 @@
+#include "services/exposure/algo/expose_layer.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "services/exposure/algo/expose_region.h"
+#include "services/exposure/algo/scan/block_order.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// Outlines of an object's layers next to one, as far as skins look.
+struct Neighbours {
+  std::vector<const MultiPolygon*> above, below;
+};
+
+Neighbours NeighboursOf(const ObjectSection& section, const ObjectLayers& objects,
+                        const ExposureOptions& options) {
+  Neighbours neighbours;
+  const auto outline = [&](int32_t layer) {
+    const ObjectSection* other = objects.Find(section.object, layer);
+    return other == nullptr ? nullptr : &OutlineOf(*other);
+  };
+  for (int32_t i = 1; i <= options.upskin_layers; ++i)
+    neighbours.above.push_back(outline(section.layer + i));
+  // Below the object's lowest layer is the plate.
+  for (int32_t i = 1; i <= std::min(options.downskin_layers, section.layer); ++i)
+    neighbours.below.push_back(outline(section.layer - i));
+  return neighbours;
+}
+
+absl::Status AppendSection(const ObjectSection& section, int32_t layer, const ObjectLayers& objects,
+                           std::span<const ExposureOptions> regions, const CancelToken& cancel,
+                           ExposedLayer& result) {
+  Point at;
+  for (const Region& region : section.regions) {
+    if (absl::Status status = cancel.Check(); !status.ok()) return status;
+    if (region.settings < 0 || region.settings >= std::ssize(regions)) {
+      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                       fmt::format("a region has settings {} of {}", region.settings, regions.size()));
+    }
+    const ExposureOptions& options = regions[static_cast<size_t>(region.settings)];
+    if (absl::Status status = CheckExposure(options); !status.ok()) return status;
+    const Neighbours neighbours = NeighboursOf(section, objects, options);
+    auto groups = ExposeRegion({.outlines = region.outlines,
+                                .section = OutlineOf(section),
+                                .neighbours = {neighbours.above, neighbours.below},
+                                .layer = layer,
+                                .object = section.object,
+                                .settings = region.settings},
+                               options, at, cancel, result.cuts);
+    if (!groups.ok()) return groups.status();
+    if (!groups->empty()) at = groups->back().points.back();
+    std::move(groups->begin(), groups->end(), std::back_inserter(result.groups));
+  }
+  return absl::OkStatus();
+}
+
+/// Where an object's scan starts and ends, by object, around its own origin.
+std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& groups) {
+  std::map<int32_t, ScanBlock> blocks;
+  for (const ExposureGroup& group : groups) {
+    ScanBlock& block = blocks.try_emplace(group.object, ScanBlock{.start = group.points.front(),
+                                                                  .end = group.points.back()})
+                           .first->second;
+    block.end = group.points.back();
+  }
+  return blocks;
+}
+
+/// The copies of the objects that have something here, nearest first.
+std::vector<ExposureVisit> Visits(const std::vector<ExposureGroup>& groups,
+                                  std::span<const Copy> copies) {
+  const std::map<int32_t, ScanBlock> objects = ObjectBlocks(groups);
+  std::vector<ExposureVisit> visits;
+  std::vector<ScanBlock> blocks;
+  const auto add = [&](int32_t object, int32_t copy, Point shift) {
+    const auto found = objects.find(object);
+    if (found == objects.end()) return;
+    visits.push_back({object, copy, shift});
+    blocks.push_back({.start = found->second.start + shift, .end = found->second.end + shift});
+  };
+  add(kPlate, -1, {});
+  for (size_t i = 0; i < copies.size(); ++i)
+    add(copies[i].object, static_cast<int32_t>(i), copies[i].shift);
+  std::vector<ExposureVisit> ordered;
+  for (const BlockTurn& turn : OrderBlocks(blocks, JumpOrder::kNearest, {}))
+    ordered.push_back(visits[turn.block]);
+  return ordered;
+}
+
+double AreaOfVisits(const SlicedLayer& layer, const std::vector<ExposureVisit>& visits) {
+  std::map<int32_t, double> areas;
+  for (const ObjectSection& section : layer.sections)
+    for (const Region& region : section.regions)
+      areas[section.object] += Area(region.outlines) / kNmPerMm / kNmPerMm;
+  double area = 0;
+  for (const ExposureVisit& visit : visits) area += areas[visit.object];
+  return area;
+}
+
+}  // namespace
+
+absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
+                                         std::span<const ExposureOptions> regions,
+                                         std::span<const Copy> copies, const CancelToken& cancel) {
+  ExposedLayer result;
+  result.frame = layer.frame;
+  for (const ObjectSection& section : layer.sections) {
+    absl::Status status =
+        AppendSection(section, layer.frame.index, objects, regions, cancel, result);
+    if (!status.ok()) return status;
+  }
+  result.visits = Visits(result.groups, copies);
+  result.area_mm2 = AreaOfVisits(layer, result.visits);
+  return result;
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,145 @@
+#include "services/exposure/algo/expose_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "common/geometry/clean_offset.h"
+#include "services/exposure/algo/scan/block_order.h"
+#include "services/exposure/algo/scan/hatch.h"
+#include "services/exposure/algo/scan/ring_scan.h"
+#include "services/exposure/algo/scan/thin_walls.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+bool IsRings(ScanStrategy strategy) {
+  return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
+}
+
+/// Of layer `layer`, in [0, 360).
+double AngleOf(const ExposureOptions& options, int32_t layer) {
+  const double angle = options.hatch_angle_deg + options.layer_rotation_deg * layer;
+  return angle - 360 * std::floor(angle / 360);
+}
+
+/// From the outline to where rings or hatch begin. Rings keep half a distance from their border.
+Coord InsideInset(const ExposureOptions& options) {
+  const Coord inset = options.contours == 0
+                          ? options.beam_compensation_nm
+                          : options.beam_compensation_nm + options.hatch_offset_nm +
+                                (options.contours - 1) * options.contour_distance_nm;
+  return IsRings(options.strategy) ? inset - options.hatch_distance_nm / 2 : inset;
+}
+
+/// One region on its way from group to group.
+class RegionScan {
+ public:
+  RegionScan(const RegionInput& region, const ExposureOptions& options, Point from,
+             const CancelToken& cancel, CutCounts& counts)
+      : region_(region), options_(options), at_(from), cancel_(cancel), counts_(counts) {}
+
+  absl::StatusOr<std::vector<ExposureGroup>> Scan() {
+    if (options_.contours_first) AddContours();
+    if (absl::Status status = AddThinWalls(); !status.ok()) return status;
+    if (absl::Status status = AddInside(); !status.ok()) return status;
+    if (!options_.contours_first) AddContours();
+    return std::move(groups_);
+  }
+
+ private:
+  ExposureGroup NewGroup(ExposureKind kind) const {
+    ExposureGroup group;
+    group.object = region_.object;
+    group.settings = region_.settings;
+    group.kind = kind;
+    return group;
+  }
+
+  void Add(ExposureGroup group) {
+    if (group.points.empty()) return;
+    at_ = group.points.back();
+    groups_.push_back(std::move(group));
+  }
+
+  /// Closed lines, nearest first.
+  void AddRings(const MultiPolygon& area, ExposureGroup& group) {
+    const std::vector<Polygon> rings = Rings(area);
+    std::vector<ScanBlock> blocks;
+    for (const Polygon& ring : rings) blocks.push_back({.start = ring.front(), .end = ring.front()});
+    for (const BlockTurn& turn : OrderBlocks(blocks, JumpOrder::kNearest, at_)) {
+      Polyline line = rings[turn.block];
+      line.push_back(line.front());
+      group.AddLine(line);
+      at_ = line.back();
+    }
+  }
+
+  /// From the innermost to the outermost, which is drawn over settled ground.
+  void AddContours() {
+    ExposureGroup group = NewGroup(ExposureKind::kContour);
+    for (int32_t i = options_.contours - 1; i >= 0; --i) {
+      const Coord inset = options_.beam_compensation_nm + i * options_.contour_distance_nm;
+      AddRings(FastOffset(region_.outlines, -inset), group);
+    }
+    Add(std::move(group));
+  }
+
+  absl::Status AddThinWalls() {
+    if (!options_.thin_walls || options_.beam_compensation_nm <= 0) return absl::OkStatus();
+    const auto lines = ThinWallLines(region_.outlines, options_.beam_compensation_nm, cancel_);
+    if (!lines.ok()) return lines.status();
+    ExposureGroup group = NewGroup(ExposureKind::kThinWall);
+    for (const Polyline& line : *lines) group.AddLine(line);
+    Add(std::move(group));
+    return absl::OkStatus();
+  }
+
+  absl::Status AddInside() {
+    const MultiPolygon area = FastOffset(region_.outlines, -InsideInset(options_));
+    if (area.empty()) return absl::OkStatus();
+    if (region_.neighbours.above.empty() && region_.neighbours.below.empty())
+      return AddArea(area, ExposureKind::kHatch);
+    const SkinAreas skins =
+        PartSkins(area, region_.section, region_.neighbours, options_.skin_overlap_nm);
+    if (absl::Status status = AddArea(skins.core, ExposureKind::kHatch); !status.ok()) return status;
+    if (absl::Status status = AddArea(skins.downskin, ExposureKind::kDownskin); !status.ok())
+      return status;
+    return AddArea(skins.upskin, ExposureKind::kUpskin);
+  }
+
+  absl::Status AddArea(const MultiPolygon& area, ExposureKind kind) {
+    if (absl::Status status = cancel_.Check(); !status.ok()) return status;
+    ExposureGroup group = NewGroup(kind);
+    if (IsRings(options_.strategy)) {
+      if (absl::Status status = ScanByRings(area, options_, at_, cancel_, group, counts_); !status.ok())
+        return status;
+    } else {
+      auto points = Hatch(area, AngleOf(options_, region_.layer), options_, at_);
+      if (!points.ok()) return points.status();
+      group.points = *std::move(points);
+      group.run_nm = options_.skywriting_nm;
+    }
+    Add(std::move(group));
+    return absl::OkStatus();
+  }
+
+  const RegionInput& region_;
+  const ExposureOptions& options_;
+  Point at_;
+  const CancelToken& cancel_;
+  CutCounts& counts_;
+  std::vector<ExposureGroup> groups_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::vector<ExposureGroup>> ExposeRegion(const RegionInput& region,
+                                                        const ExposureOptions& options, Point from,
+                                                        const CancelToken& cancel,
+                                                        CutCounts& counts) {
+  return RegionScan(region, options, from, cancel, counts).Scan();
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
+#include "common/geometry/polygon.h"
+#include "common/model/exposed_layer.h"
+#include "common/model/exposure_options.h"
+#include "services/exposure/algo/scan/skins.h"
+
+namespace slicefarm::exposure {
+
+/// One region of a section, and what lies around it.
+struct RegionInput {
+  const MultiPolygon& outlines;
+  const MultiPolygon& section;  ///< of all regions together
+  SkinNeighbours neighbours;
+  int32_t layer = 0;  ///< of the job: how far the hatch has turned
+  int32_t object = 0;
+  int32_t settings = 0;
+};
+
+/// The groups of one region in the order of scanning, beginning near `from`: contours, what is
+/// inside of them, skins, thin walls. Errors: Cancelled; those of Hatch and Decompose.
+absl::StatusOr<std::vector<ExposureGroup>> ExposeRegion(const RegionInput& region,
+                                                        const ExposureOptions& options, Point from,
+                                                        const CancelToken& cancel,
+                                                        CutCounts& counts);
+
+}  // namespace slicefarm::exposure

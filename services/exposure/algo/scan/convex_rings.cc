@@ -1,0 +1,147 @@
+#include "services/exposure/algo/scan/convex_rings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slicefarm::exposure {
+namespace {
+
+PlaneVector operator-(PlaneVector a, PlaneVector b) { return {a.x - b.x, a.y - b.y}; }
+double Cross(PlaneVector a, PlaneVector b) { return a.x * b.y - a.y * b.x; }
+double Dot(PlaneVector a, PlaneVector b) { return a.x * b.x + a.y * b.y; }
+double Norm(PlaneVector a) { return std::sqrt(Dot(a, a)); }
+
+/// Lines closer to parallel than this have no corner.
+constexpr double kParallel = 1e-12;
+
+Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.y)}; }
+
+}  // namespace
+
+ConvexInsets::ConvexInsets(const Polygon& piece, double scale) {
+  const auto place = [&](size_t i) {
+    return PlaneVector{static_cast<double>(piece[i].x) / scale, static_cast<double>(piece[i].y) / scale};
+  };
+  for (size_t i = 0; i < piece.size(); ++i) {
+    const PlaneVector a = place(i), b = place((i + 1) % piece.size());
+    const double length = Norm(b - a);
+    if (length > 0) edges_.push_back({a, {(b.x - a.x) / length, (b.y - a.y) / length}});
+  }
+}
+
+ConvexRing ConvexInsets::At(double distance) {
+  // The common part of half planes in the order of their directions: a deque of those that have a
+  // side of it so far.
+  struct Line {
+    PlaneVector at, way;
+    size_t edge = 0;
+  };
+  std::vector<Line> lines;
+  std::vector<PlaneVector> corners;  // corners[i]: of lines[i] and lines[i + 1]
+  lines.reserve(edges_.size());
+  corners.reserve(edges_.size());
+  size_t front = 0;
+  const auto meet = [](const Line& a, const Line& b) {
+    const double t = Cross(b.way, a.at - b.at) / Cross(a.way, b.way);
+    return PlaneVector{a.at.x + t * a.way.x, a.at.y + t * a.way.y};
+  };
+  const auto outside = [](const Line& line, PlaneVector p) { return Cross(line.way, p - line.at) <= 0; };
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& edge = edges_[i];
+    const Line line{{edge.at.x - distance * edge.way.y, edge.at.y + distance * edge.way.x}, edge.way, i};
+    while (lines.size() > front + 1 && outside(line, corners.back())) {
+      lines.pop_back();
+      corners.pop_back();
+    }
+    while (lines.size() > front + 1 && outside(line, corners[front])) ++front;
+    if (lines.size() > front) {
+      const double turn = Cross(lines.back().way, line.way);
+      if (turn < -kParallel || (turn <= kParallel && Dot(lines.back().way, line.way) < 0)) return {};
+      if (turn <= kParallel) {  // the same direction: the inner one counts
+        if (outside(lines.back(), line.at)) continue;
+        lines.pop_back();
+        if (lines.size() > front) corners.pop_back();
+        if (lines.size() > front) corners.push_back(meet(lines.back(), line));
+        lines.push_back(line);
+        continue;
+      }
+      corners.push_back(meet(lines.back(), line));
+    }
+    lines.push_back(line);
+  }
+  while (lines.size() > front + 2 && outside(lines[front], corners.back())) {
+    lines.pop_back();
+    corners.pop_back();
+  }
+  while (lines.size() > front + 2 && outside(lines.back(), corners[front])) ++front;
+  if (lines.size() < front + 3 || Cross(lines.back().way, lines[front].way) <= kParallel) return {};
+  ConvexRing ring(corners.begin() + static_cast<ptrdiff_t>(front), corners.end());
+  ring.push_back(meet(lines.back(), lines[front]));
+  std::vector<Edge> left;
+  for (size_t i = front; i < lines.size(); ++i) left.push_back(edges_[lines[i].edge]);
+  edges_ = std::move(left);
+  return ring;
+}
+
+Spine SpineOf(const ConvexRing& ring) {
+  // The width of a convex polygon is measured from one of its edges.
+  PlaneVector at, way;
+  double width = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const PlaneVector a = ring[i], side = ring[(i + 1) % ring.size()] - a;
+    const double length = Norm(side);
+    if (!(length > 0)) continue;
+    const PlaneVector unit{side.x / length, side.y / length};
+    double farthest = 0;
+    for (const PlaneVector p : ring) farthest = std::max(farthest, Cross(unit, p - a));
+    if (farthest < width) width = farthest, at = a, way = unit;
+  }
+  // Where the line at half the width meets the border.
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const PlaneVector a = ring[i] - at, b = ring[(i + 1) % ring.size()] - at;
+    const double height_a = Cross(way, a) - width / 2, height_b = Cross(way, b) - width / 2;
+    if ((height_a < 0) == (height_b < 0)) continue;
+    const double t = height_a / (height_a - height_b);
+    const double u = Dot(way, a) + t * (Dot(way, b) - Dot(way, a));
+    low = std::min(low, u);
+    high = std::max(high, u);
+  }
+  const auto place = [&](double u) {
+    return PlaneVector{at.x + u * way.x - width / 2 * way.y, at.y + u * way.y + width / 2 * way.x};
+  };
+  return {place(low), place(high), width};
+}
+
+std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill) {
+  std::vector<Polyline> rings;
+  ConvexInsets insets(piece, scale);
+  // Up to where the rings melt: what lies deeper has not been reached yet.
+  double reached = fill.first_nm - fill.pitch_nm / 2;
+  for (int64_t k = 0;; ++k) {
+    ConvexInsets before = insets;
+    const double distance = fill.first_nm + static_cast<double>(k) * fill.pitch_nm;
+    const ConvexRing ring = insets.At(distance);
+    if (ring.empty()) {
+      insets = std::move(before);
+      break;
+    }
+    Polyline line;
+    for (const PlaneVector p : ring)
+      if (const Point q = Rounded(p); line.empty() || q != line.back()) line.push_back(q);
+    while (line.size() > 1 && line.back() == line.front()) line.pop_back();
+    reached = distance + fill.pitch_nm / 2;
+    if (line.size() < 3) break;
+    line.push_back(line.front());
+    rings.push_back(std::move(line));
+  }
+  const ConvexRing rest = insets.At(std::max(0.0, reached));
+  if (rest.size() < 3) return rings;
+  const Spine spine = SpineOf(rest);
+  const Point from = Rounded(spine.from), to = Rounded(spine.to);
+  if (spine.width_nm >= fill.least_spine * fill.pitch_nm && from != to) rings.push_back({from, to});
+  return rings;
+}
+
+}  // namespace slicefarm::exposure

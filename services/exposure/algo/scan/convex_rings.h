@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/polygon.h"
+
+namespace slicefarm::exposure {
+
+/// A place in nm, not rounded yet.
+struct PlaneVector {
+  double x = 0;
+  double y = 0;
+};
+using ConvexRing = std::vector<PlaneVector>;
+
+/// Insets of a convex polygon by moving its edges. Edges that vanish stay so in deeper ones, so
+/// distances must not decrease from call to call. Cost: O(n) a call.
+class ConvexInsets {
+ public:
+  /// REQUIRES: convex, counter-clockwise. Coordinates are in 1 / `scale` nm.
+  ConvexInsets(const Polygon& piece, double scale);
+
+  /// Counter-clockwise; empty if nothing is left.
+  ConvexRing At(double distance_nm);
+
+ private:
+  /// A line; the polygon is on its left.
+  struct Edge {
+    PlaneVector at;
+    PlaneVector way;  ///< of length 1
+  };
+  std::vector<Edge> edges_;  ///< by ascending direction
+};
+
+/// A line along the middle of a thin convex polygon, halfway between its longest side and what is
+/// farthest from that.
+struct Spine {
+  PlaneVector from, to;
+  double width_nm = 0;  ///< of the polygon, across
+};
+/// REQUIRES: three corners at least.
+Spine SpineOf(const ConvexRing& ring);
+
+/// How rings fill a piece.
+struct RingFill {
+  double pitch_nm = 0;
+  double first_nm = 0;  ///< from the border to the first ring
+  /// Narrower leftovers in the middle stay empty, as a share of the pitch.
+  double least_spine = 0.25;
+};
+
+/// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is
+/// left in the middle (two points). Rounded to nm.
+std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill);
+
+}  // namespace slicefarm::exposure

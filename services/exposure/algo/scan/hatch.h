@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+#include "common/model/exposure_options.h"
+
+namespace slicefarm::exposure {
+
+/// Hatch lines of a region in the order and direction of scanning: two points each.
+///
+///   kHatch    lines right through; neighbouring ones in serpentines;
+///   kStripes  lines of at most a stripe's width; in odd stripes half a distance further on;
+///   kIslands  squares, with lines along `angle_deg` in even ones and across it in odd ones.
+/// Stripes and squares reach half of `overlap_nm` beyond their borders. Distances are counted from
+/// the origin, so lines of neighbouring regions, objects' layers and copies continue each other.
+/// Lines shorter than minimum_vector_nm are left out.
+///
+/// REQUIRES: options.strategy is one of the three; CheckExposure accepts the options.
+/// Errors:   REQUEST_TOO_LARGE, as CutScanLines.
+/// Cost:     O(n + k log k), k lines.
+absl::StatusOr<std::vector<Point>> Hatch(const MultiPolygon& region, double angle_deg,
+                                         const ExposureOptions& options, Point from);
+
+}  // namespace slicefarm::exposure

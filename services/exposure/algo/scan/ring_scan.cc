@@ -1,0 +1,82 @@
+#include "services/exposure/algo/scan/ring_scan.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/simplify.h"
+#include "services/exposure/algo/decompose/decompose.h"
+#include "services/exposure/algo/scan/block_order.h"
+#include "services/exposure/algo/scan/convex_rings.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// Corners that move the border by less cost a cut and change nothing to be seen.
+constexpr Coord kToleranceNm = 1'000;
+
+absl::StatusOr<ConvexPieces> Pieces(const MultiPolygon& region, DecomposeMethod method,
+                                    const CancelToken& cancel) {
+  const DecomposeOptions how = {.method = method, .merge_nm = kToleranceNm};
+  auto pieces = Decompose(Simplify(region, kToleranceNm), how, cancel);
+  // Narrow places may close when they are simplified.
+  return pieces.ok() || absl::IsCancelled(pieces.status()) ? std::move(pieces)
+                                                           : Decompose(region, how, cancel);
+}
+
+/// Turns a closed line so that it starts at its corner nearest to `from`.
+void StartNear(Point from, Polyline& ring) {
+  ring.pop_back();
+  const auto nearest = std::min_element(ring.begin(), ring.end(), [&](Point a, Point b) {
+    return Distance(a, from) < Distance(b, from);
+  });
+  std::rotate(ring.begin(), nearest, ring.end());
+  ring.push_back(ring.front());
+}
+
+/// The lines of one piece, in order.
+std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const ExposureOptions& options) {
+  const double pitch = static_cast<double>(options.hatch_distance_nm);
+  const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
+  std::vector<Polyline> rings = ConvexRings(piece, scale, {.pitch_nm = pitch, .first_nm = first});
+  if (options.strategy == ScanStrategy::kRings) std::reverse(rings.begin(), rings.end());
+  std::erase_if(rings, [&](const Polyline& ring) {
+    return Length(ring) < static_cast<double>(options.minimum_vector_nm);
+  });
+  for (size_t i = 1; i < rings.size(); ++i) {
+    if (rings[i].size() > 2) {
+      StartNear(rings[i - 1].back(), rings[i]);
+    } else if (Distance(rings[i - 1].back(), rings[i][1]) < Distance(rings[i - 1].back(), rings[i][0])) {
+      std::swap(rings[i][0], rings[i][1]);
+    }
+  }
+  if (!options.link_rings || rings.size() < 2) return rings;
+  Polyline linked;
+  for (const Polyline& ring : rings) linked.insert(linked.end(), ring.begin(), ring.end());
+  return {std::move(linked)};
+}
+
+}  // namespace
+
+absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, Point from,
+                         const CancelToken& cancel, ExposureGroup& group, CutCounts& counts) {
+  if (region.empty()) return absl::OkStatus();
+  const auto pieces = Pieces(region, options.decompose, cancel);
+  if (!pieces.ok()) return pieces.status();
+  counts.Add(pieces->counts);
+  std::vector<std::vector<Polyline>> scans;
+  std::vector<ScanBlock> blocks;
+  for (const Polygon& piece : pieces->pieces) {
+    std::vector<Polyline> lines = PieceLines(piece, static_cast<double>(pieces->scale), options);
+    if (lines.empty()) continue;
+    blocks.push_back({.start = lines.front().front(), .end = lines.back().back(),
+                      .odd = blocks.size() % 2 == 1});
+    scans.push_back(std::move(lines));
+  }
+  for (const BlockTurn& turn : OrderBlocks(blocks, options.jump_order, from))
+    for (const Polyline& line : scans[turn.block]) group.AddLine(line);
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,87 @@
+#include "services/exposure/algo/scan/scan_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/base/error.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// An edge of a region in the frame, from its lower end to its upper one, and the lines it meets:
+/// [first, last).
+struct FrameEdge {
+  double u = 0, v = 0;      ///< lower end
+  double slope = 0;         ///< du / dv
+  int64_t first = 0, last = 0;
+};
+
+std::vector<FrameEdge> FrameEdges(const MultiPolygon& region, const ScanFrame& frame,
+                                  const LineGrid& grid) {
+  std::vector<FrameEdge> edges;
+  edges.reserve(PointCount(region));
+  const auto line_at = [&](double v) {
+    return static_cast<int64_t>(std::ceil(v / grid.pitch_nm - grid.phase));
+  };
+  ForEachRing(region, [&](const Polygon& ring) {
+    if (ring.empty()) return;
+    double u = frame.U(ring.back()), v = frame.V(ring.back());
+    int64_t line = line_at(v);
+    for (const Point p : ring) {
+      const double next_u = frame.U(p), next_v = frame.V(p);
+      const int64_t next_line = line_at(next_v);
+      if (line != next_line) {
+        const double slope = (next_u - u) / (next_v - v);
+        edges.push_back(line < next_line ? FrameEdge{u, v, slope, line, next_line}
+                                         : FrameEdge{next_u, next_v, slope, next_line, line});
+      }
+      u = next_u, v = next_v, line = next_line;
+    }
+  });
+  return edges;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
+                                                    const ScanFrame& frame, const LineGrid& grid) {
+  const std::vector<FrameEdge> edges = FrameEdges(region, frame, grid);
+  if (edges.empty()) return std::vector<ScanPiece>{};
+  int64_t first = INT64_MAX, last = INT64_MIN, crossings = 0;
+  for (const FrameEdge& edge : edges) {
+    first = std::min(first, edge.first);
+    last = std::max(last, edge.last);
+    crossings += edge.last - edge.first;
+  }
+  if (crossings / 2 > kMaxScanPieces || last - first > kMaxScanPieces || first < INT32_MIN || last > INT32_MAX)
+    return LimitError(Reason::kRequestTooLarge, "hatch lines of a layer", kMaxScanPieces,
+                      std::max(crossings / 2, last - first));
+  // Crossings by line: counted, then put in their places.
+  std::vector<int32_t> begin(static_cast<size_t>(last - first) + 1);
+  for (const FrameEdge& edge : edges)
+    for (int64_t line = edge.first; line < edge.last; ++line)
+      ++begin[static_cast<size_t>(line - first) + 1];
+  for (size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  std::vector<double> places(static_cast<size_t>(crossings));
+  std::vector<int32_t> next(begin.begin(), begin.end() - 1);
+  for (const FrameEdge& edge : edges) {
+    for (int64_t line = edge.first; line < edge.last; ++line) {
+      const double v = grid.V(static_cast<int32_t>(line));
+      places[static_cast<size_t>(next[static_cast<size_t>(line - first)]++)] =
+          edge.u + (v - edge.v) * edge.slope;
+    }
+  }
+  std::vector<ScanPiece> pieces;
+  pieces.reserve(static_cast<size_t>(crossings / 2));
+  for (size_t i = 0; i + 1 < begin.size(); ++i) {
+    const auto from = places.begin() + begin[i], to = places.begin() + begin[i + 1];
+    std::sort(from, to);
+    const auto line = static_cast<int32_t>(first + static_cast<int64_t>(i));
+    for (auto place = from; place + 1 < to; place += 2)
+      if (place[0] < place[1]) pieces.push_back({line, place[0], place[1]});
+  }
+  return pieces;
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cmath>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm::exposure {
+
+/// The place `by_nm` beyond `to`, coming from `from`; `to` itself where both are the same.
+inline Point Beyond(Point from, Point to, Coord by_nm) {
+  const double length = Distance(from, to);
+  if (by_nm == 0 || length == 0) return to;
+  const double share = static_cast<double>(by_nm) / length;
+  return to + Point{std::llround(share * static_cast<double>(to.x - from.x)),
+                    std::llround(share * static_cast<double>(to.y - from.y))};
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,91 @@
+#include "services/exposure/algo/scan/thin_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/simplify.h"
+#include "services/exposure/algo/decompose/decompose.h"
+#include "services/exposure/algo/scan/convex_rings.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+constexpr Coord kToleranceNm = 1'000;
+/// A wall is at least this many times as long as the spot's half width.
+constexpr double kLeastLength = 4;
+
+MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
+  const MultiPolygon thick =
+      OffsetTwice(outline, -inset_nm, inset_nm + kToleranceNm, {.miter_limit = 10});
+  MultiPolygon thin = Difference(outline, thick);
+  const double least = kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
+  std::erase_if(thin, [&](const PolygonWithHoles& part) { return Area(part) < least; });
+  return Simplify(thin, kToleranceNm);
+}
+
+ConvexRing PlaceOf(const Polygon& piece, double scale) {
+  ConvexRing ring;
+  for (const Point p : piece)
+    ring.push_back({static_cast<double>(p.x) / scale, static_cast<double>(p.y) / scale});
+  return ring;
+}
+
+/// Joins lines whose ends lie within `reach` of each other, nearest first.
+std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
+  std::vector<Polyline> chains;
+  while (!lines.empty()) {
+    Polyline chain = std::move(lines.back());
+    lines.pop_back();
+    for (int end = 0; end < 2; std::reverse(chain.begin(), chain.end()), ++end) {
+      for (;;) {
+        size_t best = lines.size();
+        bool backwards = false;
+        double least = reach;
+        for (size_t i = 0; i < lines.size(); ++i) {
+          for (const bool back : {false, true}) {
+            const double distance =
+                Distance(chain.back(), back ? lines[i].back() : lines[i].front());
+            if (distance > least) continue;
+            best = i, backwards = back, least = distance;
+          }
+        }
+        if (best == lines.size()) break;
+        Polyline next = std::move(lines[best]);
+        lines.erase(lines.begin() + static_cast<ptrdiff_t>(best));
+        if (backwards) std::reverse(next.begin(), next.end());
+        chain.insert(chain.end(), next.begin() + (next.front() == chain.back() ? 1 : 0), next.end());
+      }
+    }
+    chains.push_back(std::move(chain));
+  }
+  return chains;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline, Coord inset_nm,
+                                                    const CancelToken& cancel) {
+  const MultiPolygon thin = ThinParts(outline, inset_nm);
+  if (thin.empty()) return std::vector<Polyline>{};
+  const auto pieces = Decompose(thin, {.merge_nm = kToleranceNm}, cancel);
+  if (!pieces.ok()) return pieces.status();
+  std::vector<Polyline> lines;
+  for (const Polygon& piece : pieces->pieces) {
+    const Spine spine = SpineOf(PlaceOf(piece, static_cast<double>(pieces->scale)));
+    const Point from{std::llround(spine.from.x), std::llround(spine.from.y)};
+    const Point to{std::llround(spine.to.x), std::llround(spine.to.y)};
+    if (Distance(from, to) > spine.width_nm) lines.push_back({from, to});
+  }
+  std::vector<Polyline> walls = Chained(std::move(lines), static_cast<double>(inset_nm));
+  std::erase_if(walls, [&](const Polyline& wall) {
+    return Length(wall) < kLeastLength * static_cast<double>(inset_nm);
+  });
+  return walls;
+}
+
+}  // namespace slicefarm::exposure
