@@ -101,6 +101,7 @@ up() {
   }
   replicas slicing 1 slicing
   replicas planning 1 planning
+  replicas exposure 1 exposure
   if [[ "$mode" == fused ]]; then
     replicas motion 1 motion
     replicas worker "$workers" workers

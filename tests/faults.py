@@ -17,11 +17,14 @@ from local_farm import BIN, MODELS, Progress, percentile, running_farm
 MODEL = MODELS / "textbox.stl"
 PAUSE_S = 0.6  # between kills, on average
 LEAD = 4  # jobs that wait or run while processes are killed: there is always work to lose
+LASERS = 4  # every so many jobs is one of lasers
 PATIENCE_S = 600  # for all jobs to end when nothing is killed any more
 
 
 def settings_of(number):
     """Thin layers, so that there is work; and another job each time."""
+    if number % LASERS == LASERS - 1:
+        return ["--machine", "laser", "--set", "layer_height=0.06", "--set", "output_format=cli", "--set", f"hatch_speed={400 + number * 0.01:.2f}"]
     return ["--set", "layer_height=0.06", "--set", f"infill_speed={40 + number * 0.01:.2f}"]
 
 

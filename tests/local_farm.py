@@ -115,7 +115,7 @@ class Farm:
         directory.chmod(0o755)  # PostgreSQL's user goes through it
         self.log = directory / "log"
         self.log.mkdir()
-        singles = [Service(name, self.log) for name in ("slicing", "planning", "motion")]
+        singles = [Service(name, self.log) for name in ("slicing", "planning", "motion", "exposure")]
         stages = ("beading", "infill", "ordering") if split else ("worker",)
         slots = [] if split else ["--slots", "1"]
         self.workers = [Service(f"{name}-{i + 1}", self.log, *slots) for name in stages for i in range(workers)]

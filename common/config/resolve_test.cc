@@ -638,5 +638,95 @@ TEST(Resolve, ShortensLongValuesInReports) {
   EXPECT_LT(resolved.no_effect[0].size(), 150);
 }
 
+// Lasers.
+
+absl::StatusOr<ResolvedSettings> OfLaser(const Pairs& given, Source source = Source::kRequest) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : given) settings.push_back({key, value, source});
+  return Resolve(settings, Process::kLaser);
+}
+
+TEST(ResolveLaser, EverySettingReachesItsOption) {
+  const auto resolved = OfLaser({{"scan_strategy", "rings"},
+                                 {"hatch_distance", "0.11"},
+                                 {"hatch_rotation", "90"},
+                                 {"upskin_power", "150"},
+                                 {"thin_wall_speed", "300"},
+                                 {"downskin_layers", "3"},
+                                 {"jump_speed", "7000"},
+                                 {"output_format", "cli_binary"},
+                                 {"layer_height", "0.03"}});
+  ASSERT_TRUE(resolved.ok()) << resolved.status();
+  EXPECT_EQ(resolved->settings.process, Process::kLaser);
+  const ExposureOptions& region = resolved->settings.exposure.regions[0];
+  EXPECT_EQ(region.strategy, ScanStrategy::kRings);
+  EXPECT_EQ(region.hatch_distance_nm, 110'000);
+  EXPECT_EQ(region.layer_rotation_deg, 90);
+  EXPECT_EQ(region.StyleOf(ExposureKind::kUpskin).power_w, 150);
+  EXPECT_EQ(region.StyleOf(ExposureKind::kHatch).power_w, 200);
+  EXPECT_EQ(region.StyleOf(ExposureKind::kThinWall).speed_mm_s, 300);
+  EXPECT_EQ(region.downskin_layers, 3);
+  EXPECT_EQ(region.jump.speed_mm_s, 7000);
+  EXPECT_EQ(resolved->settings.exposure.output.format, OutputFormat::kCliBinary);
+  EXPECT_EQ(resolved->settings.slicing.objects[0].layer_height_nm, 30'000);
+  EXPECT_THAT(resolved->no_effect, IsEmpty());
+}
+
+// The table's standards are the options' own defaults.
+TEST(ResolveLaser, StandardsAreTheDefaults) {
+  const auto resolved = OfLaser({});
+  ASSERT_TRUE(resolved.ok()) << resolved.status();
+  EXPECT_EQ(resolved->settings.exposure, ExposureSettings());
+}
+
+TEST(ResolveLaser, ReadsItsOwnEffectiveText) {
+  const auto first = OfLaser({{"scan_strategy", "islands"}, {"contour_focus", "-1.5"}});
+  ASSERT_TRUE(first.ok()) << first.status();
+  const auto lines = ReadIni(first->effective_text);
+  ASSERT_TRUE(lines.ok()) << lines.status();
+  const auto second = Resolve(*lines, Process::kLaser);
+  ASSERT_TRUE(second.ok()) << second.status();
+  EXPECT_EQ(second->settings, first->settings);
+  EXPECT_EQ(second->effective_text, first->effective_text);
+  EXPECT_THAT(second->no_effect, IsEmpty());
+}
+
+TEST(ResolveLaser, SettingsOfOtherProcessesAreRefused) {
+  for (const char* key : {"perimeters", "fill_density", "temperature"}) {
+    const ErrorDetail detail = DetailOf(OfLaser({{key, "1"}}).status());
+    EXPECT_EQ(detail.reason, Reason::kSettingOfOtherProcess) << key;
+    EXPECT_EQ(detail.metadata.at("setting"), key);
+    EXPECT_EQ(detail.metadata.at("process"), "fdm");
+  }
+  const std::vector<Setting> laser = {{"hatch_distance", "0.1", Source::kRequest}};
+  const ErrorDetail detail = DetailOf(Resolve(laser).status());
+  EXPECT_EQ(detail.reason, Reason::kSettingOfOtherProcess);
+  EXPECT_EQ(detail.metadata.at("process"), "laser");
+}
+
+TEST(ResolveLaser, ThoseOfAProfileAreTold) {
+  const auto resolved = OfLaser({{"perimeters", "3"}}, Source::kProfile);
+  ASSERT_TRUE(resolved.ok()) << resolved.status();
+  EXPECT_THAT(resolved->no_effect, ElementsAre("perimeters = 3: a setting of process fdm"));
+}
+
+TEST(ResolveLaser, TellsWhatHasNoEffect) {
+  const auto resolved =
+      OfLaser({{"scan_strategy", "hatch"}, {"stripe_width", "4"}, {"output_layer", "2"}});
+  ASSERT_TRUE(resolved.ok()) << resolved.status();
+  EXPECT_THAT(resolved->no_effect,
+              ElementsAre("stripe_width = 4: needs scan_strategy = stripes",
+                          "output_layer = 2: needs output_format = dxf"));
+}
+
+TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {
+  for (const char* key : {"stripe_width", "island_width"}) {
+    const ErrorDetail detail =
+        DetailOf(OfLaser({{key, "0.2"}, {"scan_overlap", "0.1"}}).status());
+    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
+    EXPECT_EQ(detail.metadata.at("setting"), key);
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::config

@@ -17,24 +17,26 @@ static_assert(v1::DECOMPOSE_METHOD_APPROXIMATE ==
 static_assert(v1::JUMP_ORDER_FARTHEST == static_cast<int>(JumpOrder::kFarthest) + 1);
 static_assert(v1::OUTPUT_FORMAT_DXF == static_cast<int>(OutputFormat::kDxf) + 1);
 
-absl::Status CheckPositive(std::string_view field, double value) {
+absl::Status IsPositive(std::string_view field, double value) {
   return value > 0 ? absl::OkStatus() : Malformed(field, "is not positive");
 }
 
 absl::Status CheckStyle(const v1::ExposureStyle& proto) {
-  absl::Status status = CheckNotNegative({{"point_distance_nm", proto.point_distance_nm()}});
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckNotNegative({{"point_distance_nm", proto.point_distance_nm()}}));
   for (const double value : {proto.power_w(), proto.frequency_khz(), proto.point_time_us(),
                              proto.point_delay_us()})
     if (value < 0) status.Update(Malformed("styles", "an amount is negative"));
-  status.Update(CheckPositive("speed_mm_s", proto.speed_mm_s()));
+  status.Update(IsPositive("speed_mm_s", proto.speed_mm_s()));
   return status;
 }
 
 absl::Status Check(const v1::ExposureOptions& proto) {
-  absl::Status status = slicefarm::CheckPositive({{"hatch_distance_nm", proto.hatch_distance_nm()},
-                                       {"stripe_width_nm", proto.stripe_width_nm()},
-                                       {"island_width_nm", proto.island_width_nm()},
-                                       {"contour_distance_nm", proto.contour_distance_nm()}});
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"hatch_distance_nm", proto.hatch_distance_nm()},
+                               {"stripe_width_nm", proto.stripe_width_nm()},
+                               {"island_width_nm", proto.island_width_nm()},
+                               {"contour_distance_nm", proto.contour_distance_nm()}}));
   status.Update(CheckNotNegative({{"minimum_vector_nm", proto.minimum_vector_nm()},
                                   {"overlap_nm", proto.overlap_nm()},
                                   {"ring_overlap_nm", proto.ring_overlap_nm()},
@@ -49,7 +51,7 @@ absl::Status Check(const v1::ExposureOptions& proto) {
   if (proto.styles_size() != kExposureKindCount)
     status.Update(Malformed("styles", "not one for each kind of vector"));
   for (const v1::ExposureStyle& style : proto.styles()) status.Update(CheckStyle(style));
-  status.Update(CheckPositive("jump.speed_mm_s", proto.jump().speed_mm_s()));
+  status.Update(IsPositive("jump.speed_mm_s", proto.jump().speed_mm_s()));
   for (const double delay : {proto.jump().delay_us(), proto.jump().mark_delay_us(),
                              proto.jump().polygon_delay_us()})
     if (delay < 0) status.Update(Malformed("jump", "a delay is negative"));
@@ -57,9 +59,9 @@ absl::Status Check(const v1::ExposureOptions& proto) {
 }
 
 absl::Status Check(const v1::ExposureOutput& proto) {
-  absl::Status status = CheckPositive("unit_mm", proto.unit_mm());
-  status.Update(CheckPositive("full_power_w", proto.full_power_w()));
-  status.Update(CheckPositive("full_power_s", proto.full_power_s()));
+  absl::Status status = IsPositive("unit_mm", proto.unit_mm());
+  status.Update(IsPositive("full_power_w", proto.full_power_w()));
+  status.Update(IsPositive("full_power_s", proto.full_power_s()));
   if (proto.layer() < 0) status.Update(Malformed("layer", "is negative"));
   return status;
 }

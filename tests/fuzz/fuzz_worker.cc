@@ -1,8 +1,10 @@
+#include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/program_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/beading/algo/local_beading_stage.h"
+#include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
@@ -28,6 +30,13 @@ void Run(const WorkCall& given) {
   if (!start.ok()) return;
   const auto layers = ReadNeighbourhood<v1::WorkRequest>(requests, *start);
   if (!layers.ok()) return;
+  if (start->settings.process == Process::kLaser) {
+    static const auto exposure = exposure::MakeLocalExposure();
+    LaserChain(*exposure)
+        .Run(start->call, {start->range, *layers, start->copies, &start->settings})
+        .IgnoreError();
+    return;
+  }
   const auto result =
       chain.Run(start->call, {start->range, *layers, start->plans, start->copies, &start->facts,
                               &start->settings});

@@ -12,6 +12,8 @@
 #include "absl/status/statusor.h"
 #include "common/base/sha256.h"
 #include "common/config/plate.h"
+#include "common/wire/exposure_options_wire.h"
+#include "common/wire/exposure_wire.h"
 #include "common/wire/given_settings_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
@@ -333,11 +335,44 @@ void WriteMotionSeed(const Seeds& seeds, const std::string& name, const Job& job
   seeds.Write("motion", name, motion);
 }
 
+/// A laser's calls over the same outlines: by its own stage, and by a worker.
+void WriteExposureSeeds(const Seeds& seeds, const std::string& name, Job job) {
+  job.settings.process = Process::kLaser;
+  job.settings.exposure.regions.resize(job.settings.infill.size());
+  constexpr ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kStripes,
+                                          ScanStrategy::kIslands, ScanStrategy::kHatch};
+  for (const ScanStrategy strategy : kStrategies) {
+    for (ExposureOptions& region : job.settings.exposure.regions) {
+      region.strategy = strategy;
+      region.hatch_distance_nm = 500'000;
+      region.downskin_layers = 1;
+    }
+    ExposeCall call;
+    v1::ExposeStart& start = *call.add_requests()->mutable_start();
+    Must(ToProto(ExposeStart{job.call, job.settings.exposure, job.range, job.plan.copies}, &start));
+    Anonymous(&start);
+    for (const SlicedLayer& layer : job.sliced.layers)
+      Must(ToProto(layer, call.add_requests()->mutable_layer()));
+    Must(ToProto(ExposureSummary{3, {{0, 0}, {9, 9}}, 0, 9, {"box"}}, call.mutable_frame()));
+    *call.mutable_frame()->mutable_settings() = ToProto(job.settings.exposure);
+    const std::string seed = name + std::to_string(static_cast<int>(strategy));
+    seeds.Write("exposure", seed, call);
+    WorkCall work;
+    v1::WorkStart& whole = *work.add_requests()->mutable_start();
+    Must(ToProto(WorkStart{job.call, job.settings, job.range, {}, job.plan.copies, {}}, &whole));
+    Anonymous(&whole);
+    for (const SlicedLayer& layer : job.sliced.layers)
+      Must(ToProto(layer, work.add_requests()->mutable_layer()));
+    seeds.Write("worker", "laser_" + seed, work);
+  }
+}
+
 /// Each stage's call, with what the stage before it gave.
 void WriteStageSeeds(const Seeds& seeds, const std::string& name, Job job) {
   WriteSliceSeed(seeds, name, job);
   WritePlanSeed(seeds, name, job);
   WriteWorkSeed(seeds, name, job);
+  WriteExposureSeeds(seeds, name, job);
   auto walled = WriteBeadSeeds(seeds, name, job);
   auto filled = WriteFillSeed(seeds, name, job, std::move(walled));
   WriteMotionSeed(seeds, name, job, WriteOrderSeed(seeds, name, job, std::move(filled)));

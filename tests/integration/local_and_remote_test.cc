@@ -3,9 +3,11 @@
 #include <memory>
 
 #include "common/base/error.h"
+#include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
 #include "services/beading/algo/local_beading_stage.h"
+#include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "services/motion/algo/local_motion_stage.h"
 #include "services/ordering/algo/local_ordering_stage.h"
@@ -51,8 +53,17 @@ class LocalAndRemote : public testing::Test {
   const std::unique_ptr<InfillStage> infill_ = infill::MakeLocalInfill();
   const std::unique_ptr<OrderingStage> ordering_ = ordering::MakeLocalOrdering();
   const std::unique_ptr<MotionStage> motion_ = motion::MakeLocalMotion();
+  HostedStages Hosted() const {
+    HostedStages hosted{*slicing_, *beading_, *infill_, *ordering_, *motion_, both_};
+    hosted.exposure = exposure_.get();
+    return hosted;
+  }
+
+  const std::unique_ptr<ExposureStage> exposure_ = exposure::MakeLocalExposure();
   const LayerChain chain_{*beading_, *infill_, *ordering_, *motion_};
-  StageHost host_{{*slicing_, *beading_, *infill_, *ordering_, *motion_, chain_}};
+  const LaserChain laser_{*exposure_};
+  const ProcessRunners both_{{&chain_, &laser_}};
+  StageHost host_{Hosted()};
   const RemoteClients remote_{host_.Address()};
   const StageCall call_;
   JobSettings settings_;
@@ -163,6 +174,59 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
     }
     EXPECT_EQ(programs, whole->programs) << "ranges of " << size;
   }
+}
+
+/// The same outlines, scanned.
+class LaserLocalAndRemote : public LocalAndRemote {
+ protected:
+  LaserLocalAndRemote() {
+    settings_.process = Process::kLaser;
+    settings_.exposure.regions[0].downskin_layers = 2;
+    settings_.exposure.regions[0].strategy = ScanStrategy::kIslands;
+  }
+
+  LaserTask LaserTaskOf(LayerRange range) const {
+    const LayerRange halo = WithHalo(job_.layers, range, HaloLayers(settings_));
+    return {range, std::span(job_.layers).subspan(halo.first, halo.size()), plan_.copies,
+            &settings_};
+  }
+};
+
+TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
+  const auto whole = laser_.Run(call_, LaserTaskOf({0, LayerCount()}));
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  EXPECT_EQ(std::ssize(whole->programs), LayerCount());
+  for (const int32_t size : {1, 7, LayerCount()}) {
+    std::vector<ExposedProgram> programs;
+    std::vector<ExposedProgram> by_stage;
+    for (int32_t first = 0; first < LayerCount(); first += size) {
+      const LaserTask task = LaserTaskOf({first, std::min(first + size, LayerCount())});
+      const auto part = remote_.worker.Run(call_, task);
+      ASSERT_TRUE(part.ok()) << part.status();
+      programs.insert(programs.end(), part->programs.begin(), part->programs.end());
+      const auto staged = LaserChain(remote_.exposure).Run(call_, task);
+      ASSERT_TRUE(staged.ok()) << staged.status();
+      by_stage.insert(by_stage.end(), staged->programs.begin(), staged->programs.end());
+    }
+    EXPECT_EQ(programs, whole->programs) << "ranges of " << size;
+    EXPECT_EQ(by_stage, whole->programs) << "ranges of " << size;
+  }
+}
+
+TEST_F(LaserLocalAndRemote, FramesAreTheSame) {
+  const ExposureSummary summary{LayerCount(), {{0, 0}, {9, 9}}, 0, 7, {"textbox"}};
+  const auto here = exposure_->Frame(call_, summary, settings_.exposure);
+  const auto there = remote_.exposure.Frame(call_, summary, settings_.exposure);
+  ASSERT_TRUE(here.ok()) << here.status();
+  ASSERT_TRUE(there.ok()) << there.status();
+  EXPECT_EQ(*there, *here);
+}
+
+TEST_F(LaserLocalAndRemote, RefusesTheSameHereAndThere) {
+  LaserTask task = LaserTaskOf({10, 12});
+  task.layers = task.layers.subspan(1);
+  EXPECT_EQ(DetailOf(laser_.Run(call_, task).status()).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(remote_.worker.Run(call_, task).status()).reason, Reason::kRequestMalformed);
 }
 
 /// Two text boxes, one after the other.

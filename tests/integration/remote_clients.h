@@ -19,6 +19,7 @@ struct RemoteClients {
         infill(replica, options),
         ordering(replica, options),
         motion(replica, options),
+        exposure(replica, options),
         worker(replica, options) {}
 
   coordinator::SingleReplica replica;
@@ -28,6 +29,7 @@ struct RemoteClients {
   coordinator::RemoteInfill infill;
   coordinator::RemoteOrdering ordering;
   coordinator::RemoteMotion motion;
+  coordinator::RemoteExposure exposure;
   coordinator::RemoteWorker worker;
 };
 

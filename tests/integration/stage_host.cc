@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace slicefarm {
 
@@ -24,10 +25,13 @@ StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gat
       ordering_(stages.ordering, gate_),
       motion_(stages.motion, gate_),
       worker_(stages.runner, gate_) {
-  auto server = rpc::Server::Start(
-      options,
-      {&slicing_, planning_.get(), &beading_, &infill_, &ordering_, &motion_, &worker_},
-      call_metrics_);
+  std::vector<grpc::Service*> services = {&slicing_,  planning_.get(), &beading_, &infill_,
+                                          &ordering_, &motion_,        &worker_};
+  if (stages.exposure != nullptr) {
+    exposure_.emplace(*stages.exposure, gate_);
+    services.push_back(&*exposure_);
+  }
+  auto server = rpc::Server::Start(options, services, call_metrics_);
   if (!server.ok()) {
     std::fprintf(stderr, "%s\n", server.status().ToString().c_str());
     std::abort();

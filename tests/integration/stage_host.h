@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/rpc/server/call_gate.h"
@@ -9,6 +10,7 @@
 #include "common/rpc/server/server.h"
 #include "common/stage/task.h"
 #include "services/beading/server/beading_service.h"
+#include "services/exposure/server/exposure_service.h"
 #include "services/infill/server/infill_service.h"
 #include "services/motion/server/motion_service.h"
 #include "services/ordering/server/ordering_service.h"
@@ -25,10 +27,11 @@ struct HostedStages {
   const InfillStage& infill;
   const OrderingStage& ordering;
   const MotionStage& motion;
-  const FdmRunner& runner;
+  const TaskRunner& runner;
   /// Planning has its algorithm within its service.
   std::function<std::unique_ptr<v1::Planning::Service>(rpc::CallGate&)> planning =
       [](rpc::CallGate& gate) { return std::make_unique<planning::PlanningService>(gate); };
+  const ExposureStage* exposure = nullptr;  ///< null: it is not served
 };
 
 /// All services of the stages and the worker behind one real socket.
@@ -52,6 +55,7 @@ class StageHost {
   infill::InfillService infill_;
   ordering::OrderingService ordering_;
   motion::MotionService motion_;
+  std::optional<exposure::ExposureService> exposure_;
   worker::WorkerService worker_;
   std::unique_ptr<rpc::Server> server_;
 };

@@ -67,7 +67,7 @@ absl::StatusOr<Result> RemoteWorker::Ask(const StageCall& call, const WorkStart&
   return result;
 }
 
-absl::StatusOr<TaskResult> RemoteWorker::Run(const StageCall& call, const FdmTask& task) const {
+absl::StatusOr<FdmResult> RemoteWorker::Run(const StageCall& call, const FdmTask& task) const {
   const WorkStart start{call,
                         *task.settings,
                         task.range,
@@ -75,24 +75,30 @@ absl::StatusOr<TaskResult> RemoteWorker::Run(const StageCall& call, const FdmTas
                         {task.copies.begin(), task.copies.end()},
                         *task.facts};
   absl::StatusOr<FdmResult> result = Ask<FdmResult>(call, start, task.layers);
-  if (!result.ok()) return result.status();
+  if (!result.ok()) return result;
   if (absl::Status fits = CheckProgramsOfRange(result->programs, task.range); !fits.ok())
     return BadAnswer(kWorker, fits);
-  return *std::move(result);
+  return result;
 }
 
-absl::StatusOr<TaskResult> RemoteWorker::Run(const StageCall& call, const LaserTask& task) const {
+absl::StatusOr<LaserResult> RemoteWorker::Run(const StageCall& call,
+                                              const LaserTask& task) const {
   const WorkStart start{
       call, *task.settings, task.range, {}, {task.copies.begin(), task.copies.end()}, {}};
   absl::StatusOr<LaserResult> result = Ask<LaserResult>(call, start, task.layers);
-  if (!result.ok()) return result.status();
+  if (!result.ok()) return result;
   if (absl::Status fits = CheckLayers(result->programs, task.range); !fits.ok())
     return BadAnswer(kWorker, fits);
-  return *std::move(result);
+  return result;
 }
 
 absl::StatusOr<TaskResult> RemoteWorker::RunTask(const StageCall& call, const Task& task) const {
-  return std::visit([&](const auto& of) { return Run(call, of); }, task);
+  const auto run = [&](const auto& of) -> absl::StatusOr<TaskResult> {
+    auto result = Run(call, of);
+    if (!result.ok()) return result.status();
+    return *std::move(result);
+  };
+  return std::visit(run, task);
 }
 
 }  // namespace slicefarm::coordinator

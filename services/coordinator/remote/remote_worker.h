@@ -22,10 +22,10 @@ class RemoteWorker : public TaskRunner {
   ProcessSet processes() const override { return processes_; }
   absl::StatusOr<TaskResult> RunTask(const StageCall& call, const Task& task) const override;
 
- private:
-  absl::StatusOr<TaskResult> Run(const StageCall& call, const FdmTask& task) const;
-  absl::StatusOr<TaskResult> Run(const StageCall& call, const LaserTask& task) const;
+  absl::StatusOr<FdmResult> Run(const StageCall& call, const FdmTask& task) const;
+  absl::StatusOr<LaserResult> Run(const StageCall& call, const LaserTask& task) const;
 
+ private:
   template <typename Result>
   absl::StatusOr<Result> Ask(const StageCall& call, const WorkStart& start,
                              std::span<const SlicedLayer> layers) const;

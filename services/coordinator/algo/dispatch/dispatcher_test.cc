@@ -328,5 +328,38 @@ TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
   for (std::thread& job : jobs) job.join();
 }
 
+/// Makes nothing of any layer.
+class FakeLaser : public LaserRunner {
+ public:
+  absl::StatusOr<LaserResult> Run(const StageCall&, const LaserTask& task) const override {
+    LaserResult result;
+    result.programs.resize(static_cast<size_t>(task.range.size()));
+    return result;
+  }
+};
+
+// A job of lasers waits for a runner that knows them, while others go on.
+TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
+  Dispatcher dispatcher;
+  dispatcher.Join(RunnerOf("fdm", Good, 2));
+  EXPECT_EQ(dispatcher.Slots(Process::kFdm), 2);
+  EXPECT_EQ(dispatcher.Slots(Process::kLaser), 0);
+  std::vector<Task> lasers(3);
+  for (int32_t i = 0; i < 3; ++i) {
+    LaserTask task;
+    task.range = {i, i + 1};
+    lasers[static_cast<size_t>(i)] = task;
+  }
+  absl::StatusOr<std::vector<TaskResult>> scanned;
+  std::thread waits([&] { scanned = dispatcher.Execute({}, lasers, nullptr); });
+  const auto tasks = Tasks(20);
+  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  dispatcher.Join({.name = "laser", .tasks = std::make_shared<FakeLaser>(), .await_ready = {}});
+  waits.join();
+  ASSERT_TRUE(scanned.ok()) << scanned.status();
+  for (const TaskResult& result : *scanned)
+    EXPECT_EQ(std::get<LaserResult>(result).programs.size(), 1u);
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator

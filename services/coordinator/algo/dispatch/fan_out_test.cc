@@ -130,5 +130,40 @@ TEST(FanOut, RestsDoubleUpToTheMaximum) {
   EXPECT_EQ(rest(60), milliseconds(1000));
 }
 
+TEST(FanOut, ARunnerGetsTasksOfItsProcessesOnly) {
+  FanOut fan_out;
+  const auto fdm = fan_out.Add(2, {}, Process::kFdm);
+  const auto laser = fan_out.Add(2, {}, Process::kLaser);
+  EXPECT_TRUE(fan_out.AnyQueued({Process::kLaser}));
+  for (int i = 0; i < 2; ++i) {
+    const auto grant = fan_out.Take(1, 0, {Process::kLaser});
+    ASSERT_TRUE(grant.has_value());
+    EXPECT_EQ(grant->job, laser);
+  }
+  EXPECT_FALSE(fan_out.AnyQueued({Process::kLaser}));
+  EXPECT_TRUE(fan_out.AnyQueued({Process::kFdm}));
+  EXPECT_FALSE(fan_out.Take(1, 0, {Process::kLaser}).has_value());
+  EXPECT_FALSE(fan_out.Take(2, 0, {}).has_value());
+  const auto grant = fan_out.Take(2, 0);
+  ASSERT_TRUE(grant.has_value());
+  EXPECT_EQ(grant->job, fdm);
+}
+
+// Slow ranges are doubled by those who know how to make them.
+TEST(FanOut, DoublesGoToRunnersOfTheProcessOnly) {
+  FanOut fan_out({.hedge_after_s = 0});
+  const auto laser = fan_out.Add(2, {}, Process::kLaser);
+  const auto first = fan_out.Take(1, 0);
+  ASSERT_TRUE(first.has_value());
+  const auto second = fan_out.Take(2, 0);
+  ASSERT_TRUE(second.has_value());
+  fan_out.Succeeded(*second, 1);
+  EXPECT_FALSE(fan_out.Take(3, 1e6, {Process::kFdm}).has_value());
+  const auto twin = fan_out.Take(3, 1e6, {Process::kLaser});
+  ASSERT_TRUE(twin.has_value());
+  EXPECT_EQ(twin->job, laser);
+  EXPECT_EQ(twin->range, first->range);
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator

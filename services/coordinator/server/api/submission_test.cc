@@ -204,6 +204,21 @@ TEST_F(SubmissionTest, WhatCannotBeIsNamed) {
   }
 }
 
+// The farm of this test has no exposure service.
+TEST_F(SubmissionTest, AProcessThatIsNotMadeHereIsRefused) {
+  ASSERT_TRUE(Upload("xx").ok());
+  v1::CreateJobRequest request = RequestFor("xx");
+  request.mutable_spec()->set_process(v1::PROCESS_LASER);
+  const absl::Status refused = Create(request).status();
+  EXPECT_EQ(refused.code(), absl::StatusCode::kFailedPrecondition) << refused;
+  EXPECT_EQ(ReasonOf(refused), Reason::kProcessUnavailable);
+  EXPECT_EQ(DetailOf(refused).metadata.at("process"), "laser");
+  request.mutable_spec()->set_process(static_cast<v1::Process>(99));
+  EXPECT_EQ(ReasonOf(Create(request).status()), Reason::kRequestMalformed);
+  request.mutable_spec()->set_process(v1::PROCESS_FDM);
+  EXPECT_TRUE(Create(request).ok());
+}
+
 TEST_F(SubmissionTest, APreflightKeepsNothing) {
   ASSERT_TRUE(Upload("xxxxxxxxxx").ok());
   v1::CreateJobRequest request = RequestFor("xxxxxxxxxx");

@@ -1,0 +1,45 @@
+#include <vector>
+
+#include "common/wire/exposure_options_wire.h"
+#include "common/wire/exposure_wire.h"
+#include "common/wire/message_stream.h"
+#include "common/wire/start_wire.h"
+#include "services/exposure/algo/local_exposure_stage.h"
+#include "tests/fuzz/calls.pb.h"
+#include "tests/fuzz/proto_mutator.h"
+#include "tests/fuzz/stage_call.h"
+
+namespace slicefarm::fuzz {
+namespace {
+
+void Frame(const ExposureStage& stage, const v1::ExposureFrameRequest& request) {
+  CheckRoundTrip(request.settings());
+  const auto summary = FromProto(request);
+  const auto settings = FromProto(request.settings());
+  if (!summary.ok() || !settings.ok()) return;
+  stage.Frame({}, *summary, *settings).IgnoreError();
+}
+
+void Run(const ExposeCall& given) {
+  static const auto stage = exposure::MakeLocalExposure();
+  for (const v1::ExposeRequest& request : given.requests()) {
+    CheckRoundTrip(request.start());
+    CheckRoundTrip(request.layer());
+  }
+  Frame(*stage, given.frame());
+  Requests<v1::ExposeRequest> requests(given.requests());
+  const auto start = ReadStart<v1::ExposeRequest>(requests, WithDeadline());
+  if (!start.ok()) return;
+  const auto layers = ReadNeighbourhood<v1::ExposeRequest>(requests, *start);
+  if (!layers.ok()) return;
+  const auto programs =
+      stage->Expose(start->call, {start->range, *layers}, start->copies, start->settings);
+  if (!programs.ok()) return;
+  for (const ExposedProgram& program : *programs)
+    CheckRoundTrip(Encoded<v1::ExposedProgram>(program));
+}
+
+}  // namespace
+}  // namespace slicefarm::fuzz
+
+SLICEFARM_PROTO_FUZZER(slicefarm::fuzz::ExposeCall, slicefarm::fuzz::Run)
