@@ -81,7 +81,7 @@ ExitCode Main(int argc, char** argv) {
   app.require_subcommand(1);
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddSettings, AddHealth, AddToken, AddVersion}) {
+        AddProfile, AddRender, AddBeads, AddFill, AddSettings, AddHealth, AddToken, AddTsp, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {
