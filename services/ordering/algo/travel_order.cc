@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "services/ordering/algo/few_legs.h"
 #include "services/ordering/algo/leg_graph.h"
 #include "services/ordering/algo/tours/place_tree.h"
 #include "services/ordering/algo/tours/tour_search.h"
@@ -117,16 +118,38 @@ void AvoidCrossing(const LegGraph& graph, const Barrier& barrier, TourSearch& se
   search.Charge(nullptr);
 }
 
+bool Crosses(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits) {
+  Point at = journey.from;
+  for (const Visit& visit : visits) {
+    if (journey.barrier->Parts(at, EntryOf(legs[visit.leg], visit.reversed))) return true;
+    at = ExitOf(legs[visit.leg], visit.reversed);
+  }
+  return journey.to && journey.barrier->Parts(at, *journey.to);
+}
+
+std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
+  const auto length = [](Point a, Point b) { return static_cast<int64_t>(Distance(a, b) + 0.5); };
+  const auto charged = [&](Point a, Point b) {
+    return length(a, b) + (journey.barrier->Parts(a, b) ? kCrossingNm : 0);
+  };
+  std::vector<Visit> best = BestOrder(journey, legs, length);
+  // What crosses nothing is also the best of what pays for crossings.
+  return journey.barrier == nullptr || !Crosses(journey, legs, best)
+             ? best
+             : BestOrder(journey, legs, charged);
+}
+
 }  // namespace
 
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget) {
+  if (legs.size() <= kFewLegs && budget.moves > 0) return OrderFew(journey, legs);
   std::vector<Visit> visits = NearestFirst(journey, legs);
-  if (legs.empty() || (legs.size() == 1 && !journey.to) || budget.moves <= 0) return visits;
+  if (legs.empty() || budget.moves <= 0) return visits;
   const LegGraph graph(journey, legs);
   const Neighbours neighbours(graph.costs(), kNeighbours, 0);
   TourSearch search(graph.costs(), neighbours, graph.rules(), graph.TourOf(visits),
-                    SearchDepth::kChains, kSeed);
+                    SearchDepth::kThreeOpt, kSeed);
   search.Improve(budget);
   search.Iterate(kExchangesPerLeg * std::ssize(legs), budget);
   if (journey.barrier != nullptr) AvoidCrossing(graph, *journey.barrier, search, budget);

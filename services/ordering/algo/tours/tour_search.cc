@@ -263,12 +263,21 @@ int32_t TourSearch::Below(int32_t limit) {
   return static_cast<int32_t>((uint64_t{random_()} * static_cast<uint64_t>(limit)) >> 32);
 }
 
+// Where an edge must stay, the next one is cut.
 bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   const int32_t size = tour_.size();
   const int32_t longest = std::min(kLongestExchange, size / 2 - 1);
-  const Way way = WayFrom(tour_.At(Below(size)), true);
-  const int32_t one = 1 + Below(longest);
-  const int32_t both = one + 1 + Below(longest);
+  int32_t start = Below(size);
+  const auto is_fixed = [&](const Way& way, int32_t index) {
+    return fixed_.Has(At(way, index), At(way, index + 1));
+  };
+  if (is_fixed(WayFrom(tour_.At(start), true), -1)) start = start + 1 < size ? start + 1 : 0;
+  const Way way = WayFrom(tour_.At(start), true);
+  int32_t one = 1 + Below(longest);
+  if (is_fixed(way, one - 1)) ++one;
+  int32_t both = one + 1 + Below(longest);
+  if (is_fixed(way, both - 1)) ++both;
+  if (both >= size) return false;
   const Move move{0, 0, one - 1, both - 1, Join::kSwap};
   const int32_t last = At(way, size - 1);
   const std::array<int32_t, 6> ends = {last,          way.first,         At(way, one - 1),
