@@ -9,7 +9,7 @@ set -euo pipefail
 build=(
   build-essential cmake ninja-build ccache pkg-config python3 python3-yaml
   libgrpc++-dev protobuf-compiler-grpc libprotobuf-dev protobuf-compiler libabsl-dev
-  libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev libexpat1-dev libzip-dev
+  libboost-dev libpolyclipping-dev libeigen3-dev libcgal-dev liblemon-dev libexpat1-dev libzip-dev
   libfmt-dev libspdlog-dev libcli11-dev nlohmann-json3-dev prometheus-cpp-dev libcivetweb-dev
   libsqlite3-dev sqlite3 libpq-dev postgresql-15 libcurl4-openssl-dev libssl-dev libpng-dev libcairo2-dev libseccomp-dev
   libjemalloc-dev libre2-dev

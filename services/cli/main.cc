@@ -81,7 +81,8 @@ ExitCode Main(int argc, char** argv) {
   app.require_subcommand(1);
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddSettings, AddHealth, AddToken, AddVersion}) {
+        AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddTsp, AddSettings, AddHealth, AddToken,
+        AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -34,6 +34,7 @@ void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.c
 void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc
 void AddHealth(CLI::App& app, CommandContext& context);    ///< health_command.cc
 void AddToken(CLI::App& app, CommandContext& context);     ///< token_command.cc
+void AddTsp(CLI::App& app, CommandContext& context);       ///< tsp_command.cc
 void AddVersion(CLI::App& app, CommandContext& context);   ///< main.cc
 
 }  // namespace slicefarm::cli

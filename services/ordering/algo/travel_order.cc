@@ -1,10 +1,14 @@
 #include "services/ordering/algo/travel_order.h"
 
-#include <limits>
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
 #include <utility>
 
-#include "services/ordering/algo/endpoint_tree.h"
-#include "services/ordering/algo/tour_improvement.h"
+#include "services/ordering/algo/few_legs.h"
+#include "services/ordering/algo/leg_graph.h"
+#include "services/ordering/algo/tours/place_tree.h"
+#include "services/ordering/algo/tours/tour_search.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -12,72 +16,144 @@ namespace {
 Point EntryOf(const Leg& leg, bool reversed) { return reversed ? leg.end : leg.start; }
 Point ExitOf(const Leg& leg, bool reversed) { return reversed ? leg.start : leg.end; }
 
-/// Up to this many legs, looking at all is faster than building a tree.
-constexpr size_t kFewLegs = 24;
+/// Gain is slow from here on: more exchanges take more time than they save on the printer.
+constexpr int64_t kExchangesPerLeg = 4;
+constexpr size_t kNeighbours = 8;
+constexpr uint32_t kSeed = 20;
 
-std::vector<Visit> NearestFirstOfFew(Point at, std::span<const Leg> legs) {
+/// The legs whose predecessors have all been visited.
+class Readiness {
+ public:
+  Readiness(std::span<const Precedence> precedence, size_t legs)
+      : precedence_(precedence), waits_for_(legs, 0) {
+    for (const Precedence& pair : precedence_) ++waits_for_[pair.next];
+  }
+
+  bool IsReady(uint32_t leg) const { return waits_for_[leg] == 0; }
+
+  /// The legs that become ready when `leg` is done.
+  std::vector<uint32_t> Release(uint32_t leg) {
+    std::vector<uint32_t> ready;
+    for (const Precedence& pair : precedence_) {
+      if (pair.leg == leg && --waits_for_[pair.next] == 0) ready.push_back(pair.next);
+    }
+    return ready;
+  }
+
+ private:
+  std::span<const Precedence> precedence_;
+  std::vector<uint32_t> waits_for_;  ///< by leg
+};
+
+/// Always on to the nearest end of a leg that is ready.
+std::vector<Visit> NearestFirst(const Journey& journey, std::span<const Leg> legs) {
+  std::vector<Place> ends;
+  ends.reserve(2 * legs.size());
+  const auto place = [](Point p) {
+    return Place{static_cast<double>(p.x), static_cast<double>(p.y)};
+  };
+  for (const Leg& leg : legs) {
+    ends.push_back(place(leg.start));
+    ends.push_back(place(leg.end));
+  }
+  PlaceTree tree(ends);
+  Readiness readiness(journey.precedence, legs.size());
+  for (uint32_t leg = 0; leg < legs.size(); ++leg) {
+    if (!readiness.IsReady(leg)) tree.Remove(2 * leg);
+    if (!readiness.IsReady(leg) || !legs[leg].reversible) tree.Remove(2 * leg + 1);
+  }
   std::vector<Visit> visits;
   visits.reserve(legs.size());
-  std::vector<uint32_t> left(legs.size());
-  for (uint32_t i = 0; i < left.size(); ++i) left[i] = i;
-  while (!left.empty()) {
-    size_t best = 0;
-    bool best_reversed = false;
-    double best_distance2 = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < left.size(); ++i) {
-      const Leg& leg = legs[left[i]];
-      for (const bool reversed : {false, true}) {
-        if (reversed && !leg.reversible) continue;
-        const double distance2 = SquaredNorm(EntryOf(leg, reversed) - at);
-        if (distance2 >= best_distance2) continue;
-        best = i;
-        best_reversed = reversed;
-        best_distance2 = distance2;
-      }
+  Point at = journey.from;
+  while (visits.size() < legs.size()) {
+    const uint32_t entry = tree.Nearest(place(at));
+    const uint32_t done = entry / 2;
+    visits.push_back({done, entry % 2 == 1});
+    at = ExitOf(legs[done], entry % 2 == 1);
+    tree.Remove(entry);
+    if (legs[done].reversible) tree.Remove(entry ^ 1U);
+    for (const uint32_t leg : readiness.Release(done)) {
+      tree.Restore(2 * leg);
+      if (legs[leg].reversible) tree.Restore(2 * leg + 1);
     }
-    visits.push_back({left[best], best_reversed});
-    at = ExitOf(legs[left[best]], best_reversed);
-    left.erase(left.begin() + static_cast<ptrdiff_t>(best));
   }
   return visits;
 }
 
-std::vector<Visit> NearestFirst(Point at, std::span<const Leg> legs) {
-  if (legs.size() <= kFewLegs) return NearestFirstOfFew(at, legs);
-  std::vector<Point> ends;
-  ends.reserve(2 * legs.size());
-  for (const Leg& leg : legs) {
-    ends.push_back(leg.start);
-    ends.push_back(leg.end);
+/// What crossings of a barrier cost. Answers are kept.
+class CrossingCharge : public Surcharge {
+ public:
+  CrossingCharge(const LegGraph& graph, const Barrier& barrier)
+      : graph_(graph), barrier_(barrier) {}
+
+  int64_t Of(int32_t a, int32_t b) const override {
+    if (graph_.costs().IsNowhere(a) || graph_.costs().IsNowhere(b)) return 0;
+    const auto [least, greatest] = std::minmax(a, b);
+    const uint64_t edge = uint64_t{static_cast<uint32_t>(least)} << 32 | static_cast<uint32_t>(greatest);
+    const auto [known, is_new] = parted_.try_emplace(edge, false);
+    if (is_new) known->second = barrier_.Parts(graph_.At(least), graph_.At(greatest));
+    return known->second ? kCrossingNm : 0;
   }
-  EndpointTree tree(ends);
-  for (uint32_t i = 0; i < legs.size(); ++i) {
-    if (!legs[i].reversible) tree.Remove(2 * i + 1);
+
+ private:
+  const LegGraph& graph_;
+  const Barrier& barrier_;
+  mutable std::unordered_map<uint64_t, bool> parted_;
+};
+
+void AvoidCrossing(const LegGraph& graph, const Barrier& barrier, TourSearch& search,
+                   WorkBudget& budget) {
+  const CrossingCharge charge(graph, barrier);
+  const FixedEdges fixed(graph.costs().size(), graph.rules().fixed);
+  const Tour& tour = search.tour();
+  for (size_t i = 0; i < tour.size(); ++i) {
+    const int32_t a = tour[i];
+    const int32_t b = tour[i + 1 < tour.size() ? i + 1 : 0];
+    if (fixed.Has(a, b) || charge.Of(a, b) == 0) continue;
+    search.Wake(a);
+    search.Wake(b);
   }
-  std::vector<Visit> visits;
-  visits.reserve(legs.size());
-  while (visits.size() < legs.size()) {
-    const uint32_t entry = tree.Nearest(at);
-    const Leg& leg = legs[entry / 2];
-    const bool reversed = entry % 2 == 1;
-    visits.push_back({entry / 2, reversed});
-    at = ExitOf(leg, reversed);
-    tree.Remove(entry);
-    if (leg.reversible) tree.Remove(entry ^ 1U);
+  search.Charge(&charge);
+  search.Improve(budget);
+  search.Charge(nullptr);
+}
+
+bool Crosses(const Journey& journey, std::span<const Leg> legs, std::span<const Visit> visits) {
+  Point at = journey.from;
+  for (const Visit& visit : visits) {
+    if (journey.barrier->Parts(at, EntryOf(legs[visit.leg], visit.reversed))) return true;
+    at = ExitOf(legs[visit.leg], visit.reversed);
   }
-  return visits;
+  return journey.to && journey.barrier->Parts(at, *journey.to);
+}
+
+std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
+  const auto length = [](Point a, Point b) { return static_cast<int64_t>(Distance(a, b) + 0.5); };
+  const auto charged = [&](Point a, Point b) {
+    return length(a, b) + (journey.barrier->Parts(a, b) ? kCrossingNm : 0);
+  };
+  std::vector<Visit> best = BestOrder(journey, legs, length);
+  // What crosses nothing is also the best of what pays for crossings.
+  return journey.barrier == nullptr || !Crosses(journey, legs, best)
+             ? best
+             : BestOrder(journey, legs, charged);
 }
 
 }  // namespace
 
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget) {
-  std::vector<Visit> visits = NearestFirst(journey.from, legs);
-  if (legs.empty() || (legs.size() == 1 && !journey.to) || budget.moves <= 0) return visits;
-  TourImprovement tour(journey, legs, std::move(visits));
-  tour.Improve(budget);
-  if (journey.barrier != nullptr) tour.AvoidCrossing(*journey.barrier, budget);
-  return tour.visits();
+  if (legs.size() <= kFewLegs && budget.moves > 0) return OrderFew(journey, legs);
+  std::vector<Visit> visits = NearestFirst(journey, legs);
+  if (legs.empty() || budget.moves <= 0) return visits;
+  const LegGraph graph(journey, legs);
+  const Neighbours neighbours(graph.costs(), kNeighbours, 0);
+  TourSearch search(graph.costs(), neighbours, graph.rules(), graph.TourOf(visits),
+                    SearchDepth::kThreeOpt, kSeed);
+  search.Improve(budget);
+  search.Iterate(kExchangesPerLeg * std::ssize(legs), budget);
+  if (journey.barrier != nullptr) AvoidCrossing(graph, *journey.barrier, search, budget);
+  return graph.VisitsOf(search.tour());
 }
 
 double TravelLength(const Journey& journey, std::span<const Leg> legs,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/geometry/point.h"
+#include "services/ordering/algo/tours/work_budget.h"
 
 namespace slicefarm::ordering {
 
@@ -26,16 +27,23 @@ class Barrier {
   virtual bool Parts(Point a, Point b) const = 0;
 };
 
+/// `leg` comes before `next`.
+struct Precedence {
+  uint32_t leg = 0;
+  uint32_t next = 0;
+};
+
 /// Where the nozzle comes from, and where it goes when all legs are done (nowhere in particular if
 /// absent).
 struct Journey {
   Point from;
   std::optional<Point> to;
   const Barrier* barrier = nullptr;  ///< what had better not be crossed on the way
+  std::span<const Precedence> precedence = {};  ///< without circles
 };
 
 /// What a crossing costs, in travel: a retraction takes about as long as 7 mm, and leaves a mark.
-inline constexpr double kCrossingNm = 10.0 * kNmPerMm;
+inline constexpr int64_t kCrossingNm = 10 * kNmPerMm;
 
 struct Visit {
   uint32_t leg = 0;
@@ -44,21 +52,13 @@ struct Visit {
   friend bool operator==(const Visit&, const Visit&) = default;
 };
 
-/// Work that may still be spent on improvement, in moves tried. Counted, not timed: the result does
-/// not depend on the machine.
-struct WorkBudget {
-  int64_t moves = 0;
-};
-
-/// An order and direction of all `legs` with little travel: nearest neighbour, then 2-opt and
-/// Or-opt until no move gains or `budget` is spent. Then, around each travel that crosses the
-/// barrier, the same with crossings counted as travel of kCrossingNm.
+/// An order and direction of all `legs` with little travel: nearest neighbour, then TourSearch with
+/// a number of exchanges in proportion to the legs, or until `budget` is spent. Then, around each
+/// travel that crosses the barrier, the same moves with crossings counted as travel of kCrossingNm.
 ///
 /// The journey is a path with a fixed start and, if asked for, a fixed end. Shapes: each leg once.
-/// A leg that is not reversible is never reversed. Deterministic. Cost: O(n log n) and the moves
-/// tried, each O(1) to judge and O(n) to make. Source: J. L. Bentley, "Fast Algorithms for
-/// Geometric Traveling Salesman Problems", ORSA J. Computing 4 (1992): neighbour lists, don't-look
-/// bits.
+/// A leg that is not reversible is never reversed; the precedence is kept. Deterministic. Cost:
+/// O(n log n) and the moves tried, each O(1) to judge and O(n) to make.
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget);
 

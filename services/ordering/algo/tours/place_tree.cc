@@ -1,4 +1,4 @@
-#include "services/ordering/algo/endpoint_tree.h"
+#include "services/ordering/algo/tours/place_tree.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,17 +12,16 @@ double Squared(double x) { return x * x; }
 
 }  // namespace
 
-EndpointTree::EndpointTree(std::span<const Point> points) : position_(points.size()) {
-  nodes_.reserve(points.size());
-  for (uint32_t i = 0; i < points.size(); ++i) {
-    nodes_.push_back({static_cast<double>(points[i].x), static_cast<double>(points[i].y), i, 0,
-                      /*removed=*/false, /*split_x=*/true});
+PlaceTree::PlaceTree(std::span<const Place> places) : position_(places.size()) {
+  nodes_.reserve(places.size());
+  for (uint32_t i = 0; i < places.size(); ++i) {
+    nodes_.push_back({places[i].x, places[i].y, i, 0, /*removed=*/false, /*split_x=*/true});
   }
   Build(0, nodes_.size());
   for (size_t i = 0; i < nodes_.size(); ++i) position_[nodes_[i].number] = static_cast<uint32_t>(i);
 }
 
-void EndpointTree::Build(size_t first, size_t last) {
+void PlaceTree::Build(size_t first, size_t last) {
   if (first == last) return;
   const auto begin = nodes_.begin() + static_cast<ptrdiff_t>(first);
   const auto end = nodes_.begin() + static_cast<ptrdiff_t>(last);
@@ -48,27 +47,38 @@ void EndpointTree::Build(size_t first, size_t last) {
   Build(middle + 1, last);
 }
 
-void EndpointTree::Remove(uint32_t number) {
+void PlaceTree::Remove(uint32_t number) {
   const size_t position = position_[number];
   assert(!nodes_[position].removed);
   nodes_[position].removed = true;
+  Count(position, -1U);
+}
+
+void PlaceTree::Restore(uint32_t number) {
+  const size_t position = position_[number];
+  assert(nodes_[position].removed);
+  nodes_[position].removed = false;
+  Count(position, 1);
+}
+
+void PlaceTree::Count(size_t position, uint32_t more) {
   size_t first = 0;
   size_t last = nodes_.size();
   for (;;) {
     const size_t middle = Middle(first, last);
-    --nodes_[middle].alive;
+    nodes_[middle].alive += more;
     if (middle == position) return;
     (position < middle ? last : first) = position < middle ? middle : middle + 1;
   }
 }
 
-uint32_t EndpointTree::Nearest(Point to) const {
+uint32_t PlaceTree::Nearest(Place to) const {
   Candidate best{std::numeric_limits<double>::infinity(), kNone};
-  SearchNearest(0, nodes_.size(), static_cast<double>(to.x), static_cast<double>(to.y), best);
+  SearchNearest(0, nodes_.size(), to.x, to.y, best);
   return best.number;
 }
 
-void EndpointTree::SearchNearest(size_t first, size_t last, double x, double y,
+void PlaceTree::SearchNearest(size_t first, size_t last, double x, double y,
                                  Candidate& best) const {
   if (first == last) return;
   const size_t middle = Middle(first, last);
@@ -87,22 +97,23 @@ void EndpointTree::SearchNearest(size_t first, size_t last, double x, double y,
   if (!lower_first) SearchNearest(first, middle, x, y, best);
 }
 
-void EndpointTree::NearestFew(Point to, uint32_t except, size_t count,
-                              std::vector<uint32_t>& found) const {
+void PlaceTree::NearestFew(Place to, uint32_t except, size_t count,
+                              std::vector<uint32_t>& found,
+                            std::optional<Quadrant> quadrant) const {
   found.clear();
   if (count == 0) return;
-  FewQuery query{static_cast<double>(to.x), static_cast<double>(to.y), except / 2, count, {}};
+  FewQuery query{to.x, to.y, except, count, quadrant, {}};
   query.best.reserve(count + 1);
   SearchFew(0, nodes_.size(), query);
   for (const Candidate& candidate : query.best) found.push_back(candidate.number);
 }
 
-void EndpointTree::SearchFew(size_t first, size_t last, FewQuery& query) const {
+void PlaceTree::SearchFew(size_t first, size_t last, FewQuery& query) const {
   if (first == last) return;
   const size_t middle = Middle(first, last);
   const Node& node = nodes_[middle];
   if (node.alive == 0) return;
-  if (!node.removed && node.number / 2 != query.except_leg) {
+  if (query.Admits(node)) {
     const Candidate here{Squared(node.x - query.x) + Squared(node.y - query.y), node.number};
     const bool full = query.best.size() == query.count;
     if (!full || here.Before(query.best.back())) {
@@ -115,12 +126,14 @@ void EndpointTree::SearchFew(size_t first, size_t last, FewQuery& query) const {
   }
   const double beyond = node.split_x ? query.x - node.x : query.y - node.y;
   const bool lower_first = beyond < 0;
-  if (lower_first) SearchFew(first, middle, query);
-  if (!lower_first) SearchFew(middle + 1, last, query);
+  const auto search = [&](bool lower) {
+    if (query.Skips(node, lower)) return;
+    lower ? SearchFew(first, middle, query) : SearchFew(middle + 1, last, query);
+  };
+  search(lower_first);
   const bool full = query.best.size() == query.count;
   if (full && Squared(beyond) >= query.best.back().distance2) return;
-  if (lower_first) SearchFew(middle + 1, last, query);
-  if (!lower_first) SearchFew(first, middle, query);
+  search(!lower_first);
 }
 
 }  // namespace slicefarm::ordering

@@ -1,0 +1,158 @@
+#include "services/ordering/algo/tours/constructions.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace slicefarm::ordering {
+namespace {
+
+constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
+constexpr int32_t kNone = FixedEdges::kNone;
+
+/// Pieces of a tour that grow together.
+class Pieces {
+ public:
+  explicit Pieces(int32_t size) : links_(static_cast<size_t>(size), {kNone, kNone}), root_(links_.size()) {
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  bool IsEnd(int32_t node) const { return links_[static_cast<size_t>(node)][1] == kNone; }
+
+  /// Joins them unless that makes a branch or a ring.
+  void Join(int32_t a, int32_t b) {
+    if (!IsEnd(a) || !IsEnd(b)) return;
+    const int32_t root_a = RootOf(a);
+    const int32_t root_b = RootOf(b);
+    if (root_a == root_b) return;
+    root_[static_cast<size_t>(root_a)] = root_b;
+    Link(a, b);
+    Link(b, a);
+  }
+
+  /// The nodes of the piece, from this end to the other.
+  Tour From(int32_t end) const {
+    Tour piece = {end};
+    int32_t before = kNone;
+    for (int32_t at = end;;) {
+      const auto& links = links_[static_cast<size_t>(at)];
+      const int32_t next = links[0] == before ? links[1] : links[0];
+      if (next == kNone) return piece;
+      before = at;
+      at = next;
+      piece.push_back(at);
+    }
+  }
+
+ private:
+  void Link(int32_t node, int32_t to) {
+    auto& links = links_[static_cast<size_t>(node)];
+    links[links[0] == kNone ? 0 : 1] = to;
+  }
+
+  int32_t RootOf(int32_t node) {
+    while (root_[static_cast<size_t>(node)] != node) {
+      int32_t& up = root_[static_cast<size_t>(node)];
+      up = root_[static_cast<size_t>(up)];
+      node = up;
+    }
+    return node;
+  }
+
+  std::vector<std::array<int32_t, 2>> links_;
+  std::vector<int32_t> root_;
+};
+
+struct Edge {
+  int64_t length;
+  NodePair ends;
+};
+
+std::vector<Edge> EdgesOf(const Costs& costs, const Neighbours& neighbours) {
+  std::vector<Edge> edges;
+  for (int32_t node = 0; node < costs.size(); ++node) {
+    for (const Neighbour& near : neighbours.Of(node)) {
+      if (!costs.IsNowhere(near.node)) edges.push_back({near.length, {node, near.node}});
+    }
+  }
+  std::ranges::sort(edges, {}, [](const Edge& edge) {
+    return std::tuple(edge.length, edge.ends.a, edge.ends.b);
+  });
+  return edges;
+}
+
+/// The pieces one after the other, from an end of nowhere's if there is one.
+Tour Chained(const Costs& costs, const Pieces& pieces) {
+  std::vector<int32_t> ends;
+  for (int32_t node = 0; node < costs.size(); ++node) {
+    if (pieces.IsEnd(node)) ends.push_back(node);
+  }
+  Tour tour;
+  tour.reserve(static_cast<size_t>(costs.size()));
+  int32_t next = costs.IsNowhere(costs.size() - 1) ? costs.size() - 1 : ends.front();
+  for (;;) {
+    const Tour piece = pieces.From(next);
+    tour.insert(tour.end(), piece.begin(), piece.end());
+    std::erase_if(ends, [&](int32_t end) { return end == piece.front() || end == piece.back(); });
+    if (ends.empty()) return tour;
+    next = *std::ranges::min_element(
+        ends, {}, [&](int32_t end) { return costs(piece.back(), end); });
+  }
+}
+
+}  // namespace
+
+Tour NearestNeighbourTour(const Costs& costs, int32_t first) {
+  Tour left(static_cast<size_t>(costs.size()));
+  std::iota(left.begin(), left.end(), 0);
+  std::erase(left, first);
+  Tour tour = {first};
+  while (!left.empty()) {
+    const auto nearest =
+        std::ranges::min_element(left, {}, [&](int32_t node) { return costs(tour.back(), node); });
+    tour.push_back(*nearest);
+    left.erase(nearest);
+  }
+  return tour;
+}
+
+Tour GreedyEdgeTour(const Costs& costs, const Neighbours& neighbours,
+                    std::span<const NodePair> fixed) {
+  Pieces pieces(costs.size());
+  for (const NodePair& edge : fixed) pieces.Join(edge.a, edge.b);
+  for (const Edge& edge : EdgesOf(costs, neighbours)) pieces.Join(edge.ends.a, edge.ends.b);
+  return Chained(costs, pieces);
+}
+
+Tour InsertionTour(const Costs& costs) {
+  Tour left(static_cast<size_t>(costs.size() - 1));
+  std::iota(left.begin(), left.end(), 1);
+  std::vector<int64_t> away(static_cast<size_t>(costs.size()), kFar);  // from the tour
+  Tour tour = {0};
+  int32_t newest = 0;
+  while (!left.empty()) {
+    for (const int32_t node : left) {
+      int64_t& distance = away[static_cast<size_t>(node)];
+      distance = std::min(distance, costs(node, newest));
+    }
+    const auto farthest = std::ranges::max_element(
+        left, {}, [&](int32_t node) { return away[static_cast<size_t>(node)]; });
+    newest = *farthest;
+    left.erase(farthest);
+    size_t best = 0;
+    int64_t least = kFar;
+    for (size_t i = 0; i < tour.size(); ++i) {
+      const int32_t a = tour[i];
+      const int32_t b = tour[i + 1 < tour.size() ? i + 1 : 0];
+      const int64_t longer = costs(a, newest) + costs(newest, b) - costs(a, b);
+      if (longer >= least) continue;
+      least = longer;
+      best = i + 1;
+    }
+    tour.insert(tour.begin() + static_cast<ptrdiff_t>(best), newest);
+  }
+  return tour;
+}
+
+}  // namespace slicefarm::ordering

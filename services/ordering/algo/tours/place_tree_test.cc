@@ -1,0 +1,98 @@
+#include "services/ordering/algo/tours/place_tree.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace slicefarm::ordering {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(PlaceTree, Empty) {
+  const PlaceTree tree({});
+  EXPECT_EQ(tree.Nearest({0, 0}), PlaceTree::kNone);
+}
+
+TEST(PlaceTree, FindsAndForgets) {
+  const std::vector<Place> places = {{0, 0}, {10, 0}, {20, 0}};
+  PlaceTree tree(places);
+  EXPECT_EQ(tree.Nearest({9, 1}), 1);
+  tree.Remove(1);
+  EXPECT_EQ(tree.Nearest({9, 1}), 0);
+  tree.Remove(0);
+  tree.Remove(2);
+  EXPECT_EQ(tree.Nearest({9, 1}), PlaceTree::kNone);
+  tree.Restore(2);
+  EXPECT_EQ(tree.Nearest({9, 1}), 2);
+}
+
+TEST(PlaceTree, NoPlaceIsItsOwnNeighbour) {
+  const std::vector<Place> places = {{0, 0}, {0, 0}, {5, 0}, {6, 0}};
+  const PlaceTree tree(places);
+  std::vector<uint32_t> found;
+  tree.NearestFew({0, 0}, 0, 10, found);
+  EXPECT_THAT(found, ElementsAre(1, 2, 3));
+  tree.NearestFew({0, 0}, 0, 0, found);
+  EXPECT_THAT(found, IsEmpty());
+}
+
+TEST(PlaceTree, AgreesWithLookingAtAll) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> coord(-50, 50);  // small, so that places coincide
+  std::vector<Place> places(300);
+  for (Place& place : places) place = {1.0 * coord(random), 1.0 * coord(random)};
+  PlaceTree tree(places);
+  std::vector<uint32_t> left(places.size());
+  for (uint32_t i = 0; i < left.size(); ++i) left[i] = i;
+  while (!left.empty()) {
+    const Place query{1.0 * coord(random), 1.0 * coord(random)};
+    const auto distance2 = [&](uint32_t i) {
+      const double dx = places[i].x - query.x;
+      const double dy = places[i].y - query.y;
+      return dx * dx + dy * dy;
+    };
+    const auto nearer = [&](uint32_t a, uint32_t b) {
+      return distance2(a) < distance2(b);
+    };
+    const uint32_t nearest = tree.Nearest(query);
+    ASSERT_TRUE(std::binary_search(left.begin(), left.end(), nearest));
+    const uint32_t want = *std::min_element(left.begin(), left.end(), nearer);
+    ASSERT_EQ(distance2(nearest), distance2(want));
+
+    std::vector<uint32_t> few;
+    tree.NearestFew(query, left.back(), 5, few);
+    std::vector<uint32_t> others;
+    for (const uint32_t i : left) {
+      if (i != left.back()) others.push_back(i);
+    }
+    ASSERT_EQ(few.size(), std::min<size_t>(5, others.size()));
+    ASSERT_TRUE(std::is_sorted(few.begin(), few.end(), nearer));
+    std::stable_sort(others.begin(), others.end(), nearer);
+    for (size_t i = 0; i < few.size(); ++i) {
+      ASSERT_EQ(distance2(few[i]), distance2(others[i]));
+    }
+    for (const bool right : {false, true}) {
+      for (const bool above : {false, true}) {
+        tree.NearestFew(query, PlaceTree::kNone, 3, few, PlaceTree::Quadrant{right, above});
+        std::vector<uint32_t> there;
+        for (const uint32_t i : left) {
+          if ((places[i].x >= query.x) == right && (places[i].y >= query.y) == above)
+            there.push_back(i);
+        }
+        std::stable_sort(there.begin(), there.end(), nearer);
+        ASSERT_EQ(few.size(), std::min<size_t>(3, there.size()));
+        for (size_t i = 0; i < few.size(); ++i) ASSERT_EQ(distance2(few[i]), distance2(there[i]));
+      }
+    }
+    const size_t out = random() % left.size();
+    tree.Remove(left[out]);
+    left.erase(left.begin() + static_cast<ptrdiff_t>(out));
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/ordering/algo/tours/costs.h"
+#include "services/ordering/algo/tours/tour_rules.h"
+
+namespace slicefarm::ordering {
+
+struct TspInstance {
+  std::string name;
+  Costs costs;
+  std::vector<NodePair> fixed;  ///< open chains, or one ring of all nodes
+};
+
+inline constexpr int32_t kMostPlaces = 20'000;
+inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table takes n * n numbers
+inline constexpr double kGreatestWeight = 1e9;  ///< also of coordinates: sums stay exact
+
+/// A symmetric instance as TSPLIB 95 writes it; node k of the file is node k - 1 here.
+///
+/// EDGE_WEIGHT_TYPE: EUC_2D, CEIL_2D, ATT, GEO, or EXPLICIT as FULL_MATRIX, UPPER_ROW, LOWER_ROW,
+/// UPPER_DIAG_ROW or LOWER_DIAG_ROW; with or without FIXED_EDGES_SECTION. Errors: REQUEST_MALFORMED
+/// with the number of the line, also for what TSPLIB knows and this does not; REQUEST_TOO_LARGE
+/// past kMostPlaces or kMostTableNodes. Source: G. Reinelt, "TSPLIB 95", Heidelberg 1995.
+absl::StatusOr<TspInstance> ReadTsplib(std::string_view text);
+
+/// A file of TYPE TOUR.
+std::string PrintTour(const std::string& name, const Tour& tour);
+
+}  // namespace slicefarm::ordering
