@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
+#include "services/cli/render/cli_layer.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
 
@@ -20,7 +22,8 @@ struct RenderOptions {
   std::string output;
   int layer = 0;
   std::string format;
-  std::string colour_by = "feature";
+  ColourBy colour_by = ColourBy::kFeature;
+  double spot_mm = 0.08;
   int size_px = 1200;
   bool travels = false;
 };
@@ -41,11 +44,12 @@ ExitCode Render(const RenderOptions& options) {
   if (!format.ok()) return Fail(format.status());
   const auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
   if (!gcode.ok()) return Fail(gcode.status());
-  const auto layer = ReadGcodeLayer(*gcode, options.layer);
+  const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
+                                       : ReadGcodeLayer(*gcode, options.layer);
   if (!layer.ok()) return Fail(layer.status());
   const auto image = DrawLayer(
       *layer, {.format = *format,
-               .colour_by = options.colour_by == "width" ? ColourBy::kWidth : ColourBy::kFeature,
+               .colour_by = options.colour_by,
                .size_px = options.size_px,
                .travels = options.travels});
   if (!image.ok()) return Fail(image.status());
@@ -56,9 +60,9 @@ ExitCode Render(const RenderOptions& options) {
 }  // namespace
 
 void AddRender(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("render", "Draw a layer of a G-code file");
+  CLI::App* command = app.add_subcommand("render", "Draw a layer of a G-code file, or of a laser's CLI file");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer")->required();
+  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")->required();
   command->add_option("-l,--layer", options->layer, "Which layer; 0 is the first")
       ->required()
       ->type_name("N");
@@ -67,9 +71,20 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->type_name("LAYER.png|svg");
   command->add_option("--format", options->format, "If the output's name does not say it")
       ->check(CLI::IsMember({"png", "svg"}));
-  command->add_option("--by", options->colour_by, "What the colours tell")
-      ->check(CLI::IsMember({"feature", "width"}))
-      ->capture_default_str();
+  command
+      ->add_option("--color,--by", options->colour_by,
+                   "What the colours tell: feature (the default), width, order, or energy: how often "
+                   "a place is passed over")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
+                                          {"width", ColourBy::kWidth},
+                                          {"order", ColourBy::kOrder},
+                                          {"energy", ColourBy::kEnergy}}))
+      ->type_name("WHAT");
+  command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
+      ->check(CLI::Range(0.001, 10.0))
+      ->capture_default_str()
+      ->type_name("MM");
   command->add_option("--size", options->size_px, "Longer side of the part's picture, pixels")
       ->check(CLI::Range(50, 8000))
       ->capture_default_str()
@@ -78,7 +93,8 @@ void AddRender(CLI::App& app, CommandContext& context) {
   command->footer(
       "Beads have their true width and round ends, in the order of printing.\n"
       "Example:\n"
-      "  slicefarm render part.gcode --layer 12 -o layer.png");
+      "  slicefarm render part.gcode --layer 12 -o layer.png\n"
+      "  slicefarm render part.cli --layer 12 -o order.png --color order");
   command->callback([options, &context] { context.run = [options] { return Render(*options); }; });
 }
 

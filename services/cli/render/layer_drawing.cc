@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "services/cli/render/exposure_map.h"
+
 namespace slicefarm::cli {
 namespace {
 
@@ -85,8 +87,11 @@ class Painter {
   void Use(Colour colour) { cairo_set_source_rgb(cairo_, colour.red, colour.green, colour.blue); }
 
   Colour ColourOf(const BeadRun& bead) const {
-    return options_.colour_by == ColourBy::kFeature ? FeatureColour(bead.feature)
-                                                    : ScaleColour(widths_.Fraction(bead.width_mm));
+    if (options_.colour_by == ColourBy::kWidth)
+      return ScaleColour(widths_.Fraction(bead.width_mm));
+    if (options_.colour_by == ColourBy::kFeature) return FeatureColour(bead.feature);
+    const auto turn = static_cast<double>(&bead - layer_.beads.data());
+    return ScaleColour(turn / std::max<double>(1, static_cast<double>(layer_.beads.size()) - 1));
   }
 
   void Trace(const std::vector<PointMm>& points) {
@@ -94,7 +99,22 @@ class Painter {
     for (const PointMm& p : points) cairo_line_to(cairo_, p.x, p.y);
   }
 
+  void PaintEnergy() {
+    const std::vector<double> map = ExposureMap(layer_, layout_);
+    for (const double passes : map) most_passes_ = std::max(most_passes_, passes);
+    size_t pixel = 0;
+    for (int y = 0; y < layout_.height_px && !map.empty(); ++y) {
+      for (int x = 0; x < layout_.part_width_px; ++x, ++pixel) {
+        if (map[pixel] == 0) continue;
+        Use(ScaleColour(map[pixel] / most_passes_));
+        cairo_rectangle(cairo_, x, y, 1, 1);
+        cairo_fill(cairo_);
+      }
+    }
+  }
+
   void PaintPart() {
+    if (options_.colour_by == ColourBy::kEnergy) return PaintEnergy();
     cairo_save(cairo_);
     cairo_rectangle(cairo_, 0, 0, layout_.part_width_px, layout_.height_px);
     cairo_clip(cairo_);
@@ -147,10 +167,19 @@ class Painter {
     Text(x, y += 24, 13,
          fmt::format("z {:.2f} mm, height {:.2f} mm", layer_.z_mm, layer_.height_mm));
     y += 16;
-    if (options_.colour_by == ColourBy::kFeature) {
-      y = PaintFeatures(x, y);
-    } else {
-      y = PaintWidths(x, y);
+    switch (options_.colour_by) {
+      case ColourBy::kFeature:
+        y = PaintFeatures(x, y);
+        break;
+      case ColourBy::kWidth:
+        y = PaintSteps(x, y, "Width of the beads, mm", widths_.min_mm, widths_.max_mm);
+        break;
+      case ColourBy::kOrder:
+        y = PaintSteps(x, y, "Number of the line", 1, static_cast<double>(layer_.beads.size()));
+        break;
+      case ColourBy::kEnergy:
+        y = PaintSteps(x, y, "Passes", 0, most_passes_);
+        break;
     }
     PaintScale(x, y + 44);
   }
@@ -171,16 +200,15 @@ class Painter {
     return y;
   }
 
-  double PaintWidths(double x, double y) {
+  double PaintSteps(double x, double y, const std::string& title, double min, double max) {
     constexpr int kSteps = 5;
-    Text(x, y += 20, 13, "Width of the beads, mm");
+    Text(x, y += 20, 13, title);
     for (int i = 0; i < kSteps; ++i) {
       const double fraction = static_cast<double>(i) / (kSteps - 1);
-      const double width = widths_.min_mm + fraction * (widths_.max_mm - widths_.min_mm);
       y += 22;
-      Swatch(x, y, ScaleColour(widths_.max_mm > widths_.min_mm ? fraction : 0.5));
-      Text(x + 22, y, 13, fmt::format("{:.3f}", width));
-      if (widths_.max_mm == widths_.min_mm) break;
+      Swatch(x, y, ScaleColour(max > min ? fraction : 0.5));
+      Text(x + 22, y, 13, fmt::format("{:.3f}", min + fraction * (max - min)));
+      if (max == min) break;
     }
     return y;
   }
@@ -205,6 +233,7 @@ class Painter {
   const DrawingOptions& options_;
   const Layout& layout_;
   WidthRange widths_;
+  double most_passes_ = 0;
 };
 
 }  // namespace

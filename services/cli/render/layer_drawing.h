@@ -9,7 +9,12 @@
 namespace slicefarm::cli {
 
 enum class ImageFormat { kPng, kSvg };
-enum class ColourBy { kFeature, kWidth };
+enum class ColourBy {
+  kFeature,
+  kWidth,
+  kOrder,   ///< what comes first is dark, what comes last is light
+  kEnergy,  ///< how often a place is passed over (exposure_map.h)
+};
 
 struct DrawingOptions {
   ImageFormat format = ImageFormat::kPng;

@@ -1,0 +1,212 @@
+#include "services/cli/render/cli_layer.h"
+
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/numbers.h"
+#include "common/base/error.h"
+#include "common/base/text.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr std::string_view kHeaderStart = "$$HEADERSTART";
+constexpr std::string_view kHeaderEnd = "$$HEADEREND";
+
+absl::Status Malformed(const std::string& what) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   "not a CLI file as the format says: " + what);
+}
+
+/// Takes what a file says, and keeps the layer that is wanted.
+class LayerKeeper {
+ public:
+  LayerKeeper(int index, double unit_mm, double width_mm)
+      : unit_mm_(unit_mm), width_mm_(width_mm) {
+    layer_.index = index;
+  }
+
+  void Layer(double z) {
+    const double z_mm = z * unit_mm_;
+    if (layer_.layer_count == layer_.index) {
+      layer_.z_mm = z_mm;
+      layer_.height_mm = z_mm - last_z_mm_;
+    }
+    last_z_mm_ = z_mm;
+    ++layer_.layer_count;
+  }
+
+  /// `xy`: of all points, in units.
+  void Polyline(const std::vector<double>& xy) { Add("contour", xy, 0, xy.size()); }
+  void Hatches(const std::vector<double>& xy) {
+    for (size_t i = 0; i + 4 <= xy.size(); i += 4) Add("hatch", xy, i, i + 4);
+  }
+
+  absl::StatusOr<GcodeLayer> Take() && {
+    if (layer_.index < layer_.layer_count) return std::move(layer_);
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                     fmt::format("there is no layer {}: the last one is {}", layer_.index,
+                                 layer_.layer_count - 1));
+  }
+
+ private:
+  void Add(const char* feature, const std::vector<double>& xy, size_t from, size_t to) {
+    if (layer_.layer_count != layer_.index + 1 || to < from + 4) return;
+    BeadRun run{feature, width_mm_, {}};
+    for (size_t i = from; i + 2 <= to; i += 2)
+      run.points.push_back({xy[i] * unit_mm_, xy[i + 1] * unit_mm_});
+    if (!layer_.beads.empty())
+      layer_.travels.push_back({layer_.beads.back().points.back(), run.points.front()});
+    layer_.beads.push_back(std::move(run));
+  }
+
+  const double unit_mm_;
+  const double width_mm_;
+  double last_z_mm_ = 0;
+  GcodeLayer layer_;
+};
+
+/// `a,b,c` as numbers; none if one is no number.
+std::optional<std::vector<double>> NumbersOf(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view item : Split(text, ",")) {
+    double value = 0;
+    if (!absl::SimpleAtod(absl::string_view(item.data(), item.size()), &value))
+      return std::nullopt;
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
+/// One `$$NAME/numbers` of the ASCII geometry.
+absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKeeper& keeper) {
+  const size_t header = name == "POLYLINE" ? 3 : name == "HATCHES" ? 2 : 0;
+  if (name != "LAYER" && header == 0) return absl::OkStatus();  // labels and the like
+  const auto numbers = NumbersOf(values);
+  if (!numbers || numbers->size() < std::max<size_t>(header, 1))
+    return Malformed(fmt::format("$${} has no numbers", name));
+  if (header == 0) {
+    keeper.Layer(numbers->front());
+    return absl::OkStatus();
+  }
+  const size_t each = name == "HATCHES" ? 4 : 2;
+  const double count = (*numbers)[header - 1];
+  if (static_cast<double>(numbers->size() - header) != count * static_cast<double>(each))
+    return Malformed(fmt::format("$${} has not the {} items that it says", name, count));
+  const std::vector<double> xy(numbers->begin() + static_cast<std::ptrdiff_t>(header),
+                               numbers->end());
+  name == "HATCHES" ? keeper.Hatches(xy) : keeper.Polyline(xy);
+  return absl::OkStatus();
+}
+
+absl::Status ReadAscii(std::string_view body, LayerKeeper& keeper) {
+  for (size_t at = body.find("$$"); at != std::string_view::npos;) {
+    const size_t next = body.find("$$", at + 2);
+    const std::string_view command = Trim(body.substr(at + 2, next - at - 2));
+    const size_t slash = command.find('/');
+    const std::string_view values =
+        slash == std::string_view::npos ? std::string_view() : command.substr(slash + 1);
+    if (absl::Status ok = TakeCommand(command.substr(0, slash), values, keeper); !ok.ok())
+      return ok;
+    at = next;
+  }
+  return absl::OkStatus();
+}
+
+/// Little-endian numbers one after the other.
+class BinaryReader {
+ public:
+  explicit BinaryReader(std::string_view bytes) : bytes_(bytes) {}
+
+  size_t at() const { return at_; }
+  size_t left() const { return bytes_.size() - at_; }
+
+  template <class T>
+  std::optional<double> Next() {
+    if (left() < sizeof(T)) return std::nullopt;
+    T value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return static_cast<double>(value);
+  }
+
+ private:
+  std::string_view bytes_;
+  size_t at_ = 0;
+};
+
+/// `heads` whole numbers, the last of which is a count of items of `each` coordinates. Short ones
+/// are 16-bit integers, long ones 32-bit integers and floats.
+template <class Head, class Coordinate>
+std::optional<std::vector<double>> Items(BinaryReader& reader, int heads, size_t each) {
+  std::optional<double> count;
+  for (int i = 0; i < heads; ++i) {
+    count = reader.Next<Head>();
+    if (!count) return std::nullopt;
+  }
+  const double numbers = *count * static_cast<double>(each);
+  if (numbers < 0 || numbers * sizeof(Coordinate) > static_cast<double>(reader.left()))
+    return std::nullopt;
+  std::vector<double> xy;
+  while (static_cast<double>(xy.size()) < numbers) xy.push_back(*reader.Next<Coordinate>());
+  return xy;
+}
+
+absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
+  BinaryReader reader(body);
+  while (reader.left() >= 2) {
+    const size_t at = reader.at();
+    const auto command = static_cast<int>(*reader.Next<uint16_t>());
+    const bool layer = command == 127 || command == 128;
+    const bool hatches = command == 131 || command == 132;
+    if (layer) {
+      const auto z = command == 127 ? reader.Next<float>() : reader.Next<uint16_t>();
+      if (!z) return Malformed(fmt::format("it ends in a layer, at byte {}", at));
+      keeper.Layer(*z);
+      continue;
+    }
+    if (command < 129 || command > 132)
+      return Malformed(fmt::format("command {} at byte {} of the geometry", command, at));
+    const bool is_short = command == 129 || command == 131;
+    const int heads = hatches ? 2 : 3;
+    const size_t each = hatches ? 4 : 2;
+    const auto xy = is_short ? Items<uint16_t, uint16_t>(reader, heads, each)
+                             : Items<int32_t, float>(reader, heads, each);
+    if (!xy) return Malformed(fmt::format("it ends within the command at byte {}", at));
+    hatches ? keeper.Hatches(*xy) : keeper.Polyline(*xy);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+bool IsCliFile(std::string_view bytes) { return Trim(bytes.substr(0, 100)).starts_with(kHeaderStart); }
+
+absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
+  const size_t end = bytes.find(kHeaderEnd);
+  if (!IsCliFile(bytes) || end == std::string_view::npos) return Malformed("it has no whole header");
+  const std::string_view header = bytes.substr(0, end);
+  constexpr std::string_view kUnits = "$$UNITS/";
+  double unit_mm = 0;
+  const size_t units = header.find(kUnits);
+  if (units != std::string_view::npos) {
+    const std::string_view rest = header.substr(units + kUnits.size());
+    const std::string_view number = Trim(rest.substr(0, rest.find_first_of("\r\n$/")));
+    if (!absl::SimpleAtod(absl::string_view(number.data(), number.size()), &unit_mm)) unit_mm = 0;
+  }
+  if (!(unit_mm > 0)) return Malformed("its header has no $$UNITS");
+  LayerKeeper keeper(index, unit_mm, width_mm);
+  const std::string_view body = bytes.substr(end + kHeaderEnd.size());
+  const bool binary = header.find("$$BINARY") != std::string_view::npos;
+  const absl::Status read = binary ? ReadBinary(body, keeper) : ReadAscii(body, keeper);
+  if (!read.ok()) return read;
+  return std::move(keeper).Take();
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,83 @@
+#include "services/cli/render/cli_layer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+#include "common/base/error.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr char kHeader[] = "$$HEADERSTART\n$$ASCII\n$$UNITS/0.01\n$$LAYERS/2\n$$HEADEREND\n";
+
+std::string Ascii(const std::string& geometry) {
+  return std::string(kHeader) + "$$GEOMETRYSTART\n" + geometry + "$$GEOMETRYEND\n";
+}
+
+const char kTwoLayers[] =
+    "$$LAYER/10\n$$POLYLINE/1,1,3,0,0,100,0,0,0\n"
+    "$$LAYER/30\n$$POLYLINE/1,2,2,0,0,100,0\n$$HATCHES/1,2,0,1,100,1,100,2,0,2\n";
+
+template <class T>
+std::string Bytes(T value) {
+  return {reinterpret_cast<const char*>(&value), sizeof(T)};
+}
+
+TEST(ReadCliLayer, ReadsContoursAndHatchesInOrder) {
+  const auto layer = ReadCliLayer(Ascii(kTwoLayers), 1, 0.1);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  EXPECT_EQ(layer->layer_count, 2);
+  EXPECT_DOUBLE_EQ(layer->z_mm, 0.3);
+  EXPECT_NEAR(layer->height_mm, 0.2, 1e-12);
+  ASSERT_EQ(layer->beads.size(), 3u);
+  EXPECT_EQ(layer->beads[0], (BeadRun{"contour", 0.1, {{0, 0}, {1, 0}}}));
+  EXPECT_EQ(layer->beads[2], (BeadRun{"hatch", 0.1, {{1, 0.02}, {0, 0.02}}}));
+  ASSERT_EQ(layer->travels.size(), 2u);
+  EXPECT_EQ(layer->travels[1].back(), (PointMm{1, 0.02}));
+  EXPECT_EQ(ReadCliLayer(Ascii(kTwoLayers), 0, 0.1)->beads[0].points.size(), 3u);
+}
+
+TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
+  const std::string header = "$$HEADERSTART$$BINARY$$UNITS/0.5\n$$HEADEREND";
+  std::string body = Bytes<uint16_t>(127) + Bytes(2.F);
+  body += Bytes<uint16_t>(130) + Bytes<int32_t>(1) + Bytes<int32_t>(1) + Bytes<int32_t>(2);
+  for (const float f : {0.F, 0.F, 4.F, 2.F}) body += Bytes(f);
+  body += Bytes<uint16_t>(131) + Bytes<uint16_t>(1) + Bytes<uint16_t>(1);
+  for (const uint16_t v : {1, 2, 3, 4}) body += Bytes(v);
+  const auto layer = ReadCliLayer(header + body, 0, 0.1);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  EXPECT_DOUBLE_EQ(layer->z_mm, 1);
+  ASSERT_EQ(layer->beads.size(), 2u);
+  EXPECT_EQ(layer->beads[0].points[1], (PointMm{2, 1}));
+  EXPECT_EQ(layer->beads[1].points[1], (PointMm{1.5, 2}));
+  // Cut anywhere, it is refused or has less in it.
+  for (size_t size = 0; size < body.size(); ++size) {
+    const auto cut = ReadCliLayer(header + body.substr(0, size), 0, 0.1);
+    if (cut.ok()) {
+      EXPECT_LT(cut->beads.size(), 2u) << size;
+    }
+  }
+}
+
+TEST(ReadCliLayer, RefusesWhatTheFormatDoesNotHave) {
+  const std::string cases[] = {
+      "", "G1 X1", "$$HEADERSTART\n$$UNITS/1\n", "$$HEADERSTART\n$$ASCII\n$$HEADEREND\n",
+      "$$HEADERSTART\n$$UNITS/x\n$$HEADEREND\n", Ascii("$$LAYER/\n"),
+      Ascii("$$LAYER/1\n$$POLYLINE/1,1,3,0,0\n"), Ascii("$$LAYER/1\n$$HATCHES/1,-1,0\n"),
+      Ascii("$$LAYER/1\n$$POLYLINE/1,1,a,0,0\n"),
+      "$$HEADERSTART$$BINARY$$UNITS/1\n$$HEADEREND" + Bytes<uint16_t>(7)};
+  for (const std::string& bytes : cases) {
+    EXPECT_EQ(DetailOf(ReadCliLayer(bytes, 0, 0.1).status()).reason, Reason::kRequestMalformed)
+        << bytes;
+  }
+}
+
+TEST(ReadCliLayer, NamesTheLastLayer) {
+  const absl::Status status = ReadCliLayer(Ascii(kTwoLayers), 2, 0.1).status();
+  EXPECT_EQ(status.message(), "there is no layer 2: the last one is 1");
+}
+
+}  // namespace
+}  // namespace slicefarm::cli

@@ -1,0 +1,45 @@
+#include "services/cli/render/exposure_map.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::cli {
+namespace {
+
+double At(const std::vector<double>& map, const Layout& layout, PointMm p) {
+  const PointMm pixel = layout.ToPixel(p);
+  return map.at(static_cast<size_t>(pixel.y) * static_cast<size_t>(layout.part_width_px) +
+                static_cast<size_t>(pixel.x));
+}
+
+// Lines of 1 mm that cross: one pass along each, two where they meet, none beside.
+TEST(ExposureMap, CountsPasses) {
+  GcodeLayer layer;
+  layer.beads = {{"hatch", 1, {{0, 10}, {20, 10}}}, {"hatch", 1, {{10, 0}, {10, 20}}}};
+  const Layout layout = LayOut(layer, {});
+  const std::vector<double> map = ExposureMap(layer, layout);
+  EXPECT_DOUBLE_EQ(At(map, layout, {3, 10}), 1);
+  EXPECT_DOUBLE_EQ(At(map, layout, {10, 3}), 1);
+  EXPECT_DOUBLE_EQ(At(map, layout, {10, 10}), 2);
+  EXPECT_DOUBLE_EQ(At(map, layout, {3, 3}), 0);
+}
+
+// The sum over all pixels is length by width.
+TEST(ExposureMap, SumsUpToTheAreaOfAllPasses) {
+  GcodeLayer layer;
+  for (int i = 0; i < 5; ++i)
+    layer.beads.push_back({"hatch", 1.5, {{0, i * 1.0}, {30, i * 1.0}}});
+  const Layout layout = LayOut(layer, {});
+  double sum = 0;
+  for (const double passes : ExposureMap(layer, layout)) sum += passes;
+  EXPECT_NEAR(sum / (layout.px_per_mm * layout.px_per_mm) / (5 * 30 * 1.5), 1, 0.01);
+}
+
+TEST(ExposureMap, StopsCountingAtItsMost) {
+  GcodeLayer layer;
+  for (int i = 0; i < 40; ++i) layer.beads.push_back({"hatch", 1, {{0, 0}, {20, 0}}});
+  const Layout layout = LayOut(layer, {});
+  EXPECT_DOUBLE_EQ(At(ExposureMap(layer, layout), layout, {10, 0}), kMostPasses);
+}
+
+}  // namespace
+}  // namespace slicefarm::cli
