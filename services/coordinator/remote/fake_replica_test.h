@@ -32,6 +32,9 @@ class FakeReplica final : public v1::Worker::Service {
     slots_ = slots;
   }
 
+  /// REQUIRES: it is not there.
+  void SetProcesses(std::vector<v1::Process> processes) { processes_ = std::move(processes); }
+
   /// What ranges come to. REQUIRES: no call is in flight.
   void OnWork(std::function<grpc::Status()> answer) { work_ = std::move(answer); }
 
@@ -44,6 +47,7 @@ class FakeReplica final : public v1::Worker::Service {
     ++calls_;
     info->set_build_id(build_id_);
     info->set_slots(slots_);
+    for (const v1::Process process : processes_) info->add_processes(process);
     return answer_();
   }
 
@@ -72,6 +76,7 @@ class FakeReplica final : public v1::Worker::Service {
   };
   std::string build_id_ = std::string(BuildId());
   int slots_ = 2;
+  std::vector<v1::Process> processes_ = {v1::PROCESS_FDM};
   std::atomic<int> calls_ = 0;
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};

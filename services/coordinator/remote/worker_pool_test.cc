@@ -164,9 +164,9 @@ TEST_F(WorkerPoolTest, AWorkerThatDoesNotAnswerLeavesUntilItDoes) {
 TEST_F(WorkerPoolTest, AWorkerThatIsGreetedAgainStaysTheSameRunner) {
   FakeReplica a;
   Start({a.address()});
-  const auto ranges = runners_.Await(1)[0].ranges;
+  const auto tasks = runners_.Await(1)[0].tasks;
   while (a.calls() < 5) std::this_thread::yield();
-  EXPECT_EQ(runners_.Await(1)[0].ranges, ranges);
+  EXPECT_EQ(runners_.Await(1)[0].tasks, tasks);
 }
 
 TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARange) {
@@ -188,7 +188,7 @@ TEST_F(WorkerPoolTest, AWorkerThatBecameOneOfAnotherBuildLeavesWhenItRefusesARan
   for (int i = 0; i < 2; ++i) {
     absl::Status refused;
     do {
-      refused = runner.tasks->Run({}, task).status();
+      refused = runner.tasks->RunTask({}, task).status();
     } while (absl::IsUnavailable(refused));  // the channel may not have noticed the kill yet
     EXPECT_EQ(DetailOf(refused).reason, Reason::kBuildMismatch);
     EXPECT_THAT(runners_.Current(), IsEmpty());
@@ -205,6 +205,21 @@ TEST_F(WorkerPoolTest, AWorkerThatFitsAgainJoinsAgain) {
   a.SetInfo(std::string(BuildId()), 4);
   a.Restart();
   EXPECT_EQ(runners_.Await(1)[0].slots, 4);
+}
+
+TEST_F(WorkerPoolTest, AWorkerIsARunnerOfTheProcessesThatItTells) {
+  FakeReplica a;
+  Start({a.address()});
+  EXPECT_EQ(runners_.Await(1)[0].tasks->processes(), ProcessSet{Process::kFdm});
+  a.Kill();
+  a.SetProcesses({v1::PROCESS_LASER});
+  a.Restart();
+  while (runners_.Await(1)[0].tasks->processes() != ProcessSet{Process::kLaser})
+    std::this_thread::yield();
+  a.Kill();
+  a.SetProcesses({});  // it is of no use
+  a.Restart();
+  runners_.Await(0);
 }
 
 TEST_F(WorkerPoolTest, EndsWhileAWorkerIsBeingGreeted) {
@@ -225,7 +240,7 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
   const JobFacts facts;
   const JobSettings settings;
   const FdmTask task{{0, 1}, {}, {}, {}, &facts, &settings};
-  EXPECT_FALSE(runner.tasks->Run({}, task).ok());  // the fake implements no WorkRange
+  EXPECT_FALSE(runner.tasks->RunTask({}, task).ok());  // the fake implements no WorkRange
 }
 
 }  // namespace
