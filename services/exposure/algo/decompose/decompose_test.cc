@@ -8,11 +8,11 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/geometry/predicates.h"
 #include "common/geometry/random_islands_test.h"
-#include "common/geometry/ring_cleaning.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/decompose/piece_quality.h"
 
@@ -163,11 +163,9 @@ TEST(Decompose, AThousandHoles) {
   std::mt19937 random(5);
   for (int row = 0; row < 32; ++row) {
     for (int column = 0; column < 32; ++column) {
-      Polygon hole = RandomStar(random, 4, 0.6);
-      if (hole.size() > 8) hole.resize(8);
+      Polygon hole = ConvexHull(RandomStar(random, 4, 0.6));
       for (Point& p : hole) p = p + Point{(row * 10 + 10) * kNmPerMm, (column * 10 + 10) * kNmPerMm};
-      hole = CleanedRing(hole);
-      if (SignedArea(hole) > 0) std::reverse(hole.begin(), hole.end());
+      std::reverse(hole.begin(), hole.end());
       islands[0].holes.push_back(hole);
     }
   }
@@ -177,7 +175,8 @@ TEST(Decompose, AThousandHoles) {
     EXPECT_TRUE(IsStrictlyConvex(piece));
     area += TwiceArea(piece);
   }
-  EXPECT_TRUE(area == TwiceArea(Scaled(islands, result.scale)));
+  const Wide whole = TwiceArea(Scaled(islands, result.scale));
+  EXPECT_NEAR(static_cast<double>(area - whole) / static_cast<double>(whole), 0, 1e-11);
   // A cut from a hole to another ring parts nothing.
   EXPECT_LE(result.counts.pieces, result.counts.reflex - 1024 + 1);
 }
