@@ -30,6 +30,9 @@ struct CellRow {
   int32_t Last(double at) const { return Index(at + half_overlap); }
   double Low(int32_t cell) const { return cell * width - half_overlap; }
   double High(int32_t cell) const { return (cell + 1) * width + half_overlap; }
+  bool Meets(int32_t cell, double low, double high) const {
+    return high > cell * width && low < (cell + 1) * width;
+  }
 
  private:
   int32_t Index(double at) const { return static_cast<int32_t>(std::floor(at / width)); }
@@ -39,7 +42,8 @@ struct CellRow {
 template <typename Wanted, typename Emit>
 void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Wanted wanted, Emit emit) {
   for (int32_t cell = cells.First(piece.u0); cell <= cells.Last(piece.u1); ++cell) {
-    if (!wanted(cell)) continue;
+    // What only reaches into the overlap belongs to the neighbour alone.
+    if (!wanted(cell) || !cells.Meets(cell, piece.u0, piece.u1)) continue;
     const double u0 = std::max(piece.u0, cells.Low(cell)), u1 = std::min(piece.u1, cells.High(cell));
     if (u1 > u0 && u1 - u0 >= least) emit(cell, u0, u1);
   }

@@ -1,0 +1,253 @@
+#include "services/exposure/algo/expose_layer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/text_format.h"
+#include "services/exposure/algo/scan/coverage_test.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+const ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kRingsInward,
+                                    ScanStrategy::kStripes, ScanStrategy::kIslands,
+                                    ScanStrategy::kHatch};
+
+SlicedLayer LayerOf(MultiPolygon outlines, int32_t index = 0, int32_t object = 0) {
+  ObjectSection section{.object = object, .layer = index, .layer_count = 100, .height_nm = 50'000,
+                        .regions = {{.outlines = std::move(outlines)}}, .whole = {}, .z_nm = 0};
+  return {{index, (index + 1) * 50'000, 50'000}, {std::move(section)}};
+}
+
+absl::StatusOr<ExposedLayer> Expose(const std::vector<SlicedLayer>& layers, size_t which,
+                                    const std::vector<ExposureOptions>& regions,
+                                    std::vector<Copy> copies = {{}}) {
+  return ExposeLayer(layers[which], ObjectLayers(layers), regions, copies, {});
+}
+
+ExposedLayer ExposeOrDie(const MultiPolygon& outlines, const ExposureOptions& options, int32_t index = 0) {
+  const std::vector<SlicedLayer> layers = {LayerOf(outlines, index)};
+  auto layer = Expose(layers, 0, {options});
+  EXPECT_TRUE(layer.ok()) << layer.status();
+  return layer.ok() ? *std::move(layer) : ExposedLayer{};
+}
+
+template <typename Visit>
+void ForEachLineOf(const ExposedLayer& layer, ExposureKind kind, Visit visit) {
+  for (const ExposureGroup& group : layer.groups)
+    if (group.kind == kind) group.ForEachLine(visit);
+}
+
+double KindLengthMm(const ExposedLayer& layer, ExposureKind kind) {
+  double length = 0;
+  ForEachLineOf(layer, kind, [&](std::span<const Point> line) { length += Length(line) / kNmPerMm; });
+  return length;
+}
+
+const char kPart[] = "(0 0, 12 0, 12 9, 7 9, 6 4, 5 9, 0 8) (2 2, 3 5, 4 2)";
+
+TEST(ExposeLayer, ContoursLieWhereCompensationSaysAndInOrder) {
+  ExposureOptions options;
+  options.contours = 3;
+  const ExposedLayer layer = ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), options);
+  ASSERT_FALSE(layer.groups.empty());
+  const ExposureGroup& contours = layer.groups[0];
+  EXPECT_EQ(contours.kind, ExposureKind::kContour);
+  std::vector<Coord> left;
+  contours.ForEachLine([&](std::span<const Point> line) {
+    EXPECT_EQ(line.front(), line.back());
+    left.push_back(Bounds(line).min.x);
+  });
+  EXPECT_EQ(left, (std::vector<Coord>{200'000, 120'000, 40'000}));
+
+  options.contours_first = false;
+  EXPECT_EQ(ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), options).groups.back().kind,
+            ExposureKind::kContour);
+}
+
+/// By a raster of points: what the spot melts, of all that it can reach.
+TEST(ExposeLayer, TheRegionIsCovered) {
+  const MultiPolygon part = MakePolygonsOrDie(kPart);
+  for (const ScanStrategy strategy : kStrategies) {
+    ExposureOptions options;
+    options.strategy = strategy;
+    options.hatch_offset_nm = 60'000;
+    MeltedRaster raster(Offset(part, -1'000), 17'000);
+    const ExposedLayer layer = ExposeOrDie(part, options);
+    for (const ExposureGroup& group : layer.groups)
+      group.ForEachLine([&](std::span<const Point> line) { raster.Add(line, options.spot_nm); });
+    EXPECT_GE(raster.Share(1), 0.995) << static_cast<int>(strategy);
+  }
+}
+
+/// Rings beside a cut keep a hatch distance apart: nothing is exposed twice but the turns' insides
+/// and the links.
+TEST(ExposeLayer, RingsExposeCutsOnce) {
+  const MultiPolygon part = MakePolygonsOrDie(kPart);
+  for (const Coord overlap : {0, 40'000}) {
+    ExposureOptions options;
+    options.strategy = ScanStrategy::kRings;
+    options.contours = 0;
+    options.thin_walls = false;
+    options.ring_overlap_nm = overlap;
+    MeltedRaster raster(part, 13'000);
+    const ExposedLayer layer = ExposeOrDie(part, options);
+    // A spot a little narrower than the distance, so that touching is not twice.
+    ForEachLineOf(layer, ExposureKind::kHatch, [&](std::span<const Point> line) { raster.Add(line, 78'000); });
+    EXPECT_EQ(layer.cuts.pieces, layer.groups[0].LineCount());
+    if (overlap == 0)
+      EXPECT_LT(raster.Share(2), 0.003);
+    else
+      EXPECT_GT(raster.Share(2), 0.003);
+  }
+}
+
+TEST(ExposeLayer, NothingLeavesTheCompensatedOutline) {
+  std::mt19937 random(31);
+  for (int i = 0; i < 30; ++i) {
+    const MultiPolygon part = RandomIsland(random, {}, 4);
+    for (const ScanStrategy strategy : kStrategies) {
+      ExposureOptions options;
+      options.strategy = strategy;
+      options.thin_walls = false;
+      const MultiPolygon allowed = Offset(part, -options.beam_compensation_nm, {.miter_limit = 10});
+      for (const ExposureGroup& group : ExposeOrDie(part, options, i).groups)
+        for (const Point p : group.points) {
+          if (Inside(p, allowed)) continue;
+          EXPECT_LE(DistanceToBoundary(p, allowed), 1'000.0) << ToText(part);
+        }
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+}
+
+TEST(ExposeLayer, HatchTurnsFromLayerToLayer) {
+  ExposureOptions options;
+  options.strategy = ScanStrategy::kHatch;
+  options.hatch_angle_deg = 10;
+  const MultiPolygon part = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
+  for (const int32_t index : {0, 1, 2, 7, 100}) {
+    const double expected = std::fmod(10 + 67.0 * index, 180);
+    ForEachLineOf(ExposeOrDie(part, options, index), ExposureKind::kHatch, [&](std::span<const Point> line) {
+      if (Distance(line[0], line[1]) < 5e6) return;
+      double angle = std::atan2(static_cast<double>(line[1].y - line[0].y), static_cast<double>(line[1].x - line[0].x)) * 180 / M_PI;
+      angle = std::fmod(angle + 360, 180);
+      const double off = std::abs(angle - expected);
+      EXPECT_LT(std::min(off, 180 - off), 1e-3);
+    });
+  }
+}
+
+TEST(ExposeLayer, SkinsAreWhatNeighboursDoNotCover) {
+  ExposureOptions options;
+  options.strategy = ScanStrategy::kHatch;
+  options.contours = 0;
+  options.beam_compensation_nm = 0;
+  options.upskin_layers = 1;
+  options.downskin_layers = 2;
+  const MultiPolygon wide = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
+  const std::vector<SlicedLayer> layers = {
+      LayerOf(MakePolygonsOrDie("(0 0, 10 0, 10 7, 0 7)"), 0), LayerOf(wide, 1), LayerOf(wide, 2),
+      LayerOf(MakePolygonsOrDie("(0 0, 4 0, 4 10, 0 10)"), 3)};
+  const auto middle = Expose(layers, 2, {options});
+  ASSERT_TRUE(middle.ok()) << middle.status();
+  // Above is only x < 4; two layers below only y < 7.
+  const double down = 10 * 3, up = 6 * 7, core = 4 * 7;
+  EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kDownskin) * 0.08, down, 0.5);
+  EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kUpskin) * 0.08, up, 0.5);
+  EXPECT_NEAR(KindLengthMm(*middle, ExposureKind::kHatch) * 0.08, core, 0.5);
+  // The first layer lies on the plate; nothing is known of what is above the last one.
+  const auto first = Expose(layers, 0, {options});
+  EXPECT_EQ(KindLengthMm(*first, ExposureKind::kDownskin), 0);
+  const auto last = Expose(layers, 3, {options});
+  EXPECT_GT(KindLengthMm(*last, ExposureKind::kUpskin), 0);
+  EXPECT_EQ(KindLengthMm(*last, ExposureKind::kHatch), 0);
+}
+
+TEST(ExposeLayer, AThinWallIsOneLineAlongItsMiddle) {
+  const ExposedLayer layer = ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 0.06, 0 0.06)"), {});
+  ASSERT_EQ(layer.groups.size(), 1u);
+  EXPECT_EQ(layer.groups[0].kind, ExposureKind::kThinWall);
+  ASSERT_EQ(layer.groups[0].LineCount(), 1u);
+  for (const Point p : layer.groups[0].points) EXPECT_EQ(p.y, 30'000);
+  EXPECT_NEAR(KindLengthMm(layer, ExposureKind::kThinWall), 10, 0.1);
+
+  ExposureOptions options;
+  options.thin_walls = false;
+  EXPECT_TRUE(ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 0.06, 0 0.06)"), options).groups.empty());
+}
+
+TEST(ExposeLayer, AThickPartHasNoThinWalls) {
+  EXPECT_EQ(KindLengthMm(ExposeOrDie(MakePolygonsOrDie(kPart), {}), ExposureKind::kThinWall), 0);
+}
+
+TEST(ExposeLayer, RingsFromTheInsideAndFromTheOutside) {
+  ExposureOptions options;
+  options.contours = 0;
+  options.strategy = ScanStrategy::kRings;
+  const MultiPolygon square = MakePolygonsOrDie("(0 0, 5 0, 5 5, 0 5)");
+  for (const bool link : {false, true}) {
+    options.link_rings = link;
+    options.strategy = ScanStrategy::kRings;
+    const ExposedLayer out = ExposeOrDie(square, options);
+    options.strategy = ScanStrategy::kRingsInward;
+    const ExposedLayer in = ExposeOrDie(square, options);
+    const Point middle{2'500'000, 2'500'000};
+    for (const ExposedLayer* layer : {&out, &in}) {
+      const std::vector<Point>& points = layer->groups[0].points;
+      EXPECT_EQ(layer->groups[0].LineCount(), link ? 1u : 32u);
+      const bool outwards = layer == &out;
+      EXPECT_EQ(Distance(points.front(), middle) < Distance(points.back(), middle), outwards);
+    }
+    EXPECT_NEAR(KindLengthMm(out, ExposureKind::kHatch), KindLengthMm(in, ExposureKind::kHatch), 5);
+  }
+}
+
+TEST(ExposeLayer, CopiesAreVisitedOnceEach) {
+  const std::vector<SlicedLayer> layers = {LayerOf(MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)"))};
+  const std::vector<Copy> copies = {{0, {50'000'000, 0}}, {1, {9, 9}}, {0, {10'000'000, 0}}, {0, {30'000'000, 0}}};
+  const auto layer = Expose(layers, 0, {ExposureOptions{}}, copies);
+  ASSERT_TRUE(layer.ok());
+  ASSERT_EQ(layer->visits.size(), 3u);  // object 1 has nothing here
+  EXPECT_EQ(layer->visits[0].copy, 2);
+  EXPECT_EQ(layer->visits[1].copy, 3);
+  EXPECT_EQ(layer->visits[2].copy, 0);
+  EXPECT_NEAR(layer->area_mm2, 3, 1e-12);
+}
+
+TEST(ExposeLayer, RegionsHaveTheirOwnStyles) {
+  SlicedLayer layer = LayerOf(MakePolygonsOrDie("(0 0, 5 0, 5 5, 0 5)"));
+  layer.sections[0].regions.push_back({.settings = 1, .outlines = MakePolygonsOrDie("(6 0, 9 0, 9 5, 6 5)")});
+  ExposureOptions first, second;
+  first.strategy = ScanStrategy::kHatch;
+  second.strategy = ScanStrategy::kRings;
+  const auto exposed = Expose({layer}, 0, {first, second});
+  ASSERT_TRUE(exposed.ok()) << exposed.status();
+  for (const ExposureGroup& group : exposed->groups)
+    EXPECT_EQ(group.settings, Bounds(group.points).min.x > 5'500'000 ? 1 : 0);
+}
+
+TEST(ExposeLayer, RefusesSettingsThatAreInNoTable) {
+  SlicedLayer layer = LayerOf(MakePolygonsOrDie("(0 0, 5 0, 5 5, 0 5)"));
+  layer.sections[0].regions[0].settings = 1;
+  EXPECT_EQ(DetailOf(Expose({layer}, 0, {ExposureOptions{}}).status()).reason, Reason::kRequestMalformed);
+}
+
+TEST(ExposeLayer, StopsWhenCancelled) {
+  const std::vector<SlicedLayer> layers = {LayerOf(MakePolygonsOrDie(kPart))};
+  const std::vector<ExposureOptions> regions(1);
+  const auto layer = ExposeLayer(layers[0], ObjectLayers(layers), regions, std::vector<Copy>{{}},
+                                 CancelToken([] { return true; }));
+  EXPECT_EQ(DetailOf(layer.status()).reason, Reason::kCancelled);
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

@@ -1,0 +1,109 @@
+#include "services/exposure/algo/scan/convex_rings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "common/geometry/convex.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+double AreaOf(const ConvexRing& ring) {
+  double area = 0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const PlaneVector a = ring[i], b = ring[(i + 1) % ring.size()];
+    area += (a.x * b.y - b.x * a.y) / 2;
+  }
+  return area;
+}
+
+TEST(ConvexInsets, OfASquare) {
+  const Polygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")[0].outer;
+  ConvexInsets insets(square, 1);
+  EXPECT_EQ(AreaOf(insets.At(1e6)), 64e12);
+  EXPECT_EQ(AreaOf(insets.At(4e6)), 4e12);
+  EXPECT_TRUE(insets.At(5e6).empty());
+  EXPECT_TRUE(insets.At(6e6).empty());
+}
+
+TEST(ConvexInsets, CoordinatesHaveAScale) {
+  const Polygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)")[0].outer;
+  EXPECT_NEAR(AreaOf(ConvexInsets(square, 1000).At(1e3)), 64e6, 1);
+}
+
+/// Of random convex polygons, against the offset by Clipper.
+TEST(ConvexInsets, AreThoseOfAnotherOffset) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const Polygon hull = ConvexHull(RandomStar(random, 10, Uniform(random, 0.1, 1)));
+    if (hull.size() < 3) continue;
+    ConvexInsets insets(hull, 1);
+    for (double distance = 0.3e6; distance < 12e6; distance += 0.7e6) {
+      const ConvexRing ring = insets.At(distance);
+      const double other =
+          Area(Offset({{hull, {}}}, -static_cast<Coord>(distance), {.miter_limit = 100}));
+      EXPECT_NEAR(ring.empty() ? 0 : AreaOf(ring), other, 50 * 1e6) << ToText(hull) << " at " << distance;
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+}
+
+TEST(SpineOf, RunsAlongTheMiddleOfAStrip) {
+  const Spine spine = SpineOf({{0, 0}, {100, 0}, {100, 10}, {0, 10}});
+  EXPECT_EQ(spine.width_nm, 10);
+  EXPECT_NEAR(spine.from.y, 5, 1e-9);
+  EXPECT_NEAR(std::abs(spine.to.x - spine.from.x), 100, 1e-9);
+}
+
+TEST(ConvexRings, OfASquareAreAPitchApart) {
+  const Polygon square = MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)")[0].outer;
+  const auto rings = ConvexRings(square, 1, {.pitch_nm = 100'000, .first_nm = 50'000});
+  ASSERT_EQ(rings.size(), 5u);
+  for (size_t k = 0; k < rings.size(); ++k) {
+    EXPECT_EQ(rings[k].size(), 5u);
+    EXPECT_EQ(rings[k].front(), rings[k].back());
+    const Box box = Bounds(rings[k]);
+    EXPECT_EQ(box.min.x, static_cast<Coord>(50'000 + 100'000 * k));
+    EXPECT_EQ(box.max.y, static_cast<Coord>(950'000 - 100'000 * k));
+  }
+}
+
+TEST(ConvexRings, WhatIsLeftInTheMiddleIsScannedOnce) {
+  const Polygon strip = MakePolygonsOrDie("(0 0, 2 0, 2 0.26, 0 0.26)")[0].outer;
+  const auto rings = ConvexRings(strip, 1, {.pitch_nm = 100'000, .first_nm = 50'000});
+  ASSERT_EQ(rings.size(), 2u);
+  EXPECT_EQ(rings[1].size(), 2u);
+  EXPECT_EQ(rings[1][0].y, 130'000);
+}
+
+TEST(ConvexRings, AThinPieceIsScannedOnce) {
+  const auto rings = ConvexRings(MakePolygonsOrDie("(0 0, 2 0, 2 0.09, 0 0.09)")[0].outer, 1,
+                                 {.pitch_nm = 100'000, .first_nm = 50'000});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_EQ(rings[0].size(), 2u);
+}
+
+TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 500; ++i) {
+    const Polygon hull = ConvexHull(RandomStar(random, 3, Uniform(random, 0.1, 1)));
+    if (hull.size() < 3) continue;
+    const auto rings = ConvexRings(hull, 1, {.pitch_nm = 80'000, .first_nm = 40'000});
+    for (const Polyline& ring : rings) {
+      if (ring.size() < 4) continue;
+      for (const Point p : ring) {
+        EXPECT_EQ(Locate(p, hull), Side::kInside);
+        EXPECT_GE(DistanceToBoundary(p, {{hull, {}}}), 40'000 - 2);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

@@ -1,0 +1,134 @@
+#include "services/exposure/algo/writers/cli_writer.h"
+
+#include <fmt/core.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "common/geometry/measure.h"
+#include "services/exposure/algo/writers/number_text.h"
+#include "services/exposure/algo/writers/style_text.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+enum Command : uint16_t { kLayerLong = 127, kPolylineLong = 130, kHatchesLong = 132 };
+enum Direction { kClockwise = 0, kCounterClockwise = 1, kOpen = 2 };
+
+bool IsBinary(const FileFacts& facts) { return facts.output.format == OutputFormat::kCliBinary; }
+
+int32_t IdOf(int32_t settings, size_t kind) {
+  return settings * kExposureKindCount + static_cast<int32_t>(kind) + 1;
+}
+int32_t IdOf(const ExposureGroup& group) {
+  return IdOf(group.settings, static_cast<size_t>(group.kind));
+}
+
+Direction DirectionOf(std::span<const Point> line) {
+  if (line.size() < 4 || line.front() != line.back()) return kOpen;
+  return SignedArea(Polygon(line.begin(), line.end() - 1)) < 0 ? kClockwise : kCounterClockwise;
+}
+
+/// One after the other in the file's units.
+class Numbers {
+ public:
+  Numbers(const FileFacts& facts, std::string& text)
+      : binary_(IsBinary(facts)), per_nm_(1 / (facts.output.unit_mm * kNmPerMm)), text_(text) {}
+
+  void Integer(int32_t value) {
+    if (binary_) return Bytes(static_cast<uint32_t>(value), 4);
+    text_ += ',';
+    AppendDecimal(text_, value, 0);
+  }
+  void Length(Coord nm) {
+    const double units = static_cast<double>(nm) * per_nm_;
+    if (binary_) return Bytes(std::bit_cast<uint32_t>(static_cast<float>(units)), 4);
+    text_ += ',';
+    AppendDecimal(text_, std::llround(units * 1000), 3);
+  }
+  void Place(Point p) {
+    Length(p.x);
+    Length(p.y);
+  }
+  /// What a command starts with; its first number follows it without a comma.
+  void Start(Command command, std::string_view name) {
+    if (binary_) return Bytes(command, 2);
+    text_ += name;
+    first_ = text_.size();
+  }
+  void End() {
+    if (binary_) return;
+    text_[first_] = '/';
+    text_ += '\n';
+  }
+
+ private:
+  void Bytes(uint32_t value, int count) {
+    for (int i = 0; i < count; ++i) text_ += static_cast<char>(value >> (8 * i) & 0xff);
+  }
+
+  bool binary_;
+  double per_nm_;
+  std::string& text_;
+  size_t first_ = 0;  ///< where the first number's comma is
+};
+
+void AppendGroup(const ExposureGroup& group, Point shift, Numbers& numbers) {
+  if (group.IsHatch()) {
+    numbers.Start(kHatchesLong, "$$HATCHES");
+    numbers.Integer(IdOf(group));
+    numbers.Integer(static_cast<int32_t>(group.LineCount()));
+    for (const Point p : group.points) numbers.Place(p + shift);
+    return numbers.End();
+  }
+  group.ForEachLine([&](std::span<const Point> line) {
+    numbers.Start(kPolylineLong, "$$POLYLINE");
+    numbers.Integer(IdOf(group));
+    numbers.Integer(DirectionOf(line));
+    numbers.Integer(static_cast<int32_t>(line.size()));
+    for (const Point p : line) numbers.Place(p + shift);
+    numbers.End();
+  });
+}
+
+}  // namespace
+
+std::string CliHeader(const FileFacts& facts) {
+  std::string text = fmt::format("$$HEADERSTART\n{}\n$$UNITS/{:.8f}\n$$VERSION/200\n",
+                                 IsBinary(facts) ? "$$BINARY" : "$$ASCII", facts.output.unit_mm);
+  for (size_t settings = 0; settings < facts.regions.size(); ++settings) {
+    for (size_t kind = 0; kind < kExposureKindCount; ++kind)
+      text += fmt::format("$$LABEL/{},{}\n", IdOf(static_cast<int32_t>(settings), kind),
+                          StyleText(facts.regions[settings], kind));
+  }
+  if (!facts.bounds.Empty()) {
+    text += "$$DIMENSION/";
+    const Coord sides[] = {facts.bounds.min.x, facts.bounds.min.y, facts.bottom_nm,
+                           facts.bounds.max.x, facts.bounds.max.y, facts.top_nm};
+    for (const Coord& side : sides) {
+      AppendMm(text, side, 6);
+      text += &side == &sides[5] ? '\n' : ',';
+    }
+  }
+  text += fmt::format("$$LAYERS/{}\n$$HEADEREND", facts.layers);
+  if (!IsBinary(facts)) text += "\n$$GEOMETRYSTART\n";
+  return text;
+}
+
+std::string CliLayer(const ExposedLayer& layer, const FileFacts& facts) {
+  std::string text;
+  Numbers numbers(facts, text);
+  numbers.Start(kLayerLong, "$$LAYER");
+  numbers.Length(layer.frame.print_z_nm);
+  numbers.End();
+  for (const ExposureVisit& visit : layer.visits)
+    for (const ExposureGroup& group : layer.groups)
+      if (group.object == visit.object) AppendGroup(group, visit.shift, numbers);
+  return text;
+}
+
+std::string CliFooter(const FileFacts& facts) { return IsBinary(facts) ? "" : "$$GEOMETRYEND\n"; }
+
+}  // namespace slicefarm::exposure

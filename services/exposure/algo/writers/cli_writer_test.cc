@@ -1,0 +1,198 @@
+#include "services/exposure/algo/writers/cli_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "services/exposure/algo/writers/sample_layers_test.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// What a file says, as a reader by the format's description finds it. Places in mm.
+struct ReadLine {
+  int id = 0;
+  int direction = -1;  ///< -1: a hatch line
+  std::vector<double> mm;
+};
+struct ReadFile {
+  bool binary = false;
+  double unit = 0;
+  int layers = 0;
+  std::map<int, std::string> labels;
+  std::vector<double> dimension;
+  std::vector<double> z_mm;
+  std::vector<std::vector<ReadLine>> lines;  ///< by layer
+};
+
+std::vector<double> Values(const std::string& text) {
+  std::vector<double> values;
+  std::stringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) values.push_back(std::stod(word));
+  return values;
+}
+
+void AddHatches(int id, const std::vector<double>& places, double unit, ReadFile& file) {
+  for (size_t i = 0; i + 3 < places.size(); i += 4)
+    file.lines.back().push_back({id, -1, {places[i] * unit, places[i + 1] * unit, places[i + 2] * unit, places[i + 3] * unit}});
+}
+
+/// A header line, or false at the end of the header.
+bool ReadHeaderLine(const std::string& line, ReadFile& file) {
+  const size_t slash = line.find('/');
+  const std::string key = line.substr(0, slash), rest = slash == std::string::npos ? "" : line.substr(slash + 1);
+  if (key == "$$BINARY") file.binary = true;
+  if (key == "$$UNITS") file.unit = std::stod(rest);
+  if (key == "$$LAYERS") file.layers = std::stoi(rest);
+  if (key == "$$DIMENSION") file.dimension = Values(rest);
+  if (key == "$$LABEL") file.labels[std::stoi(rest)] = rest.substr(rest.find(',') + 1);
+  EXPECT_TRUE(key != "$$VERSION" || rest == "200");
+  return key != "$$HEADEREND";
+}
+
+void ReadAscii(std::istringstream& stream, ReadFile& file) {
+  std::string line;
+  std::getline(stream, line);
+  EXPECT_EQ(line, "$$GEOMETRYSTART");
+  while (std::getline(stream, line) && line != "$$GEOMETRYEND") {
+    const size_t slash = line.find('/');
+    ASSERT_NE(slash, std::string::npos) << line;
+    const std::string key = line.substr(0, slash);
+    std::vector<double> values = Values(line.substr(slash + 1));
+    if (key == "$$LAYER") {
+      ASSERT_EQ(values.size(), 1u);
+      file.z_mm.push_back(values[0] * file.unit);
+      file.lines.emplace_back();
+    } else if (key == "$$POLYLINE") {
+      ASSERT_EQ(values.size(), 3 + 2 * static_cast<size_t>(values[2])) << line;
+      ReadLine read{static_cast<int>(values[0]), static_cast<int>(values[1]), {values.begin() + 3, values.end()}};
+      for (double& value : read.mm) value *= file.unit;
+      file.lines.back().push_back(read);
+    } else {
+      ASSERT_EQ(key, "$$HATCHES");
+      ASSERT_EQ(values.size(), 2 + 4 * static_cast<size_t>(values[1])) << line;
+      AddHatches(static_cast<int>(values[0]), {values.begin() + 2, values.end()}, file.unit, file);
+    }
+  }
+  EXPECT_EQ(line, "$$GEOMETRYEND");
+}
+
+class Bytes {
+ public:
+  explicit Bytes(std::string bytes) : bytes_(std::move(bytes)) {}
+  bool AtEnd() const { return next_ == bytes_.size(); }
+  template <typename T>
+  T Take() {
+    T value{};
+    EXPECT_LE(next_ + sizeof(T), bytes_.size());
+    if (next_ + sizeof(T) > bytes_.size()) return value;
+    std::memcpy(&value, bytes_.data() + next_, sizeof(T));  // the test runs on little-endian machines
+    next_ += sizeof(T);
+    return value;
+  }
+
+ private:
+  std::string bytes_;
+  size_t next_ = 0;
+};
+
+void ReadBinary(std::string rest, ReadFile& file) {
+  Bytes bytes(std::move(rest));
+  while (!bytes.AtEnd() && !::testing::Test::HasFailure()) {
+    const auto command = bytes.Take<uint16_t>();
+    if (command == 127) {
+      file.z_mm.push_back(bytes.Take<float>() * file.unit);
+      file.lines.emplace_back();
+    } else if (command == 130) {
+      ReadLine line;
+      line.id = bytes.Take<int32_t>();
+      line.direction = bytes.Take<int32_t>();
+      for (int32_t i = 2 * bytes.Take<int32_t>(); i > 0; --i) line.mm.push_back(bytes.Take<float>() * file.unit);
+      file.lines.back().push_back(line);
+    } else {
+      ASSERT_EQ(command, 132);
+      const auto id = bytes.Take<int32_t>();
+      std::vector<double> places;
+      for (int32_t i = 4 * bytes.Take<int32_t>(); i > 0; --i) places.push_back(bytes.Take<float>());
+      AddHatches(id, places, file.unit, file);
+    }
+  }
+}
+
+ReadFile Read(const std::string& text) {
+  ReadFile file;
+  const std::string end = "$$HEADEREND";
+  const size_t at = text.find(end);
+  std::istringstream header(text.substr(0, at));
+  std::string line;
+  std::getline(header, line);
+  EXPECT_EQ(line, "$$HEADERSTART");
+  while (std::getline(header, line)) ReadHeaderLine(line, file);
+  if (file.binary) {
+    ReadBinary(text.substr(at + end.size()), file);
+  } else {
+    std::istringstream rest(text.substr(at + end.size() + 1));
+    ReadAscii(rest, file);
+  }
+  return file;
+}
+
+TEST(CliWriter, IsReadBack) {
+  for (const OutputFormat format : {OutputFormat::kCliAscii, OutputFormat::kCliBinary}) {
+    const ReadFile file = Read(SampleFile(format));
+    EXPECT_EQ(file.binary, format == OutputFormat::kCliBinary);
+    EXPECT_EQ(file.unit, 0.001);
+    EXPECT_EQ(file.layers, 2);
+    EXPECT_EQ(file.dimension, (std::vector<double>{-5, -7.1, 0, 30, 6.0005, 0.1}));
+    EXPECT_EQ(file.labels.size(), 10u);
+    EXPECT_EQ(file.labels.at(2), "hatch 200 W 1200 mm/s");
+    EXPECT_EQ(file.labels.at(10), "thin wall 50 W 300.5 mm/s");
+    ASSERT_EQ(file.lines.size(), 2u);
+    const std::vector<ExposedLayer> layers = SampleLayers();
+    for (size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(file.z_mm[i], 0.05 * static_cast<double>(i + 1), 1e-9);
+      const std::vector<PlateLine> expected = PlateLines(layers[i]);
+      ASSERT_EQ(file.lines[i].size(), expected.size());
+      for (size_t k = 0; k < expected.size(); ++k) {
+        const ReadLine& line = file.lines[i][k];
+        EXPECT_EQ(line.id, 5 * expected[k].settings + static_cast<int>(expected[k].kind) + 1);
+        ASSERT_EQ(line.mm.size(), 2 * expected[k].points.size());
+        // 24 bits of 30 mm in a float; a thousandth of a unit in text.
+        for (size_t p = 0; p < expected[k].points.size(); ++p) {
+          EXPECT_NEAR(line.mm[2 * p], ToMm(static_cast<double>(expected[k].points[p].x)), 2e-6);
+          EXPECT_NEAR(line.mm[2 * p + 1], ToMm(static_cast<double>(expected[k].points[p].y)), 2e-6);
+        }
+      }
+      // Contours: one each way round; the thin wall is open.
+      EXPECT_EQ(file.lines[i][0].direction, 1);
+      EXPECT_EQ(file.lines[i][1].direction, 0);
+      EXPECT_EQ(file.lines[i][2].direction, -1);
+      EXPECT_EQ(file.lines[i][4].direction, 2);
+    }
+  }
+}
+
+TEST(CliWriter, TextIsExactToANanometre) {
+  const std::string file = SampleFile(OutputFormat::kCliAscii);
+  EXPECT_NE(file.find("$$HATCHES/2,2,1000.001,80,9000,80,9000,160,1234.567,160\n"), std::string::npos);
+  EXPECT_NE(file.find("$$LAYER/50\n"), std::string::npos);
+}
+
+TEST(CliWriter, OtherUnits) {
+  FileFacts facts = SampleFacts(OutputFormat::kCliAscii);
+  facts.output.unit_mm = 0.0254;
+  std::string text = FileHeader(facts);
+  for (const ExposedLayer& layer : SampleLayers()) text += LayerText(layer, facts);
+  const ReadFile file = Read(text + FileFooter(facts));
+  EXPECT_EQ(file.unit, 0.0254);
+  EXPECT_NEAR(file.lines[0][0].mm[2], 10, 2e-5);
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

@@ -1,0 +1,140 @@
+#include "services/exposure/algo/writers/laser_gcode.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "services/exposure/algo/writers/sample_layers_test.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// A strict reader of laser G-code: a word that it does not know, a word twice in a line, a travel
+/// with power on or a move before its mode fails.
+class Machine {
+ public:
+  struct Exposure {
+    double x0, y0, x1, y1, feed, power;
+  };
+
+  void Run(const std::string& file) {
+    std::istringstream stream(file);
+    for (std::string line; std::getline(stream, line) && !::testing::Test::HasFailure();) RunLine(line);
+  }
+
+  std::vector<Exposure> exposures;
+  std::vector<double> heights;
+  bool on = false, ended = false;
+  bool constant_power = false;
+
+ private:
+  void RunLine(std::string line) {
+    line = line.substr(0, line.find(';'));
+    std::map<char, double> words;
+    std::istringstream stream(line);
+    std::optional<int> command;
+    char group = 0;
+    for (std::string word; stream >> word;) {
+      const char letter = word[0];
+      ASSERT_TRUE(std::string("GMXYZFSI").find(letter) != std::string::npos) << line;
+      ASSERT_FALSE(ended) << line;
+      const double value = word.size() > 1 ? std::stod(word.substr(1)) : 0;
+      if (letter == 'G' || letter == 'M') {
+        ASSERT_FALSE(command) << line;
+        command = static_cast<int>(value);
+        group = letter;
+        continue;
+      }
+      ASSERT_TRUE(words.emplace(letter, value).second) << line;
+    }
+    if (!command) {
+      ASSERT_TRUE(words.empty()) << line;
+      return;
+    }
+    if (group == 'M') return Switch(*command, words, line);
+    if (*command == 21) return void(metric_ = true);
+    if (*command == 90) return void(absolute_ = true);
+    if (*command == 94) return;
+    ASSERT_TRUE(*command == 0 || *command == 1) << line;
+    ASSERT_TRUE(metric_ && absolute_) << line;
+    if (words.contains('S')) power_ = words.at('S');
+    if (words.contains('F')) feed_ = words.at('F');
+    ASSERT_TRUE(*command != 0 || power_ == 0) << line;
+    if (words.contains('Z')) {
+      ASSERT_FALSE(on) << line;
+      heights.push_back(words.at('Z'));
+      return;
+    }
+    const double x = words.at('X'), y = words.at('Y');
+    if (*command == 1) {
+      ASSERT_TRUE(on && feed_ > 0) << line;
+      if (power_ > 0) exposures.push_back({x_, y_, x, y, feed_, power_});
+    }
+    x_ = x, y_ = y;
+  }
+
+  void Switch(int command, const std::map<char, double>& words, const std::string& line) {
+    ASSERT_TRUE(command >= 2 && command <= 5) << line;
+    if (command == 2) return void(ended = true);
+    on = command != 5;
+    constant_power = command == 3;
+    power_ = words.contains('S') ? words.at('S') : 0;
+    ASSERT_EQ(power_, 0) << line;
+  }
+
+  bool metric_ = false, absolute_ = false;
+  double x_ = 0, y_ = 0, feed_ = 0, power_ = 0;
+};
+
+TEST(LaserGcode, IsReadBackByAStrictMachine) {
+  for (const OutputFormat format : {OutputFormat::kGrbl, OutputFormat::kMarlin}) {
+    Machine machine;
+    machine.Run(SampleFile(format));
+    EXPECT_FALSE(machine.on);
+    EXPECT_EQ(machine.ended, format == OutputFormat::kGrbl);
+    EXPECT_EQ(machine.heights, (std::vector<double>{0.05, 0.1}));
+    size_t next = 0;
+    const FileFacts facts = SampleFacts(format);
+    for (const ExposedLayer& layer : SampleLayers()) {
+      for (const PlateLine& line : PlateLines(layer)) {
+        const ExposureStyle& style = facts.regions[static_cast<size_t>(line.settings)].StyleOf(line.kind);
+        for (size_t i = 0; i + 1 < line.points.size(); ++i, ++next) {
+          ASSERT_LT(next, machine.exposures.size());
+          const Machine::Exposure& move = machine.exposures[next];
+          EXPECT_NEAR(move.x0, ToMm(static_cast<double>(line.points[i].x)), 1e-4);
+          EXPECT_NEAR(move.y0, ToMm(static_cast<double>(line.points[i].y)), 1e-4);
+          EXPECT_NEAR(move.x1, ToMm(static_cast<double>(line.points[i + 1].x)), 1e-4);
+          EXPECT_NEAR(move.y1, ToMm(static_cast<double>(line.points[i + 1].y)), 1e-4);
+          EXPECT_NEAR(move.feed, style.speed_mm_s * 60, 0.1);
+          EXPECT_NEAR(move.power, style.power_w / 400 * 1000, 0.01);
+        }
+      }
+    }
+    EXPECT_EQ(next, machine.exposures.size());
+  }
+}
+
+TEST(LaserGcode, ConstantPowerIsM3) {
+  FileFacts facts = SampleFacts(OutputFormat::kGrbl);
+  facts.output.dynamic_power = false;
+  const std::string text = LayerText(SampleLayers()[0], facts);
+  EXPECT_NE(text.find("M3 S0\n"), std::string::npos);
+  EXPECT_EQ(text.find("M4"), std::string::npos);
+}
+
+TEST(LaserGcode, SkywritingRunsWithoutPower) {
+  std::vector<ExposedLayer> layers = SampleLayers();
+  layers[0].groups = {layers[0].groups[1]};
+  layers[0].groups[0].run_nm = 500'000;
+  layers[0].groups[0].points = {{0, 0}, {4'000'000, 3'000'000}};
+  layers[0].visits = {{0, 0, {}}};
+  const std::string text = LayerText(layers[0], SampleFacts(OutputFormat::kGrbl));
+  EXPECT_NE(text.find("G0 X-0.4 Y-0.3\nG1 X0 Y0 F72000\nG1 X4 Y3 S500\nG1 X4.4 Y3.3 S0\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure
