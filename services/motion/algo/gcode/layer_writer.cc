@@ -98,18 +98,13 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
 void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   if (!accelerations_.told) return;
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
-  const bool apart = flavor_ == GcodeFlavor::kMarlin2;
+  const bool apart = firmware_.HasTravelAcceleration();
   if (move.kind != MoveKind::kPrint && !(of_travel && accelerations_.told_travel && !apart)) return;
   if (move.acceleration_mm_s2 == acceleration_) return;
   const bool first = acceleration_ == -1;
   acceleration_ = move.acceleration_mm_s2;
-  out << (apart ? "M204 P" : "M204 S");
-  out.Integer(std::lround(acceleration_));
-  if (apart && first && accelerations_.told_travel) {
-    out << " T";
-    out.Integer(std::lround(accelerations_.travel));
-  }
-  out << '\n';
+  const bool with_travel = apart && first && accelerations_.told_travel;
+  firmware_.WriteAcceleration(acceleration_, with_travel ? accelerations_.travel : 0, out);
 }
 
 }  // namespace slicefarm::motion

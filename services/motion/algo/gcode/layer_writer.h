@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/model/motion_options.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -25,8 +26,9 @@ struct LayerState {
 /// where they change.
 class LayerWriter {
  public:
-  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)
-      : flavor_(flavor),
+  /// `firmware` must live on.
+  LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state)
+      : firmware_(firmware),
         accelerations_(accelerations),
         state_(state),
         height_um_(state.height_um),
@@ -55,7 +57,7 @@ class LayerWriter {
   void SetAcceleration(const Move& move, GcodeText& out);
   void FeedRate(const Move& move, GcodeText& out);
 
-  GcodeFlavor flavor_;
+  const Firmware& firmware_;
   Accelerations accelerations_;
   LayerState state_;
   // What has been told; -1: nothing.

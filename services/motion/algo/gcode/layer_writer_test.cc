@@ -74,7 +74,7 @@ TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
   Toolpath path;
   path.moves = {Travel(1'000), Travel(2'000), Travel(3'000)};
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {});
   writer.Write(path, 0, 1, {}, out);
   writer.Write(path, 1, 2, {}, out);
   writer.Forget();
@@ -90,7 +90,7 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   accelerations.told = accelerations.told_travel = true;
   accelerations.travel = 3'000;
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), accelerations, {200});
   writer.Write(path, 0, 1, {}, out);
   writer.Forget();
   writer.Write(path, 1, 2, {}, out);
@@ -124,7 +124,7 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
   thick.height_um = 300;
   path.moves = {Travel(500), Print(1'000, Feature::kPerimeter), thick};
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {200, 35, 100});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {200, 35, 100});
   std::vector<std::string> texts;
   for (int i = 0; i < 2; ++i) {
     writer.BeginBlock();
@@ -143,7 +143,7 @@ TEST(LayerWriter, ShiftsPlaces) {
   Toolpath path;
   path.moves = {Travel(500)};
   GcodeText out;
-  LayerWriter(GcodeFlavor::kMarlin2, {}, {}).Write(path, 0, 1, {100'000, -2'500}, out);
+  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}).Write(path, 0, 1, {100'000, -2'500}, out);
   EXPECT_EQ(out.Take(), "G1 X100.5 Y-2.5 F9000\n");
 }
 
