@@ -21,7 +21,7 @@ class FilamentWatch {
   /// Another filament: as at the start of a program.
   void ChangeTool();
 
-  /// Net of retractions, without custom code.
+  /// What the slicer prints: net of retractions, without custom code.
   double PrintedMm() const { return printed_mm_ + depth_mm_ - first_depth_mm_; }
 
  private:

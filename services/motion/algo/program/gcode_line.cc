@@ -111,7 +111,7 @@ GcodeLine ParseGcodeLine(std::string_view line) {
     result.letter = Upper(line.front());
     while (end < line.size() && (IsDigit(line[end]) || line[end] == '.')) ++end;
     std::from_chars(line.data() + 1, line.data() + end, result.number);
-  } else if (Upper(line.front()) == 'T' && line.size() > 1 && !IsLetter(line[1]) && line[1] != '_') {
+  } else if (Upper(line.front()) == 'T' && line.size() == 2) {
     result.letter = 'T';  // T?, Tx, Tc of Prusa's multi-material unit
     end = line.size();
   } else {

@@ -15,6 +15,12 @@ constexpr double kFirstSpeedMmS = 25;
 constexpr double kNothingMm = 1e-9;
 constexpr double kSecondsPerMinute = 60;
 
+/// Of all words a retraction has at most Marlin's S; with others, G10 sets tools of RepRapFirmware.
+bool HasOtherWords(const GcodeLine& line) {
+  return line.Has('P') || line.Has('L') || line.Has('R') || line.Has('X') || line.Has('Y') ||
+         line.Has('Z');
+}
+
 GcodeAction Rest() { return {.kind = GcodeAction::Kind::kRest}; }
 
 }  // namespace
@@ -41,8 +47,7 @@ GcodeAction GcodeMachine::ReadG(const GcodeLine& line) {
       return {.kind = GcodeAction::Kind::kDwell,
               .dwell_s = std::max(0.0, line['P'].value_or(0) / 1000 + line['S'].value_or(0))};
     case 10:
-      // RepRapFirmware's G10 with words sets tools.
-      return line.parameters.empty() || line.Has('S') ? Retract(/*back=*/false) : GcodeAction{};
+      return IsFirmwareRetraction(line) ? Retract(/*back=*/false) : GcodeAction{};
     case 11:
       return Retract(/*back=*/true);
     case 20:
@@ -214,6 +219,10 @@ void GcodeMachine::ScaleFilament(double factor) {
   const double told = (at_[kE] - origin_[kE]) / filament_factor_;
   origin_[kE] = at_[kE] - told * factor;
   filament_factor_ = factor;
+}
+
+bool IsFirmwareRetraction(const GcodeLine& line) {
+  return line.Is('G', 11) || (line.Is('G', 10) && !HasOtherWords(line));
 }
 
 KinematicMove ToKinematic(const ProgramMove& move, const Firmware& firmware,

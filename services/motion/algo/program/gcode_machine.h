@@ -93,6 +93,10 @@ class GcodeMachine {
   std::vector<ProgramMove> moves_;
 };
 
+/// Whether a line is G10 or G11 as firmwares retract and restart by themselves; G10 with a tool's
+/// settings is not.
+bool IsFirmwareRetraction(const GcodeLine& line);
+
 /// As planners see it. REQUIRES: something moves.
 KinematicMove ToKinematic(const ProgramMove& move, const Firmware& firmware,
                           const MachineLimits& limits);

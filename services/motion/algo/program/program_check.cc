@@ -20,9 +20,9 @@ constexpr double kPlaceMm = 0.001;
 constexpr double kMostSections = 4;
 /// Radii of an arc's ends, given to 0.001 mm in four numbers.
 constexpr double kRadiusMm = 0.005;
-/// Sums of filament: two decimals, and 1e-5 mm a move.
+/// Sums of filament: two decimals; what rounding to 1e-5 mm leaves of so many moves.
 constexpr double kSumMm = 0.006;
-constexpr double kSumPerMoveMm = 5e-6;
+constexpr double kSumOfRoundingMm = 3e-5;
 constexpr std::string_view kMoveWords = "XYZEFSHRPABCUVWIJK";
 constexpr std::string_view kValuedWords = "XYZEFIJKR";
 
@@ -52,12 +52,12 @@ class Checker {
     if (action.arc) CheckArc(*action.arc);
     for (const ProgramMove& move : action.moves) CheckMove(move);
     if (line.letter == 'T') filament_.ChangeTool();
-    if (line.Is('G', 10) || line.Is('G', 11)) CheckFirmwareRetraction(line);
+    if (IsFirmwareRetraction(line)) CheckFirmwareRetraction(line);
   }
 
   ProgramReport Finish() {
     report_.filament_mm = filament_.PrintedMm();
-    const double tolerance = kSumMm + kSumPerMoveMm * static_cast<double>(report_.moves);
+    const double tolerance = kSumMm + kSumOfRoundingMm * std::sqrt(static_cast<double>(report_.moves));
     if (told_mm_ && std::abs(*told_mm_ - report_.filament_mm) > tolerance) {
       Find(absl::StrFormat("filament used [mm] = %.5f, but %.5f are printed", *told_mm_,
                            report_.filament_mm),
@@ -130,7 +130,7 @@ class Checker {
     ++report_.moves;
     const bool custom = labels_.Custom();
     const double outside = space_.Outside(move.to[kX], move.to[kY], move.to[kZ]);
-    if (outside > kPlaceMm + (custom ? kCustomMarginMm : 0)) {
+    if (move.InSpace() && outside > kPlaceMm + (custom ? kCustomMarginMm : 0)) {
       Find(absl::StrFormat("goes to %.3f %.3f %.3f, %.3f mm outside of the machine", move.to[kX],
                            move.to[kY], move.to[kZ], outside));
     }
@@ -156,7 +156,6 @@ class Checker {
 
   void CheckFirmwareRetraction(const GcodeLine& line) {
     const bool back = line.number == 11;
-    if (!back && !line.parameters.empty() && !line.Has('S')) return;  // a tool of RepRapFirmware
     if (labels_.layer() >= 0 && !labels_.Custom() && back != firmware_retracted_)
       Find(back ? "G11 without a G10 before" : "G10 twice without a G11 between");
     firmware_retracted_ = !back;
