@@ -56,10 +56,14 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
 absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode) {
   MachineConfig config;
   if (config_file.empty()) {
-    const bool quoted = QuotesSettings(gcode);
-    const auto setup = SetupOfSettings(quoted ? gcode : "z_offset = 0\n");
-    if (!setup.ok()) return setup.status();
-    return MachineConfig{*setup, quoted ? "gcode" : "defaults"};
+    if (QuotesSettings(gcode)) {
+      // Other slicers quote settings too, in forms and ranges of their own.
+      if (const auto quoted = SetupOfSettings(gcode); quoted.ok())
+        return MachineConfig{*quoted, "gcode"};
+    }
+    const auto standard = SetupOfSettings("z_offset = 0\n");
+    if (!standard.ok()) return standard.status();
+    return MachineConfig{*standard, "defaults"};
   }
   const auto text = ReadFile(config_file, kMaxConfigBytes);
   if (!text.ok()) return text.status();

@@ -19,8 +19,8 @@ struct MachineConfig {
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
 /// By --config: Klipper's printer.cfg if it has its [printer], else settings. Without one
-/// (`config_file` empty): by the settings that the G-code quotes, else PrusaSlicer's defaults; bed
-/// and height are then not known.
+/// (`config_file` empty): by the settings that the G-code quotes, if they can be read, else
+/// PrusaSlicer's defaults; bed and height are then not known.
 absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode);
 
 }  // namespace slicefarm::cli

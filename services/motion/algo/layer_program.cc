@@ -122,7 +122,8 @@ class PassProgram {
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              GcodeText& out) const {
     const int32_t index = layer_.frame.index;
-    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, index), state);
+    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, index), state,
+                       options_.arc_fitting);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift{ToUm(visit.shift.x), ToUm(visit.shift.y)};

@@ -16,6 +16,8 @@ const Firmware& FirmwareOf(GcodeFlavor flavor) {
       return MarlinLegacy();
     case GcodeFlavor::kKlipper:
       return Klipper();
+    case GcodeFlavor::kRepRapFirmware:
+      return RepRap();
   }
   return Marlin2();
 }
@@ -23,7 +25,7 @@ const Firmware& FirmwareOf(GcodeFlavor flavor) {
 const Firmware* FindFirmware(std::string_view name) {
   if (name == "klipper") return &Klipper();
   if (name == "marlin" || name == "marlin2") return &Marlin2();
-  if (name == "rrf" || name == "reprap" || name == "reprapfirmware") return &RepRap();
+  if (name == "rrf" || name == "reprapfirmware") return &RepRap();
   return nullptr;
 }
 

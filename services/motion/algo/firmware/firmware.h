@@ -79,8 +79,7 @@ class Firmware {
 /// That of the settings. Lives for ever.
 const Firmware& FirmwareOf(GcodeFlavor flavor);
 
-/// By the value of gcode_flavor or a short name (klipper, marlin, marlin2, rrf, reprap,
-/// reprapfirmware); null: no such.
+/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware. Null: no such.
 const Firmware* FindFirmware(std::string_view name);
 
 }  // namespace slicefarm::motion

@@ -9,6 +9,7 @@ TEST(FirmwareOf, HasTheNameOfItsSetting) {
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kMarlin2).name(), "marlin2");
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kMarlinLegacy).name(), "marlin");
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kKlipper).name(), "klipper");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kRepRapFirmware).name(), "reprapfirmware");
 }
 
 TEST(FindFirmware, ByItsNames) {

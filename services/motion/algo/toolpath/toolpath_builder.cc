@@ -7,18 +7,13 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
 namespace {
 
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
-
-struct PlaceUm {
-  int32_t x, y;
-
-  friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
-};
 
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
