@@ -36,6 +36,12 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
       fmt::format("{}: give it a name that ends in .png or .svg, or say --format", options.output));
 }
 
+ColourBy ColourOf(std::string_view name) {
+  if (name == "width") return ColourBy::kWidth;
+  if (name == "speed") return ColourBy::kSpeed;
+  return name == "flow" ? ColourBy::kFlow : ColourBy::kFeature;
+}
+
 ExitCode Render(const RenderOptions& options) {
   const auto format = FormatOf(options);
   if (!format.ok()) return Fail(format.status());
@@ -45,7 +51,7 @@ ExitCode Render(const RenderOptions& options) {
   if (!layer.ok()) return Fail(layer.status());
   const auto image = DrawLayer(
       *layer, {.format = *format,
-               .colour_by = options.colour_by == "width" ? ColourBy::kWidth : ColourBy::kFeature,
+               .colour_by = ColourOf(options.colour_by),
                .size_px = options.size_px,
                .travels = options.travels});
   if (!image.ok()) return Fail(image.status());
@@ -67,8 +73,8 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->type_name("LAYER.png|svg");
   command->add_option("--format", options->format, "If the output's name does not say it")
       ->check(CLI::IsMember({"png", "svg"}));
-  command->add_option("--by", options->colour_by, "What the colours tell")
-      ->check(CLI::IsMember({"feature", "width"}))
+  command->add_option("--by,--color", options->colour_by, "What the colours tell")
+      ->check(CLI::IsMember({"feature", "width", "speed", "flow"}))
       ->capture_default_str();
   command->add_option("--size", options->size_px, "Longer side of the part's picture, pixels")
       ->check(CLI::Range(50, 8000))

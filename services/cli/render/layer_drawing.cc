@@ -36,21 +36,38 @@ Colour Mix(Colour a, Colour b, double t) {
           a.blue + (b.blue - a.blue) * t};
 }
 
-struct WidthRange {
-  double min_mm = 0;
-  double max_mm = 0;
-
-  double Fraction(double width_mm) const {
-    return max_mm > min_mm ? (width_mm - min_mm) / (max_mm - min_mm) : 0.5;
-  }
+/// What a scale of colours tells.
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;
+  double (*of)(const BeadRun&);
 };
 
-WidthRange WidthsOf(const GcodeLayer& layer) {
+Quantity QuantityOf(ColourBy by) {
+  switch (by) {
+    case ColourBy::kSpeed:
+      return {"Speed", "mm/s", [](const BeadRun& bead) { return bead.speed_mm_s; }};
+    case ColourBy::kFlow:
+      return {"Flow", "mm3/s", [](const BeadRun& bead) { return bead.flow_mm3_s; }};
+    default:
+      return {"Width", "mm", [](const BeadRun& bead) { return bead.width_mm; }};
+  }
+}
+
+struct Range {
+  double min = 0;
+  double max = 0;
+
+  double Fraction(double value) const { return max > min ? (value - min) / (max - min) : 0.5; }
+};
+
+Range RangeOf(const GcodeLayer& layer, const Quantity& quantity) {
   if (layer.beads.empty()) return {};
-  const auto [narrowest, widest] = std::minmax_element(
-      layer.beads.begin(), layer.beads.end(),
-      [](const BeadRun& a, const BeadRun& b) { return a.width_mm < b.width_mm; });
-  return {narrowest->width_mm, widest->width_mm};
+  const auto [least, most] = std::minmax_element(
+      layer.beads.begin(), layer.beads.end(), [&](const BeadRun& a, const BeadRun& b) {
+        return quantity.of(a) < quantity.of(b);
+      });
+  return {quantity.of(*least), quantity.of(*most)};
 }
 
 cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int size) {
@@ -72,7 +89,8 @@ class Painter {
         layer_(layer),
         options_(options),
         layout_(layout),
-        widths_(WidthsOf(layer)) {}
+        quantity_(QuantityOf(options.colour_by)),
+        range_(RangeOf(layer, quantity_)) {}
 
   void Paint() {
     Use({1, 1, 1});
@@ -86,7 +104,7 @@ class Painter {
 
   Colour ColourOf(const BeadRun& bead) const {
     return options_.colour_by == ColourBy::kFeature ? FeatureColour(bead.feature)
-                                                    : ScaleColour(widths_.Fraction(bead.width_mm));
+                                                    : ScaleColour(range_.Fraction(quantity_.of(bead)));
   }
 
   void Trace(const std::vector<PointMm>& points) {
@@ -150,7 +168,7 @@ class Painter {
     if (options_.colour_by == ColourBy::kFeature) {
       y = PaintFeatures(x, y);
     } else {
-      y = PaintWidths(x, y);
+      y = PaintQuantities(x, y);
     }
     PaintScale(x, y + 44);
   }
@@ -171,16 +189,16 @@ class Painter {
     return y;
   }
 
-  double PaintWidths(double x, double y) {
+  double PaintQuantities(double x, double y) {
     constexpr int kSteps = 5;
-    Text(x, y += 20, 13, "Width of the beads, mm");
+    Text(x, y += 20, 13, fmt::format("{} of the beads, {}", quantity_.name, quantity_.unit));
     for (int i = 0; i < kSteps; ++i) {
       const double fraction = static_cast<double>(i) / (kSteps - 1);
-      const double width = widths_.min_mm + fraction * (widths_.max_mm - widths_.min_mm);
+      const double value = range_.min + fraction * (range_.max - range_.min);
       y += 22;
-      Swatch(x, y, ScaleColour(widths_.max_mm > widths_.min_mm ? fraction : 0.5));
-      Text(x + 22, y, 13, fmt::format("{:.3f}", width));
-      if (widths_.max_mm == widths_.min_mm) break;
+      Swatch(x, y, ScaleColour(range_.max > range_.min ? fraction : 0.5));
+      Text(x + 22, y, 13, fmt::format("{:.3f}", value));
+      if (range_.max == range_.min) break;
     }
     return y;
   }
@@ -204,7 +222,8 @@ class Painter {
   const GcodeLayer& layer_;
   const DrawingOptions& options_;
   const Layout& layout_;
-  WidthRange widths_;
+  Quantity quantity_;
+  Range range_;
 };
 
 }  // namespace

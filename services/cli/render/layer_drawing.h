@@ -9,7 +9,7 @@
 namespace slicefarm::cli {
 
 enum class ImageFormat { kPng, kSvg };
-enum class ColourBy { kFeature, kWidth };
+enum class ColourBy { kFeature, kWidth, kSpeed, kFlow };
 
 struct DrawingOptions {
   ImageFormat format = ImageFormat::kPng;

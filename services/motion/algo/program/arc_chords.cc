@@ -10,7 +10,7 @@ namespace slicefarm::motion {
 namespace {
 
 /// More chords than any arc that is printed has: bounds memory for hostile files.
-constexpr double kMostChords = 1e5;
+constexpr double kMostChords = 2e4;
 
 }  // namespace
 
