@@ -30,7 +30,6 @@ constexpr KnownKey kSwitches[] = {
     {"use_firmware_retraction", kNotYet, "0", true, true},
     {"use_volumetric_e", kNotYet, "0", true, true},
     // These make it better or different in detail.
-    {"arc_fitting", kNotYet, "disabled", true},
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"automatic_infill_combination", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},

@@ -10,7 +10,7 @@
 
 namespace slicefarm {
 
-enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper };
+enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware };
 
 /// The machine as its firmware sees it; the planner obeys the same rules, so that times are true.
 struct MachineLimits {
@@ -71,6 +71,12 @@ enum class ObjectLabels : uint8_t {
   kFirmware,  ///< firmware: EXCLUDE_OBJECT_START, M486
 };
 
+/// arc_fitting: how curves of many short moves are written.
+enum class ArcFitting : uint8_t {
+  kDisabled,    ///< disabled: move by move
+  kEmitCenter,  ///< emit_center: as arcs, G2 and G3 with I and J
+};
+
 struct MotionOptions {
   GcodeFlavor flavor = GcodeFlavor::kMarlin2;  ///< gcode_flavor
   MachineLimits limits;
@@ -118,6 +124,7 @@ struct MotionOptions {
   ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
   std::string between_objects_gcode;          ///< between_objects_gcode
   Coord max_print_height_nm = 0;              ///< max_print_height, 0: unlimited
+  ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

@@ -14,11 +14,16 @@ namespace {
 
 using google::protobuf::RepeatedField;
 
-constexpr int kFlavors = 3;
+constexpr int kFlavors = 4;
 static_assert(v1::GCODE_FLAVOR_MARLIN2 == static_cast<int>(GcodeFlavor::kMarlin2) + 1);
 static_assert(v1::GCODE_FLAVOR_MARLIN_LEGACY == static_cast<int>(GcodeFlavor::kMarlinLegacy) + 1);
 static_assert(v1::GCODE_FLAVOR_KLIPPER == static_cast<int>(GcodeFlavor::kKlipper) + 1);
+static_assert(v1::GCODE_FLAVOR_REPRAP_FIRMWARE ==
+              static_cast<int>(GcodeFlavor::kRepRapFirmware) + 1);
 static_assert(v1::GcodeFlavor_MAX == kFlavors);
+static_assert(v1::ARC_FITTING_DISABLED == static_cast<int>(ArcFitting::kDisabled) + 1);
+static_assert(v1::ARC_FITTING_EMIT_CENTER == static_cast<int>(ArcFitting::kEmitCenter) + 1);
+static_assert(v1::ArcFitting_MAX == v1::ARC_FITTING_EMIT_CENTER);
 static_assert(v1::OBJECT_LABELS_NONE == static_cast<int>(ObjectLabels::kNone) + 1);
 static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComments) + 1);
 static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
@@ -242,6 +247,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
   proto.set_between_objects_gcode(options.between_objects_gcode);
   proto.set_max_print_height_nm(options.max_print_height_nm);
+  proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
   return proto;
 }
 
@@ -270,6 +276,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.labels = Known<ObjectLabels>(proto.labels());
   options.between_objects_gcode = proto.between_objects_gcode();
   options.max_print_height_nm = proto.max_print_height_nm();
+  options.arc_fitting = Known<ArcFitting>(proto.arc_fitting());
   return options;
 }
 

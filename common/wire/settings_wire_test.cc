@@ -259,7 +259,7 @@ MotionOptions DistinctMotion() {
          printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
          before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
-         max_print_height] = options;
+         max_print_height, arc_fitting] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -300,6 +300,7 @@ MotionOptions DistinctMotion() {
   layer_gcode = "layer";
   layer_settings = "settings";
   labels = ObjectLabels::kFirmware;
+  arc_fitting = ArcFitting::kEmitCenter;
   between_objects_gcode = "between";
   max_print_height = 538;
   return options;
@@ -497,6 +498,7 @@ constexpr char kDistinct[] = R"pb(
     labels: OBJECT_LABELS_FIRMWARE
     between_objects_gcode: "between"
     max_print_height_nm: 538
+    arc_fitting: ARC_FITTING_EMIT_CENTER
   }
 )pb";
 
@@ -682,6 +684,8 @@ INSTANTIATE_TEST_SUITE_P(
                 [](auto& p) { p.mutable_ordering()->mutable_travel()->set_max_detour_mm(-1); },
                 "ordering.travel"},
         Refused{"NoSpeeds", [](auto& p) { p.mutable_motion()->clear_speeds(); }, "motion.speeds"},
+        Refused{"NoArcFitting", [](auto& p) { p.mutable_motion()->clear_arc_fitting(); },
+                "motion.arc_fitting"},
         Refused{"NoLabels", [](auto& p) { p.mutable_motion()->clear_labels(); }, "motion.labels"},
         Refused{"UnknownLabels",
                 [](auto& p) { p.mutable_motion()->set_labels(v1::ObjectLabels(4)); },

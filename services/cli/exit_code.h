@@ -8,6 +8,7 @@ namespace slicefarm::cli {
 enum class ExitCode {
   kOk = 0,
   kInternal = 1,           ///< a fault of ours
+  kFindings = 1,           ///< of `check`: something is wrong with the file
   kUsage = 2,              ///< wrong command line, or an input file that cannot be read
   kBadSettings = 3,        ///< a setting that is unknown, malformed or out of range
   kBadMesh = 4,            ///< the model cannot be read, does not fit or has nothing to print

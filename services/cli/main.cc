@@ -43,7 +43,7 @@ constexpr char kFooter[] =
     "\n"
     "Exit codes:\n"
     "  0  done\n"
-    "  1  a fault of slicefarm's own\n"
+    "  1  a fault of slicefarm's own; of `check`: the file has findings\n"
     "  2  wrong command line, or an input file that cannot be read\n"
     "  3  a setting is unknown, malformed or out of range\n"
     "  4  the model cannot be read, does not fit or has nothing to print\n"
@@ -81,8 +81,8 @@ ExitCode Main(int argc, char** argv) {
   app.require_subcommand(1);
   for (const auto add :
        {AddSlice, AddSubmit, AddInspect, AddWatch, AddList, AddGet, AddCancel, AddDelete, AddTrace, AddWebhook,
-        AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddTsp, AddSettings, AddHealth, AddToken,
-        AddVersion}) {
+        AddProfile, AddRender, AddBeads, AddFill, AddDecompose, AddTsp, AddTime, AddCheck, AddSettings, AddHealth,
+        AddToken, AddVersion}) {
     add(app, context);
   }
   if (const ExitCode parsed = Parse(app, argc, argv); parsed != ExitCode::kOk || !context.run) {

@@ -29,6 +29,8 @@ void AddWebhook(CLI::App& app, CommandContext& context);
 void AddBeads(CLI::App& app, CommandContext& context);     ///< beads_command.cc
 void AddFill(CLI::App& app, CommandContext& context);      ///< fill_command.cc
 void AddDecompose(CLI::App& app, CommandContext& context);  ///< decompose_command.cc
+void AddTime(CLI::App& app, CommandContext& context);      ///< time_command.cc
+void AddCheck(CLI::App& app, CommandContext& context);     ///< check_command.cc
 void AddProfile(CLI::App& app, CommandContext& context);   ///< profile_command.cc
 void AddRender(CLI::App& app, CommandContext& context);    ///< render_command.cc
 void AddSettings(CLI::App& app, CommandContext& context);  ///< settings_command.cc

@@ -60,9 +60,11 @@ ExitCode Render(const RenderOptions& options) {
 }  // namespace
 
 void AddRender(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("render", "Draw a layer of a G-code file, or of a laser's CLI file");
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a layer of a G-code file, or of a laser's CLI file");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")->required();
+  command->add_option("GCODE", options->gcode, "G-code by slicefarm or PrusaSlicer, or a CLI file")
+      ->required();
   command->add_option("-l,--layer", options->layer, "Which layer; 0 is the first")
       ->required()
       ->type_name("N");
@@ -73,11 +75,13 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->check(CLI::IsMember({"png", "svg"}));
   command
       ->add_option("--color,--by", options->colour_by,
-                   "What the colours tell: feature (the default), width, order, or energy: how often "
-                   "a place is passed over")
+                   "What the colours tell: feature (the default), width, speed, flow, order, or energy: "
+                   "how often a place is passed over")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
                                           {"width", ColourBy::kWidth},
+                                          {"speed", ColourBy::kSpeed},
+                                          {"flow", ColourBy::kFlow},
                                           {"order", ColourBy::kOrder},
                                           {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");

@@ -58,7 +58,9 @@ class LayerKeeper {
  private:
   void Add(const char* feature, const std::vector<double>& xy, size_t from, size_t to) {
     if (layer_.layer_count != layer_.index + 1 || to < from + 4) return;
-    BeadRun run{feature, width_mm_, {}};
+    BeadRun run;
+    run.feature = feature;
+    run.width_mm = width_mm_;
     for (size_t i = from; i + 2 <= to; i += 2)
       run.points.push_back({xy[i] * unit_mm_, xy[i + 1] * unit_mm_});
     if (!layer_.beads.empty())

@@ -5,14 +5,20 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "services/motion/algo/program/arc_chords.h"
+#include "services/motion/algo/program/program_labels.h"
 
 namespace slicefarm::cli {
 namespace {
 
+constexpr double kDefaultFilamentMm = 1.75;
+constexpr double kSecondsPerMinute = 60;
+constexpr double kArcChordMm = 0.2;
 constexpr double kDefaultWidthMm = 0.4;  // until the first ;WIDTH:
 /// Nothing is farther out, so that sums and extents of any number of moves stay finite.
 constexpr double kFarthestMm = 1e9;
@@ -56,6 +62,9 @@ class Reader {
 
   GcodeLayer Finish() {
     EndRuns();
+    // The filament's diameter stands at the end of the file.
+    const double filament_mm2 = std::numbers::pi / 4 * filament_mm_ * filament_mm_;
+    for (BeadRun& bead : layer_.beads) bead.flow_mm3_s *= filament_mm2;
     layer_.layer_count = current_ + 1;
     return std::move(layer_);
   }
@@ -74,6 +83,9 @@ class Reader {
       EndRuns();
       const double width_mm = ToNumber(text.substr(6)).value_or(0);
       if (width_mm > 0 && Near(width_mm)) width_mm_ = width_mm;
+    } else if (const auto given = motion::QuotedValue(text, "filament_diameter")) {
+      const double mm = ToNumber(given->substr(0, given->find_first_of(",;"))).value_or(0);
+      if (mm > 0 && Near(mm)) filament_mm_ = mm;
     } else if (Wanted() && text.starts_with("HEIGHT:")) {
       layer_.height_mm = ToNumber(text.substr(7)).value_or(0);
     } else if (Wanted() && text.starts_with("Z:")) {
@@ -83,8 +95,10 @@ class Reader {
 
   void Command(std::string_view line) {
     const std::string_view code = line.substr(0, line.find(' '));
-    if (code == "G1" || code == "G0" || code == "G2" || code == "G3") {
+    if (code == "G1" || code == "G0") {
       Move(ParseWords(line.substr(code.size())));
+    } else if (code == "G2" || code == "G3") {
+      Move(ParseWords(line.substr(code.size())), code == "G2" ? Way::kClockwise : Way::kCounter);
     } else if (code == "G90" || code == "G91") {
       relative_ = code == "G91";
       relative_e_ = relative_;
@@ -97,18 +111,48 @@ class Reader {
     }
   }
 
-  void Move(const Words& words) {
+  enum class Way { kStraight, kClockwise, kCounter };
+
+  /// Where the chords of an arc end.
+  std::vector<PointMm> Chords(const Words& words, PointMm to, Way way) const {
+    const motion::PlaceMm from = {at_.x, at_.y};
+    const motion::PlaceMm end = {to.x, to.y};
+    motion::Arc arc = {from, end, {}, way == Way::kClockwise};
+    arc.centre = {at_.x + words['I'].value_or(0), at_.y + words['J'].value_or(0)};
+    if (const auto radius = words['R']; radius && from != end)
+      arc.centre = motion::CentreByRadius(from, end, *radius, arc.clockwise);
+    std::vector<PointMm> points;
+    const double length_mm = arc.StartRadius() * arc.Angle();
+    for (const motion::PlaceMm& place : motion::ArcChords(arc, length_mm, kArcChordMm))
+      points.push_back({place.x, place.y});
+    return points;
+  }
+
+  void Move(const Words& words, Way way = Way::kStraight) {
+    if (const auto f = words['F']; f && *f > 0 && *f / kSecondsPerMinute != speed_mm_s_) {
+      EndRuns();
+      speed_mm_s_ = *f / kSecondsPerMinute;
+    }
     const PointMm to = {Coordinate(words['X'], at_.x), Coordinate(words['Y'], at_.y)};
     double pushed = 0;
     if (const auto e = words['E']) {
       pushed = relative_e_ ? *e : *e - e_;
       if (!relative_e_) e_ = *e;
     }
-    if (to == at_) {
+    if (to == at_ && way == Way::kStraight) {
       EndRuns();
       return;
     }
-    if (Wanted()) Extend(pushed > 0 ? bead_ : travel_, pushed > 0, to);
+    if (Wanted()) {
+      const std::vector<PointMm> ends =
+          way == Way::kStraight ? std::vector<PointMm>{to} : Chords(words, to, way);
+      for (const PointMm end : ends) {
+        Extend(pushed > 0 ? bead_ : travel_, pushed > 0, end);
+        if (pushed > 0) length_mm_ += std::hypot(end.x - at_.x, end.y - at_.y);
+        at_ = end;
+      }
+      if (pushed > 0) pushed_mm_ += pushed;
+    }
     at_ = to;
   }
 
@@ -125,7 +169,11 @@ class Reader {
   }
 
   void EndRuns() {
-    if (!bead_.empty()) layer_.beads.push_back({feature_, width_mm_, std::move(bead_)});
+    if (!bead_.empty()) {
+      const double flow = length_mm_ > 0 ? pushed_mm_ / length_mm_ * speed_mm_s_ : 0;
+      layer_.beads.push_back({feature_, width_mm_, std::move(bead_), speed_mm_s_, flow});
+    }
+    pushed_mm_ = length_mm_ = 0;
     if (!travel_.empty()) layer_.travels.push_back(std::move(travel_));
     bead_.clear();
     travel_.clear();
@@ -140,6 +188,11 @@ class Reader {
   bool extruding_ = false;
   std::string feature_ = "Unknown";
   double width_mm_ = kDefaultWidthMm;
+  double filament_mm_ = kDefaultFilamentMm;
+  double speed_mm_s_ = 0;
+  // Of the run of beads.
+  double pushed_mm_ = 0;
+  double length_mm_ = 0;
   std::vector<PointMm> bead_;
   std::vector<PointMm> travel_;
 };

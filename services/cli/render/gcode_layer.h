@@ -15,13 +15,13 @@ struct PointMm {
   friend bool operator==(const PointMm&, const PointMm&) = default;
 };
 
-/// Consecutive extruding moves of one feature and width.
+/// Consecutive extruding moves of one feature, width and speed.
 struct BeadRun {
   std::string feature;  ///< the words of `;TYPE:`
   double width_mm = 0;
   std::vector<PointMm> points;  ///< at least two
-
-  friend bool operator==(const BeadRun&, const BeadRun&) = default;
+  double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
+  double flow_mm3_s = 0;        ///< at that speed
 };
 
 /// One layer of a G-code file, as its moves and comments tell.
@@ -35,7 +35,7 @@ struct GcodeLayer {
 };
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
-/// ;WIDTH:), which is what slicefarm writes. Follows G0 to G3 (arcs as their chords), G90, G91,
+/// ;WIDTH:), which is what slicefarm writes; flow by `; filament_diameter = `, else 1.75 mm. Follows G0 to G3 (arcs as short chords), G90, G91,
 /// G92, M82 and M83; passes over numbers that no printer has: not finite, beyond 1e9, and widths
 /// not above 0. Errors: REQUEST_MALFORMED naming the last layer, or if there is no ;LAYER_CHANGE at
 /// all. Cost: one pass over the file.

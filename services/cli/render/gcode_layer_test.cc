@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace slicefarm::cli {
@@ -11,6 +12,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+/// A run of these, whatever its speed.
+auto Bead(const std::string& feature, double width_mm, const std::vector<PointMm>& points) {
+  return testing::AllOf(testing::Field(&BeadRun::feature, feature),
+                        testing::Field(&BeadRun::width_mm, width_mm),
+                        testing::Field(&BeadRun::points, points));
+}
 
 GcodeLayer ReadOrDie(std::string_view gcode, int index) {
   auto layer = ReadGcodeLayer(gcode, index);
@@ -42,17 +50,28 @@ TEST(ReadGcodeLayer, ReadsBeadsWithFeatureAndWidth) {
   EXPECT_DOUBLE_EQ(layer.z_mm, 0.2);
   EXPECT_DOUBLE_EQ(layer.height_mm, 0.2);
   EXPECT_THAT(layer.beads,
-              ElementsAre(BeadRun{"External perimeter", 0.45, {{0, 0}, {10, 0}, {10, 10}}},
-                          BeadRun{"External perimeter", 0.3, {{10, 10}, {0, 10}}},
-                          BeadRun{"Solid infill", 0.5, {{2, 2}, {8, 2}}}));
+              ElementsAre(Bead("External perimeter", 0.45, {{0, 0}, {10, 0}, {10, 10}}),
+                          Bead("External perimeter", 0.3, {{10, 10}, {0, 10}}),
+                          Bead("Solid infill", 0.5, {{2, 2}, {8, 2}})));
   EXPECT_THAT(layer.travels, ElementsAre(ElementsAre(PointMm{5, 5}, PointMm{0, 0}),
                                          ElementsAre(PointMm{0, 10}, PointMm{2, 2})));
+}
+
+TEST(ReadGcodeLayer, SpeedsAndFlows) {
+  const GcodeLayer layer = ReadOrDie(
+      "M83\n;LAYER_CHANGE\nG1 X10 E.5 F1200\nG1 X20 E.5\nG1 X30 E.25 F2400\n"
+      "; filament_diameter = 2\n", 0);
+  ASSERT_EQ(layer.beads.size(), 2) << "a run for each speed";
+  EXPECT_DOUBLE_EQ(layer.beads[0].speed_mm_s, 20);
+  EXPECT_NEAR(layer.beads[0].flow_mm3_s, 0.05 * 20 * 3.14159265, 1e-6);
+  EXPECT_DOUBLE_EQ(layer.beads[1].speed_mm_s, 40);
+  EXPECT_NEAR(layer.beads[1].flow_mm3_s, 0.025 * 40 * 3.14159265, 1e-6);
 }
 
 TEST(ReadGcodeLayer, FindsLaterLayers) {
   const GcodeLayer layer = ReadOrDie(kTwoLayers, 1);
   EXPECT_DOUBLE_EQ(layer.z_mm, 0.45);
-  EXPECT_THAT(layer.beads, ElementsAre(BeadRun{"Perimeter", 0.4, {{1, 1}, {2, 1}}}));
+  EXPECT_THAT(layer.beads, ElementsAre(Bead("Perimeter", 0.4, {{1, 1}, {2, 1}})));
 }
 
 TEST(ReadGcodeLayer, FollowsAbsoluteExtrusion) {
@@ -69,8 +88,14 @@ TEST(ReadGcodeLayer, FollowsRelativeMovesAndArcs) {
   const GcodeLayer layer =
       ReadOrDie("M83\nG91\n;LAYER_CHANGE\nG1 X1 Y1 E1\nG1 X1 E1\nG90\nM83\nG2 X4 Y1 I1 J0 E1\n", 0);
   ASSERT_EQ(layer.beads.size(), 1);
-  EXPECT_THAT(layer.beads[0].points,
-              ElementsAre(PointMm{0, 0}, PointMm{1, 1}, PointMm{2, 1}, PointMm{4, 1}));
+  const std::vector<PointMm>& points = layer.beads[0].points;
+  ASSERT_GT(points.size(), 12) << "half a turn of 1 mm, in chords";
+  EXPECT_EQ(points[2], (PointMm{2, 1}));
+  EXPECT_EQ(points.back(), (PointMm{4, 1}));
+  for (size_t i = 3; i < points.size(); ++i) {
+    EXPECT_NEAR(std::hypot(points[i].x - 3, points[i].y - 1), 1, 1e-9);
+    EXPECT_GE(points[i].y, 1 - 1e-9) << "clockwise: over the top";
+  }
 }
 
 TEST(ReadGcodeLayer, PassesOverWhatItDoesNotKnow) {
@@ -79,7 +104,7 @@ TEST(ReadGcodeLayer, PassesOverWhatItDoesNotKnow) {
       "NAME=X1\r\nM83\r\n;TYPE:Perimeter\r\n;WIDTH:nonsense\r\nG1 X1 E1 ;TYPE:no\r\nM117 G1 X99 "
       "E9\r\nG1\r\nG1 X Y2 E\r\n\r\n",
       0);
-  EXPECT_THAT(layer.beads, ElementsAre(BeadRun{"Perimeter", 0.4, {{0, 0}, {1, 0}}}));
+  EXPECT_THAT(layer.beads, ElementsAre(Bead("Perimeter", 0.4, {{0, 0}, {1, 0}})));
 }
 
 TEST(ReadGcodeLayer, PassesOverNumbersThatNoPrinterHas) {
@@ -87,7 +112,7 @@ TEST(ReadGcodeLayer, PassesOverNumbersThatNoPrinterHas) {
     const std::string gcode = "M83\n;LAYER_CHANGE\n;WIDTH:" + number + "\nG1 X1 Y1 E1\nG1 X" +
                               number + " Y2 E1\nG1 X3 Y2 E" + number + "\n";
     const GcodeLayer layer = ReadOrDie(gcode, 0);
-    EXPECT_THAT(layer.beads, ElementsAre(BeadRun{"Unknown", 0.4, {{0, 0}, {1, 1}, {1, 2}}}))
+    EXPECT_THAT(layer.beads, ElementsAre(Bead("Unknown", 0.4, {{0, 0}, {1, 1}, {1, 2}})))
         << number;
   }
   for (const std::string width : {"0", "-4"}) {

@@ -38,21 +38,38 @@ Colour Mix(Colour a, Colour b, double t) {
           a.blue + (b.blue - a.blue) * t};
 }
 
-struct WidthRange {
-  double min_mm = 0;
-  double max_mm = 0;
-
-  double Fraction(double width_mm) const {
-    return max_mm > min_mm ? (width_mm - min_mm) / (max_mm - min_mm) : 0.5;
-  }
+/// What a scale of colours tells.
+struct Quantity {
+  std::string_view name;
+  std::string_view unit;
+  double (*of)(const BeadRun&);
 };
 
-WidthRange WidthsOf(const GcodeLayer& layer) {
+Quantity QuantityOf(ColourBy by) {
+  switch (by) {
+    case ColourBy::kSpeed:
+      return {"Speed", "mm/s", [](const BeadRun& bead) { return bead.speed_mm_s; }};
+    case ColourBy::kFlow:
+      return {"Flow", "mm3/s", [](const BeadRun& bead) { return bead.flow_mm3_s; }};
+    default:
+      return {"Width", "mm", [](const BeadRun& bead) { return bead.width_mm; }};
+  }
+}
+
+struct Range {
+  double min = 0;
+  double max = 0;
+
+  double Fraction(double value) const { return max > min ? (value - min) / (max - min) : 0.5; }
+};
+
+Range RangeOf(const GcodeLayer& layer, const Quantity& quantity) {
   if (layer.beads.empty()) return {};
-  const auto [narrowest, widest] = std::minmax_element(
-      layer.beads.begin(), layer.beads.end(),
-      [](const BeadRun& a, const BeadRun& b) { return a.width_mm < b.width_mm; });
-  return {narrowest->width_mm, widest->width_mm};
+  const auto [least, most] = std::minmax_element(
+      layer.beads.begin(), layer.beads.end(), [&](const BeadRun& a, const BeadRun& b) {
+        return quantity.of(a) < quantity.of(b);
+      });
+  return {quantity.of(*least), quantity.of(*most)};
 }
 
 cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int size) {
@@ -74,7 +91,8 @@ class Painter {
         layer_(layer),
         options_(options),
         layout_(layout),
-        widths_(WidthsOf(layer)) {}
+        quantity_(QuantityOf(options.colour_by)),
+        range_(RangeOf(layer, quantity_)) {}
 
   void Paint() {
     Use({1, 1, 1});
@@ -87,9 +105,9 @@ class Painter {
   void Use(Colour colour) { cairo_set_source_rgb(cairo_, colour.red, colour.green, colour.blue); }
 
   Colour ColourOf(const BeadRun& bead) const {
-    if (options_.colour_by == ColourBy::kWidth)
-      return ScaleColour(widths_.Fraction(bead.width_mm));
     if (options_.colour_by == ColourBy::kFeature) return FeatureColour(bead.feature);
+    if (options_.colour_by != ColourBy::kOrder)
+      return ScaleColour(range_.Fraction(quantity_.of(bead)));
     const auto turn = static_cast<double>(&bead - layer_.beads.data());
     return ScaleColour(turn / std::max<double>(1, static_cast<double>(layer_.beads.size()) - 1));
   }
@@ -171,15 +189,15 @@ class Painter {
       case ColourBy::kFeature:
         y = PaintFeatures(x, y);
         break;
-      case ColourBy::kWidth:
-        y = PaintSteps(x, y, "Width of the beads, mm", widths_.min_mm, widths_.max_mm);
-        break;
       case ColourBy::kOrder:
         y = PaintSteps(x, y, "Number of the line", 1, static_cast<double>(layer_.beads.size()));
         break;
       case ColourBy::kEnergy:
         y = PaintSteps(x, y, "Passes", 0, most_passes_);
         break;
+      default:
+        y = PaintSteps(x, y, fmt::format("{} of the beads, {}", quantity_.name, quantity_.unit),
+                       range_.min, range_.max);
     }
     PaintScale(x, y + 44);
   }
@@ -232,7 +250,8 @@ class Painter {
   const GcodeLayer& layer_;
   const DrawingOptions& options_;
   const Layout& layout_;
-  WidthRange widths_;
+  Quantity quantity_;
+  Range range_;
   double most_passes_ = 0;
 };
 

@@ -12,6 +12,8 @@ enum class ImageFormat { kPng, kSvg };
 enum class ColourBy {
   kFeature,
   kWidth,
+  kSpeed,
+  kFlow,
   kOrder,   ///< what comes first is dark, what comes last is light
   kEnergy,  ///< how often a place is passed over (exposure_map.h)
 };

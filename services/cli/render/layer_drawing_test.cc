@@ -92,6 +92,22 @@ TEST(DrawLayer, ColoursByWidth) {
   ExpectColour(picture.At(layout.ToPixel({10, 5})), ScaleColour(0));
 }
 
+TEST(DrawLayer, ColoursBySpeedAndFlow) {
+  GcodeLayer layer = TwoBeads();
+  layer.beads[0].speed_mm_s = 20;
+  layer.beads[1].speed_mm_s = 60;
+  layer.beads[0].flow_mm3_s = 9;
+  layer.beads[1].flow_mm3_s = 3;
+  for (const ColourBy by : {ColourBy::kSpeed, ColourBy::kFlow}) {
+    const DrawingOptions options = {.colour_by = by};
+    const Layout layout = LayOut(layer, options);
+    const Picture picture(*DrawLayer(layer, options));
+    const double first = by == ColourBy::kSpeed ? 0 : 1;
+    ExpectColour(picture.At(layout.ToPixel({10, 0})), ScaleColour(first));
+    ExpectColour(picture.At(layout.ToPixel({10, 5})), ScaleColour(1 - first));
+  }
+}
+
 TEST(DrawLayer, DrawsTravelsOnlyWhenAsked) {
   const GcodeLayer layer = TwoBeads();
   const Layout layout = LayOut(layer, {});

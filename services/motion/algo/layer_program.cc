@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/macro/gcode_template.h"
@@ -111,7 +112,7 @@ class PassProgram {
       : layer_(layer), visits_(visits), options_(options) {
     for (const BlockVisit& visit : visits) Count(visit, built);
     AddBetween();
-    LayerTiming timing(options.flavor, options.limits);
+    LayerTiming timing(FirmwareOf(options.flavor), options.limits);
     SlowDown(options.cooling, stats_.travel_time_s, timing, blocks_);
     AddVisits(built);
   }
@@ -121,7 +122,8 @@ class PassProgram {
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              GcodeText& out) const {
     const int32_t index = layer_.frame.index;
-    LayerWriter writer(options_.flavor, AccelerationsFor(options_, index), state);
+    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, index), state,
+                       options_.arc_fitting);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift{ToUm(visit.shift.x), ToUm(visit.shift.y)};

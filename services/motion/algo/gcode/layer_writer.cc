@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace slicefarm::motion {
 namespace {
@@ -11,6 +12,13 @@ constexpr int32_t kWidthStepUm = 10;
 
 bool NeedsBridgeFan(Feature feature) {
   return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
+}
+
+/// Whether two moves print alike, so that an arc may stand for both.
+bool SameBead(const Move& a, const Move& b) {
+  return a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint && a.feature == b.feature &&
+         a.width_um == b.width_um && a.height_um == b.height_um && a.feed_rate == b.feed_rate &&
+         a.acceleration_mm_s2 == b.acceleration_mm_s2;
 }
 
 }  // namespace
@@ -26,7 +34,58 @@ void WriteFan(int32_t percent, GcodeText& out) {
 
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
                         GcodeText& out) {
-  for (size_t i = first; i < last; ++i) WriteMove(path.moves[i], shift, out);
+  for (size_t i = first; i < last;) {
+    size_t end = i + 1;
+    if (arcs_ != ArcFitting::kDisabled && i > 0) {
+      while (end < last && SameBead(path.moves[i], path.moves[end])) ++end;
+    }
+    if (end - i > 1) {
+      WriteBeads(path, i, end, shift, out);
+    } else {
+      WriteMove(path.moves[i], shift, out);
+    }
+    i = end;
+  }
+}
+
+void LayerWriter::WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
+                             GcodeText& out) {
+  std::vector<PlaceUm> points;
+  points.reserve(last - first + 1);
+  for (size_t i = first - 1; i < last; ++i) points.push_back({path.moves[i].x_um, path.moves[i].y_um});
+  size_t at = 0;
+  for (const CurvePiece& piece : FitArcs(points)) {
+    Move move = path.moves[first + piece.last - 1];
+    move.filament = 0;
+    for (size_t i = at; i < piece.last; ++i) move.filament += path.moves[first + i].filament;
+    if (piece.is_arc) {
+      WriteArc(move, points[at], piece, shift, out);
+    } else {
+      WriteMove(move, shift, out);
+    }
+    at = piece.last;
+  }
+}
+
+void LayerWriter::WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
+                           GcodeText& out) {
+  Describe(move, out);
+  SetAcceleration(move, out);
+  out << (arc.clockwise ? "G2 X" : "G3 X");
+  out.Micrometers(move.x_um + shift.x) << " Y";
+  out.Micrometers(move.y_um + shift.y) << " I";
+  out.Micrometers(arc.centre.x - from.x) << " J";
+  out.Micrometers(arc.centre.y - from.y);
+  WriteEnd(move, out);
+}
+
+void LayerWriter::WriteEnd(const Move& move, GcodeText& out) {
+  if (move.filament != 0) {
+    out << " E";
+    out.Filament(move.filament);
+  }
+  FeedRate(move, out);
+  out << '\n';
 }
 
 void LayerWriter::BeginBlock() {
@@ -64,12 +123,7 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     out << " Z";
     out.Micrometers(move.z_um);
   }
-  if (move.filament != 0) {
-    out << " E";
-    out.Filament(move.filament);
-  }
-  FeedRate(move, out);
-  out << '\n';
+  WriteEnd(move, out);
 }
 
 void LayerWriter::FeedRate(const Move& move, GcodeText& out) {
@@ -98,18 +152,13 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
 void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   if (!accelerations_.told) return;
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
-  const bool apart = flavor_ == GcodeFlavor::kMarlin2;
+  const bool apart = firmware_.HasTravelAcceleration();
   if (move.kind != MoveKind::kPrint && !(of_travel && accelerations_.told_travel && !apart)) return;
   if (move.acceleration_mm_s2 == acceleration_) return;
   const bool first = acceleration_ == -1;
   acceleration_ = move.acceleration_mm_s2;
-  out << (apart ? "M204 P" : "M204 S");
-  out.Integer(std::lround(acceleration_));
-  if (apart && first && accelerations_.told_travel) {
-    out << " T";
-    out.Integer(std::lround(accelerations_.travel));
-  }
-  out << '\n';
+  const bool with_travel = apart && first && accelerations_.told_travel;
+  firmware_.WriteAcceleration(acceleration_, with_travel ? accelerations_.travel : 0, out);
 }
 
 }  // namespace slicefarm::motion

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "common/model/motion_options.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -22,13 +24,17 @@ struct LayerState {
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
 /// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
-/// where they change.
+/// where they change. With arc_fitting, moves of equal beads are written as arcs where these fit
+/// (FitArcs), with the sum of their filament.
 class LayerWriter {
  public:
-  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)
-      : flavor_(flavor),
+  /// `firmware` must live on.
+  LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
+              ArcFitting arcs = ArcFitting::kDisabled)
+      : firmware_(firmware),
         accelerations_(accelerations),
         state_(state),
+        arcs_(arcs),
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
@@ -49,15 +55,20 @@ class LayerWriter {
 
  private:
   void WriteMove(const Move& move, ShiftUm shift, GcodeText& out);
+  void WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
+  void WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
+                GcodeText& out);
+  void WriteEnd(const Move& move, GcodeText& out);
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, GcodeText& out);
   void SetAcceleration(const Move& move, GcodeText& out);
   void FeedRate(const Move& move, GcodeText& out);
 
-  GcodeFlavor flavor_;
+  const Firmware& firmware_;
   Accelerations accelerations_;
   LayerState state_;
+  ArcFitting arcs_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;
   int32_t type_ = -1;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace slicefarm::motion {
 namespace {
 
@@ -31,7 +34,7 @@ std::string Written(const std::vector<Move>& moves, GcodeFlavor flavor = GcodeFl
   Toolpath path;
   path.moves = moves;
   GcodeText out;
-  LayerWriter(flavor, accelerations, state).Write(path, 0, moves.size(), {}, out);
+  LayerWriter(FirmwareOf(flavor), accelerations, state).Write(path, 0, moves.size(), {}, out);
   return out.Take();
 }
 
@@ -74,7 +77,7 @@ TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
   Toolpath path;
   path.moves = {Travel(1'000), Travel(2'000), Travel(3'000)};
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {});
   writer.Write(path, 0, 1, {}, out);
   writer.Write(path, 1, 2, {}, out);
   writer.Forget();
@@ -90,7 +93,7 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   accelerations.told = accelerations.told_travel = true;
   accelerations.travel = 3'000;
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, accelerations, {200});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), accelerations, {200});
   writer.Write(path, 0, 1, {}, out);
   writer.Forget();
   writer.Write(path, 1, 2, {}, out);
@@ -124,7 +127,7 @@ TEST(LayerWriter, ABlockIsTheSameTextWhateverComesBefore) {
   thick.height_um = 300;
   path.moves = {Travel(500), Print(1'000, Feature::kPerimeter), thick};
   GcodeText out;
-  LayerWriter writer(GcodeFlavor::kMarlin2, {}, {200, 35, 100});
+  LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), {}, {200, 35, 100});
   std::vector<std::string> texts;
   for (int i = 0; i < 2; ++i) {
     writer.BeginBlock();
@@ -143,7 +146,7 @@ TEST(LayerWriter, ShiftsPlaces) {
   Toolpath path;
   path.moves = {Travel(500)};
   GcodeText out;
-  LayerWriter(GcodeFlavor::kMarlin2, {}, {}).Write(path, 0, 1, {100'000, -2'500}, out);
+  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}).Write(path, 0, 1, {100'000, -2'500}, out);
   EXPECT_EQ(out.Take(), "G1 X100.5 Y-2.5 F9000\n");
 }
 
@@ -157,6 +160,38 @@ std::string AccelerationsOnly(GcodeFlavor flavor, const Accelerations& accelerat
     lines += text.substr(at, text.find('\n', at) - at) + ";";
   }
   return lines;
+}
+
+/// A quarter of a circle of 10 mm around the origin, in 30 moves, after a travel to its start.
+std::vector<Move> Quarter() {
+  std::vector<Move> moves = {Travel(10'000)};
+  for (int i = 1; i <= 30; ++i) {
+    const double angle = i * std::numbers::pi / 60;
+    moves.push_back(Print(static_cast<int32_t>(std::lround(10'000 * std::cos(angle))),
+                          Feature::kPerimeter));
+    moves.back().y_um = static_cast<int32_t>(std::lround(10'000 * std::sin(angle)));
+  }
+  return moves;
+}
+
+TEST(LayerWriter, ArcsWithTheSumOfTheirFilament) {
+  Toolpath path;
+  path.moves = Quarter();
+  GcodeText out;
+  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}, ArcFitting::kEmitCenter)
+      .Write(path, 0, path.moves.size(), {5'000, 0}, out);
+  EXPECT_NE(out.text().find("\nG3 X5 Y10 I-10 J0 E.9 F1800\n"), std::string::npos) << out.text();
+  EXPECT_EQ(out.text().find("G1 X5 Y10"), std::string::npos);
+}
+
+TEST(LayerWriter, ArcsOfEqualBeadsOnly) {
+  Toolpath path;
+  path.moves = Quarter();
+  for (size_t i = 0; i < path.moves.size(); ++i) path.moves[i].width_um += i % 2 == 0 ? 1 : 0;
+  GcodeText out;
+  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}, ArcFitting::kEmitCenter)
+      .Write(path, 0, path.moves.size(), {}, out);
+  EXPECT_EQ(out.text().find("G3"), std::string::npos);
 }
 
 TEST(LayerWriter, AccelerationsByFlavour) {

@@ -2,76 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <span>
+
+#include "services/motion/algo/firmware/firmware.h"
 
 namespace slicefarm::motion {
-namespace {
-
-/// One command with the parameters that are set; nothing if none is.
-class Command {
- public:
-  Command(std::string_view name, GcodeText& out) : name_(name), out_(out) {}
-  ~Command() {
-    if (begun_) out_ << '\n';
-  }
-  Command(const Command&) = delete;
-  Command& operator=(const Command&) = delete;
-
-  Command& Set(std::string_view parameter, double value) {
-    if (value <= 0) return *this;
-    if (!begun_) out_ << name_;
-    begun_ = true;
-    out_ << ' ' << parameter;
-    out_.Real(value, 3);
-    return *this;
-  }
-  Command& SetAxes(std::span<const double> values) {
-    constexpr std::string_view kAxes[] = {"X", "Y", "Z", "E"};
-    for (size_t i = 0; i < values.size(); ++i) Set(kAxes[i], values[i]);
-    return *this;
-  }
-
- private:
-  std::string_view name_;
-  GcodeText& out_;
-  bool begun_ = false;
-};
-
-void WriteMarlinLimits(const MotionOptions& options, GcodeText& out) {
-  const MachineLimits& limits = options.limits;
-  Command("M201", out).SetAxes(limits.max_acceleration_mm_s2);
-  Command("M203", out).SetAxes(limits.max_feedrate_mm_s);
-  if (options.flavor == GcodeFlavor::kMarlin2) {
-    Command("M204", out)
-        .Set("P", limits.max_acceleration_extruding_mm_s2)
-        .Set("R", limits.max_acceleration_retracting_mm_s2)
-        .Set("T", limits.max_acceleration_travel_mm_s2);
-  } else {
-    Command("M204", out)
-        .Set("S", limits.max_acceleration_extruding_mm_s2)
-        .Set("R", limits.max_acceleration_retracting_mm_s2);
-  }
-  if (limits.junction_deviation_mm > 0) {
-    Command("M205", out).Set("J", limits.junction_deviation_mm);
-  } else {
-    Command("M205", out).SetAxes(limits.max_jerk_mm_s);
-  }
-}
-
-}  // namespace
-
 void WriteMachineLimits(const MotionOptions& options, GcodeText& out) {
-  const MachineLimits& limits = options.limits;
-  if (!limits.emit_to_gcode) return;
-  if (options.flavor != GcodeFlavor::kKlipper) {
-    WriteMarlinLimits(options, out);
-    return;
-  }
-  Command("SET_VELOCITY_LIMIT", out)
-      .Set("VELOCITY=", std::min(limits.max_feedrate_mm_s[0], limits.max_feedrate_mm_s[1]))
-      .Set("ACCEL=", limits.max_acceleration_extruding_mm_s2)
-      .Set("SQUARE_CORNER_VELOCITY=", limits.square_corner_velocity_mm_s);
+  if (options.limits.emit_to_gcode) FirmwareOf(options.flavor).WriteLimits(options.limits, out);
 }
 
 void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out) {

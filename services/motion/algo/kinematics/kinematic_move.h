@@ -11,11 +11,14 @@ struct KinematicMove {
   double length_mm = 0;  ///< > 0: way of the nozzle; of the filament if nothing else moves
   std::array<double, 4> ratio = {};  ///< mm of x, y, z and e per mm of length
   double speed_mm_s = 0;             ///< > 0: at most
-  double acceleration_mm_s2 = 0;     ///< > 0: at most
+  double acceleration_mm_s2 = 0;     ///< > 0: at most; what the machine is set to, for any move
 
-  double acceleration_share = 1;  ///< what the limits have left of the acceleration asked for
+  /// Klipper's, of a limited move: squared speed at a corner where the sine of half the angle
+  /// between the moves is half of 1.
+  double corner_v2 = 0;
 
   bool ExtruderOnly() const { return ratio[kX] == 0 && ratio[kY] == 0 && ratio[kZ] == 0; }
+  bool InPlane() const { return ratio[kX] != 0 || ratio[kY] != 0; }
 };
 
 /// How a move runs: it speeds up from `entry`, goes on at `cruise` and slows down to `exit`, each

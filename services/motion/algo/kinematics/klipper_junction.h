@@ -5,8 +5,9 @@
 
 namespace slicefarm::motion {
 
-/// The move with the speed and acceleration that Klipper's limits leave: the toolhead's speed and
-/// the z axis' share; the extruder alone has an acceleration of its own, whatever the toolhead's.
+/// The move with the speed and acceleration that Klipper's limits leave: the toolhead's speed, the
+/// z axis' share, and for retractions (also while wiping) and other moves of filament without x and
+/// y those of the extruder, which do not depend on the toolhead's. Sets corner_v2.
 KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 
 /// The greatest squared speed (mm^2/s^2) at which Klipper goes from `before` to `move`, as far as
@@ -17,7 +18,6 @@ KinematicMove LimitedByKlipper(KinematicMove move, const MachineLimits& limits);
 ///   the extruder's speed may change by 1 mm/s at once.
 /// Where one of the moves is the extruder's alone, the toolhead stops: 0. REQUIRES: both are
 /// limited. Source: Klipper's documentation, "Kinematics".
-double KlipperJunctionV2(const KinematicMove& before, const KinematicMove& move,
-                         const MachineLimits& limits);
+double KlipperJunctionV2(const KinematicMove& before, const KinematicMove& move);
 
 }  // namespace slicefarm::motion

@@ -14,15 +14,20 @@ KinematicMove Towards(double angle_rad, double length_mm = 100, double e = 0) {
   return {length_mm, {std::cos(angle_rad), std::sin(angle_rad), 0, e}, 100, 3000};
 }
 
+double V2(const KinematicMove& before, const KinematicMove& move,
+          const MachineLimits& limits = {}) {
+  return KlipperJunctionV2(LimitedByKlipper(before, limits), LimitedByKlipper(move, limits));
+}
+
 double V(const KinematicMove& before, const KinematicMove& move) {
-  return std::sqrt(KlipperJunctionV2(before, move, MachineLimits{}));
+  return std::sqrt(V2(before, move));
 }
 
 TEST(KlipperJunction, SquareCornerVelocity) {
   EXPECT_NEAR(V(Towards(0), Towards(kPi / 2)), 5, 1e-9);
   MachineLimits limits;
   limits.square_corner_velocity_mm_s = 8;
-  EXPECT_NEAR(KlipperJunctionV2(Towards(0), Towards(kPi / 2), limits), 64, 1e-9);
+  EXPECT_NEAR(V2(Towards(0), Towards(kPi / 2), limits), 64, 1e-9);
 }
 
 TEST(KlipperJunction, FollowsTheAngle) {
@@ -30,7 +35,7 @@ TEST(KlipperJunction, FollowsTheAngle) {
   for (const double turn : {0.1, 0.5, 1.0, 2.0, 3.0}) {
     const double s = std::cos(turn / 2);
     const double want = 25 * (std::numbers::sqrt2 - 1) * s / (1 - s);
-    EXPECT_NEAR(KlipperJunctionV2(Towards(0), Towards(turn), MachineLimits{}), std::min(want, 1e4),
+    EXPECT_NEAR(V2(Towards(0), Towards(turn)), std::min(want, 1e4),
                 1e-6);
   }
 }
@@ -43,7 +48,7 @@ TEST(KlipperJunction, StraightAndBack) {
 TEST(KlipperJunction, ShortMovesLimitTheArc) {
   const double turn = 0.2;
   const double tan_half = std::cos(turn / 2) / std::sin(turn / 2);
-  EXPECT_NEAR(KlipperJunctionV2(Towards(0, 0.05), Towards(turn), MachineLimits{}),
+  EXPECT_NEAR(V2(Towards(0, 0.05), Towards(turn)),
               0.5 * 0.05 * 3000 * tan_half, 1e-6);
 }
 
@@ -54,8 +59,8 @@ TEST(KlipperJunction, ExtruderCornersAtOneMillimetrePerSecond) {
 
 TEST(KlipperJunction, TheZAxisLowersTheCorner) {
   const MachineLimits limits;  // z: 500 mm/s^2
-  const KinematicMove up = LimitedByKlipper({100, {0, 0, 1, 0}, 20, 3000}, limits);
-  EXPECT_NEAR(KlipperJunctionV2(up, LimitedByKlipper(Towards(0), limits), limits), 25.0 / 6, 1e-9);
+  const KinematicMove up{100, {0, 0, 1, 0}, 20, 3000};
+  EXPECT_NEAR(V2(up, Towards(0), limits), 25.0 / 6, 1e-9);
 }
 
 TEST(KlipperJunction, TheExtruderAloneStops) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/base/portable_math.h"
+#include "services/motion/algo/kinematics/axis_limits.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -30,15 +31,6 @@ Vector Scaled(const Vector& v, double by) {
 Vector Direction(const KinematicMove& move) {
   if (move.ratio[kE] == 0) return move.ratio;
   return Scaled(move.ratio, 1 / std::sqrt(Dot(move.ratio, move.ratio)));
-}
-
-/// `value` in the direction `ratio`, lowered until no axis exceeds its part of `limits`.
-double LimitedByAxes(double value, const Vector& ratio, const Vector& limits) {
-  for (size_t axis = 0; axis < 4; ++axis) {
-    const double share = std::abs(ratio[axis]);
-    if (limits[axis] > 0 && share * value > limits[axis]) value = limits[axis] / share;
-  }
-  return value;
 }
 
 /// Change of an axis' speed at a junction; an axis that turns round is as bad as the greater of its

@@ -1,50 +1,56 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "common/model/motion_options.h"
 #include "services/motion/algo/kinematics/kinematic_move.h"
 
 namespace slicefarm::motion {
 
-/// The move within the limits of the axes, as the firmware has it: LimitedByKlipper or
-/// LimitedByMarlin.
-KinematicMove LimitedByFirmware(const KinematicMove& move, GcodeFlavor flavor,
-                                const MachineLimits& limits);
-
-/// Look-ahead over a run of moves that begins and ends at rest, by the rules of the printer's
+/// Look-ahead over a run of moves that begins and ends at rest, by the rules of a printer's
 /// firmware, so that its times are the printer's times:
 ///   1 each move's speed and acceleration are lowered to the limits of the axes;
-///   2 each junction gets a greatest speed: marlin_junction.h or klipper_junction.h;
-///   3 backward and forward passes lower these until every move can reach its exit speed;
-///   4 Klipper besides lowers the peaks of moves that would speed up only to slow down at once
-///   (minimum_cruise_ratio).
+///   2 each junction with the move before gets a greatest speed;
+///   3 backward and forward passes lower these until every move can reach its exit speed.
+/// One class a firmware: klipper_planner.h, marlin_planner.h, reprap_planner.h.
 ///
 /// Keeps its memory from run to run. Not for use by two threads at once.
 class Planner {
  public:
-  Planner(GcodeFlavor flavor, const MachineLimits& limits) : flavor_(flavor), limits_(limits) {}
+  explicit Planner(const MachineLimits& limits) : limits_(limits) {}
+  virtual ~Planner() = default;
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
 
-  /// One profile a move, valid until the next call. Cost: O(moves).
-  std::span<const MoveProfile> Plan(std::span<const KinematicMove> moves);
+  /// Of the moves that are added from now on.
+  void SetLimits(const MachineLimits& limits) { limits_ = limits; }
+
+  /// Step 1 alone.
+  virtual KinematicMove Limited(const KinematicMove& move) const = 0;
+
+  /// Queues a move. Steps 1 and 2, by the limits of now.
+  virtual void Add(const KinematicMove& move) = 0;
+
+  /// The machine comes to rest after the move added last: step 3. One profile a move since the stop
+  /// before, valid until the next call. Cost: O(moves).
+  virtual std::span<const MoveProfile> Stop() = 0;
+
+  /// A whole run. REQUIRES: nothing is queued.
+  std::span<const MoveProfile> Plan(std::span<const KinematicMove> moves) {
+    for (const KinematicMove& move : moves) Add(move);
+    return Stop();
+  }
+
+ protected:
+  const MachineLimits& limits() const { return limits_; }
 
  private:
-  void PlanMarlin();
-  void PlanKlipper();
-  void LimitJunctionsForward();
-  void LimitJunctionsBackward();
-  double MarlinJunctionV2(const KinematicMove& before, const KinematicMove& move) const;
-
-  GcodeFlavor flavor_;
   MachineLimits limits_;
-  std::vector<KinematicMove> moves_;  ///< limited
-  std::vector<double> entry_v2_;      ///< greatest; one more for the end
-  // Klipper's, with the acceleration that minimum_cruise_ratio leaves:
-  std::vector<double> calm_reach_v2_;
-  std::vector<double> calm_entry_v2_;
-  std::vector<double> peak_v2_;
-  std::vector<MoveProfile> profiles_;
 };
+
+/// How much the squared speed can change over a move.
+inline double ReachV2(const KinematicMove& move) {
+  return 2 * move.length_mm * move.acceleration_mm_s2;
+}
 
 }  // namespace slicefarm::motion

@@ -8,8 +8,12 @@
 #include <numbers>
 #include <random>
 
+#include "services/motion/algo/firmware/klipper.h"
+#include "services/motion/algo/firmware/marlin.h"
+#include "services/motion/algo/firmware/reprap.h"
 #include "services/motion/algo/kinematics/klipper_junction.h"
 #include "services/motion/algo/kinematics/marlin_junction.h"
+#include "services/motion/algo/kinematics/reprap_junction.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -29,9 +33,9 @@ MachineLimits Wide() {
   return limits;
 }
 
-struct Firmware {
+struct Rules {
   std::string name;
-  GcodeFlavor flavor;
+  const Firmware& (*firmware)();
   double junction_deviation_mm;
   double cruise_ratio;
 
@@ -58,6 +62,16 @@ std::vector<KinematicMove> RandomMoves(uint32_t seed, size_t count) {
   return moves;
 }
 
+double JunctionV2(const Rules& rules, const KinematicMove& before, const KinematicMove& move,
+                  const MachineLimits& limits) {
+  if (rules.firmware == Klipper)
+    return KlipperJunctionV2(LimitedByKlipper(before, limits), LimitedByKlipper(move, limits));
+  if (rules.firmware == RepRap)
+    return RepRapJunctionV2(LimitedByRepRap(before, limits), LimitedByRepRap(move, limits), limits);
+  if (rules.junction_deviation_mm > 0) return JunctionDeviationV2(before, move, limits);
+  return std::pow(ClassicJerkSpeed(before, move, limits), 2);
+}
+
 double Total(std::span<const MoveProfile> profiles) {
   double time = 0;
   for (const MoveProfile& profile : profiles) time += profile.time_s;
@@ -65,20 +79,20 @@ double Total(std::span<const MoveProfile> profiles) {
 }
 
 TEST(Planner, NoMoves) {
-  Planner planner(GcodeFlavor::kMarlin2, Wide());
-  EXPECT_TRUE(planner.Plan({}).empty());
+  const auto planner = Marlin2().MakePlanner(Wide());
+  EXPECT_TRUE(planner->Plan({}).empty());
 }
 
 TEST(Planner, KlipperLine) {
-  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const auto planner = Klipper().MakePlanner(Wide());
   const std::vector<KinematicMove> line = {Towards(0, 100)};
-  EXPECT_NEAR(Total(planner.Plan(line)), 1.033333333333, 1e-12);
+  EXPECT_NEAR(Total(planner->Plan(line)), 1.033333333333, 1e-12);
 }
 
 TEST(Planner, KlipperCorner) {
-  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const auto planner = Klipper().MakePlanner(Wide());
   const std::vector<KinematicMove> corner = {Towards(0, 100), Towards(kPi / 2, 100)};
-  const auto profiles = planner.Plan(corner);
+  const auto profiles = planner->Plan(corner);
   EXPECT_NEAR(profiles[0].time_s, 1.031708333333, 1e-9);
   EXPECT_NEAR(profiles[1].time_s, 1.031708333333, 1e-9);
   EXPECT_NEAR(profiles[0].exit_mm_s, 5, 1e-9);
@@ -112,8 +126,8 @@ TEST(Planner, ReproducesKlippersHostCode) {
     moves.push_back(
         {length, {r.x / length, r.y / length, r.z / length, r.e / length}, r.speed_mm_s, 3000});
   }
-  Planner planner(GcodeFlavor::kKlipper, MachineLimits{});
-  const auto profiles = planner.Plan(moves);
+  const auto planner = Klipper().MakePlanner(MachineLimits{});
+  const auto profiles = planner->Plan(moves);
   for (size_t i = 0; i < recorded.size(); ++i) {
     EXPECT_NEAR(profiles[i].time_s, recorded[i].time_s, 2e-9) << i;
   }
@@ -124,22 +138,22 @@ TEST(Planner, KlipperSavesShortZigzagsTheirPeaks) {
   // acceleration would bring it.
   MachineLimits limits = Wide();
   limits.minimum_cruise_ratio = 0.5;
-  Planner planner(GcodeFlavor::kKlipper, limits);
+  const auto planner = Klipper().MakePlanner(limits);
   const std::vector<KinematicMove> zigzag = {Towards(0, 1), Towards(kPi, 1), Towards(0, 1)};
-  for (const MoveProfile& profile : planner.Plan(zigzag)) {
+  for (const MoveProfile& profile : planner->Plan(zigzag)) {
     EXPECT_NEAR(profile.cruise_mm_s, std::sqrt(0.5 * 3000 * 1), 1e-6);
   }
   limits.minimum_cruise_ratio = 0;
-  Planner free(GcodeFlavor::kKlipper, limits);
-  EXPECT_NEAR(free.Plan(zigzag)[1].cruise_mm_s, std::sqrt(3000 * 1), 1e-6);
+  const auto free = Klipper().MakePlanner(limits);
+  EXPECT_NEAR(free->Plan(zigzag)[1].cruise_mm_s, std::sqrt(3000 * 1), 1e-6);
 }
 
 TEST(Planner, MarlinJerkStartsAtTheSafeSpeed) {
   MachineLimits limits = Wide();
   limits.max_jerk_mm_s = {8, 8, 0.4, 2.5};
-  Planner planner(GcodeFlavor::kMarlin2, limits);
+  const auto planner = Marlin2().MakePlanner(limits);
   const std::vector<KinematicMove> line = {Towards(0, 100)};
-  const auto profiles = planner.Plan(line);
+  const auto profiles = planner->Plan(line);
   EXPECT_DOUBLE_EQ(profiles[0].entry_mm_s, 8);
   EXPECT_NEAR(profiles[0].exit_mm_s, kMarlinRestMmS, 1e-12);
 }
@@ -148,32 +162,32 @@ TEST(Planner, LooksAhead) {
   // Ten short straight moves are one long one.
   MachineLimits limits = Wide();
   limits.junction_deviation_mm = 0.02;
-  for (const GcodeFlavor flavor : {GcodeFlavor::kMarlin2, GcodeFlavor::kKlipper}) {
-    Planner planner(flavor, limits);
+  for (const auto firmware : {Marlin2, Klipper, RepRap}) {
+    const auto planner = firmware().MakePlanner(limits);
     const std::vector<KinematicMove> whole = {Towards(0, 10)};
     const std::vector<KinematicMove> parts(10, Towards(0, 1));
-    const double time = Total(planner.Plan(whole));
-    EXPECT_NEAR(Total(planner.Plan(parts)), time, 1e-6);
+    const double time = Total(planner->Plan(whole));
+    EXPECT_NEAR(Total(planner->Plan(parts)), time, 1e-6);
   }
 }
 
 TEST(Planner, ForgetsTheRunBefore) {
-  Planner planner(GcodeFlavor::kKlipper, Wide());
+  const auto planner = Klipper().MakePlanner(Wide());
   const auto moves = RandomMoves(1, 50);
-  const double time = Total(planner.Plan(moves));
-  planner.Plan(RandomMoves(2, 200));
-  EXPECT_EQ(Total(planner.Plan(moves)), time);
+  const double time = Total(planner->Plan(moves));
+  planner->Plan(RandomMoves(2, 200));
+  EXPECT_EQ(Total(planner->Plan(moves)), time);
 }
 
-class FirmwareTest : public testing::TestWithParam<Firmware> {};
+class RulesTest : public testing::TestWithParam<Rules> {};
 
-TEST_P(FirmwareTest, SpeedsAreContinuousAndWithinLimits) {
-  const Firmware& firmware = GetParam();
-  const MachineLimits limits = firmware.Limits();
-  Planner planner(firmware.flavor, limits);
+TEST_P(RulesTest, SpeedsAreContinuousAndWithinLimits) {
+  const Rules& rules = GetParam();
+  const MachineLimits limits = rules.Limits();
+  const auto planner = rules.firmware().MakePlanner(limits);
   for (uint32_t seed = 0; seed < 20; ++seed) {
     const auto moves = RandomMoves(seed, 200);
-    const auto profiles = planner.Plan(moves);
+    const auto profiles = planner->Plan(moves);
     for (size_t i = 0; i < moves.size(); ++i) {
       const MoveProfile& p = profiles[i];
       const double reach = 2 * moves[i].length_mm * moves[i].acceleration_mm_s2 * (1 + 1e-9);
@@ -184,11 +198,7 @@ TEST_P(FirmwareTest, SpeedsAreContinuousAndWithinLimits) {
       ASSERT_GE(p.time_s, moves[i].length_mm / moves[i].speed_mm_s * (1 - 1e-9));
       if (i == 0) continue;
       ASSERT_NEAR(p.entry_mm_s, profiles[i - 1].exit_mm_s, 1e-6) << i;
-      const double junction = firmware.flavor == GcodeFlavor::kKlipper
-                                  ? std::sqrt(KlipperJunctionV2(moves[i - 1], moves[i], limits))
-                              : firmware.junction_deviation_mm > 0
-                                  ? std::sqrt(JunctionDeviationV2(moves[i - 1], moves[i], limits))
-                                  : ClassicJerkSpeed(moves[i - 1], moves[i], limits);
+      const double junction = std::sqrt(JunctionV2(rules, moves[i - 1], moves[i], limits));
       ASSERT_LE(p.entry_mm_s, junction + 1e-6);
     }
   }
@@ -221,75 +231,72 @@ double FineTime(const std::vector<KinematicMove>& moves, const std::vector<doubl
 }
 
 /// Those that do not lower peaks on purpose.
-class FullSpeedTest : public testing::TestWithParam<Firmware> {};
+class FullSpeedTest : public testing::TestWithParam<Rules> {};
 
 TEST_P(FullSpeedTest, AgreesWithAFineSimulation) {
-  const Firmware& firmware = GetParam();
-  const MachineLimits limits = firmware.Limits();
-  Planner planner(firmware.flavor, limits);
+  const Rules& rules = GetParam();
+  const MachineLimits limits = rules.Limits();
+  const auto planner = rules.firmware().MakePlanner(limits);
   for (uint32_t seed = 0; seed < 5; ++seed) {
     const auto moves = RandomMoves(seed + 100, 40);
     std::vector<double> junction_v2(moves.size() + 1, 0);
     for (size_t i = 1; i < moves.size(); ++i) {
-      if (firmware.flavor == GcodeFlavor::kKlipper) {
-        junction_v2[i] = KlipperJunctionV2(moves[i - 1], moves[i], limits);
-      } else if (firmware.junction_deviation_mm > 0) {
-        junction_v2[i] = JunctionDeviationV2(moves[i - 1], moves[i], limits);
-      } else {
-        junction_v2[i] = std::pow(ClassicJerkSpeed(moves[i - 1], moves[i], limits), 2);
-      }
+      junction_v2[i] = JunctionV2(rules, moves[i - 1], moves[i], limits);
     }
-    if (firmware.flavor != GcodeFlavor::kKlipper) {
-      if (firmware.junction_deviation_mm == 0) {
+    if (rules.firmware == Marlin2) {
+      if (rules.junction_deviation_mm == 0) {
         junction_v2[0] = std::pow(SafeSpeed(moves[0], limits), 2);
       }
       junction_v2.back() = kMarlinRestMmS * kMarlinRestMmS;
     }
     const double want = FineTime(moves, junction_v2);
-    EXPECT_NEAR(Total(planner.Plan(moves)), want, 2e-3 * want);
+    EXPECT_NEAR(Total(planner->Plan(moves)), want, 2e-3 * want);
   }
 }
 
-TEST_P(FirmwareTest, FasterSettingsAreNeverSlower) {
-  const Firmware& firmware = GetParam();
-  Planner planner(firmware.flavor, firmware.Limits());
+TEST_P(RulesTest, FasterSettingsAreNeverSlower) {
+  const Rules& rules = GetParam();
+  const auto planner = rules.firmware().MakePlanner(rules.Limits());
   for (uint32_t seed = 0; seed < 10; ++seed) {
     auto moves = RandomMoves(seed, 100);
-    const double time = Total(planner.Plan(moves));
+    const double time = Total(planner->Plan(moves));
     for (KinematicMove& move : moves) move.acceleration_mm_s2 *= 2;
-    EXPECT_LE(Total(planner.Plan(moves)), time * (1 + 1e-9));
+    EXPECT_LE(Total(planner->Plan(moves)), time * (1 + 1e-9));
   }
 }
 
 /// Those that do not look at single axes.
-class RoundTest : public testing::TestWithParam<Firmware> {};
+class RoundTest : public testing::TestWithParam<Rules> {};
 
 TEST_P(RoundTest, TurningThePathChangesNothing) {
-  const Firmware& firmware = GetParam();
-  Planner planner(firmware.flavor, firmware.Limits());
+  const Rules& rules = GetParam();
+  const auto planner = rules.firmware().MakePlanner(rules.Limits());
   auto moves = RandomMoves(7, 100);
-  const double time = Total(planner.Plan(moves));
+  const double time = Total(planner->Plan(moves));
   for (KinematicMove& move : moves) {
     std::swap(move.ratio[kX], move.ratio[kY]);
     move.ratio[kX] = -move.ratio[kX];
   }
-  EXPECT_NEAR(Total(planner.Plan(moves)), time, 1e-6);
+  EXPECT_NEAR(Total(planner->Plan(moves)), time, 1e-6);
 }
 
-const Firmware kMarlinJerk{"MarlinJerk", GcodeFlavor::kMarlin2, 0, 0};
-const Firmware kMarlinDeviation{"MarlinDeviation", GcodeFlavor::kMarlin2, 0.02, 0};
-const Firmware kMarlinLegacy{"MarlinLegacy", GcodeFlavor::kMarlinLegacy, 0, 0};
-const Firmware kKlipper{"Klipper", GcodeFlavor::kKlipper, 0, 0.5};
-const Firmware kKlipperFullSpeed{"KlipperFullSpeed", GcodeFlavor::kKlipper, 0, 0};
+const Rules kMarlinJerk{"MarlinJerk", Marlin2, 0, 0};
+const Rules kMarlinDeviation{"MarlinDeviation", Marlin2, 0.02, 0};
+const Rules kMarlinLegacy{"MarlinLegacy", MarlinLegacy, 0, 0};
+const Rules kRepRap{"RepRap", RepRap, 0, 0};
+const Rules kKlipper{"Klipper", Klipper, 0, 0.5};
+const Rules kKlipperFullSpeed{"KlipperFullSpeed", Klipper, 0, 0};
 
-std::string NameOf(const testing::TestParamInfo<Firmware>& info) { return info.param.name; }
+std::string NameOf(const testing::TestParamInfo<Rules>& info) { return info.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Planner, FirmwareTest,
+INSTANTIATE_TEST_SUITE_P(Planner, RulesTest,
                          testing::Values(kMarlinJerk, kMarlinDeviation, kMarlinLegacy, kKlipper,
-                                         kKlipperFullSpeed),
+                                         kKlipperFullSpeed, kRepRap),
                          NameOf);
 INSTANTIATE_TEST_SUITE_P(Planner, FullSpeedTest,
-                         testing::Values(kMarlinJerk, kMarlinDeviation, kKlipperFullSpeed), NameOf);
+                         testing::Values(kMarlinJerk, kMarlinDeviation, kKlipperFullSpeed,
+                                         kRepRap),
+                         NameOf);
 INSTANTIATE_TEST_SUITE_P(Planner, RoundTest,
                          testing::Values(kMarlinDeviation, kKlipper, kKlipperFullSpeed), NameOf);
 

@@ -9,6 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/base/duration_text.h"
 #include "common/model/filament_use.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/comment_text.h"
 #include "services/motion/algo/macro/settings_text.h"
 #include "services/motion/algo/macro/template_defaults.h"
@@ -18,18 +19,6 @@ namespace {
 
 /// Corners of a bed beyond this are none.
 constexpr double kFarthestMm = 10'000;
-
-std::string FlavorName(GcodeFlavor flavor) {
-  switch (flavor) {
-    case GcodeFlavor::kMarlin2:
-      return "marlin2";
-    case GcodeFlavor::kMarlinLegacy:
-      return "marlin";
-    case GcodeFlavor::kKlipper:
-      return "klipper";
-  }
-  return "";
-}
 
 void AddExtruder(TemplateVariables& variables) {
   for (const char* name :
@@ -67,7 +56,7 @@ TemplateVariables OptionVariables(const MotionOptions& options) {
   text("filament_settings_id", options.filament_settings_id);
   text("filament_preset", options.filament_settings_id);
   text("printer_model", options.printer_model);
-  text("gcode_flavor", FlavorName(options.flavor));
+  text("gcode_flavor", std::string(FirmwareOf(options.flavor).name()));
   real("z_offset", options.z_offset_mm);
   real("travel_speed", options.travel_speed_mm_s);
   real("retract_length", options.retraction.length_mm);

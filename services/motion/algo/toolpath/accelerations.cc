@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "services/motion/algo/firmware/firmware.h"
 namespace slicefarm::motion {
 namespace {
 
@@ -19,6 +20,7 @@ double FirstSet(std::initializer_list<double> values) {
 
 Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index) {
   const MachineLimits& limits = options.limits;
+  const Firmware& firmware = FirmwareOf(options.flavor);
   Accelerations result;
   result.told = options.default_acceleration_mm_s2 > 0;
   result.told_travel = result.told && options.travel_acceleration_mm_s2 > 0;
@@ -37,11 +39,13 @@ Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index
   }
   if (result.told_travel) {
     result.travel = options.travel_acceleration_mm_s2;
-  } else if (options.flavor == GcodeFlavor::kMarlin2) {
+  } else if (firmware.HasTravelAcceleration()) {
     result.travel =
         FirstSet({limits.max_acceleration_travel_mm_s2, limits.max_acceleration_extruding_mm_s2});
   }
-  result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
+  if (firmware.HasRetractAcceleration())
+    result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
+  result.one = !firmware.HasTravelAcceleration();
   return result;
 }
 

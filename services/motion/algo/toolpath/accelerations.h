@@ -10,19 +10,22 @@ namespace slicefarm::motion {
 /// With which acceleration each kind of move runs, in mm/s^2, and what of it the G-code has to say.
 ///
 /// As in PrusaSlicer, default_acceleration = 0 leaves accelerations to the firmware, whatever the
-/// features' settings are; the machine limits then say what the firmware's are. Only Marlin 2 keeps
+/// features' settings are; the machine limits then say what the firmware's are. Some firmwares keep
 /// travels' acceleration apart from printing's; elsewhere a travel runs as the path before it,
-/// unless travel_acceleration is set and switched to.
+/// unless travel_acceleration is set and switched to. Klipper has one for all moves: what a
+/// retraction is asked for is what was set last.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
   double travel = 0;   ///< 0: that of the path before
-  double retract = 0;  ///< of the filament alone
+  double retract = 0;  ///< of the filament alone; 0: what was set last
   bool told = false;   ///< the G-code sets them
   bool told_travel = false;
+  bool one = false;  ///< travels and prints set the same
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
-  /// Of a travel, where the path before it runs with `before`.
+  /// Of a travel, where `before` was set last.
   double Travel(double before) const { return travel > 0 ? travel : before; }
+  double Retract(double before) const { return retract > 0 ? retract : before; }
 };
 
 Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index);

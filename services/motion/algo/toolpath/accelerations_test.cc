@@ -54,6 +54,15 @@ TEST(Accelerations, TravelApartOnlyInMarlin2) {
   }
 }
 
+TEST(Accelerations, KlipperHasOneForAllMoves) {
+  MotionOptions options = Options();
+  EXPECT_EQ(AccelerationsFor(options, 1).Retract(700), 1200);
+  EXPECT_FALSE(AccelerationsFor(options, 1).one);
+  options.flavor = GcodeFlavor::kKlipper;
+  EXPECT_EQ(AccelerationsFor(options, 1).Retract(700), 700) << "what was set last";
+  EXPECT_TRUE(AccelerationsFor(options, 1).one);
+}
+
 TEST(Accelerations, LimitsThatAreEmittedHold) {
   MotionOptions options = Options();
   options.default_acceleration_mm_s2 = 9000;

@@ -32,13 +32,13 @@ double Sum(std::span<const double> times) {
 }
 
 double Time(const Toolpath& path) {
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   return Sum(timing.Times(path));
 }
 
 /// Slows `path` down and gives the time it takes then.
 double Slowed(const CoolingOptions& cooling, Toolpath& path) {
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   std::vector<TimedToolpath> paths = {{path}};
   SlowDown(cooling, 0, timing, paths);
   path = paths[0].path;
@@ -107,7 +107,7 @@ TEST(SlowDown, CopiesAndTravelBetweenThemCount) {
   CoolingOptions cooling;
   cooling.min_print_speed_mm_s = 1;
   cooling.slowdown_below_layer_time_s = 30;
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   std::vector<TimedToolpath> paths = {{Squares(1), 3}, {Squares(2), 1}};
   SlowDown(cooling, 4.5, timing, paths);
   const double time = paths[0].TimeS() + 2 * paths[0].TimeAfterApproachS() +

@@ -43,7 +43,7 @@ void LayerTiming::PlanRun(const Toolpath& path, size_t first, size_t last) {
     run_.push_back(ToKinematic(before, path.moves[i]));
     before = path.moves[i];
   }
-  const auto profiles = planner_.Plan(run_);
+  const auto profiles = planner_->Plan(run_);
   for (size_t i = first; i < last; ++i) times_[i] = profiles[i - first].time_s;
 }
 

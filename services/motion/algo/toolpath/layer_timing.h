@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "common/model/layer.h"
 #include "common/model/motion_options.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -14,7 +16,8 @@ namespace slicefarm::motion {
 /// left out: where it begins is not known.
 class LayerTiming {
  public:
-  LayerTiming(GcodeFlavor flavor, const MachineLimits& limits) : planner_(flavor, limits) {}
+  LayerTiming(const Firmware& firmware, const MachineLimits& limits)
+      : planner_(firmware.MakePlanner(limits)) {}
 
   /// Time in s of each move of `path`, 0 for the approach; valid until the next call. Cost:
   /// O(moves).
@@ -23,7 +26,7 @@ class LayerTiming {
  private:
   void PlanRun(const Toolpath& path, size_t first, size_t last);
 
-  Planner planner_;
+  std::unique_ptr<Planner> planner_;
   std::vector<KinematicMove> run_;
   std::vector<double> times_;
 };

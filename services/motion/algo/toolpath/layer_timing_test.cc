@@ -41,7 +41,7 @@ Toolpath Sample() {
 TEST(LayerTiming, MovesFromRestToRest) {
   MachineLimits limits;
   limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
-  LayerTiming timing(GcodeFlavor::kKlipper, limits);
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
   const auto times = timing.Times(Sample());
   ASSERT_EQ(times.size(), 5);
   EXPECT_NEAR(times[0], RestToRest(0.2, 10, 500), 1e-9);
@@ -51,13 +51,13 @@ TEST(LayerTiming, MovesFromRestToRest) {
 }
 
 TEST(LayerTiming, NothingToDo) {
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   EXPECT_TRUE(timing.Times({}).empty());
 }
 
 TEST(AddTimes, ByFeatureAndTravel) {
   const Toolpath path = Sample();
-  LayerTiming timing(GcodeFlavor::kMarlin2, {});
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
   const auto times = timing.Times(path);
   ProgramStats stats;
   AddTimes(path, times, 0, stats);

@@ -7,18 +7,13 @@
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
 namespace {
 
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
-
-struct PlaceUm {
-  int32_t x, y;
-
-  friend bool operator==(const PlaceUm&, const PlaceUm&) = default;
-};
 
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
@@ -47,6 +42,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const double length_mm = ToMm(PathLength(path));
   print_acceleration_ = accelerations_.Print(path.feature);
+  if (set_acceleration_ == 0) set_acceleration_ = print_acceleration_;
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
   const int64_t filament_before = filament_;
@@ -133,7 +129,7 @@ void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
   at_.y_um = y_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeed(options_));
-  Push(MoveKind::kTravel, accelerations_.Travel(print_acceleration_));
+  Push(MoveKind::kTravel, accelerations_.Travel(set_acceleration_));
 }
 
 void ToolpathBuilder::MoveZ(int32_t z_um) {
@@ -141,7 +137,7 @@ void ToolpathBuilder::MoveZ(int32_t z_um) {
   at_.z_um = z_um;
   at_.filament = 0;
   at_.feed_rate = FeedRate(TravelSpeedZ(options_));
-  Push(MoveKind::kLift, accelerations_.Travel(print_acceleration_));
+  Push(MoveKind::kLift, accelerations_.Travel(set_acceleration_));
 }
 
 void ToolpathBuilder::Retract() {
@@ -149,7 +145,7 @@ void ToolpathBuilder::Retract() {
   retracted_ = true;
   at_.filament = -retract_units_;
   at_.feed_rate = FeedRate(options_.retraction.speed_mm_s);
-  Push(MoveKind::kRetract, accelerations_.retract);
+  Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
   ++stats_.retractions;
 }
 
@@ -160,12 +156,15 @@ void ToolpathBuilder::Restart() {
   at_.filament = restart_units_;
   at_.feed_rate = FeedRate(options_.retraction.restart_speed_mm_s);
   filament_ += restart_units_ - retract_units_;
-  Push(MoveKind::kRestart, accelerations_.retract);
+  Push(MoveKind::kRestart, accelerations_.Retract(set_acceleration_));
 }
 
 void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   at_.kind = kind;
   at_.acceleration_mm_s2 = static_cast<float>(acceleration_mm_s2);
+  const bool of_travel = kind == MoveKind::kTravel || kind == MoveKind::kLift;
+  if (kind == MoveKind::kPrint || (of_travel && accelerations_.one))
+    set_acceleration_ = acceleration_mm_s2;
   path_.moves.push_back(at_);
 }
 

@@ -1,6 +1,6 @@
 #include "services/motion/algo/toolpath/travel_time.h"
 
-#include "services/motion/algo/kinematics/planner.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -9,7 +9,8 @@ namespace slicefarm::motion {
 namespace {
 
 double FromRestToRest(const KinematicMove& asked, const MotionOptions& options) {
-  const KinematicMove move = LimitedByFirmware(asked, options.flavor, options.limits);
+  const auto planner = FirmwareOf(options.flavor).MakePlanner(options.limits);
+  const KinematicMove move = planner->Limited(asked);
   return RestToRest(move.length_mm, move.speed_mm_s, move.acceleration_mm_s2);
 }
 

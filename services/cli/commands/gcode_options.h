@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "services/cli/program/machine_config.h"
+
+namespace slicefarm::cli {
+
+/// What `time` and `check` are told, as written on the command line.
+struct GcodeOptions {
+  std::string gcode;
+  std::string flavor;
+  std::string config;
+};
+
+/// A G-code file, and what reads it.
+struct GcodeFile {
+  std::string gcode;
+  const motion::Firmware* firmware = nullptr;
+  MachineConfig machine;
+};
+
+void AddGcodeOptions(CLI::App& app, GcodeOptions& options);
+
+/// Errors: those of ReadFile and ReadMachine; REQUEST_MALFORMED for an unknown flavour.
+absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options);
+
+}  // namespace slicefarm::cli

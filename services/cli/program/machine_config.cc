@@ -1,0 +1,75 @@
+#include "services/cli/program/machine_config.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "common/config/ini.h"
+#include "common/config/resolve.h"
+#include "services/cli/files.h"
+#include "services/cli/program/klipper_config.h"
+
+namespace slicefarm::cli {
+namespace {
+
+constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
+
+/// What settings say of a machine.
+constexpr std::string_view kMachineKeys[] = {
+    "bed_shape",        "max_print_height",       "nozzle_diameter", "filament_diameter",
+    "minimum_cruise_ratio", "square_corner_velocity", "retract_length",  "retract_speed",
+    "deretract_speed",  "retract_restart_extra",  "retract_lift",    "z_offset"};
+
+bool IsOfMachine(std::string_view key) {
+  return key.starts_with("machine_max_") ||
+         std::ranges::find(kMachineKeys, key) != std::end(kMachineKeys);
+}
+
+bool Has(const std::vector<config::Setting>& settings, std::string_view key) {
+  return std::ranges::any_of(settings, [&](const config::Setting& s) { return s.key == key; });
+}
+
+bool QuotesSettings(std::string_view gcode) {
+  return gcode.find("\n; prusaslicer_config = begin") != gcode.npos ||
+         gcode.find("\n; machine_max_acceleration_x = ") != gcode.npos;
+}
+
+}  // namespace
+
+absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
+  auto given = config::ReadIni(text);
+  if (!given.ok()) return given.status();
+  std::erase_if(*given, [](const config::Setting& s) { return !IsOfMachine(s.key); });
+  const auto resolved = config::Resolve(*given);
+  if (!resolved.ok()) return resolved.status();
+  const MotionOptions& options = resolved->settings.motion;
+  motion::CheckSetup setup;
+  setup.machine = {options.limits, options.retraction};
+  setup.nozzle_mm = options.nozzle_diameter_mm;
+  setup.filament_mm = options.filament_diameter_mm;
+  setup.z_offset_mm = options.z_offset_mm;
+  if (Has(*given, "bed_shape")) setup.bed = resolved->settings.slicing.bed;
+  if (Has(*given, "max_print_height"))
+    setup.max_height_mm = ToMm(static_cast<double>(options.max_print_height_nm));
+  return setup;
+}
+
+absl::StatusOr<MachineConfig> ReadMachine(const std::string& config_file, std::string_view gcode) {
+  MachineConfig config;
+  if (config_file.empty()) {
+    if (QuotesSettings(gcode)) {
+      // Other slicers quote settings too, in forms and ranges of their own.
+      if (const auto quoted = SetupOfSettings(gcode); quoted.ok())
+        return MachineConfig{*quoted, "gcode"};
+    }
+    const auto standard = SetupOfSettings("z_offset = 0\n");
+    if (!standard.ok()) return standard.status();
+    return MachineConfig{*standard, "defaults"};
+  }
+  const auto text = ReadFile(config_file, kMaxConfigBytes);
+  if (!text.ok()) return text.status();
+  const auto setup = IsKlipperConfig(*text) ? ReadKlipperConfig(*text) : SetupOfSettings(*text);
+  if (!setup.ok()) return InFile(config_file, setup.status());
+  return MachineConfig{*setup, config_file};
+}
+
+}  // namespace slicefarm::cli

@@ -1,0 +1,46 @@
+#include "services/cli/program/machine_config.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "common/base/temp_directory_test.h"
+#include "services/cli/files.h"
+
+namespace slicefarm::cli {
+namespace {
+
+TEST(SetupOfSettings, TakesWhatItSaysOfTheMachineAlone) {
+  const auto setup = SetupOfSettings(
+      "machine_max_acceleration_extruding = 1234,500\nbed_shape = 0x0,100x0,100x90,0x90\n"
+      "layer_height = nonsense\nfilament_diameter = 2.85\n");
+  ASSERT_TRUE(setup.ok()) << setup.status();
+  EXPECT_EQ(setup->machine.limits.max_acceleration_extruding_mm_s2, 1234);
+  EXPECT_EQ(setup->bed.size(), 4);
+  EXPECT_EQ(setup->max_height_mm, 0) << "not said";
+  EXPECT_EQ(setup->filament_mm, 2.85);
+}
+
+TEST(ReadMachine, ByFileByTheGcodeByDefault) {
+  const TempDirectory folder;
+  const std::string path = folder.path() + "/printer.cfg";
+  ASSERT_TRUE(WriteFile(path, "[printer]\nmax_velocity: 111\nmax_accel: 2222\n").ok());
+  const std::string gcode =
+      "G1 X1\n; prusaslicer_config = begin\n; machine_max_feedrate_x = 77\n"
+      "; prusaslicer_config = end\n";
+  const auto file = ReadMachine(path, gcode);
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->setup.machine.limits.max_feedrate_mm_s[0], 111);
+  const auto quoted = ReadMachine("", gcode);
+  ASSERT_TRUE(quoted.ok()) << quoted.status();
+  EXPECT_EQ(quoted->source, "gcode");
+  EXPECT_EQ(quoted->setup.machine.limits.max_feedrate_mm_s[0], 77);
+  const auto standard = ReadMachine("", "G1 X1\n");
+  ASSERT_TRUE(standard.ok()) << standard.status();
+  EXPECT_EQ(standard->source, "defaults");
+  EXPECT_TRUE(standard->setup.bed.empty());
+  EXPECT_EQ(DetailOf(ReadMachine(folder.path() + "/none", gcode).status()).reason,
+            Reason::kRequestMalformed);
+}
+
+}  // namespace
+}  // namespace slicefarm::cli

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/model/motion_options.h"
+#include "common/model/program_summary.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/kinematics/planner.h"
+#include "services/motion/algo/program/gcode_line.h"
+
+namespace slicefarm::motion {
+
+/// What decides whether the filament's numbers are absolute.
+enum class ExtruderMode {
+  kApart,       ///< M82 and M83 alone
+  kWithAxes,    ///< G90 and G91 set it as well
+  kEitherWise,  ///< relative after G91 as well as after M83
+};
+
+/// The firmware of a printer: what it makes of moves, and the dialect that it reads. One file a
+/// firmware: marlin.cc, klipper.cc, reprap.cc. Has no state.
+class Firmware {
+ public:
+  virtual ~Firmware() = default;
+
+  /// The value of gcode_flavor.
+  virtual std::string_view name() const = 0;
+
+  // Motion.
+
+  virtual std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const = 0;
+  /// What the machine is set to for such a move (M204, SET_VELOCITY_LIMIT), before the limits of
+  /// its axes.
+  virtual double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const = 0;
+  /// Whether it comes to rest before and after moves of filament alone.
+  virtual bool StopsForFilament() const { return false; }
+  /// Length of the chords that stand for an arc.
+  virtual double ArcSegmentMm(double radius_mm, double speed_mm_s) const = 0;
+
+  // What it reads.
+
+  virtual ExtruderMode extruder_mode() const = 0;
+  /// Whether it knows the command.
+  virtual bool Knows(const GcodeLine& line) const = 0;
+  /// Whether a command of any name may be one of the user's macros.
+  virtual bool has_macros() const { return false; }
+  /// Takes over what a command says of limits; nothing of other commands.
+  virtual void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const = 0;
+  /// Whether a bead of such a section is refused. `nozzle_mm`: diameter.
+  virtual bool RefusesSection(double section_mm2, double nozzle_mm) const;
+  /// Moves of filament alone that are longer are refused; 0: none.
+  virtual double LongestExtrusionMm() const { return 0; }
+  /// Whether arcs may be given by radius, and between relative coordinates.
+  virtual bool ArcsByRadius() const { return true; }
+  virtual bool RelativeArcs() const { return true; }
+
+  // What is written for it.
+
+  /// Limits of 0 are left as they are.
+  virtual void WriteLimits(const MachineLimits& limits, GcodeText& out) const = 0;
+  /// Whether travels have an acceleration of their own, told once beside that of printing.
+  virtual bool HasTravelAcceleration() const = 0;
+  /// Whether moves of filament alone have one of their own.
+  virtual bool HasRetractAcceleration() const { return true; }
+  /// `travel_mm_s2` 0: not told. REQUIRES: 0 unless HasTravelAcceleration.
+  virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
+
+  /// Of a copy, for gcode_label_objects = firmware. `name`: one line; `index`: of the copy.
+  virtual std::string LabelOf(std::string_view name, size_t index) const = 0;
+  virtual void DefineCopies(std::span<const CopySummary> copies,
+                            std::span<const std::string> labels, GcodeText& out) const = 0;
+  virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
+  virtual void EndCopy(std::string_view label, GcodeText& out) const = 0;
+};
+
+/// That of the settings. Lives for ever.
+const Firmware& FirmwareOf(GcodeFlavor flavor);
+
+/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware. Null: no such.
+const Firmware* FindFirmware(std::string_view name);
+
+}  // namespace slicefarm::motion

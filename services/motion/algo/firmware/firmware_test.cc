@@ -1,0 +1,24 @@
+#include "services/motion/algo/firmware/firmware.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+TEST(FirmwareOf, HasTheNameOfItsSetting) {
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kMarlin2).name(), "marlin2");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kMarlinLegacy).name(), "marlin");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kKlipper).name(), "klipper");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kRepRapFirmware).name(), "reprapfirmware");
+}
+
+TEST(FindFirmware, ByItsNames) {
+  EXPECT_EQ(FindFirmware("klipper"), &FirmwareOf(GcodeFlavor::kKlipper));
+  EXPECT_EQ(FindFirmware("marlin"), &FirmwareOf(GcodeFlavor::kMarlin2));
+  EXPECT_EQ(FindFirmware("rrf")->name(), "reprapfirmware");
+  EXPECT_EQ(FindFirmware("rrf"), FindFirmware("reprapfirmware"));
+  EXPECT_EQ(FindFirmware("grbl"), nullptr);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion

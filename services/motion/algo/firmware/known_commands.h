@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "services/motion/algo/program/gcode_line.h"
+
+namespace slicefarm::motion {
+
+/// Numbers of the commands that a firmware knows, ascending. Tools (T) all know.
+struct KnownCommands {
+  std::span<const int> g;
+  std::span<const int> m;
+
+  bool Contain(const GcodeLine& line) const {
+    const std::span<const int> numbers = line.letter == 'G' ? g : m;
+    return line.letter == 'T' || ((line.letter == 'G' || line.letter == 'M') &&
+                                  std::ranges::binary_search(numbers, line.number));
+  }
+};
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "common/model/motion_options.h"
+#include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/kinematics/kinematic_move.h"
+#include "services/motion/algo/program/arc_chords.h"
+#include "services/motion/algo/program/gcode_line.h"
+
+namespace slicefarm::motion {
+
+/// The printer, as far as a program's meaning depends on it.
+struct MachineSetup {
+  MachineLimits limits;
+  RetractionOptions retraction;  ///< of G10 and G11, until M207
+};
+
+/// A straight move, in machine coordinates: x, y, z and the filament that went in so far.
+struct ProgramMove {
+  std::array<double, 4> from = {};
+  std::array<double, 4> to = {};
+  double speed_mm_s = 0;
+
+  double Filament() const { return to[kE] - from[kE]; }
+  bool InPlane() const { return from[kX] != to[kX] || from[kY] != to[kY]; }
+  bool InSpace() const { return InPlane() || from[kZ] != to[kZ]; }
+  bool Prints() const { return InPlane() && Filament() > 0; }
+};
+
+/// What a line makes the machine do.
+struct GcodeAction {
+  enum class Kind {
+    kNone,
+    kMoves,
+    kDwell,    ///< G4: rests for a time
+    kRest,     ///< comes to rest: waits for heat, homes, changes tools, ...
+    kLimits,   ///< limits may have changed
+  };
+  Kind kind = Kind::kNone;
+  std::span<const ProgramMove> moves = {};  ///< valid until the next line
+  double dwell_s = 0;
+  std::optional<Arc> arc = {};  ///< of G2 and G3
+};
+
+/// Follows a program line by line, as its firmware would: G0 to G4, G10 and G11, G20 and G21, G28,
+/// G90 to G92, M82, M83, M207, M208, M220, M221, tools and limits. Places before G28 or the first
+/// move count from 0. Homing takes an axis to 0.
+class GcodeMachine {
+ public:
+  /// `firmware` must live on.
+  GcodeMachine(const Firmware& firmware, const MachineSetup& setup)
+      : firmware_(firmware), limits_(setup.limits), retraction_(setup.retraction) {}
+
+  GcodeAction Read(const GcodeLine& line);
+
+  const MachineLimits& limits() const { return limits_; }
+  const std::array<double, 4>& position() const { return at_; }
+  bool relative() const { return relative_; }
+  /// Whether some F was given.
+  bool has_speed() const { return speed_mm_s_ > 0; }
+
+ private:
+  GcodeAction ReadG(const GcodeLine& line);
+  GcodeAction ReadM(const GcodeLine& line);
+  GcodeAction MoveTo(const GcodeLine& line);
+  GcodeAction ArcTo(const GcodeLine& line);
+  GcodeAction Retract(bool back);
+  void Home(const GcodeLine& line);
+  void SetPosition(const GcodeLine& line);
+  void ReadSpeed(const GcodeLine& line);
+  bool RelativeFilament() const;
+  std::array<double, 4> TargetOf(const GcodeLine& line) const;
+  void Push(const std::array<double, 4>& to, double speed_mm_s);
+  void ScaleFilament(double factor);
+
+  const Firmware& firmware_;
+  MachineLimits limits_;
+  RetractionOptions retraction_;
+  std::array<double, 4> at_ = {};
+  std::array<double, 4> origin_ = {};  ///< place of the program's zero
+  double unit_mm_ = 1;
+  bool relative_ = false;
+  bool relative_filament_ = false;
+  bool retracted_ = false;  ///< by G10
+  double speed_mm_s_ = 0;   ///< as given, without the factor
+  double speed_factor_ = 1;
+  double filament_factor_ = 1;
+  std::vector<ProgramMove> moves_;
+};
+
+/// Whether a line is G10 or G11 as firmwares retract and restart by themselves; G10 with a tool's
+/// settings is not.
+bool IsFirmwareRetraction(const GcodeLine& line);
+
+/// As planners see it. REQUIRES: something moves.
+KinematicMove ToKinematic(const ProgramMove& move, const Firmware& firmware,
+                          const MachineLimits& limits);
+
+}  // namespace slicefarm::motion

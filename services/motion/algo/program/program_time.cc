@@ -1,0 +1,119 @@
+#include "services/motion/algo/program/program_time.h"
+
+#include <algorithm>
+
+#include "services/motion/algo/program/program_labels.h"
+
+namespace slicefarm::motion {
+namespace {
+
+class Clock {
+ public:
+  Clock(const Firmware& firmware, const MachineSetup& setup)
+      : firmware_(firmware),
+        machine_(firmware, setup),
+        planner_(firmware.MakePlanner(setup.limits)) {}
+
+  void Read(std::string_view text) {
+    const GcodeLine line = ParseGcodeLine(text);
+    if (!line.comment.empty() && labels_.Read(line.comment)) Label();
+    const GcodeAction action = machine_.Read(line);
+    switch (action.kind) {
+      case GcodeAction::Kind::kMoves:
+        for (const ProgramMove& move : action.moves) Add(move);
+        break;
+      case GcodeAction::Kind::kDwell:
+        Stop();
+        time_.dwell_s += action.dwell_s;
+        LayerTime() += action.dwell_s;
+        break;
+      case GcodeAction::Kind::kRest:
+        Stop();
+        Count(line);
+        break;
+      case GcodeAction::Kind::kLimits:
+        planner_->SetLimits(machine_.limits());
+        break;
+      case GcodeAction::Kind::kNone:
+        break;
+    }
+  }
+
+  ProgramTime Finish() {
+    Stop();
+    return std::move(time_);
+  }
+
+ private:
+  /// Where a queued move's time goes.
+  struct Account {
+    double* kind_s;
+    int layer;
+  };
+
+  void Label() {
+    feature_s_ = nullptr;
+    const auto layers = static_cast<size_t>(labels_.layer() + 1);
+    if (time_.layer_s.size() < layers) time_.layer_s.resize(layers);
+  }
+
+  double& LayerTime() { return TimeOf(labels_.layer()); }
+  double& TimeOf(int layer) {
+    return layer < 0 ? time_.before_s : time_.layer_s[static_cast<size_t>(layer)];
+  }
+
+  double* KindOf(const ProgramMove& move) {
+    if (!move.Prints()) return move.InSpace() ? &time_.travel_s : &time_.retract_s;
+    if (feature_s_ == nullptr) feature_s_ = &time_.feature_s[labels_.feature()];
+    return feature_s_;
+  }
+
+  void Add(const ProgramMove& move) {
+    accounts_.push_back({KindOf(move), labels_.layer()});
+    planner_->Add(ToKinematic(move, firmware_, machine_.limits()));
+    ++time_.moves;
+    if (!move.InSpace() && firmware_.StopsForFilament()) Stop();  // bounds memory
+  }
+
+  void Stop() {
+    const auto profiles = planner_->Stop();
+    for (size_t i = 0; i < profiles.size(); ++i) {
+      const double t = profiles[i].time_s;
+      time_.move_s += t;
+      *accounts_[i].kind_s += t;
+      TimeOf(accounts_[i].layer) += t;
+    }
+    accounts_.clear();
+  }
+
+  void Count(const GcodeLine& line) {
+    if (line.letter == 'T') ++time_.tool_changes;
+    if (line.letter == 'G') ++time_.homings;
+    const bool heats = line.number == 109 || line.number == 116 || line.number == 190 ||
+                       line.number == 191;
+    if (line.letter == 'M' && heats) ++time_.heat_waits;
+  }
+
+  const Firmware& firmware_;
+  GcodeMachine machine_;
+  std::unique_ptr<Planner> planner_;
+  ProgramLabels labels_;
+  std::vector<Account> accounts_;
+  double* feature_s_ = nullptr;  ///< of the labels
+  ProgramTime time_;
+};
+
+}  // namespace
+
+ProgramTime TimeOfProgram(std::string_view gcode, const Firmware& firmware,
+                          const MachineSetup& setup) {
+  Clock clock(firmware, setup);
+  while (!gcode.empty()) {
+    const size_t end = std::min(gcode.find('\n'), gcode.size());
+    clock.Read(gcode.substr(0, end));
+    gcode.remove_prefix(std::min(end + 1, gcode.size()));
+  }
+  return clock.Finish();
+}
+
+}  // namespace slicefarm::motion
