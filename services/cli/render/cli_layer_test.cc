@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/base/error.h"
 
@@ -32,8 +33,11 @@ TEST(ReadCliLayer, ReadsContoursAndHatchesInOrder) {
   EXPECT_DOUBLE_EQ(layer->z_mm, 0.3);
   EXPECT_NEAR(layer->height_mm, 0.2, 1e-12);
   ASSERT_EQ(layer->beads.size(), 3u);
-  EXPECT_EQ(layer->beads[0], (BeadRun{"contour", 0.1, {{0, 0}, {1, 0}}}));
-  EXPECT_EQ(layer->beads[2], (BeadRun{"hatch", 0.1, {{1, 0.02}, {0, 0.02}}}));
+  EXPECT_EQ(layer->beads[0].feature, "contour");
+  EXPECT_EQ(layer->beads[0].width_mm, 0.1);
+  EXPECT_EQ(layer->beads[0].points, (std::vector<PointMm>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(layer->beads[2].feature, "hatch");
+  EXPECT_EQ(layer->beads[2].points, (std::vector<PointMm>{{1, 0.02}, {0, 0.02}}));
   ASSERT_EQ(layer->travels.size(), 2u);
   EXPECT_EQ(layer->travels[1].back(), (PointMm{1, 0.02}));
   EXPECT_EQ(ReadCliLayer(Ascii(kTwoLayers), 0, 0.1)->beads[0].points.size(), 3u);

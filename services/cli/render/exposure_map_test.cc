@@ -5,6 +5,14 @@
 namespace slicefarm::cli {
 namespace {
 
+BeadRun Line(PointMm from, PointMm to, double width_mm = 1) {
+  BeadRun run;
+  run.feature = "hatch";
+  run.width_mm = width_mm;
+  run.points = {from, to};
+  return run;
+}
+
 double At(const std::vector<double>& map, const Layout& layout, PointMm p) {
   const PointMm pixel = layout.ToPixel(p);
   return map.at(static_cast<size_t>(pixel.y) * static_cast<size_t>(layout.part_width_px) +
@@ -14,7 +22,7 @@ double At(const std::vector<double>& map, const Layout& layout, PointMm p) {
 // Lines of 1 mm that cross: one pass along each, two where they meet, none beside.
 TEST(ExposureMap, CountsPasses) {
   GcodeLayer layer;
-  layer.beads = {{"hatch", 1, {{0, 10}, {20, 10}}}, {"hatch", 1, {{10, 0}, {10, 20}}}};
+  layer.beads = {Line({0, 10}, {20, 10}), Line({10, 0}, {10, 20})};
   const Layout layout = LayOut(layer, {});
   const std::vector<double> map = ExposureMap(layer, layout);
   EXPECT_DOUBLE_EQ(At(map, layout, {3, 10}), 1);
@@ -27,7 +35,7 @@ TEST(ExposureMap, CountsPasses) {
 TEST(ExposureMap, SumsUpToTheAreaOfAllPasses) {
   GcodeLayer layer;
   for (int i = 0; i < 5; ++i)
-    layer.beads.push_back({"hatch", 1.5, {{0, i * 1.0}, {30, i * 1.0}}});
+    layer.beads.push_back(Line({0, i * 1.0}, {30, i * 1.0}, 1.5));
   const Layout layout = LayOut(layer, {});
   double sum = 0;
   for (const double passes : ExposureMap(layer, layout)) sum += passes;
@@ -36,7 +44,7 @@ TEST(ExposureMap, SumsUpToTheAreaOfAllPasses) {
 
 TEST(ExposureMap, StopsCountingAtItsMost) {
   GcodeLayer layer;
-  for (int i = 0; i < 40; ++i) layer.beads.push_back({"hatch", 1, {{0, 0}, {20, 0}}});
+  for (int i = 0; i < 40; ++i) layer.beads.push_back(Line({0, 0}, {20, 0}));
   const Layout layout = LayOut(layer, {});
   EXPECT_DOUBLE_EQ(At(ExposureMap(layer, layout), layout, {10, 0}), kMostPasses);
 }
