@@ -93,6 +93,16 @@ absl::Status CheckSkirt(const Draft& draft) {
                    {{"setting", key}, {"value", draft.At(key).written}});
 }
 
+/// Firmware that mixes by M163 and M164, from Marlin 1.1 on.
+absl::Status CheckMixing(const Draft& draft) {
+  const bool klipper =
+      draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
+  if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "material_field: gcode_flavor = klipper cannot mix materials; Marlin can",
+                   {{"setting", "material_field"}});
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
@@ -102,6 +112,7 @@ absl::Status CheckSettings(const Draft& draft) {
   if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
+  if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
 
   if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

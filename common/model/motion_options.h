@@ -118,6 +118,7 @@ struct MotionOptions {
   ObjectLabels labels = ObjectLabels::kNone;  ///< gcode_label_objects
   std::string between_objects_gcode;          ///< between_objects_gcode
   Coord max_print_height_nm = 0;              ///< max_print_height, 0: unlimited
+  std::string material_field;  ///< canonical text (fields/field_text.h); empty: no mixing
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

@@ -7,7 +7,8 @@ namespace slicefarm {
 int32_t HaloLayers(const JobSettings& settings) {
   int32_t halo = BeadingHaloLayers(settings);
   for (const InfillOptions& infill : settings.infill)
-    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers});
+    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
+                     infill.field_halo_layers});
   return halo;
 }
 

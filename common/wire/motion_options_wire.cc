@@ -242,6 +242,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_labels(EnumToProto<v1::ObjectLabels>(options.labels));
   proto.set_between_objects_gcode(options.between_objects_gcode);
   proto.set_max_print_height_nm(options.max_print_height_nm);
+  proto.set_material_field(options.material_field);
   return proto;
 }
 
@@ -270,6 +271,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.labels = Known<ObjectLabels>(proto.labels());
   options.between_objects_gcode = proto.between_objects_gcode();
   options.max_print_height_nm = proto.max_print_height_nm();
+  options.material_field = proto.material_field();
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include "common/model/limits.h"
 #include "common/base/text.h"
 #include "common/rpc/utf8.h"
+#include "services/cli/field_files.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {
@@ -81,6 +82,15 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                "Find places for all parts and copies, as without --center; for those of a project, "
                "too")
       ->excludes(center);
+  app.add_option("--density-field", options.fields.density,
+                 "How dense the sparse infill is, by place")
+      ->type_name("FIELD.json");
+  app.add_option("--stress-field", options.fields.stress,
+                 "Stresses whose directions the sparse infill follows")
+      ->type_name("FIELD.json");
+  app.add_option("--materials", options.fields.materials,
+                 "Shares of the materials of a mixing extruder, by place on the plate")
+      ->type_name("FIELD.json");
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
@@ -113,6 +123,21 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
   }
   for (const config::Setting& setting : settings) {
     if (absl::Status ok = CheckText(setting); !ok.ok()) return ok;
+  }
+  return settings;
+}
+
+absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options) {
+  auto settings = GivenSettings(options);
+  if (!settings.ok()) return settings.status();
+  const FieldOptions& fields = options.fields;
+  for (const auto& [path, kind] : {std::pair(&fields.density, FieldKind::kDensity),
+                                   std::pair(&fields.stress, FieldKind::kStress),
+                                   std::pair(&fields.materials, FieldKind::kMaterials)}) {
+    if (path->empty()) continue;
+    auto setting = ReadFieldFile(*path, kind);
+    if (!setting.ok()) return setting.status();
+    settings->push_back(*std::move(setting));
   }
   return settings;
 }

@@ -15,6 +15,13 @@ struct SettingOptions {
   std::vector<std::string> sets;  ///< key=value
 };
 
+/// Files of fields (common/model/fields/README.md); empty: none.
+struct FieldOptions {
+  std::string density;
+  std::string stress;
+  std::string materials;
+};
+
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
@@ -28,6 +35,7 @@ struct JobOptions : SettingOptions {
   bool arrange = false;              ///< what has a place, too
   int plate = 0;                     ///< of a project, from 1; 0: the only one
   bool plates = false;               ///< a job for each plate
+  FieldOptions fields;
   std::string report;
   bool quiet = false;
 };
@@ -39,6 +47,9 @@ void AddJobOptions(CLI::App& app, JobOptions& options);
 /// a file that cannot be read and for a --set without `=`; those of ReadIni, with the file's name;
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
+
+/// All of them: those, then the fields. Errors: those of ReadFieldFile too.
+absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options);
 
 /// `KEY=VALUE` as a setting that was asked for. `option`: for errors, as GivenSettings' are.
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);
