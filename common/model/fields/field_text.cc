@@ -341,7 +341,8 @@ absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text) {
     Reader one(part);
     field.parts.push_back(ReadDensityField(one));
     if (!one.status().ok())
-      return Wrong(fmt::format("parts[{}]: {}", field.parts.size() - 1, one.status().message()));
+      return Wrong(fmt::format("parts[{}]: {}", field.parts.size() - 1,
+                               std::string(one.status().message())));
   }
   if (absl::Status ok = CheckUnity(field); !ok.ok()) return ok;
   return field;
