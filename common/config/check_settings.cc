@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/config/value.h"
 #include "common/model/adhesion_options.h"
+#include "common/model/motion_options.h"
 
 namespace slicefarm::config {
 namespace {

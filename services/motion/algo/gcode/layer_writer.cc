@@ -31,6 +31,7 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
 
 void LayerWriter::BeginBlock() {
   Forget();
+  mix_.Forget();
   type_ = -1;
 }
 
@@ -52,7 +53,11 @@ void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
 }
 
 void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
-  if (move.kind == MoveKind::kPrint) Describe(move, out);
+  if (move.kind == MoveKind::kPrint) {
+    Describe(move, out);
+    const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
+    mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
+  }
   SetAcceleration(move, out);
   out << "G1";
   if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {

@@ -3,6 +3,7 @@
 #include "common/model/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -25,10 +26,13 @@ struct LayerState {
 /// where they change.
 class LayerWriter {
  public:
-  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state)
+  /// `materials`: what is mixed where; null: nothing. It must outlive the writer.
+  LayerWriter(GcodeFlavor flavor, const Accelerations& accelerations, const LayerState& state,
+              const MaterialField* materials = nullptr)
       : flavor_(flavor),
         accelerations_(accelerations),
         state_(state),
+        mix_(materials),
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
@@ -58,6 +62,7 @@ class LayerWriter {
   GcodeFlavor flavor_;
   Accelerations accelerations_;
   LayerState state_;
+  MaterialMix mix_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;
   int32_t type_ = -1;

@@ -1,0 +1,54 @@
+#include "services/motion/algo/gcode/material_mix.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm::motion {
+namespace {
+
+/// From the first material at x = 0 to the second at x = 10.
+MaterialField Gradient(double step) {
+  MaterialField field;
+  field.step = step;
+  for (const double first : {1.0, 0.0})
+    field.parts.push_back({.kind = DensityField::Kind::kGrid,
+                           .grid = {{2, 1, 1}, {0, 0, 0}, {10, 1, 1}, {first, 1 - first}}});
+  return field;
+}
+
+std::string TextAlong(const MaterialField& field, std::initializer_list<double> places) {
+  MaterialMix mix(&field);
+  GcodeText out;
+  for (const double x : places) mix.SetFor({x, 0, 0}, out);
+  return out.Take();
+}
+
+TEST(MaterialMix, IsToldFirstAndWhereItChangesByMoreThanAStep) {
+  EXPECT_EQ(TextAlong(Gradient(0.1), {0, 0.5, 0.9, 1.1, 2, 2.2}),
+            "M163 S0 P1\nM163 S1 P0\nM164 S0\n"
+            "M163 S0 P0.89\nM163 S1 P0.11\nM164 S0\n"
+            "M163 S0 P0.78\nM163 S1 P0.22\nM164 S0\n");
+}
+
+TEST(MaterialMix, IsToldAnewOnceForgotten) {
+  const MaterialField field = Gradient(0.5);
+  MaterialMix mix(&field);
+  GcodeText first, second;
+  mix.SetFor({3, 0, 0}, first);
+  mix.SetFor({3, 0, 0}, second);
+  mix.Forget();
+  GcodeText third;
+  mix.SetFor({3, 0, 0}, third);
+  const std::string text = first.Take();
+  EXPECT_EQ(text, third.Take());
+  EXPECT_EQ(second.Take(), "");
+}
+
+TEST(MaterialMix, WithoutAFieldThereIsNone) {
+  MaterialMix mix(nullptr);
+  GcodeText out;
+  mix.SetFor({0, 0, 0}, out);
+  EXPECT_EQ(out.Take(), "");
+}
+
+}  // namespace
+}  // namespace slicefarm::motion
