@@ -31,7 +31,7 @@ struct DensityField {
   Kind kind = Kind::kHeight;
   std::vector<double> at_mm = {0};  ///< heights or distances, ascending
   std::vector<double> values = {0.2};  ///< at them; linear between, as at the ends beyond
-  FieldGrid grid;                      ///< of kGrid
+  FieldGrid grid = {};                 ///< of kGrid
   DensityLaw law = DensityLaw::kLinear;
   double steepness = 3;  ///< p, q or b of the law
   double threshold = 0.5;  ///< e

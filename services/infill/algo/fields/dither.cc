@@ -53,6 +53,29 @@ std::vector<char> Touched(const MultiPolygon& region, const Window& window, Coor
 
 }  // namespace
 
+namespace {
+
+/// What is left over at the last cells, or was too much there, is made good where the choice was
+/// closest: so many cells as that comes to.
+void SettleRest(const std::vector<double>& wanted, const std::vector<double>& values,
+                const std::vector<char>& used, std::vector<char>& on) {
+  double rest = 0;
+  std::vector<size_t> cells;
+  for (size_t i = 0; i < on.size(); ++i) {
+    if (!used.empty() && used[i] == 0) continue;
+    rest += wanted[i] - (on[i] != 0 ? 1 : 0);
+    cells.push_back(i);
+  }
+  const int64_t count = std::llround(std::abs(rest));
+  const char from = rest > 0 ? 0 : 1;
+  std::erase_if(cells, [&](size_t i) { return on[i] != from; });
+  std::ranges::stable_sort(cells, {}, [&](size_t i) { return std::abs(values[i] - 0.5); });
+  for (size_t i = 0; i < std::min(cells.size(), static_cast<size_t>(count)); ++i)
+    on[cells[i]] = from == 0;
+}
+
+}  // namespace
+
 std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::vector<char>& used,
                                  int64_t width, int64_t height) {
   std::vector<double> values = wanted;
@@ -74,6 +97,7 @@ std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::v
         if (is_used(x + n.x, y + n.y)) values[at(x + n.x, y + n.y)] += error * n.weight / weights;
     }
   }
+  SettleRest(wanted, values, used, on);
   return on;
 }
 

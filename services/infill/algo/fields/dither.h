@@ -11,8 +11,8 @@ namespace slicefarm::infill {
 /// Which of `width` x `height` cells are on, so that their share is that of `wanted`, in [0, 1], all
 /// around. Floyd and Steinberg's error diffusion, row by row: 7/16 to the next cell, 3, 5, 1 / 16 to
 /// the row after, before, below and beyond it. What would leave the cells, or go to cells that are
-/// not `used`, is shared out among those neighbours that are: nothing is lost at edges but by the
-/// last ones. `used`: empty for all.
+/// not `used`, is shared out among those neighbours that are; what the last cells are left with is made
+/// good where the choice was closest. So the number of cells that are on is right to one half. `used`: empty for all.
 std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::vector<char>& used,
                                  int64_t width, int64_t height);
 

@@ -25,6 +25,17 @@ double Greatest(const LayerField& field) {
   return field.density == nullptr ? field.plain_density : field.density->Greatest();
 }
 
+/// Lines move aside with the height, at 45 degrees, to one side and the other in turn: each stands
+/// on the one below, and over a few pitches of height all places have seen all ranks.
+std::vector<LineFamily> Leaning(std::vector<LineFamily> families, Coord z_nm) {
+  double side = 1;
+  for (LineFamily& family : families) {
+    family.phase_nm += side * static_cast<double>(z_nm);
+    side = -side;
+  }
+  return families;
+}
+
 StreamBox BoxAround(const MultiPolygon& region) {
   const Box box = Bounds(region);
   const auto down = [](Coord at) {
@@ -56,14 +67,13 @@ absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPatter
   const auto spacing = static_cast<double>(place.spacing_nm);
   PatternPlace densest = place;
   densest.pitch_nm = spacing / greatest;
-  const auto families = LineFamiliesOf(pattern, densest);
+  PatternPlace upright = densest;  // graded lines lean as all of them do, and no pattern its own way
+  upright.z_nm = 0;
+  const auto families = LineFamiliesOf(pattern, upright);
   const Dither dither = field.density->dither;
   if (dither == Dither::kNone && !families.empty()) {
-    // Patterns that turn from layer to layer come to the same direction every second time.
-    auto pieces = GradedPieces(region, families, field,
-                               {.greatest = greatest,
-                                .step = families.size() == 1 ? place.layer / 2 : place.layer,
-                                .min_length_nm = kShortest * spacing});
+    auto pieces = GradedPieces(region, Leaning(families, place.z_nm), field,
+                               {.greatest = greatest, .min_length_nm = kShortest * spacing});
     if (!pieces.ok()) return pieces.status();
     return FieldPieces{region, *std::move(pieces)};
   }

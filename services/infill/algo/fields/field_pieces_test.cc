@@ -28,20 +28,20 @@ double LengthMm(const FieldPieces& filled) {
 }
 
 TEST(PiecesOfField, EveryPatternGivesTheMeanDensity) {
-  const DensityField density = GridField(3, 96, [](double x, double) { return 0.1 + 0.3 * x / 96; });
+  const DensityField density = GridField(3, 64, [](double x, double) { return 0.1 + 0.3 * x / 64; });
   const LayerField field{.density = &density};
   for (const FillPatternInfo& info : kFillPatterns) {
     if (!info.sparse || !info.has_law) continue;
     double length = 0;
-    constexpr int kLayers = 24;
+    constexpr int kLayers = 16;
     for (int layer = 0; layer < kLayers; ++layer) {
       const auto filled = PiecesOfField(
-          Square(96), info.pattern,
+          Square(64), info.pattern,
           {.z_nm = 200'000 * layer, .layer = layer, .angle_rad = 0.785, .spacing_nm = 400'000}, field);
       ASSERT_TRUE(filled.ok()) << info.name;
       length += LengthMm(*filled);
     }
-    const double got = length * 0.4 / (96.0 * 96 * kLayers);
+    const double got = length * 0.4 / (64.0 * 64 * kLayers);
     // Lines along an edge follow the cells' edges; waves have their period over more layers.
     const bool graded = !LineFamiliesOf(info.pattern, {.pitch_nm = 1e6}).empty();
     EXPECT_NEAR(got / 0.25, 1, graded ? 0.02 : 0.12) << info.name;

@@ -81,7 +81,7 @@ absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,
       const Crossing& to = lines->crossings[lines->order[2 * piece + 1]];
       const double v = lines->first_v + lines->pitch * from.line;
       const int64_t index = std::llround((v - family.phase_nm) / family.pitch_nm);
-      const double level = graded.greatest * RankOf(index + graded.step);
+      const double level = graded.greatest * RankOf(index);
       const auto stretches = WithoutShort(Above(lines->frame, v, from.u, to.u, level, field),
                                           from.u, to.u, graded.min_length_nm);
       for (const Stretch& stretch : stretches) {

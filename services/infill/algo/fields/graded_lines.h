@@ -12,7 +12,6 @@ namespace slicefarm::infill {
 
 struct GradedLines {
   double greatest = 1;  ///< density of the families with all their lines
-  int32_t step = 0;     ///< how many lines a layer's hierarchy lies aside of the origin's
   double min_length_nm = 0;  ///< stretches of a line shorter than this neither begin nor end there
 };
 
@@ -22,8 +21,8 @@ struct GradedLines {
 /// is of the lowest, of those that remain every second one of the next, and so on (van der
 /// Corput's sequence), and a line is there where density / greatest is above its rank. So lines
 /// lie evenly wherever the density is greatest / 2^k, at distances that differ by a factor of two
-/// elsewhere, and length per area is density / spacing on average over few lines. From layer to
-/// layer the ranks move aside by one line, which makes the average over layers exact.
+/// elsewhere, and length per area is density / spacing on average over few lines. If the families
+/// move aside from layer to layer, it is so at each place.
 ///
 /// Errors and cost: as StraightPieces, and a look at the field for each kLookMm of line.
 absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,

@@ -35,10 +35,10 @@ double MeanError(const DensityField& density, int layers) {
   const LayerField field{.density = &density};
   std::vector<Polyline> lines;
   for (int layer = 0; layer < layers; ++layer) {
-    const LineFamily family{layer % 2 * std::numbers::pi / 2, 0, kSpacingNm / density.Greatest()};
+    const LineFamily family{layer % 2 * std::numbers::pi / 2, 200'000.0 * layer,
+                            kSpacingNm / density.Greatest()};
     const auto pieces = GradedPieces(region, {&family, 1}, field,
-                                     {.greatest = density.Greatest(), .step = layer / 2,
-                                      .min_length_nm = 4 * kSpacingNm});
+                                     {.greatest = density.Greatest(), .min_length_nm = 4 * kSpacingNm});
     EXPECT_TRUE(pieces.ok());
     for (Polyline& line : LinesOf(*pieces)) lines.push_back(std::move(line));
   }

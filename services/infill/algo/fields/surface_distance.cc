@@ -86,13 +86,17 @@ class LineTransform {
 }  // namespace
 
 double DistanceMap::At(double x_mm, double y_mm) const {
-  const double x = std::clamp(x_mm / kDistanceCellMm - 0.5 - static_cast<double>(first_x), 0.0,
-                              static_cast<double>(width - 1));
-  const double y = std::clamp(y_mm / kDistanceCellMm - 0.5 - static_cast<double>(first_y), 0.0,
-                              static_cast<double>(height - 1));
-  const auto x0 = static_cast<int64_t>(x), y0 = static_cast<int64_t>(y);
-  const int64_t x1 = std::min(x0 + 1, width - 1), y1 = std::min(y0 + 1, height - 1);
-  const double right = x - static_cast<double>(x0), up = y - static_cast<double>(y0);
+  // Shares are worked out before the window's corner is taken off: they do not depend on it.
+  const double x = x_mm / kDistanceCellMm - 0.5, y = y_mm / kDistanceCellMm - 0.5;
+  const double left = std::floor(x), low = std::floor(y);
+  const double right = x - left, up = y - low;
+  const auto column = [&](double at, int64_t step) {
+    return std::clamp<int64_t>(static_cast<int64_t>(at) + step - first_x, 0, width - 1);
+  };
+  const auto row = [&](double at, int64_t step) {
+    return std::clamp<int64_t>(static_cast<int64_t>(at) + step - first_y, 0, height - 1);
+  };
+  const int64_t x0 = column(left, 0), x1 = column(left, 1), y0 = row(low, 0), y1 = row(low, 1);
   const auto value = [&](int64_t ix, int64_t iy) {
     return static_cast<double>(mm[static_cast<size_t>(iy * width + ix)]);
   };
