@@ -27,6 +27,9 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.solid_below_area_mm2 = 0;
   infill.solid_every_layers = 0;
   infill.bridge_angle_rad = 0;
+  infill.density_field.clear();
+  infill.stress_field.clear();
+  infill.field_halo_layers = 0;
 }
 
 double DensityOf(RaftLayerKind kind, const RaftLines& lines) {

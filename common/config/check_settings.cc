@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/config/value.h"
 #include "common/model/adhesion_options.h"
+#include "common/model/motion_options.h"
 
 namespace slicefarm::config {
 namespace {
@@ -106,6 +107,16 @@ absl::Status CheckLaser(const Draft& draft) {
   return absl::OkStatus();
 }
 
+/// Klipper has no mixing extruder.
+absl::Status CheckMixing(const Draft& draft) {
+  const bool klipper =
+      draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
+  if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   "material_field: gcode_flavor = klipper cannot mix materials; Marlin can",
+                   {{"setting", "material_field"}});
+}
+
 }  // namespace
 
 absl::Status CheckSettings(const Draft& draft) {
@@ -116,6 +127,7 @@ absl::Status CheckSettings(const Draft& draft) {
   if (absl::Status status = CheckWidths(draft); !status.ok()) return status;
   if (absl::Status status = CheckRaft(draft); !status.ok()) return status;
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
+  if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
 
   if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "common/config/suggest.h"
 #include "common/base/error.h"
 #include "common/model/bead_section.h"
+#include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "common/base/text.h"
 
@@ -272,6 +274,27 @@ void TakeAdhesion(JobSettings& settings) {
   settings.planning.bed = settings.slicing.bed;
 }
 
+/// A density that depends on the distance to the surface looks as many layers up and down as it
+/// reaches.
+absl::Status TakeFieldHalo(JobSettings& settings) {
+  InfillOptions& infill = settings.infill[0];
+  if (infill.density_field.empty()) return absl::OkStatus();
+  const auto field = ParseDensityField(infill.density_field);
+  if (!field.ok()) return field.status();
+  const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
+  const double layers = std::ceil(field->ReachMm() / height_mm);
+  if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     fmt::format("density_field: length = {} mm is out of range: it must be at most "
+                                 "{} layers of layer_height = {} mm",
+                                 PrintNumber(field->ReachMm()), limits::kMaxFieldHaloLayers,
+                                 PrintNumber(height_mm)),
+                     {{"setting", "density_field"}});
+  }
+  infill.field_halo_layers = static_cast<int32_t>(layers);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
@@ -298,6 +321,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
     TakeFootWidth(result.settings);
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
+    if (absl::Status ok = TakeFieldHalo(result.settings); !ok.ok()) return ok;
   }
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));

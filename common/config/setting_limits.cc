@@ -9,9 +9,10 @@ namespace slicefarm::config {
 
 absl::Status CheckSettingSize(std::string_view key, std::string_view value) {
   const auto size = static_cast<int64_t>(key.size() + value.size());
-  if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, fmt::format("bytes of the setting {:.60}", key),
-                    limits::kMaxSettingBytes, size);
+  const int64_t most = limits::MaxSettingBytes(key);
+  if (size <= most) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, fmt::format("bytes of the setting {:.60}", key), most,
+                    size);
 }
 
 absl::Status CheckSettingCount(int64_t count) {

@@ -24,6 +24,10 @@ enum class Kind {
   kGcode,            ///< lines of G-code, `\n` between them
   kBedShape,
   kSizes,
+  // JSON on one line (common/model/fields/field_text.h); empty: none
+  kDensityField,
+  kStressField,
+  kMaterialField,
 };
 
 /// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`

@@ -11,6 +11,7 @@
 #include "common/config/setting_scope.h"
 #include "common/config/settings_sections.h"
 #include "common/base/error.h"
+#include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "common/base/text.h"
 
@@ -121,6 +122,14 @@ absl::StatusOr<Value> Canonical(const SettingSpec& spec, std::string_view text,
   return Value{.text = print(*parsed)};
 }
 
+template <class T>
+absl::StatusOr<Value> ParseField(const SettingSpec& spec, std::string_view text,
+                                 absl::StatusOr<T> (*parse)(std::string_view),
+                                 std::string (*print)(const T&)) {
+  if (text.empty()) return Value{};
+  return Canonical<T>(spec, text, parse(text), print);
+}
+
 std::string_view FirstItem(const SettingSpec& spec, std::string_view text) {
   if (spec.list == List::kNone) return text;
   return Trim(text.substr(0, text.find_first_of(",;")));
@@ -160,6 +169,12 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
     case Kind::kSizes:
       return Canonical<std::vector<std::array<int32_t, 2>>>(spec, text, ParseSizes(text),
                                                             PrintSizes);
+    case Kind::kDensityField:
+      return ParseField<DensityField>(spec, text, ParseDensityField, PrintDensityField);
+    case Kind::kStressField:
+      return ParseField<StressField>(spec, text, ParseStressField, PrintStressField);
+    case Kind::kMaterialField:
+      return ParseField<MaterialField>(spec, text, ParseMaterialField, PrintMaterialField);
     default:
       return ParseQuantity(spec, FirstItem(spec, text));
   }
@@ -187,6 +202,9 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
       return spec.list == List::kNone ? Escape(value.text) : QuoteText(value.text);
     case Kind::kBedShape:
     case Kind::kSizes:
+    case Kind::kDensityField:
+    case Kind::kStressField:
+    case Kind::kMaterialField:
       return value.text;
     case Kind::kChoice: {
       const auto meant =
@@ -228,6 +246,10 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kSizes:
       return fmt::format("up to {} WIDTHxHEIGHT or WIDTHxHEIGHT/PNG, 1 to {} each",
                          limits::kMaxThumbnails, limits::kMaxThumbnailPx);
+    case Kind::kDensityField:
+    case Kind::kStressField:
+    case Kind::kMaterialField:
+      return "a field as JSON on one line";
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? spec.percent_of : spec.relative_to);

@@ -51,6 +51,12 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
       return {"0x0,250x0,250x210,0x210", "-50.5x-50,50x-50,0x50.000001"};
     case Kind::kSizes:
       return {"", "16x16", "32x32,300x200"};
+    case Kind::kDensityField:
+      return {"", R"({"kind":"height","table":[[0,0.2],[5,0.25]],"law":"simp"})"};
+    case Kind::kStressField:
+      return {"", R"({"kind":"voxels","count":[1,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,0,0.5]})"};
+    case Kind::kMaterialField:
+      return {"", R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
     case Kind::kPercent:
       return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%", "33.3%"};
     default: {

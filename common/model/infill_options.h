@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "common/geometry/point.h"
 #include "common/model/fill_patterns.h"
@@ -28,6 +29,11 @@ struct InfillOptions {
   Coord anchor_max_nm = 50'000'000;  ///< infill_anchor_max: longest link; 0: none
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
+  /// density_field, stress_field: canonical texts (fields/field_text.h); empty: none.
+  std::string density_field;
+  std::string stress_field;
+  /// How many layers above and below density_field looks at for the distance to the surface.
+  int32_t field_halo_layers = 0;
 
   friend bool operator==(const InfillOptions&, const InfillOptions&) = default;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "common/geometry/point.h"
 
@@ -51,6 +52,11 @@ inline constexpr int64_t kUploadChunkBytes = 64 << 10;
 inline constexpr int64_t kMaxSettingBytes = 64 << 10;  ///< one value, such as a start G-code
 /// What a G-code template, or a text within it, may come to: a layer's stays far below a message.
 inline constexpr int64_t kMaxExpandedBytes = 1 << 20;
+/// A field of density, stress or materials, which is a setting as well; it fits in a job's spec.
+inline constexpr int64_t kMaxFieldBytes = 768 << 10;
+inline constexpr int64_t kMaxFieldValues = 200'000;  ///< nodes of a field's grid
+inline constexpr size_t kMaxMixedMaterials = 6;      ///< that one mixing extruder takes in
+inline constexpr int64_t kMaxFieldHaloLayers = 100;  ///< that a field by surface distance looks at
 inline constexpr int64_t kMaxSettings = 2'000;
 inline constexpr int64_t kMaxNameBytes = 255;      ///< of an object, a request id
 inline constexpr int64_t kMaxSpecBytes = 1 << 20;  ///< of a job: it is echoed in one message
@@ -62,5 +68,10 @@ inline constexpr int32_t kMaxJobProfiles = 16;
 inline constexpr int64_t kMaxProfileRevisions = 10'000;  ///< of a tenant
 inline constexpr int64_t kMaxUrlBytes = 2'048;
 inline constexpr int64_t kMaxOpenJobs = 10'000;  ///< of a tenant, waiting and running
+
+/// Of a setting, by its name: fields hold a grid's values.
+constexpr int64_t MaxSettingBytes(std::string_view key) {
+  return key.ends_with("_field") ? kMaxFieldBytes : kMaxSettingBytes;
+}
 
 }  // namespace slicefarm::limits

@@ -125,6 +125,7 @@ struct MotionOptions {
   std::string between_objects_gcode;          ///< between_objects_gcode
   Coord max_print_height_nm = 0;              ///< max_print_height, 0: unlimited
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
+  std::string material_field;  ///< canonical text (fields/field_text.h); empty: no mixing
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };

@@ -19,7 +19,8 @@ int32_t HaloLayers(const JobSettings& settings) {
   if (settings.process == Process::kLaser) return LaserHaloLayers(settings);
   int32_t halo = BeadingHaloLayers(settings);
   for (const InfillOptions& infill : settings.infill)
-    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers});
+    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
+                     infill.field_halo_layers});
   return halo;
 }
 

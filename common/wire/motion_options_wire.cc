@@ -248,6 +248,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_between_objects_gcode(options.between_objects_gcode);
   proto.set_max_print_height_nm(options.max_print_height_nm);
   proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
+  proto.set_material_field(options.material_field);
   return proto;
 }
 
@@ -277,6 +278,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.between_objects_gcode = proto.between_objects_gcode();
   options.max_print_height_nm = proto.max_print_height_nm();
   options.arc_fitting = Known<ArcFitting>(proto.arc_fitting());
+  options.material_field = proto.material_field();
   return options;
 }
 

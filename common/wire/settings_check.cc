@@ -42,9 +42,9 @@ absl::Status CheckString(const Message& message, const FieldDescriptor& field) {
   std::string scratch;
   const auto size = static_cast<int64_t>(
       message.GetReflection()->GetStringReference(message, &field, &scratch).size());
-  if (size <= limits::kMaxSettingBytes) return absl::OkStatus();
-  return LimitError(Reason::kRequestTooLarge, "bytes of " + field.name(), limits::kMaxSettingBytes,
-                    size);
+  const int64_t most = limits::MaxSettingBytes(field.name());
+  if (size <= most) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "bytes of " + field.name(), most, size);
 }
 
 absl::Status CheckMessage(const Message& message, const FieldDescriptor& field) {

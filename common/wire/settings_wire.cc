@@ -97,7 +97,8 @@ absl::Status Check(const v1::InfillOptions& proto) {
   absl::Status status = CheckComplete(proto);
   for (const auto& [field, layers] :
        {std::pair("top_solid_layers", proto.top_solid_layers()),
-        std::pair("bottom_solid_layers", proto.bottom_solid_layers())}) {
+        std::pair("bottom_solid_layers", proto.bottom_solid_layers()),
+        std::pair("field_halo_layers", proto.field_halo_layers())}) {
     if (layers < 0 || layers > limits::kMaxLayers) {
       status.Update(Malformed(field, "is out of range"));
     }
@@ -267,6 +268,9 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_anchor_max_nm(options.anchor_max_nm);
   proto.set_solid_every_layers(options.solid_every_layers);
   proto.set_bridge_angle_rad(options.bridge_angle_rad);
+  proto.set_density_field(options.density_field);
+  proto.set_stress_field(options.stress_field);
+  proto.set_field_halo_layers(options.field_halo_layers);
   return proto;
 }
 
@@ -291,6 +295,9 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.anchor_max_nm = proto.anchor_max_nm();
   options.solid_every_layers = proto.solid_every_layers();
   options.bridge_angle_rad = proto.bridge_angle_rad();
+  options.density_field = proto.density_field();
+  options.stress_field = proto.stress_field();
+  options.field_halo_layers = proto.field_halo_layers();
   return options;
 }
 

@@ -162,7 +162,8 @@ InfillOptions DistinctInfill() {
   InfillOptions options;
   auto& [top_layers, bottom_layers, density, pattern, solid_pattern, top_pattern, bottom_pattern,
          angle, sparse_width, solid_width, top_width, first_layer_width, overlap,
-         solid_below_area, anchor, anchor_max, solid_every_layers, bridge_angle] =
+         solid_below_area, anchor, anchor_max, solid_every_layers, bridge_angle, density_field,
+         stress_field, field_halo_layers] =
       options;
   top_layers = 301;
   bottom_layers = 302;
@@ -181,6 +182,9 @@ InfillOptions DistinctInfill() {
   anchor = 315;
   anchor_max = 316;
   solid_every_layers = 318;
+  density_field = "density";
+  stress_field = "stress";
+  field_halo_layers = 320;
   bridge_angle = 0.319;
   return options;
 }
@@ -259,7 +263,7 @@ MotionOptions DistinctMotion() {
          printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
          before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
-         max_print_height, arc_fitting] = options;
+         max_print_height, arc_fitting, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -303,6 +307,7 @@ MotionOptions DistinctMotion() {
   arc_fitting = ArcFitting::kEmitCenter;
   between_objects_gcode = "between";
   max_print_height = 538;
+  material_field = "materials";
   return options;
 }
 
@@ -416,6 +421,9 @@ constexpr char kDistinct[] = R"pb(
     anchor_max_nm: 316
     solid_every_layers: 318
     bridge_angle_rad: 0.319
+    density_field: "density"
+    stress_field: "stress"
+    field_halo_layers: 320
   }
   ordering {
     infill_first: true
@@ -499,6 +507,7 @@ constexpr char kDistinct[] = R"pb(
     between_objects_gcode: "between"
     max_print_height_nm: 538
     arc_fitting: ARC_FITTING_EMIT_CENTER
+    material_field: "materials"
   }
 )pb";
 

@@ -12,6 +12,7 @@
 #include "common/model/limits.h"
 #include "common/base/text.h"
 #include "common/rpc/utf8.h"
+#include "services/cli/field_files.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {
@@ -94,6 +95,15 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
                "Find places for all parts and copies, as without --center; for those of a project, "
                "too")
       ->excludes(center);
+  app.add_option("--density-field", options.fields.density,
+                 "How dense the sparse infill is, by place")
+      ->type_name("FIELD.json");
+  app.add_option("--stress-field", options.fields.stress,
+                 "Stresses whose directions the sparse infill follows")
+      ->type_name("FIELD.json");
+  app.add_option("--materials", options.fields.materials,
+                 "Shares of the materials of a mixing extruder, by place on the plate")
+      ->type_name("FIELD.json");
   app.add_option("--report", options.report, "Write what came out as JSON; -: to stdout")
       ->type_name("REPORT.json");
   app.add_flag("-q,--quiet", options.quiet, "No progress, no summary; warnings and errors only");
@@ -130,18 +140,35 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
   return settings;
 }
 
-absl::StatusOr<std::vector<config::Setting>> SettingsForOutput(const JobOptions& options,
-                                                               const std::string& output) {
-  auto settings = GivenSettings(options);
-  if (!settings.ok() || options.process != Process::kLaser) return settings;
+namespace {
+
+/// The format that the name of a laser's file stands for, unless one is set.
+void AddOutputFormat(const std::string& output, std::vector<config::Setting>& settings) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormats = {{
       {".cli", "cli"}, {".nc", "grbl"}, {".gcode", "marlin"}, {".svg", "svg"}, {".dxf", "dxf"}}};
-  const bool given = std::ranges::find(*settings, "output_format", &config::Setting::key) !=
-                     settings->end();
-  if (given) return settings;
+  const auto given = std::ranges::find(settings, "output_format", &config::Setting::key);
+  if (given != settings.end()) return;
   for (const auto& [suffix, format] : kFormats)
     if (output.ends_with(suffix))
-      settings->push_back({"output_format", std::string(format), config::Source::kRequest});
+      settings.push_back({"output_format", std::string(format), config::Source::kRequest});
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
+                                                              const std::string& output) {
+  auto settings = GivenSettings(options);
+  if (!settings.ok()) return settings.status();
+  const FieldOptions& fields = options.fields;
+  for (const auto& [path, kind] : {std::pair(&fields.density, FieldKind::kDensity),
+                                   std::pair(&fields.stress, FieldKind::kStress),
+                                   std::pair(&fields.materials, FieldKind::kMaterials)}) {
+    if (path->empty()) continue;
+    auto setting = ReadFieldFile(*path, kind);
+    if (!setting.ok()) return setting.status();
+    settings->push_back(*std::move(setting));
+  }
+  if (options.process == Process::kLaser) AddOutputFormat(output, *settings);
   return settings;
 }
 

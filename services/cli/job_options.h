@@ -16,6 +16,13 @@ struct SettingOptions {
   std::vector<std::string> sets;  ///< key=value
 };
 
+/// Files of fields (common/model/fields/README.md); empty: none.
+struct FieldOptions {
+  std::string density;
+  std::string stress;
+  std::string materials;
+};
+
 /// What `slice` and `submit` are told about the job, as written on the command line.
 struct JobOptions : SettingOptions {
   std::vector<std::string> models;
@@ -30,6 +37,7 @@ struct JobOptions : SettingOptions {
   bool arrange = false;              ///< what has a place, too
   int plate = 0;                     ///< of a project, from 1; 0: the only one
   bool plates = false;               ///< a job for each plate
+  FieldOptions fields;
   std::string report;
   bool quiet = false;
 };
@@ -45,10 +53,10 @@ void AddMachineOption(CLI::App& app, Process& process);
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
-/// As GivenSettings, and of lasers the output_format that the name of `output` stands for, unless
-/// one is set: .cli, .nc, .gcode, .svg, .dxf.
-absl::StatusOr<std::vector<config::Setting>> SettingsForOutput(const JobOptions& options,
-                                                               const std::string& output);
+/// All of them: those, the fields, and of lasers the output_format that the name of `output` stands
+/// for, unless one is set: .cli, .nc, .gcode, .svg, .dxf. Errors: those of ReadFieldFile too.
+absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
+                                                              const std::string& output);
 
 /// `KEY=VALUE` as a setting that was asked for. `option`: for errors, as GivenSettings' are.
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);

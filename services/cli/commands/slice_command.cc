@@ -110,7 +110,7 @@ ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
 
 ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
-  const auto settings = SettingsForOutput(options.job, options.output);
+  const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
   auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return Fail(models.status());

@@ -121,7 +121,7 @@ void CancelAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs) {
 /// A job for each plate.
 absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
-  const auto settings = SettingsForOutput(options.job, options.output);
+  const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return settings.status();
   const auto models = ReadModels(options.job, *settings);
   if (!models.ok()) return models.status();

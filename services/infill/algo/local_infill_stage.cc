@@ -25,6 +25,8 @@ class LocalInfill : public InfillStage {
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
       std::span<const InfillOptions> regions) const override {
     const ObjectLayers objects(neighbourhood.layers);
+    auto fields = RegionFields::Read(regions, neighbourhood.layers);
+    if (!fields.ok()) return fields.status();
     std::vector<FilledLayer> layers;
     layers.reserve(walled.size());
     for (WalledLayer& layer : walled) {
@@ -33,7 +35,8 @@ class LocalInfill : public InfillStage {
       filled.frame = layer.frame;
       for (WalledSection& section : layer.sections) {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, regions);
+        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, regions,
+                                  *fields);
         if (!result.ok()) return result.status();
         filled.sections.push_back(*std::move(result));
       }

@@ -62,7 +62,7 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
       CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
   status.Update(
       CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
-  if (options.density > 0) {
+  if (options.density > 0 || !options.density_field.empty()) {
     status.Update(
         CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
   }
@@ -76,13 +76,15 @@ class RegionFill {
   RegionFill(const SectionView& view, const InfillOptions& options)
       : view_(view), options_(options), cover_(CoverOf(view, options)) {}
 
-  absl::Status Fill(const FillArea& fill_area, std::vector<FillGroup>& fills) const {
+  /// `field`: what the region's fields say about the layer; null: there are none.
+  absl::Status Fill(const FillArea& fill_area, const LayerField* field,
+                    std::vector<FillGroup>& fills) const {
     static const MultiPolygon kNone;
     const Skins skins = PartFillArea(
         fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
         {.width_nm = Width(options_.solid_width_nm),
          .solid_below_area_mm2 = options_.solid_below_area_mm2,
-         .all_solid = options_.density >= 1 || IsSolidLayer()});
+         .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field)});
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
@@ -90,7 +92,7 @@ class RegionFill {
     if (status.ok())
       status =
           AppendSolid(skins.solid, Feature::kSolidInfill, inner, options_.solid_width_nm, fills);
-    if (status.ok()) status = AppendSparse(skins.sparse, fills);
+    if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     return status;
   }
 
@@ -99,8 +101,17 @@ class RegionFill {
     return view_.on_bed ? options_.first_layer_width_nm : width_nm;
   }
 
-  bool IsSolidLayer() const {
-    return options_.density > 0 && options_.solid_every_layers > 0 &&
+  /// The density of the whole layer; of one that is not the same everywhere, 0.
+  double PlainDensity(const LayerField* field) const {
+    if (field == nullptr || field->density == nullptr) return options_.density;
+    return field->density->UniformAt(field->z_mm).value_or(0);
+  }
+
+  bool IsSolidLayer(const LayerField* field) const {
+    const bool filled = PlainDensity(field) > 0 ||
+                        (field != nullptr && field->density != nullptr &&
+                         field->density->Greatest() > 0);
+    return filled && options_.solid_every_layers > 0 &&
            view_.layer % options_.solid_every_layers == 0;
   }
 
@@ -156,9 +167,14 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  absl::Status AppendSparse(const MultiPolygon& region, std::vector<FillGroup>& fills) const {
+  /// A field that says no more than one density for the whole layer is none of the pattern's
+  /// business.
+  absl::Status AppendSparse(const MultiPolygon& region, const LayerField* field,
+                            std::vector<FillGroup>& fills) const {
+    const bool plain =
+        field == nullptr || (field->directions == nullptr && IsPlain(*field->density, *field));
     auto paths = FillSparse(region, {.pattern = options_.pattern,
-                                     .density = options_.density,
+                                     .density = PlainDensity(field),
                                      .angle_rad = options_.angle_rad,
                                      .layer = view_.layer,
                                      .z_nm = view_.z_nm,
@@ -166,10 +182,15 @@ class RegionFill {
                                      .height_nm = view_.height_nm,
                                      .overlap_nm = options_.overlap_nm,
                                      .anchor_nm = options_.anchor_nm,
-                                     .anchor_max_nm = options_.anchor_max_nm});
+                                     .anchor_max_nm = options_.anchor_max_nm,
+                                     .field = plain ? nullptr : field});
     if (!paths.ok()) return paths.status();
     if (!paths->empty()) fills.push_back({false, *std::move(paths)});
     return absl::OkStatus();
+  }
+
+  static bool IsPlain(const DensityField& density, const LayerField& field) {
+    return density.dither == Dither::kNone && density.UniformAt(field.z_mm).has_value();
   }
 
   const SectionView& view_;
@@ -192,7 +213,8 @@ void Sign(const FillArea& area, std::span<FillGroup> fills) {
 
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           const ObjectLayers& objects,
-                                          std::span<const InfillOptions> regions) {
+                                          std::span<const InfillOptions> regions,
+                                          RegionFields& fields) {
   SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
   view.outline = view.OutlineAt(walled.layer);
   if (const ObjectSection* own = objects.Find(walled.object, walled.layer); own != nullptr)
@@ -208,7 +230,10 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
       if (absl::Status ok = CheckWidths(view, options); !ok.ok()) return ok;
       const auto filler = fillers.try_emplace(area.settings, view, options).first;
       const size_t first = result.fills.size();
-      if (absl::Status ok = filler->second.Fill(area, result.fills); !ok.ok()) return ok;
+      const auto field = fields.Of(area.settings, walled.object, walled.layer,
+                                   ToMm(static_cast<double>(view.z_nm)));
+      absl::Status ok = filler->second.Fill(area, field ? &*field : nullptr, result.fills);
+      if (!ok.ok()) return ok;
       Sign(area, std::span(result.fills).subspan(first));
     }
     filled.islands.push_back(std::move(result));

@@ -30,6 +30,14 @@ WalledSection Halves(int32_t layer) {
   return {0, layer, 200'000, {island}};
 }
 
+/// Without fields.
+absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
+                                        const ObjectLayers& objects,
+                                        std::span<const InfillOptions> regions) {
+  auto none = RegionFields::Read(regions, {});
+  return FillSection(std::move(walled), on_bed, objects, regions, *none);
+}
+
 std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
   std::set<Feature> features;
   for (const FilledIsland& island : section.islands)
@@ -45,7 +53,7 @@ TEST(FillSection, EachAreaHasItsRegionsSettings) {
   std::vector<InfillOptions> regions(2);
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 1;
   regions[1].density = 1;
-  const auto filled = FillSection(Halves(5), false, objects, regions);
+  const auto filled = FillPlain(Halves(5), false, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
   EXPECT_EQ(FeaturesOf(*filled, 1), std::set{Feature::kSolidInfill});
@@ -58,7 +66,7 @@ TEST(FillSection, SkinsAreAsManyLayersAsTheRegionSays) {
   regions[0].top_solid_layers = 2;
   regions[1].top_solid_layers = 4;
   regions[0].bottom_solid_layers = regions[1].bottom_solid_layers = 0;
-  const auto filled = FillSection(Halves(7), false, objects, regions);
+  const auto filled = FillPlain(Halves(7), false, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
   EXPECT_EQ(FeaturesOf(*filled, 1), std::set{Feature::kSolidInfill});
@@ -70,7 +78,7 @@ TEST(FillSection, TheLowestLayerIsNoBridge) {
   const ObjectLayers objects(layers);
   const std::vector<InfillOptions> regions(2);
   for (const bool on_bed : {true, false}) {
-    const auto filled = FillSection(Halves(0), on_bed, objects, regions);
+    const auto filled = FillPlain(Halves(0), on_bed, objects, regions);
     ASSERT_TRUE(filled.ok()) << filled.status();
     EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSolidInfill});
   }
@@ -83,7 +91,7 @@ TEST(FillSection, EverySoManyLayersAreSolid) {
   for (InfillOptions& options : regions) options.top_solid_layers = options.bottom_solid_layers = 0;
   regions[1].solid_every_layers = 3;
   for (const int32_t layer : {5, 6, 7}) {
-    const auto filled = FillSection(Halves(layer), false, objects, regions);
+    const auto filled = FillPlain(Halves(layer), false, objects, regions);
     ASSERT_TRUE(filled.ok()) << filled.status();
     EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kInternalInfill});
     EXPECT_EQ(FeaturesOf(*filled, 1),
@@ -103,7 +111,7 @@ TEST(FillSection, PatternsSeeTheHeightInTheObject) {
     options.pattern = FillPattern::kGyroid;
   }
   const auto fills = [&](int32_t layer) {
-    return FillSection(Halves(layer), false, objects, regions)->islands[0].fills;
+    return FillPlain(Halves(layer), false, objects, regions)->islands[0].fills;
   };
   EXPECT_EQ(fills(5), fills(6));
   EXPECT_NE(fills(5), fills(7));
@@ -116,7 +124,7 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   regions[0].top_solid_layers = regions[0].bottom_solid_layers = 0;
   WalledIsland island;
   island.fill_areas = {{Role::kRaft, 0, 0, P("(1 1, 10 1, 10 19, 1 19)")}};
-  const auto filled = FillSection({kPlate, 0, 300'000, {island}}, true, objects, regions);
+  const auto filled = FillPlain({kPlate, 0, 300'000, {island}}, true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
 }

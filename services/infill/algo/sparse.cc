@@ -6,6 +6,7 @@
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
+#include "services/infill/algo/fields/field_pieces.h"
 #include "services/infill/algo/linking/linked_paths.h"
 #include "services/infill/algo/patterns/registry.h"
 
@@ -21,29 +22,55 @@ constexpr double kBandWidths = 2;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinLengthWidths = 1;
 
+absl::StatusOr<FieldPieces> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
+                                     const PatternPlace& place) {
+  if (fill.field != nullptr) return PiecesOfField(area, fill.pattern, place, *fill.field);
+  auto pieces = PatternOf(fill.pattern)(area, place);
+  if (!pieces.ok()) return pieces.status();
+  return FieldPieces{area, *std::move(pieces)};
+}
+
+double LengthOf(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces) {
+    for (size_t i = 1; i < piece.points.size(); ++i)
+      length += Distance(piece.points[i - 1], piece.points[i]);
+    if (piece.closed) length += Distance(piece.points.back(), piece.points.front());
+  }
+  return length;
+}
+
+/// What the links may add to the length of the pieces: the pattern's length over the whole region,
+/// and a little more, less that of the pieces.
+double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const SparseFill& fill,
+                  double pitch, const std::vector<Piece>& pieces) {
+  if (fill.field == nullptr) return ((1 + kMostExcess) * Area(region) - Area(area)) / pitch;
+  const double whole = Area(area);
+  return whole <= 0 ? 0 : ((1 + kMostExcess) * Area(region) / whole - 1) * LengthOf(pieces);
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill) {
   std::vector<Path> paths;
-  if (region.empty() || fill.density <= 0) return paths;
+  if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return paths;
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = FastOffset(region, -inset);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
-  const auto pieces = PatternOf(fill.pattern)(
-      area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing});
-  if (!pieces.ok()) return pieces.status();
+  const auto filled = PiecesOf(fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing});
+  if (!filled.ok()) return filled.status();
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.
   const double room = static_cast<double>(spacing) / 2 + static_cast<double>(inset);
   paths = LinkedPaths(
-      area, *pieces,
+      filled->area, filled->pieces,
       {.width_nm = fill.width_nm,
        .height_nm = fill.height_nm,
        .max_link_nm = static_cast<double>(fill.anchor_max_nm),
        .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
        .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
-       .budget_nm = ((1 + kMostExcess) * Area(region) - Area(area)) / pitch,
+       .budget_nm = LinkBudget(region, area, fill, pitch, filled->pieces),
        .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
        .least_flow = kLeastFlow,
        .min_length_nm = kMinLengthWidths * width});

@@ -5,6 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/fill_patterns.h"
 #include "common/model/path.h"
+#include "services/infill/algo/fields/layer_field.h"
 
 namespace slicefarm::infill {
 
@@ -19,6 +20,7 @@ struct SparseFill {
   Coord overlap_nm = 0;     ///< how much nearer than half a spacing lines come to the region's edge
   Coord anchor_nm = 0;      ///< how far a loose end turns along the edge
   Coord anchor_max_nm = 0;  ///< longest link; 0: none
+  const LayerField* field = nullptr;  ///< says how dense, in place of `density`, and which way
 };
 
 /// Fills a region with a pattern of the given density: path length per area is density / spacing,
@@ -28,6 +30,8 @@ struct SparseFill {
 /// links lie in the band around that. They are no wider than the wall leaves room, cut their
 /// corners off, and are thinned, so that the region as a whole comes to within 3 % of what is
 /// asked for; what cannot be paid so is not linked.
+///
+/// With a field the same holds at each place, as PiecesOfField says.
 ///
 /// Errors: as MakePattern. Cost: O(n log n) for the inset, and the pattern's and LinkedPaths' own.
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);

@@ -108,8 +108,9 @@ class PassProgram {
  public:
   /// All must outlive this. `visits`: not empty.
   PassProgram(const OrderedLayer& layer, std::span<const BuiltBlock> built,
-              std::span<const BlockVisit> visits, const MotionOptions& options)
-      : layer_(layer), visits_(visits), options_(options) {
+              std::span<const BlockVisit> visits, const MotionOptions& options,
+              const MaterialField* materials)
+      : layer_(layer), visits_(visits), options_(options), materials_(materials) {
     for (const BlockVisit& visit : visits) Count(visit, built);
     AddBetween();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
@@ -123,7 +124,7 @@ class PassProgram {
              GcodeText& out) const {
     const int32_t index = layer_.frame.index;
     LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, index), state,
-                       options_.arc_fitting);
+                       options_.arc_fitting, materials_);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift{ToUm(visit.shift.x), ToUm(visit.shift.y)};
@@ -196,6 +197,7 @@ class PassProgram {
   const OrderedLayer& layer_;
   const std::span<const BlockVisit> visits_;
   const MotionOptions& options_;
+  const MaterialField* materials_;
   std::map<int32_t, size_t> place_of_;  ///< in blocks_, by block of the layer
   std::vector<TimedToolpath> blocks_;
   ProgramStats stats_;
@@ -217,7 +219,8 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
 absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          std::span<const BuiltBlock> built,
                                          std::span<const BlockVisit> visits, const JobFacts& facts,
-                                         const MotionOptions& options) {
+                                         const MotionOptions& options,
+                                         const MaterialField* materials) {
   const LayerPlace place = PlaceOf(layer, visits, facts);
   const auto code = ExpandCustomCode(options, facts, place);
   if (!code.ok()) return code.status();
@@ -225,7 +228,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   program.frame = layer.frame;
   std::optional<PassProgram> pass;
   if (!visits.empty()) {
-    pass.emplace(layer, built, visits, options);
+    pass.emplace(layer, built, visits, options, materials);
     program.pass = visits.front().pass;
     program.stats = pass->stats();
     program.entry = EntryOf(visits.front(), layer);
@@ -256,11 +259,12 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
 
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
-                                                       const MotionOptions& options) {
+                                                       const MotionOptions& options,
+                                                       const MaterialField* materials) {
   const std::vector<BuiltBlock> built = Build(layer, options);
   std::vector<LayerProgram> programs;
   for (const std::span<const BlockVisit> visits : PassesOf(layer.visits)) {
-    auto program = ProgramPass(layer, built, visits, facts, options);
+    auto program = ProgramPass(layer, built, visits, facts, options, materials);
     if (!program.ok()) return program.status();
     programs.push_back(*std::move(program));
   }

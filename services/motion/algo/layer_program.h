@@ -5,6 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
+#include "common/model/fields/material_field.h"
 #include "common/model/motion_options.h"
 
 namespace slicefarm::motion {
@@ -23,10 +24,12 @@ namespace slicefarm::motion {
 /// begins and ends at rest; the travel to its entry is not counted, the one up to its height is.
 /// With a pass for each copy, the layers of a pass are counted as the copy's own (layer_place.h);
 /// the way from pass to pass is no part of them (pass_change.h).
+/// `materials`: that of options.material_field, read; null: nothing is mixed.
 /// Errors: those of the settings' templates (gcode_template.h). REQUIRES: CheckOptions and
 /// CheckLayer hold.
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
-                                                       const MotionOptions& options);
+                                                       const MotionOptions& options,
+                                                       const MaterialField* materials = nullptr);
 
 }  // namespace slicefarm::motion

@@ -2,14 +2,27 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "common/base/error.h"
+#include "common/model/fields/field_text.h"
 #include "services/motion/algo/input_check.h"
 #include "services/motion/algo/layer_program.h"
 #include "services/motion/algo/program_frame.h"
 
 namespace slicefarm::motion {
 namespace {
+
+absl::StatusOr<std::optional<MaterialField>> MaterialsOf(const MotionOptions& options) {
+  if (options.material_field.empty()) return std::nullopt;
+  auto field = ParseMaterialField(options.material_field);
+  if (field.ok()) return *std::move(field);
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+                   "material_field: " + std::string(field.status().message()),
+                   {{"setting", "material_field"}});
+}
 
 class LocalMotion : public MotionStage {
  public:
@@ -18,12 +31,14 @@ class LocalMotion : public MotionStage {
                                                     const JobFacts& facts,
                                                     const MotionOptions& options) const override {
     if (absl::Status good = CheckOptions(options); !good.ok()) return good;
+    const auto materials = MaterialsOf(options);
+    if (!materials.ok()) return materials.status();
     std::vector<LayerProgram> programs;
     programs.reserve(layers.size());
     for (OrderedLayer& layer : layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
       if (absl::Status good = CheckLayer(layer, options); !good.ok()) return good;
-      auto passes = ProgramLayer(layer, facts, options);
+      auto passes = ProgramLayer(layer, facts, options, *materials ? &**materials : nullptr);
       if (!passes.ok()) return passes.status();
       std::ranges::move(*passes, std::back_inserter(programs));
       layer.blocks = {};  // a range may be long: its paths make room for its text

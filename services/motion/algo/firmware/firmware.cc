@@ -6,6 +6,15 @@
 
 namespace slicefarm::motion {
 
+void Firmware::WriteMix(std::span<const double> shares, GcodeText& out) const {
+  for (size_t i = 0; i < shares.size(); ++i) {
+    out << "M163 S";
+    out.Integer(static_cast<int64_t>(i)) << " P";
+    out.Real(shares[i], 3) << '\n';
+  }
+  out << "M164 S0\n";
+}
+
 bool Firmware::RefusesSection(double /*section_mm2*/, double /*nozzle_mm*/) const { return false; }
 
 const Firmware& FirmwareOf(GcodeFlavor flavor) {

@@ -68,6 +68,10 @@ class Firmware {
   /// `travel_mm_s2` 0: not told. REQUIRES: 0 unless HasTravelAcceleration.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
+  /// Of a mixing extruder: what part of the flow each material has. By M163 for
+  /// each, and M164 to store them as tool 0. REQUIRES: it mixes (CheckMixing of common/config).
+  virtual void WriteMix(std::span<const double> shares, GcodeText& out) const;
+
   /// Of a copy, for gcode_label_objects = firmware. `name`: one line; `index`: of the copy.
   virtual std::string LabelOf(std::string_view name, size_t index) const = 0;
   virtual void DefineCopies(std::span<const CopySummary> copies,

@@ -69,6 +69,16 @@ class RepRapFirmware : public NumberedObjects {
     }
   }
 
+  /// Sources: the Duet's G-code dictionary, M567.
+  void WriteMix(std::span<const double> shares, GcodeText& out) const override {
+    out << "M567 P0 E";
+    for (size_t i = 0; i < shares.size(); ++i) {
+      if (i > 0) out << ':';
+      out.Real(shares[i], 3);
+    }
+    out << '\n';
+  }
+
   void WriteLimits(const MachineLimits& limits, GcodeText& out) const override {
     LimitCommand("M201", out).SetAxes(limits.max_acceleration_mm_s2);
     LimitCommand("M203", out).SetAxes(limits.max_feedrate_mm_s, 1 / kPerMinute);

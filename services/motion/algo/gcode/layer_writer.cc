@@ -90,6 +90,7 @@ void LayerWriter::WriteEnd(const Move& move, GcodeText& out) {
 
 void LayerWriter::BeginBlock() {
   Forget();
+  mix_.Forget();
   type_ = -1;
 }
 
@@ -111,7 +112,11 @@ void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
 }
 
 void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
-  if (move.kind == MoveKind::kPrint) Describe(move, out);
+  if (move.kind == MoveKind::kPrint) {
+    Describe(move, out);
+    const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
+    mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
+  }
   SetAcceleration(move, out);
   out << "G1";
   if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {

@@ -4,6 +4,7 @@
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -28,13 +29,15 @@ struct LayerState {
 /// (FitArcs), with the sum of their filament.
 class LayerWriter {
  public:
-  /// `firmware` must live on.
+  /// `firmware` must live on. `materials`: what is mixed where; null: nothing. It must outlive the
+  /// writer.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
-              ArcFitting arcs = ArcFitting::kDisabled)
+              ArcFitting arcs = ArcFitting::kDisabled, const MaterialField* materials = nullptr)
       : firmware_(firmware),
         accelerations_(accelerations),
         state_(state),
-        arcs_(arcs),
+        arcs_(materials == nullptr ? arcs : ArcFitting::kDisabled),  // a mix holds for one move
+        mix_(firmware, materials),
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
 
@@ -69,6 +72,7 @@ class LayerWriter {
   Accelerations accelerations_;
   LayerState state_;
   ArcFitting arcs_;
+  MaterialMix mix_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;
   int32_t type_ = -1;

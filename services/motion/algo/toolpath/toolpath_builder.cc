@@ -1,12 +1,14 @@
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "common/base/portable_math.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
@@ -74,7 +76,23 @@ void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
     const size_t to = i < count ? i : 0;
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
     if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
-    PrintTo(path.points[i - 1], path.points[to], bead);
+    PrintSegment(path.points[i - 1], path.points[to], bead);
+  }
+}
+
+/// As one move or, where materials mix, as many as the mix may change.
+void ToolpathBuilder::PrintSegment(Point from, Point to, const Bead& bead) {
+  const auto moves =
+      options_.material_field.empty()
+          ? 1
+          : std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kMixedMoveMm)));
+  Point last = from;
+  for (int64_t i = 1; i <= moves; ++i) {
+    const Point next = i == moves ? to
+                                  : Point{from.x + (to.x - from.x) * i / moves,
+                                          from.y + (to.y - from.y) * i / moves};
+    PrintTo(last, next, bead);
+    last = next;
   }
 }
 

@@ -41,6 +41,7 @@ class ToolpathBuilder {
   void Approach(Point to);
   void GoTo(Point to, const Travel& travel);
   void PrintSegments(const Path& path, double speed_mm_s);
+  void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
   void Retract();

@@ -1,0 +1,89 @@
+#include "common/model/fields/density_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/base/portable_math.h"
+
+namespace slicefarm {
+namespace {
+
+constexpr double kLeastExponent = -300;  // below that e^x counts as 0
+
+/// e^x for x <= 0.
+double ExpOfNegative(double x) {
+  if (x < kLeastExponent) return 0;
+  const double s = Sinh(-x);
+  return 1 / (s + std::sqrt(1 + s * s));
+}
+
+double Tanh(double x) {
+  const double e = ExpOfNegative(-2 * std::abs(x));
+  return std::copysign((1 - e) / (1 + e), x);
+}
+
+double Power(double base, double exponent) {
+  return base <= 0 ? 0 : ExpOfNegative(std::min(0.0, exponent * Log1p(base - 1)));
+}
+
+double InTable(const std::vector<double>& at, const std::vector<double>& values, double where) {
+  const auto above = std::upper_bound(at.begin(), at.end(), where) - at.begin();
+  if (above == 0) return values.front();
+  if (above == std::ssize(at)) return values.back();
+  const auto i = static_cast<size_t>(above);
+  const double share = (where - at[i - 1]) / (at[i] - at[i - 1]);
+  return values[i - 1] + (values[i] - values[i - 1]) * share;
+}
+
+}  // namespace
+
+double DensityOf(double value, DensityLaw law, double steepness, double threshold) {
+  switch (law) {
+    case DensityLaw::kLinear:
+      return value;
+    case DensityLaw::kSimp:
+      return Power(value, steepness);
+    case DensityLaw::kRamp:
+      return value / (1 + steepness * (1 - value));
+    case DensityLaw::kHeaviside: {
+      const double low = Tanh(steepness * threshold);
+      return (low + Tanh(steepness * (value - threshold))) /
+             (low + Tanh(steepness * (1 - threshold)));
+    }
+  }
+  return value;
+}
+
+double DensityField::At(const PlaceMm& place_mm, double to_surface_mm) const {
+  double value = 0;
+  switch (kind) {
+    case Kind::kHeight:
+      value = InTable(at_mm, values, place_mm[2]);
+      break;
+    case Kind::kSurfaceDistance:
+      value = InTable(at_mm, values, to_surface_mm);
+      break;
+    case Kind::kGrid:
+      value = grid.At(place_mm);
+      break;
+  }
+  return DensityOf(value, law, steepness, threshold);
+}
+
+std::optional<double> DensityField::UniformAt(double z_mm) const {
+  const std::vector<double>& all = kind == Kind::kGrid ? grid.values : values;
+  const bool one = std::ranges::all_of(all, [&](double v) { return v == all.front(); });
+  if (kind != Kind::kHeight && !one) return std::nullopt;
+  return At({0, 0, z_mm}, 0);
+}
+
+double DensityField::Greatest() const {
+  const std::vector<double>& all = kind == Kind::kGrid ? grid.values : values;
+  return DensityOf(*std::ranges::max_element(all), law, steepness, threshold);  // laws rise
+}
+
+double DensityField::ReachMm() const {
+  return kind == Kind::kSurfaceDistance ? at_mm.back() : 0;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,47 @@
+#include "common/model/fields/field_grid.h"
+
+#include <gtest/gtest.h>
+
+namespace slicefarm {
+namespace {
+
+/// a + b x + c y + d z at the nodes: what is linear between them is exact everywhere.
+FieldGrid LinearGrid() {
+  FieldGrid grid{{3, 4, 2}, {-1, 2, 0.5}, {2, 1, 4}, {}};
+  for (int z = 0; z < 2; ++z)
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 3; ++x)
+        grid.values.push_back(0.5 + 0.25 * (-1 + 2 * x) - 0.125 * (2 + y) + 2 * (0.5 + 4 * z));
+  return grid;
+}
+
+TEST(FieldGrid, IsLinearBetweenNodes) {
+  const FieldGrid grid = LinearGrid();
+  for (const PlaceMm& place : {PlaceMm{-1, 2, 0.5}, PlaceMm{0.3, 3.7, 2}, PlaceMm{3, 5, 4.5},
+                               PlaceMm{2.99, 4.01, 1}})
+    EXPECT_NEAR(grid.At(place), 0.5 + 0.25 * place[0] - 0.125 * place[1] + 2 * place[2], 1e-12);
+}
+
+TEST(FieldGrid, HoldsTheNearestValueBeyondItsBox) {
+  const FieldGrid grid = LinearGrid();
+  EXPECT_EQ(grid.At({-100, 3.5, 2}), grid.At({-1, 3.5, 2}));
+  EXPECT_EQ(grid.At({1, 99, -7}), grid.At({1, 5, 0.5}));
+  EXPECT_EQ(grid.At({1e9, 1e9, 1e9}), grid.values.back());
+}
+
+TEST(FieldGrid, OfOneNodeIsConstant) {
+  const FieldGrid grid{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0.7}};
+  EXPECT_EQ(grid.At({5, -3, 2}), 0.7);
+}
+
+TEST(FieldGrid, SameNodesLooksAtNoValues) {
+  const FieldGrid a = LinearGrid();
+  FieldGrid b = a;
+  b.values[3] += 1;
+  EXPECT_TRUE(SameNodes(a, b));
+  b.origin_mm[1] += 1;
+  EXPECT_FALSE(SameNodes(a, b));
+}
+
+}  // namespace
+}  // namespace slicefarm

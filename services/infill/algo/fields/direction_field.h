@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/model/fields/stress_field.h"
+
+namespace slicefarm::infill {
+
+/// A unit vector of a line: its opposite means the same.
+struct Direction {
+  double x = 1;
+  double y = 0;
+};
+
+/// The principal directions of a stress field in the plane of the layers: those of the greater
+/// stress. Held as cos 2t and sin 2t, which are the same for opposite directions, smoothed and
+/// interpolated as such.
+///
+/// Degenerate are the places where the stresses are alike in all directions,
+/// (sxx - syy)^2 + 4 sxy^2 below (kAlike times the greatest of the field)^2 at a node, and where
+/// directions around cancel each other: less than kLeastLength of them is left.
+class DirectionField {
+ public:
+  static constexpr double kAlike = 1e-3;
+  static constexpr double kLeastLength = 0.15;
+
+  explicit DirectionField(const StressField& stress);
+
+  /// None: degenerate.
+  std::optional<Direction> At(const PlaceMm& place_mm) const;
+
+ private:
+  FieldGrid cos2_;
+  FieldGrid sin2_;
+};
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,86 @@
+#include "services/infill/algo/fields/field_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/fields/dither.h"
+#include "services/infill/algo/fields/graded_lines.h"
+#include "services/infill/algo/fields/streamlines.h"
+#include "services/infill/algo/patterns/line_families.h"
+#include "services/infill/algo/patterns/registry.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Stretches of graded lines shorter than so many spacings are not worth a start and an end.
+constexpr double kShortest = 4;
+/// Below this density there are no streamlines: beads would lie half a hand apart.
+constexpr double kThinnest = 0.01;
+/// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
+constexpr double kBoxMm = 32;
+
+double Greatest(const LayerField& field) {
+  return field.density == nullptr ? field.plain_density : field.density->Greatest();
+}
+
+/// Lines move aside with the height, at 45 degrees, to one side and the other in turn: each stands
+/// on the one below, and over a few pitches of height all places have seen all ranks.
+std::vector<LineFamily> Leaning(std::vector<LineFamily> families, Coord z_nm) {
+  double side = 1;
+  for (LineFamily& family : families) {
+    family.phase_nm += side * static_cast<double>(z_nm);
+    side = -side;
+  }
+  return families;
+}
+
+StreamBox BoxAround(const MultiPolygon& region) {
+  const Box box = Bounds(region);
+  const auto down = [](Coord at) {
+    return std::floor(ToMm(static_cast<double>(at)) / kBoxMm) * kBoxMm;
+  };
+  return {down(box.min.x), down(box.min.y), down(box.max.x) + kBoxMm, down(box.max.y) + kBoxMm};
+}
+
+absl::StatusOr<FieldPieces> StreamPieces(const MultiPolygon& region, Coord spacing_nm,
+                                         const LayerField& field) {
+  const double spacing_mm = ToMm(static_cast<double>(spacing_nm));
+  const StreamOptions options{
+      .z_mm = field.z_mm, .separation_mm = [&](double x_mm, double y_mm) {
+        const double density = std::min(1.0, field.DensityAt(x_mm, y_mm));
+        return density < kThinnest ? 0 : spacing_mm / density;
+      }};
+  const auto curves = Streamlines(BoxAround(region), *field.directions, options);
+  if (!curves.ok()) return curves.status();
+  return FieldPieces{region, ClipCurves(region, *curves)};
+}
+
+}  // namespace
+
+absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
+                                          const PatternPlace& place, const LayerField& field) {
+  const double greatest = Greatest(field);
+  if (region.empty() || greatest <= 0) return FieldPieces{};
+  if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
+  const auto spacing = static_cast<double>(place.spacing_nm);
+  PatternPlace densest = place;
+  densest.pitch_nm = spacing / greatest;
+  PatternPlace upright = densest;  // graded lines lean as all of them do, and no pattern its own way
+  upright.z_nm = 0;
+  const auto families = LineFamiliesOf(pattern, upright);
+  const Dither dither = field.density->dither;
+  if (dither == Dither::kNone && !families.empty()) {
+    auto pieces = GradedPieces(region, Leaning(families, place.z_nm), field,
+                               {.greatest = greatest, .min_length_nm = kShortest * spacing});
+    if (!pieces.ok()) return pieces.status();
+    return FieldPieces{region, *std::move(pieces)};
+  }
+  MultiPolygon cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
+  auto pieces = PatternOf(pattern)(cells, densest);
+  if (!pieces.ok()) return pieces.status();
+  return FieldPieces{std::move(cells), *std::move(pieces)};
+}
+
+}  // namespace slicefarm::infill

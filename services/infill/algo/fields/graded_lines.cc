@@ -1,0 +1,99 @@
+#include "services/infill/algo/fields/graded_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace slicefarm::infill {
+namespace {
+
+/// How often a line looks at the field. The place of a change in between is found by its values.
+constexpr double kLookMm = 0.25;
+
+/// A stretch of a line, by its ends.
+struct Stretch {
+  double from = 0;
+  double to = 0;
+};
+
+/// Where the field is above `level` between `from` and `to` on a line.
+std::vector<Stretch> Above(const LineFrame& frame, double v, double from, double to, double level,
+                           const LayerField& field) {
+  std::vector<Stretch> stretches;
+  const auto count =
+      std::max<int64_t>(1, static_cast<int64_t>(std::ceil((to - from) / (kLookMm * kNmPerMm))));
+  const double step = (to - from) / static_cast<double>(count);
+  double last_u = from;
+  double last = field.DensityAt(frame.At(from, v)) - level;
+  if (last > 0) stretches.push_back({from, to});
+  for (int64_t i = 1; i <= count; ++i) {
+    const double u = i == count ? to : from + static_cast<double>(i) * step;
+    const double value = field.DensityAt(frame.At(u, v)) - level;
+    if ((value > 0) != (last > 0)) {
+      const double at = last_u + (u - last_u) * last / (last - value);
+      if (value > 0) {
+        stretches.push_back({at, to});
+      } else {
+        stretches.back().to = at;
+      }
+    }
+    last_u = u, last = value;
+  }
+  return stretches;
+}
+
+/// Gaps, then stretches that are too short go. What touches an end of the line stays.
+std::vector<Stretch> WithoutShort(const std::vector<Stretch>& stretches, double from, double to,
+                                  double min_length) {
+  std::vector<Stretch> joined;
+  for (const Stretch& stretch : stretches) {
+    if (!joined.empty() && stretch.from - joined.back().to < min_length) {
+      joined.back().to = stretch.to;
+    } else {
+      joined.push_back(stretch);
+    }
+  }
+  std::erase_if(joined, [&](const Stretch& stretch) {
+    return stretch.to - stretch.from < min_length && stretch.from != from && stretch.to != to;
+  });
+  return joined;
+}
+
+}  // namespace
+
+double RankOf(int64_t index) {
+  auto bits = static_cast<uint32_t>(index);
+  uint32_t reversed = 0;
+  for (int i = 0; i < 32; ++i, bits >>= 1) reversed = reversed << 1 | (bits & 1);
+  return (static_cast<double>(reversed) + 0.5) / 4294967296.0;
+}
+
+absl::StatusOr<std::vector<Piece>> GradedPieces(const MultiPolygon& region,
+                                                std::span<const LineFamily> families,
+                                                const LayerField& field,
+                                                const GradedLines& graded) {
+  std::vector<Piece> pieces;
+  for (const LineFamily& family : families) {
+    const auto lines = CutLines(region, family);
+    if (!lines.ok()) return lines.status();
+    for (int32_t piece = 0; piece < lines->PieceCount(); ++piece) {
+      const Crossing& from = lines->crossings[lines->order[2 * piece]];
+      const Crossing& to = lines->crossings[lines->order[2 * piece + 1]];
+      const double v = lines->first_v + lines->pitch * from.line;
+      const int64_t index = std::llround((v - family.phase_nm) / family.pitch_nm);
+      const double level = graded.greatest * RankOf(index);
+      const auto stretches = WithoutShort(Above(lines->frame, v, from.u, to.u, level, field),
+                                          from.u, to.u, graded.min_length_nm);
+      for (const Stretch& stretch : stretches) {
+        Piece part{{lines->frame.At(stretch.from, v), lines->frame.At(stretch.to, v)}};
+        if (part.points[0] == part.points[1]) continue;
+        if (stretch.from == from.u) part.from = {from.ring, from.edge};
+        if (stretch.to == to.u) part.to = {to.ring, to.edge};
+        pieces.push_back(std::move(part));
+      }
+    }
+  }
+  return pieces;
+}
+
+}  // namespace slicefarm::infill

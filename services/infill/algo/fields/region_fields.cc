@@ -1,0 +1,62 @@
+#include "services/infill/algo/fields/region_fields.h"
+
+#include <fmt/core.h>
+
+#include <string>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/fields/field_text.h"
+
+namespace slicefarm::infill {
+namespace {
+
+absl::Status Malformed(const std::string& setting, const absl::Status& why) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+                   fmt::format("{}: {}", setting, std::string(why.message())), {{"setting", setting}});
+}
+
+}  // namespace
+
+absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> regions,
+                                                std::span<const SlicedLayer> layers) {
+  RegionFields fields;
+  fields.layers_ = layers;
+  for (const InfillOptions& options : regions) {
+    Fields& row = fields.rows_.emplace_back();
+    row.plain_density = options.density;
+    if (!options.density_field.empty()) {
+      auto density = ParseDensityField(options.density_field);
+      if (!density.ok()) return Malformed("density_field", density.status());
+      row.density = *std::move(density);
+    }
+    if (!options.stress_field.empty()) {
+      const auto stress = ParseStressField(options.stress_field);
+      if (!stress.ok()) return Malformed("stress_field", stress.status());
+      row.directions.emplace(*stress);
+    }
+  }
+  return fields;
+}
+
+std::optional<LayerField> RegionFields::Of(int32_t row, int32_t object, int32_t own_layer,
+                                           double z_mm) {
+  const Fields& fields = rows_[static_cast<size_t>(row)];
+  if (!fields.density.has_value() && !fields.directions.has_value()) return std::nullopt;
+  LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
+  if (fields.directions.has_value()) field.directions = &*fields.directions;
+  if (!fields.density.has_value()) return field;
+  field.density = &*fields.density;
+  if (field.density->kind == DensityField::Kind::kSurfaceDistance) {
+    auto& distances = distances_
+                          .try_emplace({row, object}, layers_, object, field.density->ReachMm())
+                          .first->second;
+    const MapOf wanted{row, object, own_layer};
+    if (map_of_ != wanted) map_ = distances.Of(own_layer);
+    map_of_ = wanted;
+    field.to_surface = &map_;
+  }
+  return field;
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/model/infill_options.h"
+#include "common/model/layer.h"
+#include "services/infill/algo/fields/layer_field.h"
+
+namespace slicefarm::infill {
+
+/// The fields of a job's regions, read from their settings, in a stretch of its layers.
+class RegionFields {
+ public:
+  /// `layers` must outlive this. Errors: SETTING_MALFORMED for a text that is no field.
+  static absl::StatusOr<RegionFields> Read(std::span<const InfillOptions> regions,
+                                           std::span<const SlicedLayer> layers);
+
+  /// What the fields of a row of settings say about an object's own layer, whose middle is at
+  /// `z_mm`. None: it has no fields. It holds until the next call.
+  std::optional<LayerField> Of(int32_t row, int32_t object, int32_t own_layer, double z_mm);
+
+ private:
+  struct Fields {
+    std::optional<DensityField> density;
+    std::optional<DirectionField> directions;
+    double plain_density = 0;
+  };
+
+  std::vector<Fields> rows_;
+  std::span<const SlicedLayer> layers_;
+  std::map<std::pair<int32_t, int32_t>, SurfaceDistances> distances_;  ///< by row and object
+  using MapOf = std::array<int32_t, 3>;  ///< row, object, its own layer
+  std::optional<MapOf> map_of_;
+  DistanceMap map_;
+};
+
+}  // namespace slicefarm::infill

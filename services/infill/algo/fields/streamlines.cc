@@ -1,0 +1,305 @@
+#include "services/infill/algo/fields/streamlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "common/geometry/simplify.h"
+#include "services/infill/algo/lines/line_limit.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Steps, as shares of the separation and in mm.
+constexpr double kStepShare = 0.2;
+constexpr double kLongestStepMm = 1;
+constexpr double kShortestStepMm = 0.01;
+/// A new line starts where no other one is nearer than this share of the separation.
+constexpr double kStartShare = 0.95;
+/// Shorter lines, in separations, hold nothing.
+constexpr double kShortestLine = 1.5;
+/// A line does not mind itself within this many separations along it, nor its own start.
+constexpr double kOwnNear = 2, kOwnStart = 1;
+constexpr double kCosTurn = 0.9945;     // 6 degrees
+constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
+constexpr double kGridStepMm = 0.5;
+constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
+constexpr Coord kToleranceNm = 10'000;
+constexpr double kMostSteps = 1e6;  ///< of one line
+
+struct Vec2 {
+  double x = 0, y = 0;
+
+  Vec2 operator+(Vec2 o) const { return {x + o.x, y + o.y}; }
+  Vec2 operator-(Vec2 o) const { return {x - o.x, y - o.y}; }
+  Vec2 operator*(double f) const { return {x * f, y * f}; }
+};
+
+double Dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+double Length(Vec2 a) { return std::sqrt(Dot(a, a)); }
+
+/// A point of a line, and how far along it lies.
+struct Mark {
+  Vec2 at;
+  int32_t line = 0;
+  double along = 0;
+};
+
+/// Points of lines by cell.
+class MarkGrid {
+ public:
+  MarkGrid(const StreamBox& box, double cell)
+      : box_(box),
+        cell_(cell),
+        columns_(Count(box.max_x_mm - box.min_x_mm)),
+        rows_(Count(box.max_y_mm - box.min_y_mm)),
+        cells_(static_cast<size_t>(columns_ * rows_)) {}
+
+  void Add(const Mark& mark) { CellOf(mark.at).push_back(mark); }
+  /// Takes back the mark that was added last.
+  void TakeBack(Vec2 at) { CellOf(at).pop_back(); }
+
+  /// Whether a mark for which `counts` holds lies within `distance`.
+  template <class Counts>
+  bool Near(Vec2 at, double distance, Counts counts) const {
+    const auto [x0, y0] = Index({at.x - distance, at.y - distance});
+    const auto [x1, y1] = Index({at.x + distance, at.y + distance});
+    const double square = distance * distance;
+    for (int64_t y = y0; y <= y1; ++y) {
+      for (int64_t x = x0; x <= x1; ++x) {
+        for (const Mark& mark : cells_[static_cast<size_t>(y * columns_ + x)]) {
+          const Vec2 away = mark.at - at;
+          if (Dot(away, away) < square && counts(mark)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  int64_t Count(double extent) const {
+    return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(extent / cell_)));
+  }
+  std::pair<int64_t, int64_t> Index(Vec2 at) const {
+    const auto index = [&](double value, double min, int64_t count) {
+      return static_cast<int64_t>(
+          std::clamp(std::floor((value - min) / cell_), 0.0, static_cast<double>(count - 1)));
+    };
+    return {index(at.x, box_.min_x_mm, columns_), index(at.y, box_.min_y_mm, rows_)};
+  }
+  std::vector<Mark>& CellOf(Vec2 at) {
+    const auto [x, y] = Index(at);
+    return cells_[static_cast<size_t>(y * columns_ + x)];
+  }
+
+  StreamBox box_;
+  double cell_;
+  int64_t columns_, rows_;
+  std::vector<std::vector<Mark>> cells_;
+};
+
+struct Line {
+  std::deque<Vec2> points;
+  bool closed = false;
+};
+
+class Tracer {
+ public:
+  Tracer(const StreamBox& box, const DirectionField& directions, const StreamOptions& options)
+      : box_(box), directions_(directions), options_(options), grid_(box, GridCell()) {}
+
+  absl::StatusOr<std::vector<Line>> Run() {
+    Start({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
+    if (absl::Status ok = Spread(); !ok.ok()) return ok;
+    for (double y = box_.min_y_mm + kGridStepMm / 2; y < box_.max_y_mm; y += kGridStepMm) {
+      for (double x = box_.min_x_mm + kGridStepMm / 2; x < box_.max_x_mm; x += kGridStepMm) {
+        if (!Start({x, y})) continue;
+        if (absl::Status ok = Spread(); !ok.ok()) return ok;
+      }
+    }
+    return std::move(lines_);
+  }
+
+ private:
+  double Separation(Vec2 at) const {
+    const double asked = options_.separation_mm(at.x, at.y);
+    return asked > 0 ? std::max(asked, kTightestMm) : 0;
+  }
+
+  /// The cells of the grid are as large as lines are apart in the middle.
+  double GridCell() const {
+    const double middle = Separation(
+        {(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
+    return std::clamp(middle, 0.5, 5.0);
+  }
+
+  bool InBox(Vec2 at) const {
+    return at.x >= box_.min_x_mm && at.x <= box_.max_x_mm && at.y >= box_.min_y_mm &&
+           at.y <= box_.max_y_mm;
+  }
+
+  /// The direction at a place, turned to go with `along`.
+  std::optional<Vec2> DirectionAt(Vec2 at, Vec2 along) const {
+    const auto found = directions_.At({at.x, at.y, options_.z_mm});
+    if (!found.has_value()) return std::nullopt;
+    const Vec2 direction{found->x, found->y};
+    return Dot(direction, along) < 0 ? direction * -1 : direction;
+  }
+
+  struct Step {
+    Vec2 to;
+    Vec2 direction;  ///< at its end
+    double length = 0;
+  };
+
+  /// One step of order 4. None: it meets a degenerate place.
+  std::optional<Step> Advance(Vec2 from, Vec2 along, double& step) const {
+    for (;;) {
+      const auto k1 = DirectionAt(from, along);
+      if (!k1.has_value()) return std::nullopt;
+      const auto k2 = DirectionAt(from + *k1 * (step / 2), *k1);
+      const auto k3 = k2 ? DirectionAt(from + *k2 * (step / 2), *k2) : std::nullopt;
+      const auto k4 = k3 ? DirectionAt(from + *k3 * step, *k3) : std::nullopt;
+      const bool shorter = step > 2 * kShortestStepMm;
+      if (!k4.has_value()) {
+        if (!shorter) return std::nullopt;
+      } else if (const double cos = Dot(*k1, *k4); cos >= kCosTurn || !shorter) {
+        const Step result{from + (*k1 + *k2 * 2 + *k3 * 2 + *k4) * (step / 6), *k4, step};
+        if (cos > kCosStraight) step *= 2;
+        return result;
+      }
+      step /= 2;
+    }
+  }
+
+  /// Whether a line may go on to a place, `along` of it being behind.
+  bool MayStand(Vec2 at, int32_t line, double along) const {
+    const double separation = Separation(at);
+    if (separation <= 0) return false;
+    return !grid_.Near(at, kEndShare * separation, [&](const Mark& mark) {
+      if (mark.line != line) return true;
+      return std::abs(mark.along - along) > kOwnNear * separation &&
+             std::abs(mark.along) > kOwnStart * separation;
+    });
+  }
+
+  /// Follows the field from the start of `line` on, forwards or backwards. True: it closed.
+  bool Follow(Line& line, int32_t number, Vec2 start, Vec2 along, double sign,
+              std::vector<Vec2>& marked) {
+    const Vec2 first = along;
+    Vec2 at = start;
+    double length = 0;
+    double step = kLongestStepMm;
+    for (double steps = 0; steps < kMostSteps; ++steps) {
+      const double separation = Separation(at);
+      step = std::clamp(step, kShortestStepMm, std::min(kLongestStepMm, kStepShare * separation));
+      const auto next = Advance(at, along, step);
+      if (!next.has_value() || !InBox(next->to)) {
+        // The box is left on the way: its edge is none of the region's.
+        if (next.has_value()) Put(line, next->to, sign);
+        return false;
+      }
+      length += next->length;
+      const Vec2 home = start - next->to;
+      if (sign > 0 && length > 2 * separation && Length(home) < 0.75 * next->length &&
+          Dot(first, next->direction) > 0.9)
+        return true;
+      if (!MayStand(next->to, number, sign * length)) return false;
+      at = next->to, along = next->direction;
+      Put(line, at, sign);
+      grid_.Add({at, number, sign * length});
+      marked.push_back(at);
+    }
+    return false;
+  }
+
+  static void Put(Line& line, Vec2 at, double sign) {
+    if (sign > 0) {
+      line.points.push_back(at);
+    } else {
+      line.points.push_front(at);
+    }
+  }
+
+  /// A new line from here, unless another one is too near or it comes to nothing.
+  bool Start(Vec2 at) {
+    if (!InBox(at)) return false;
+    const double separation = Separation(at);
+    const auto direction = DirectionAt(at, {1, 0});
+    if (separation <= 0 || !direction.has_value()) return false;
+    if (grid_.Near(at, kStartShare * separation, [](const Mark&) { return true; })) return false;
+    const auto number = static_cast<int32_t>(lines_.size());
+    Line line{{at}};
+    std::vector<Vec2> marked = {at};
+    grid_.Add({at, number, 0});
+    line.closed = Follow(line, number, at, *direction, 1, marked);
+    if (!line.closed) Follow(line, number, at, *direction * -1, -1, marked);
+    double length = 0;
+    for (size_t i = 1; i < line.points.size(); ++i)
+      length += Length(line.points[i] - line.points[i - 1]);
+    if (length < kShortestLine * separation) {
+      for (size_t i = marked.size(); i-- > 0;) grid_.TakeBack(marked[i]);
+      return false;
+    }
+    lines_.push_back(std::move(line));
+    return true;
+  }
+
+  /// Starts lines on both sides of those that are there, until there is no more room.
+  absl::Status Spread() {
+    for (; spread_ < lines_.size(); ++spread_) {
+      const std::deque<Vec2> points = lines_[spread_].points;
+      for (size_t i = 0; i + 1 < points.size(); ++i) {
+        const Vec2 along = points[i + 1] - points[i];
+        const double length = Length(along);
+        if (length == 0) continue;
+        const Vec2 aside{-along.y / length, along.x / length};
+        const double separation = Separation(points[i]);
+        for (const double side : {separation, -separation}) Start(points[i] + aside * side);
+      }
+      if (absl::Status ok = CheckLineCount(static_cast<double>(lines_.size())); !ok.ok()) return ok;
+    }
+    return absl::OkStatus();
+  }
+
+  const StreamBox box_;
+  const DirectionField& directions_;
+  const StreamOptions& options_;
+  MarkGrid grid_;
+  std::vector<Line> lines_;
+  size_t spread_ = 0;
+};
+
+std::optional<Curve> CurveOf(const Line& line) {
+  Polyline points;
+  for (const Vec2 at : line.points) {
+    const Point point{std::llround(at.x * kNmPerMm), std::llround(at.y * kNmPerMm)};
+    if (points.empty() || points.back() != point) points.push_back(point);
+  }
+  if (line.closed) {
+    while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+    Polygon ring = SimplifyRing(points, kToleranceNm);
+    if (ring.size() < 3) return std::nullopt;
+    return Curve{std::move(ring), true};
+  }
+  if (points.size() < 2) return std::nullopt;
+  return Curve{SimplifyLine(points, kToleranceNm), false};
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
+                                               const DirectionField& directions,
+                                               const StreamOptions& options) {
+  const auto lines = Tracer(box, directions, options).Run();
+  if (!lines.ok()) return lines.status();
+  std::vector<Curve> curves;
+  for (const Line& line : *lines)
+    if (auto curve = CurveOf(line)) curves.push_back(*std::move(curve));
+  return curves;
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/infill/algo/fields/direction_field.h"
+#include "services/infill/algo/lines/clip_curves.h"
+
+namespace slicefarm::infill {
+
+struct StreamBox {
+  double min_x_mm = 0, min_y_mm = 0;
+  double max_x_mm = 0, max_y_mm = 0;
+};
+
+struct StreamOptions {
+  double z_mm = 0;
+  /// How far apart lines shall lie at a place, mm; 0: there are none.
+  std::function<double(double x_mm, double y_mm)> separation_mm;
+};
+
+/// Evenly spaced lines along a field of directions, in a box (Jobard and Lefer, "Creating
+/// evenly-spaced streamlines of arbitrary density", 1997). Each new line starts beside one that is
+/// there, at the separation; it goes on both ways until it leaves the box, comes to a degenerate
+/// place, or to within kEndShare of the separation from another line; or until it closes. What is
+/// left open then is looked for on a grid, so that no gap of two separations stays.
+///
+/// Integration: classic Runge-Kutta of order 4; each stage's direction is turned to go with the
+/// last step, as directions have no sign; the step is halved where the direction turns by more than
+/// 6 degrees within it. Points lie within 0.01 mm of the line, after smoothing out what is straight.
+///
+/// Errors: as CheckLineCount. Cost: O(length / step) field evaluations, and as many searches of a
+/// few neighbours.
+inline constexpr double kEndShare = 0.8;
+absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
+                                               const DirectionField& directions,
+                                               const StreamOptions& options);
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,189 @@
+#include "services/infill/algo/fields/streamlines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/fields/field_samples_test.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr double kSide = 64;
+
+/// Stresses whose greater principal direction is (u, v), over [0, kSide]^2.
+StressField Along(const std::function<std::pair<double, double>(double, double)>& direction) {
+  StressField stress;
+  const auto part = [&](auto product) {
+    return GridOf(65, kSide, [&](double x, double y) {
+      const auto [u, v] = direction(x, y);
+      const double norm = std::max(1e-9, std::sqrt(u * u + v * v));
+      return product(u / norm, v / norm);
+    });
+  };
+  stress.xx = part([](double u, double) { return u * u; });
+  stress.yy = part([](double, double v) { return v * v; });
+  stress.xy = part([](double u, double v) { return u * v; });
+  return stress;
+}
+
+std::vector<Curve> Lines(const StressField& stress, double separation_mm) {
+  const DirectionField directions(stress);
+  auto curves = Streamlines({0, 0, kSide, kSide}, directions,
+                            {.separation_mm = [=](double, double) { return separation_mm; }});
+  EXPECT_TRUE(curves.ok());
+  return *std::move(curves);
+}
+
+struct Sample {
+  Point at;
+  double dx, dy;  ///< of the line there
+  size_t line;
+};
+
+std::vector<Sample> SamplesOf(const std::vector<Curve>& curves, double step_mm) {
+  std::vector<Sample> samples;
+  for (size_t line = 0; line < curves.size(); ++line) {
+    const Polyline& points = curves[line].points;
+    const size_t count = points.size() - (curves[line].closed ? 0 : 1);
+    for (size_t i = 0; i < count; ++i) {
+      const Point a = points[i], b = points[(i + 1) % points.size()];
+      const double length = ToMm(Distance(a, b));
+      const int steps = std::max(1, static_cast<int>(std::ceil(length / step_mm)));
+      for (int k = 0; k < steps; ++k) {
+        const double share = (k + 0.5) / steps;
+        samples.push_back({{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
+                            a.y + std::llround(share * static_cast<double>(b.y - a.y))},
+                           ToMm(b.x - a.x) / length, ToMm(b.y - a.y) / length, line});
+      }
+    }
+  }
+  return samples;
+}
+
+/// Root of the mean square of the angle between lines and what they shall follow, degrees.
+double AngleRms(const std::vector<Sample>& samples,
+                const std::function<std::pair<double, double>(double, double)>& direction,
+                const std::function<bool(double, double)>& counts) {
+  double sum = 0, all = 0;
+  for (const Sample& sample : samples) {
+    const double x = ToMm(sample.at.x), y = ToMm(sample.at.y);
+    if (!counts(x, y)) continue;
+    const auto [u, v] = direction(x, y);
+    const double sine = std::abs(sample.dx * v - sample.dy * u) / std::hypot(u, v);
+    const double degrees = std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
+    sum += degrees * degrees, all += 1;
+  }
+  EXPECT_GT(all, 100);
+  return std::sqrt(sum / all);
+}
+
+/// Share of the length that has a neighbour on each side, away from the box's edge, at 0.8 to 1.2 of
+/// the separation: by a ray across to the next line.
+double EvenShare(const std::vector<Curve>& curves, double separation_mm,
+                 const std::function<bool(double, double)>& counts) {
+  double even = 0, all = 0;
+  for (const Sample& sample : SamplesOf(curves, 1)) {
+    const double x = ToMm(sample.at.x), y = ToMm(sample.at.y);
+    if (!counts(x, y)) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const double nx = -sample.dy * side, ny = sample.dx * side;
+      double nearest = 1e9;
+      for (size_t line = 0; line < curves.size(); ++line) {
+        const Polyline& points = curves[line].points;
+        for (size_t i = 1; i < points.size() + (curves[line].closed ? 1 : 0); ++i) {
+          const Point p = points[i - 1], q = points[i % points.size()];
+          const double ax = ToMm(p.x) - x, ay = ToMm(p.y) - y, bx = ToMm(q.x) - x, by = ToMm(q.y) - y;
+          const double ca = nx * ay - ny * ax, cb = nx * by - ny * bx;
+          if ((ca > 0) == (cb > 0)) continue;
+          const double t = ca / (ca - cb);
+          const double away = nx * (ax + t * (bx - ax)) + ny * (ay + t * (by - ay));
+          if (away > 1e-3) nearest = std::min(nearest, away);
+        }
+      }
+      all += 1;
+      even += nearest > 0.8 * separation_mm && nearest < 1.2 * separation_mm;
+    }
+  }
+  EXPECT_GT(all, 100);
+  return even / all;
+}
+
+bool Inner(double x, double y) { return x > 4 && y > 4 && x < kSide - 4 && y < kSide - 4; }
+
+TEST(Streamlines, OfAConstantFieldAreParallelLines) {
+  const auto aslant = [](double, double) { return std::pair(0.8, 0.6); };
+  const auto curves = Lines(Along(aslant), 2);
+  EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), aslant, Inner), 0.05);
+  EXPECT_GT(EvenShare(curves, 2, Inner), 0.99);
+}
+
+TEST(Streamlines, OfCirclesClose) {
+  const auto around = [](double x, double y) { return std::pair(-(y - 32), x - 32); };
+  const auto away = [](double x, double y) { return std::hypot(x - 32, y - 32) > 5 && Inner(x, y); };
+  const auto curves = Lines(Along(around), 2);
+  EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), around, away), 2);
+  EXPECT_GT(EvenShare(curves, 2, away), 0.95);
+  size_t closed = 0;
+  for (const Curve& curve : curves) closed += curve.closed;
+  EXPECT_GE(closed, 10u);
+}
+
+TEST(Streamlines, ThatBendKeepTheirDistance) {
+  const auto bent = [](double x, double) { return std::pair(1.0, 0.5 * std::cos(x / 10)); };
+  const auto curves = Lines(Along(bent), 2);
+  EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), bent, Inner), 2);
+  // Lines that are parallel along y come nearer to each other where they are steep: to 0.89.
+  EXPECT_GT(EvenShare(curves, 2, Inner), 0.95);
+}
+
+TEST(Streamlines, LeaveNoGapOfTwoSeparations) {
+  const auto spread = [](double x, double y) { return std::pair(x + 5, y - 32); };  // from a point
+  const auto curves = Lines(Along(spread), 2);
+  const auto samples = SamplesOf(curves, 0.25);
+  for (double y = 4; y < 60; y += 1.3) {
+    for (double x = 4; x < 60; x += 1.3) {
+      double nearest = 1e9;
+      for (const Sample& sample : samples)
+        nearest = std::min(nearest, std::hypot(ToMm(sample.at.x) - x, ToMm(sample.at.y) - y));
+      EXPECT_LT(nearest, 2.1) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Streamlines, StopAtDegeneratePlaces) {
+  // Left half along x, right half with no direction at all.
+  StressField stress = Along([](double, double) { return std::pair(1.0, 0.0); });
+  for (size_t i = 0; i < stress.xx.values.size(); ++i)
+    if (i % 65 > 40) stress.xx.values[i] = stress.yy.values[i] = 1, stress.xy.values[i] = 0;
+  stress.smoothing = 0;
+  for (const Curve& curve : Lines(stress, 2))
+    for (const Point p : curve.points) EXPECT_LT(ToMm(p.x), 42);
+}
+
+TEST(Streamlines, AreCloserWhereTheSeparationIsSmaller) {
+  const DirectionField directions(Along([](double, double) { return std::pair(1.0, 0.0); }));
+  const auto curves = Streamlines({0, 0, kSide, kSide}, directions,
+                                  {.separation_mm = [](double, double y) { return y < 32 ? 1 : 4; }});
+  ASSERT_TRUE(curves.ok());
+  std::vector<Polyline> lines;
+  for (const Curve& curve : *curves) lines.push_back(curve.points);
+  const auto halves = LengthByCell(lines, kSide, 32);
+  EXPECT_NEAR((halves[0] + halves[1]) / (64 * 32), 1, 0.1);
+  EXPECT_NEAR((halves[2] + halves[3]) / (64 * 32), 0.25, 0.04);
+}
+
+TEST(Streamlines, AreNoneWhereNothingIsAsked) {
+  const DirectionField directions(Along([](double, double) { return std::pair(1.0, 0.0); }));
+  const auto none = Streamlines({0, 0, kSide, kSide}, directions,
+                                {.separation_mm = [](double, double) { return 0; }});
+  ASSERT_TRUE(none.ok());
+  EXPECT_TRUE(none->empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::infill
