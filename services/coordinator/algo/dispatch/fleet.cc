@@ -23,8 +23,9 @@ void NoteOutcome(const absl::StatusOr<TaskResult>& result, ScopedSpan& span) {
   const StageTimes& times = TimesOf(*result);
   for (const auto& [stage, seconds] :
        {std::pair{"beading_s", times.beading_s}, std::pair{"infill_s", times.infill_s},
-        std::pair{"ordering_s", times.ordering_s}, std::pair{"motion_s", times.motion_s}}) {
-    span.Set(stage, absl::StrCat(seconds));
+        std::pair{"ordering_s", times.ordering_s}, std::pair{"motion_s", times.motion_s},
+        std::pair{"exposure_s", times.exposure_s}}) {
+    if (seconds > 0) span.Set(stage, absl::StrCat(seconds));
   }
 }
 

@@ -15,19 +15,18 @@ prometheus::Histogram& OfStage(prometheus::Registry& registry, const char* stage
 
 }  // namespace
 
-StageSeconds::StageSeconds(prometheus::Registry& registry)
-    : slicing_(OfStage(registry, "slicing")),
-      beading_(OfStage(registry, "beading")),
-      infill_(OfStage(registry, "infill")),
-      ordering_(OfStage(registry, "ordering")),
-      motion_(OfStage(registry, "motion")) {}
+StageSeconds::StageSeconds(prometheus::Registry& registry) {
+  for (const auto& [stage, time] :
+       {std::pair("slicing", &StageTimes::slicing_s), std::pair("planning", &StageTimes::planning_s),
+        std::pair("beading", &StageTimes::beading_s), std::pair("infill", &StageTimes::infill_s),
+        std::pair("ordering", &StageTimes::ordering_s), std::pair("motion", &StageTimes::motion_s),
+        std::pair("exposure", &StageTimes::exposure_s)})
+    stages_.emplace_back(time, &OfStage(registry, stage));
+}
 
 void StageSeconds::Observe(const StageTimes& times) {
-  slicing_.Observe(times.slicing_s);
-  beading_.Observe(times.beading_s);
-  infill_.Observe(times.infill_s);
-  ordering_.Observe(times.ordering_s);
-  motion_.Observe(times.motion_s);
+  for (const auto& [time, histogram] : stages_)
+    if (times.*time > 0) histogram->Observe(times.*time);
 }
 
 }  // namespace slicefarm::coordinator

@@ -1,29 +1,28 @@
 #pragma once
 
-#include <prometheus/family.h>
 #include <prometheus/histogram.h>
 #include <prometheus/registry.h>
+
+#include <utility>
+#include <vector>
 
 #include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
 
-/// slicefarm_stage_seconds{stage}: what each stage took for a job, summed over its ranges, as its
+/// slicefarm_stage_seconds{stage}: what each stage took for a job, summed over its tasks, as its
 /// caller sees it.
 class StageSeconds {
  public:
   /// The registry must outlive it.
   explicit StageSeconds(prometheus::Registry& registry);
 
-  /// Of a job that was computed.
+  /// The times of one computed job. Stages that its process does not have took no time, and are not
+  /// counted.
   void Observe(const StageTimes& times);
 
  private:
-  prometheus::Histogram& slicing_;
-  prometheus::Histogram& beading_;
-  prometheus::Histogram& infill_;
-  prometheus::Histogram& ordering_;
-  prometheus::Histogram& motion_;
+  std::vector<std::pair<double StageTimes::*, prometheus::Histogram*>> stages_;
 };
 
 }  // namespace slicefarm::coordinator
