@@ -26,6 +26,8 @@ constexpr std::array kBenchmarks = {
               [](const std::string&) { return slicefarm::bench::BenchMesh(); }},
     Benchmark{"walls", "DIR_OF_OUTLINES", "walls of variable width beside a Voronoi diagram alone",
               slicefarm::bench::BenchWalls},
+    Benchmark{"exposure", "DIR_OF_POLYGONS", "laser vectors of a lattice; convex pieces beside CGAL's",
+              slicefarm::bench::BenchExposure},
 };
 
 }  // namespace
@@ -39,7 +41,7 @@ int main(int argc, char** argv) {
   }
   std::fprintf(stderr, "usage: slicefarm-bench NAME [ARGUMENT]\n");
   for (const Benchmark& benchmark : kBenchmarks) {
-    std::fprintf(stderr, "  %-6s %-16s %s\n", benchmark.name.data(), benchmark.argument.data(),
+    std::fprintf(stderr, "  %-8s %-16s %s\n", benchmark.name.data(), benchmark.argument.data(),
                  benchmark.what.data());
   }
   return 2;

@@ -10,5 +10,6 @@ int BenchHop();
 int BenchHopWithTls(const std::string& certs);
 int BenchMesh();
 int BenchWalls(const std::string& outlines);
+int BenchExposure(const std::string& polygons);
 
 }  // namespace slicefarm::bench

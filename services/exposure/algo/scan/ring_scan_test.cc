@@ -1,0 +1,84 @@
+#include "services/exposure/algo/scan/ring_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/text_format.h"
+#include "services/exposure/algo/scan/coverage_test.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options, CutCounts* counts = nullptr) {
+  ExposureGroup group;
+  CutCounts sum;
+  options.strategy = ScanStrategy::kRings;
+  EXPECT_TRUE(ScanByRings(region, options, {}, {}, group, sum).ok());
+  if (counts != nullptr) *counts = sum;
+  return group;
+}
+
+TEST(ScanByRings, OneLineAPieceIfLinkedElseOneARing) {
+  const MultiPolygon region = MakePolygonsOrDie("(0 0, 8 0, 8 4, 4 4, 4 8, 0 8)");
+  CutCounts counts;
+  EXPECT_EQ(Scan(region, {}, &counts).LineCount(), 2u);
+  EXPECT_EQ(counts.pieces, 2);
+  ExposureOptions options;
+  options.link_rings = false;
+  const ExposureGroup rings = Scan(region, options);
+  EXPECT_GT(rings.LineCount(), 40u);
+  rings.ForEachLine([](std::span<const Point> line) { EXPECT_TRUE(line.size() == 2 || line.front() == line.back()); });
+}
+
+TEST(ScanByRings, LinksAreShort) {
+  const ExposureGroup group = Scan(MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)"), {});
+  const double link = 80'000 * std::sqrt(2.0) + 2;
+  int short_edges = 0;
+  for (size_t i = 1; i < group.points.size(); ++i)
+    short_edges += Distance(group.points[i - 1], group.points[i]) <= link ? 1 : 0;
+  EXPECT_EQ(short_edges, 49 + 4);  // between 50 rings; and the innermost ring has sides of 80 um
+}
+
+TEST(ScanByRings, CoversRandomRegions) {
+  std::mt19937 random(12);
+  for (int i = 0; i < 8; ++i) {
+    const MultiPolygon region = RandomIsland(random, {}, 5);
+    MeltedRaster raster(region, 11'000);
+    Scan(region, {}).ForEachLine([&](std::span<const Point> line) { raster.Add(line, 80'000); });
+    EXPECT_GE(raster.Share(1), 0.985) << ToText(region);  // sharp corners stay open: the spot is round
+  }
+}
+
+TEST(ScanByRings, ShortRingsAreLeftOut) {
+  ExposureOptions options;
+  options.minimum_vector_nm = 3'000'000;
+  options.link_rings = false;
+  const ExposureGroup group = Scan(MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)"), options);
+  group.ForEachLine([](std::span<const Point> line) { EXPECT_GE(Length(line), 3e6); });
+}
+
+/// Insets of random regions, as layers are scanned: offsets leave touching rings and short edges.
+TEST(ScanByRings, TakesWhateverOffsetsLeave) {
+  std::mt19937 random(13);
+  for (int i = 0; i < 300; ++i) {
+    const MultiPolygon region =
+        FastOffset(RandomIsland(random, {}, Uniform(random, 0.3, 6)), -static_cast<Coord>(Uniform(random, 1e4, 4e5)));
+    ExposureGroup group;
+    CutCounts counts;
+    ExposureOptions options;
+    options.strategy = ScanStrategy::kRingsInward;
+    const absl::Status status = ScanByRings(region, options, {}, {}, group, counts);
+    ASSERT_TRUE(status.ok()) << status << ToText(region);
+    for (const Point p : group.points) {
+      if (Inside(p, region)) continue;
+      ASSERT_LE(DistanceToBoundary(p, region), 1'000);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

@@ -1,0 +1,76 @@
+#include "services/exposure/algo/scan/scan_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/random_islands_test.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+TEST(CutScanLines, OfASquareWithAHole) {
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"),
+                                   ScanFrame(0), {.pitch_nm = 1e6, .phase = 0.5});
+  ASSERT_TRUE(pieces.ok());
+  ASSERT_EQ(pieces->size(), 12u);
+  EXPECT_EQ((*pieces)[0].line, 0);
+  EXPECT_EQ((*pieces)[4].line, 4);
+  EXPECT_EQ((*pieces)[4].u1, 4e6);
+  EXPECT_EQ((*pieces)[5].line, 4);
+  EXPECT_EQ((*pieces)[5].u0, 6e6);
+}
+
+TEST(CutScanLines, LinesThroughCornersMeetARingAnEvenNumberOfTimes) {
+  // All corners lie on lines.
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"), ScanFrame(0), {.pitch_nm = 1e6});
+  ASSERT_TRUE(pieces.ok());
+  double length = 0;
+  for (const ScanPiece& piece : *pieces) length += piece.u1 - piece.u0;
+  EXPECT_NEAR(length, 15e6 - 3e6, 3e6);
+  for (const ScanPiece& piece : *pieces) EXPECT_LT(piece.u0, piece.u1);
+}
+
+/// The middles of pieces are inside, those of gaps between them outside, at any angle.
+TEST(CutScanLines, PiecesAreWhatIsInside) {
+  std::mt19937 random(9);
+  for (int i = 0; i < 200; ++i) {
+    const MultiPolygon region = RandomIsland(random, {i * 1000, 7}, 8);
+    const ScanFrame frame(Uniform(random, -720, 720));
+    const LineGrid grid{.pitch_nm = 333'333, .phase = 0.5};
+    const auto pieces = CutScanLines(region, frame, grid);
+    ASSERT_TRUE(pieces.ok());
+    const ScanPiece* before = nullptr;
+    for (const ScanPiece& piece : *pieces) {
+      const double v = grid.V(piece.line);
+      const Point middle = frame.At((piece.u0 + piece.u1) / 2, v);
+      EXPECT_TRUE(piece.u1 - piece.u0 <= 4 || Inside(middle, region));
+      if (before != nullptr && before->line == piece.line && piece.u0 - before->u1 > 4) {
+        const Point gap = frame.At((before->u1 + piece.u0) / 2, v);
+        EXPECT_FALSE(Inside(gap, region));
+      }
+      before = &piece;
+    }
+  }
+}
+
+TEST(CutScanLines, RefusesTooMany) {
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 1000 0, 1000 1000, 0 1000)"), ScanFrame(0), {.pitch_nm = 10});
+  EXPECT_EQ(DetailOf(pieces.status()).reason, Reason::kRequestTooLarge);
+}
+
+TEST(ScanFrame, RightAnglesAreExact) {
+  const Point p{123'456'789, -987'654'321};
+  for (int quarter = -5; quarter < 6; ++quarter) {
+    const ScanFrame frame(90.0 * quarter);
+    EXPECT_EQ(frame.At(frame.U(p), frame.V(p)), p);
+    EXPECT_EQ(std::abs(frame.U(p)), quarter % 2 == 0 ? 123'456'789 : 987'654'321);
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

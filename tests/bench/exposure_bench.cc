@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "services/cli/files.h"
+#include "services/cli/poly_files.h"
+#include "services/exposure/algo/decompose/decompose.h"
+#include "services/exposure/algo/decompose/piece_quality.h"
+#include "services/exposure/algo/expose_layer.h"
+#include "services/exposure/algo/writers/writers.h"
+#include "tests/bench/benchmarks.h"
+
+namespace slicefarm::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using exposure::ConvexPieces;
+using exposure::DecomposeOptions;
+
+constexpr int kRounds = 5;
+/// CGAL's optimal partition takes minutes beyond.
+constexpr size_t kMaxOptimalPoints = 150;
+constexpr int kLatticeCells = 22;  ///< of 2 mm a side
+constexpr int kLatticeLayers = 100;
+
+/// CPU time of the thread: what else the machine does counts for less.
+double Now() {
+  timespec now = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Timed {
+  absl::StatusOr<ConvexPieces> pieces;
+  double seconds = 0;
+};
+
+/// The best of some rounds.
+Timed Decomposed(const MultiPolygon& islands, DecomposeMethod method) {
+  Timed timed{absl::UnknownError(""), std::numeric_limits<double>::infinity()};
+  const DecomposeOptions options = {.method = method,
+                                    .merge_nm = std::numeric_limits<double>::infinity()};
+  for (int round = 0; round < kRounds; ++round) {
+    const double start = Now();
+    timed.pieces = exposure::Decompose(islands, options);
+    timed.seconds = std::min(timed.seconds, Now() - start);
+    if (timed.seconds > 0.5) break;
+  }
+  return timed;
+}
+
+std::string Cell(const Timed& timed) {
+  if (!timed.pieces.ok()) return "failed";
+  double worst = 0;
+  for (const Polygon& piece : timed.pieces->pieces)
+    worst = std::max(worst, exposure::ShapeFactor(piece));
+  char text[80];
+  std::snprintf(text, sizeof text, "%zu / %.1f / %.2f", timed.pieces->pieces.size(), worst,
+                1e3 * timed.seconds);
+  return text;
+}
+
+int BenchPolygons(const std::string& directory) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  if (files.empty()) {
+    std::fprintf(stderr, "no polygons in %s\n", directory.c_str());
+    return 1;
+  }
+  std::sort(files.begin(), files.end());
+  std::printf("polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate\n");
+  for (const fs::path& path : files) {
+    const auto text = cli::ReadFile(path.string(), 64 << 20);
+    const auto file = text.ok() ? cli::ParsePoly(*text) : text.status();
+    if (!file.ok()) continue;
+    const size_t points = PointCount(file->islands);
+    const Timed bian = Decomposed(file->islands, DecomposeMethod::kBian);
+    std::printf("%s | %zu | %lld | %s | %s | %s\n", path.stem().c_str(), points,
+                bian.pieces.ok() ? static_cast<long long>(bian.pieces->counts.reflex) : -1,
+                Cell(bian).c_str(),
+                points > kMaxOptimalPoints
+                    ? "-"
+                    : Cell(Decomposed(file->islands, DecomposeMethod::kOptimal)).c_str(),
+                Cell(Decomposed(file->islands, DecomposeMethod::kApproximate)).c_str());
+  }
+  return 0;
+}
+
+/// A section through a lattice of round bars: discs of a size that changes with the height.
+SlicedLayer LatticeLayer(int32_t index) {
+  ObjectSection section;
+  section.layer = index;
+  section.layer_count = kLatticeLayers;
+  section.height_nm = 50'000;
+  const double radius = (0.45 + 0.25 * std::sin(0.3 * index)) * kNmPerMm;
+  MultiPolygon discs;
+  for (int row = 0; row < kLatticeCells; ++row) {
+    for (int column = 0; column < kLatticeCells; ++column) {
+      Polygon disc;
+      for (int i = 0; i < 32; ++i) {
+        disc.push_back({2 * kNmPerMm * column + std::llround(radius * std::cos(i * 0.19634954)),
+                        2 * kNmPerMm * row + std::llround(radius * std::sin(i * 0.19634954))});
+      }
+      discs.push_back({std::move(disc), {}});
+    }
+  }
+  section.regions.push_back({.outlines = std::move(discs)});
+  return {{index, (index + 1) * Coord{50'000}, 50'000}, {std::move(section)}};
+}
+
+/// Vectors a second of one core: of the whole layer, and of its hatch or rings alone.
+void BenchStrategy(const char* name, ScanStrategy strategy, bool inside_only) {
+  ExposureOptions options;
+  options.strategy = strategy;
+  if (inside_only) {
+    options.contours = 0;
+    options.beam_compensation_nm = 0;
+    options.thin_walls = false;
+  }
+  const std::vector<ExposureOptions> regions = {options};
+  const std::vector<Copy> copies(1);
+  double seconds = 0, write_seconds = 0, megabytes = 0;
+  int64_t vectors = 0;
+  exposure::FileFacts facts;
+  facts.regions = regions;
+  facts.output.format = OutputFormat::kCliBinary;
+  for (int32_t index = 0; index < kLatticeLayers; ++index) {
+    const std::vector<SlicedLayer> layers = {LatticeLayer(index)};
+    const ObjectLayers objects(layers);
+    const double start = Now();
+    const auto layer = exposure::ExposeLayer(layers[0], objects, regions, copies, {});
+    seconds += Now() - start;
+    if (!layer.ok()) {
+      std::printf("%s failed: %s\n", name, std::string(layer.status().message()).c_str());
+      return;
+    }
+    vectors += exposure::ReportOf(*layer, regions).Total().vectors;
+    const double write_start = Now();
+    megabytes += 1e-6 * static_cast<double>(exposure::LayerText(*layer, facts).size());
+    write_seconds += Now() - write_start;
+  }
+  const char* part = inside_only ? "inside" : "layer";
+  std::printf("%s_%s_vectors %lld\n%s_%s_million_vectors_per_s %.2f\n%s_%s_cli_mb_per_s %.0f\n", name,
+              part, static_cast<long long>(vectors), name, part,
+              1e-6 * static_cast<double>(vectors) / seconds, name, part, megabytes / write_seconds);
+}
+
+}  // namespace
+
+int BenchExposure(const std::string& polygons) {
+  for (const bool inside_only : {true, false}) {
+    BenchStrategy("hatch", ScanStrategy::kHatch, inside_only);
+    BenchStrategy("stripes", ScanStrategy::kStripes, inside_only);
+    BenchStrategy("islands", ScanStrategy::kIslands, inside_only);
+    BenchStrategy("rings", ScanStrategy::kRings, inside_only);
+  }
+  return BenchPolygons(polygons);
+}
+
+}  // namespace slicefarm::bench
