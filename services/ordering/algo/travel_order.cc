@@ -89,7 +89,8 @@ class CrossingCharge : public Surcharge {
   int64_t Of(int32_t a, int32_t b) const override {
     if (graph_.costs().IsNowhere(a) || graph_.costs().IsNowhere(b)) return 0;
     const auto [least, greatest] = std::minmax(a, b);
-    const uint64_t edge = uint64_t{static_cast<uint32_t>(least)} << 32 | static_cast<uint32_t>(greatest);
+    const uint64_t edge =
+        uint64_t{static_cast<uint32_t>(least)} << 32 | static_cast<uint32_t>(greatest);
     const auto [known, is_new] = parted_.try_emplace(edge, false);
     if (is_new) known->second = barrier_.Parts(graph_.At(least), graph_.At(greatest));
     return known->second ? kCrossingNm : 0;

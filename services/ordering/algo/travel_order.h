@@ -38,7 +38,7 @@ struct Precedence {
 struct Journey {
   Point from;
   std::optional<Point> to;
-  const Barrier* barrier = nullptr;  ///< what had better not be crossed on the way
+  const Barrier* barrier = nullptr;             ///< what had better not be crossed on the way
   std::span<const Precedence> precedence = {};  ///< without circles
 };
 
