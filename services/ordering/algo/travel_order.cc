@@ -144,7 +144,10 @@ std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
 
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget) {
-  if (legs.size() <= kFewLegs && budget.moves > 0) return OrderFew(journey, legs);
+  if (legs.size() <= kFewLegs && budget.moves > 0) {
+    budget.moves -= static_cast<int64_t>(legs.size() << legs.size());
+    return OrderFew(journey, legs);
+  }
   std::vector<Visit> visits = NearestFirst(journey, legs);
   if (legs.empty() || budget.moves <= 0) return visits;
   const LegGraph graph(journey, legs);
