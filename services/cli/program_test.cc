@@ -109,7 +109,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command :
        {"slice", "submit", "watch", "list", "get", "cancel", "delete", "trace", "webhook", "render",
-        "settings", "health", "token", "version"}) {
+        "settings", "health", "token", "tsp", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -132,6 +132,38 @@ TEST_F(Program, MakesTokensAndTheirEntries) {
   EXPECT_NE(Run({"token"}).out, Run({"token"}).out);
   EXPECT_EQ(Run({"token", "--scope", "write"}).code, ExitCode::kUsage);
   EXPECT_EQ(Run({"token", "--expires", "soon"}).code, ExitCode::kUsage);
+}
+
+/// A comb of 3 teeth: the shortest tour has 12 edges of length 1.
+constexpr char kComb[] =
+    "NAME : comb\nTYPE : TSP\nDIMENSION : 12\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n"
+    "1 0 0\n2 2 1\n3 1 0\n4 1 1\n5 2 0\n6 3 0\n7 0 1\n8 3 1\n9 4 0\n10 4 1\n11 5 1\n12 5 0\nEOF\n";
+
+TEST_F(Program, FindsAShortTour) {
+  Put("comb.tsp", kComb);
+  const Arguments tsp = {"tsp",   Path("comb.tsp"), "--seconds", "1",
+                         "--seed", "3",             "--tour",    Path("comb.tour")};
+  const Outcome outcome = Run(tsp);
+  ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("name comb\nn 12\nlength 12\nlower_bound 12\nseconds "));
+  const std::string tour = Text("comb.tour");
+  EXPECT_THAT(tour, StartsWith("NAME : comb\nTYPE : TOUR\nDIMENSION : 12\nTOUR_SECTION\n"));
+  EXPECT_EQ(Run(tsp).code, ExitCode::kOk);
+  EXPECT_EQ(Text("comb.tour"), tour) << "the same seed";
+  for (const char* start : {"nearest", "greedy", "insertion", "christofides"}) {
+    const Outcome first = Run({"tsp", Path("comb.tsp"), "--start", start, "--moves", "none",
+                               "--local", "--bounds"});
+    EXPECT_EQ(first.code, ExitCode::kOk) << start << first.err;
+    EXPECT_THAT(first.out, HasSubstr("\nspanning_tree 11\nodd_matching ")) << start;
+  }
+  EXPECT_EQ(Run({"tsp", Path("comb.tsp"), "--start", "best"}).code, ExitCode::kUsage);
+  EXPECT_EQ(Run({"tsp", Path("comb.tsp"), "--tour", Path("no/comb.tour")}).code,
+            ExitCode::kOutputFailed);
+  EXPECT_EQ(Run({"tsp", Path("none.tsp")}).code, ExitCode::kUsage);
+  Put("bad.tsp", "TYPE : TSP\nDIMENSION : x\n");
+  const Outcome bad = Run({"tsp", Path("bad.tsp")});
+  EXPECT_EQ(bad.code, ExitCode::kUsage);
+  EXPECT_THAT(bad.err, HasSubstr("bad.tsp: line "));
 }
 
 TEST_F(Program, SlicesACube) {

@@ -26,11 +26,11 @@ using ordering::Tour;
 using Clock = std::chrono::steady_clock;
 
 constexpr int64_t kMaxBytes = 256 << 20;
-constexpr size_t kNeighbours = 8;
-constexpr size_t kPerQuadrant = 1;
+constexpr size_t kNeighbours = 5;
+constexpr size_t kPerQuadrant = 3;
 /// What a machine that has other things to do as well does in a second. It ends by moves, so that a
 /// seed's tour is the same again; on a machine that is too slow for that, by time.
-constexpr double kMovesPerSecond = 8e6;
+constexpr double kMovesPerSecond = 6e6;
 /// Exchanges between two looks at the clock.
 constexpr int64_t kExchangesAtOnce = 64;
 /// Pairs of nodes that a 1-tree looks at for the price of judging a move; the bound's share of all

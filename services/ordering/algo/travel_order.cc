@@ -89,7 +89,8 @@ class CrossingCharge : public Surcharge {
   int64_t Of(int32_t a, int32_t b) const override {
     if (graph_.costs().IsNowhere(a) || graph_.costs().IsNowhere(b)) return 0;
     const auto [least, greatest] = std::minmax(a, b);
-    const uint64_t edge = uint64_t{static_cast<uint32_t>(least)} << 32 | static_cast<uint32_t>(greatest);
+    const uint64_t edge =
+        uint64_t{static_cast<uint32_t>(least)} << 32 | static_cast<uint32_t>(greatest);
     const auto [known, is_new] = parted_.try_emplace(edge, false);
     if (is_new) known->second = barrier_.Parts(graph_.At(least), graph_.At(greatest));
     return known->second ? kCrossingNm : 0;
@@ -143,7 +144,10 @@ std::vector<Visit> OrderFew(const Journey& journey, std::span<const Leg> legs) {
 
 std::vector<Visit> OrderByTravel(const Journey& journey, std::span<const Leg> legs,
                                  WorkBudget& budget) {
-  if (legs.size() <= kFewLegs && budget.moves > 0) return OrderFew(journey, legs);
+  if (legs.size() <= kFewLegs && budget.moves > 0) {
+    budget.moves -= static_cast<int64_t>(legs.size() << legs.size());
+    return OrderFew(journey, legs);
+  }
   std::vector<Visit> visits = NearestFirst(journey, legs);
   if (legs.empty() || budget.moves <= 0) return visits;
   const LegGraph graph(journey, legs);

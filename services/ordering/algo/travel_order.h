@@ -38,7 +38,7 @@ struct Precedence {
 struct Journey {
   Point from;
   std::optional<Point> to;
-  const Barrier* barrier = nullptr;  ///< what had better not be crossed on the way
+  const Barrier* barrier = nullptr;             ///< what had better not be crossed on the way
   std::span<const Precedence> precedence = {};  ///< without circles
 };
 
@@ -52,8 +52,9 @@ struct Visit {
   friend bool operator==(const Visit&, const Visit&) = default;
 };
 
-/// An order and direction of all `legs` with little travel: nearest neighbour, then TourSearch with
-/// a number of exchanges in proportion to the legs, or until `budget` is spent. Then, around each
+/// An order and direction of all `legs` with little travel: the best of up to kFewLegs (few_legs.h),
+/// of more the nearest neighbour's and then TourSearch's, with a number of exchanges in proportion to
+/// the legs, or until `budget` is spent; without budget the nearest neighbour's. Then, around each
 /// travel that crosses the barrier, the same moves with crossings counted as travel of kCrossingNm.
 ///
 /// The journey is a path with a fixed start and, if asked for, a fixed end. Shapes: each leg once.

@@ -14,7 +14,8 @@ constexpr int32_t kNone = FixedEdges::kNone;
 /// Pieces of a tour that grow together.
 class Pieces {
  public:
-  explicit Pieces(int32_t size) : links_(static_cast<size_t>(size), {kNone, kNone}), root_(links_.size()) {
+  explicit Pieces(int32_t size)
+      : links_(static_cast<size_t>(size), {kNone, kNone}), root_(links_.size()) {
     std::iota(root_.begin(), root_.end(), 0);
   }
 
@@ -96,8 +97,8 @@ Tour Chained(const Costs& costs, const Pieces& pieces) {
     tour.insert(tour.end(), piece.begin(), piece.end());
     std::erase_if(ends, [&](int32_t end) { return end == piece.front() || end == piece.back(); });
     if (ends.empty()) return tour;
-    next = *std::ranges::min_element(
-        ends, {}, [&](int32_t end) { return costs(piece.back(), end); });
+    next =
+        *std::ranges::min_element(ends, {}, [&](int32_t end) { return costs(piece.back(), end); });
   }
 }
 

@@ -19,8 +19,8 @@ Tour NearestNeighbourTour(const Costs& costs, int32_t first);
 Tour GreedyEdgeTour(const Costs& costs, const Neighbours& neighbours,
                     std::span<const NodePair> fixed);
 
-/// From node 0 on, the node that is farthest from the tour goes where it makes it least longer. Cost:
-/// O(n^2).
+/// From node 0 on, the node that is farthest from the tour goes where it makes it least longer.
+/// Cost: O(n^2).
 Tour InsertionTour(const Costs& costs);
 
 }  // namespace slicefarm::ordering

@@ -1,1 +1,86 @@
+#include "services/ordering/algo/tours/constructions.h"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "services/ordering/algo/tours/exact_tour_test.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+using ::testing::ElementsAre;
+
+Costs OnALine(const std::vector<double>& xs) {
+  std::vector<Place> places;
+  for (const double x : xs) places.push_back({x, 0});
+  return Costs::OfPlaces(places, Metric::kNearest);
+}
+
+Tour Greedy(const Costs& costs, std::span<const NodePair> fixed = {}, size_t neighbours = 5) {
+  return GreedyEdgeTour(costs, Neighbours(costs, neighbours, 0), fixed);
+}
+
+TEST(Constructions, NearestNeighbourGoesOnToTheNearest) {
+  EXPECT_THAT(NearestNeighbourTour(OnALine({0, 10, 3, -4}), 0), ElementsAre(0, 2, 1, 3));
+}
+
+TEST(Constructions, GreedyTakesTheShortestEdgesFirst) {
+  // 1-2 is the shortest, then 0-1; 3 is left.
+  EXPECT_THAT(Greedy(OnALine({0, 4, 6, 11})), ElementsAre(0, 1, 2, 3));
+}
+
+TEST(Constructions, InsertionTakesTheFarthest) {
+  // On a line every order of insertion gives the best tour: there and back.
+  const Costs costs = OnALine({0, 10, 3, -4, 7});
+  EXPECT_EQ(TourLength(costs, InsertionTour(costs)), 28);
+}
+
+TEST(Constructions, OfFewOrCoincidentNodes) {
+  for (const size_t count : {1, 2, 3, 4, 30}) {
+    for (const int range : {1, 100}) {
+      const Costs costs = RandomCosts(count, 5, range);
+      const auto size = static_cast<int32_t>(count);
+      EXPECT_TRUE(Keeps(NearestNeighbourTour(costs, size - 1), size, {}));
+      EXPECT_TRUE(Keeps(Greedy(costs), size, {}));
+      EXPECT_TRUE(Keeps(InsertionTour(costs), size, {}));
+    }
+  }
+}
+
+TEST(Constructions, GreedyKeepsFixedEdges) {
+  const Costs costs = RandomCosts(40, 8);
+  const std::vector<NodePair> fixed = {{0, 39}, {39, 20}, {5, 6}, {7, 35}};
+  EXPECT_TRUE(Keeps(Greedy(costs, fixed), 40, {.fixed = fixed, .before = {}}));
+}
+
+TEST(Constructions, GreedyKeepsARingOfFixedEdges) {
+  const Costs costs = RandomCosts(5, 8);
+  const std::vector<NodePair> ring = {{0, 3}, {3, 1}, {1, 4}, {4, 2}, {2, 0}};
+  EXPECT_TRUE(Keeps(Greedy(costs, ring), 5, {.fixed = ring, .before = {}}));
+}
+
+TEST(Constructions, GreedyEndsOpenPathsNowhere) {
+  Costs costs = OnALine({0, 1, 2, 3, 9, 8, 7});
+  const int32_t nowhere = costs.AddNowhere();
+  const std::vector<NodePair> fixed = {{nowhere, 0}};
+  const Tour tour = Greedy(costs, fixed);
+  EXPECT_TRUE(Keeps(tour, costs.size(), {.fixed = fixed, .before = {}}));
+  EXPECT_EQ(TourLength(costs, tour), 9);
+}
+
+// What J. L. Bentley (1992) and D. S. Johnson, L. A. McGeoch (1997) find for such instances.
+TEST(Constructions, AreAsGoodAsTheyUsedToBe) {
+  for (const auto& [name, optimum] :
+       {std::pair("kroA100", 21282), std::pair("berlin52", 7542), std::pair("eil51", 426)}) {
+    const Costs costs = CorpusInstance(name).costs;
+    const auto ratio = [&](const Tour& tour) {
+      return static_cast<double>(TourLength(costs, tour)) / optimum;
+    };
+    EXPECT_LE(ratio(NearestNeighbourTour(costs, 0)), 1.35) << name;
+    EXPECT_LE(ratio(Greedy(costs)), 1.32) << name;
+    EXPECT_LE(ratio(InsertionTour(costs)), 1.15) << name;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::ordering

@@ -75,8 +75,8 @@ Neighbours::Neighbours(const Costs& costs, size_t count, size_t per_quadrant) {
     begin_.push_back(static_cast<uint32_t>(all_.size()));
     if (costs.IsNowhere(node)) continue;
     if (nowhere) all_.push_back({costs.size() - 1, 0});
-    std::vector<Neighbour> near = finder ? finder->NearestOf(node, count, per_quadrant)
-                                         : NearestOfTable(costs, node, count);
+    std::vector<Neighbour> near =
+        finder ? finder->NearestOf(node, count, per_quadrant) : NearestOfTable(costs, node, count);
     std::ranges::sort(near, Nearer);
     all_.insert(all_.end(), near.begin(), near.end());
   }

@@ -24,7 +24,7 @@ struct PerfectMatching {
     int64_t dual;
   };
   int64_t dual_scale = 1;
-  std::vector<int64_t> node_dual;              ///< by node
+  std::vector<int64_t> node_dual;             ///< by node
   std::vector<std::vector<OddSet>> odd_sets;  ///< by node, in order of their numbers
 };
 

@@ -79,7 +79,7 @@ uint32_t PlaceTree::Nearest(Place to) const {
 }
 
 void PlaceTree::SearchNearest(size_t first, size_t last, double x, double y,
-                                 Candidate& best) const {
+                              Candidate& best) const {
   if (first == last) return;
   const size_t middle = Middle(first, last);
   const Node& node = nodes_[middle];
@@ -97,9 +97,8 @@ void PlaceTree::SearchNearest(size_t first, size_t last, double x, double y,
   if (!lower_first) SearchNearest(first, middle, x, y, best);
 }
 
-void PlaceTree::NearestFew(Place to, uint32_t except, size_t count,
-                              std::vector<uint32_t>& found,
-                            std::optional<Quadrant> quadrant) const {
+void PlaceTree::NearestFew(Place to, uint32_t except, size_t count, std::vector<uint32_t>& found,
+                           std::optional<Quadrant> quadrant) const {
   found.clear();
   if (count == 0) return;
   FewQuery query{to.x, to.y, except, count, quadrant, {}};

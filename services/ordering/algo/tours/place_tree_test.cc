@@ -55,9 +55,7 @@ TEST(PlaceTree, AgreesWithLookingAtAll) {
       const double dy = places[i].y - query.y;
       return dx * dx + dy * dy;
     };
-    const auto nearer = [&](uint32_t a, uint32_t b) {
-      return distance2(a) < distance2(b);
-    };
+    const auto nearer = [&](uint32_t a, uint32_t b) { return distance2(a) < distance2(b); };
     const uint32_t nearest = tree.Nearest(query);
     ASSERT_TRUE(std::binary_search(left.begin(), left.end(), nearest));
     const uint32_t want = *std::min_element(left.begin(), left.end(), nearer);

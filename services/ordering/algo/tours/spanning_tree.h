@@ -25,8 +25,8 @@ struct BoundOptions {
 /// A length that no tour with these fixed edges is below: the greatest of 1-trees under penalties
 /// that pull each node's degree towards two. A 1-tree is a tree over all nodes but the first and
 /// that one's two shortest edges; every tour is one. Penalties and sums are whole numbers, so that
-/// the bound is sound to the last unit. Cost: O(n^2) an iteration. Source: M. Held, R. M. Karp, "The
-/// Traveling-Salesman Problem and Minimum Spanning Trees: Part II", Mathematical Programming 1
+/// the bound is sound to the last unit. Cost: O(n^2) an iteration. Source: M. Held, R. M. Karp,
+/// "The Traveling-Salesman Problem and Minimum Spanning Trees: Part II", Mathematical Programming 1
 /// (1971).
 int64_t OneTreeBound(const Costs& costs, std::span<const NodePair> fixed,
                      const BoundOptions& options);

@@ -82,8 +82,8 @@ bool Keeps(const Tour& tour, int32_t size, const TourRules& rules) {
     const int32_t steps = ahead(rules.first, node);
     return backward ? (size - steps) % size : steps;
   };
-  return std::ranges::all_of(
-      rules.before, [&](const NodePair& pair) { return order(pair.a) < order(pair.b); });
+  return std::ranges::all_of(rules.before,
+                             [&](const NodePair& pair) { return order(pair.a) < order(pair.b); });
 }
 
 }  // namespace slicefarm::ordering

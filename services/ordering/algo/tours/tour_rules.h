@@ -41,9 +41,7 @@ class FixedEdges {
     return mates[0] == b || mates[1] == b;
   }
   /// The nodes that are joined to this one; kNone where there are fewer than two.
-  const std::array<int32_t, 2>& Of(int32_t node) const {
-    return mates_[static_cast<size_t>(node)];
-  }
+  const std::array<int32_t, 2>& Of(int32_t node) const { return mates_[static_cast<size_t>(node)]; }
 
  private:
   std::vector<std::array<int32_t, 2>> mates_;

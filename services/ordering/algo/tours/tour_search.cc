@@ -203,11 +203,16 @@ bool TourSearch::Allowed(const Way& way, const Move& move) const {
     if (index >= both) return index;
     const bool in_first = index < one;
     switch (move.join) {
-      case Join::kTurnFirst: return both - 1 - index;
-      case Join::kSwapTurned: return in_first ? both - one + index : both - 1 - index;
-      case Join::kSwapTurningFirst: return in_first ? both - 1 - index : index - one;
-      case Join::kSwap: return in_first ? both - one + index : index - one;
-      case Join::kTurnBoth: return in_first ? one - 1 - index : both - 1 - index + one;
+      case Join::kTurnFirst:
+        return both - 1 - index;
+      case Join::kSwapTurned:
+        return in_first ? both - one + index : both - 1 - index;
+      case Join::kSwapTurningFirst:
+        return in_first ? both - 1 - index : index - one;
+      case Join::kSwap:
+        return in_first ? both - one + index : index - one;
+      case Join::kTurnBoth:
+        return in_first ? one - 1 - index : both - 1 - index + one;
     }
     return index;
   };
@@ -242,12 +247,16 @@ TourSearch::Way TourSearch::Make(const Way& way, const Move& move, WorkBudget& b
   const int32_t end = move.cut2;
   const int32_t two = end + 1 - one;
   switch (move.join) {
-    case Join::kTurnFirst: return Turned(way, 0, end, budget);
-    case Join::kSwapTurned: return Turned(Turned(way, 0, end, budget), two, end, budget);
-    case Join::kSwapTurningFirst: return Turned(Turned(way, 0, end, budget), 0, two - 1, budget);
+    case Join::kTurnFirst:
+      return Turned(way, 0, end, budget);
+    case Join::kSwapTurned:
+      return Turned(Turned(way, 0, end, budget), two, end, budget);
+    case Join::kSwapTurningFirst:
+      return Turned(Turned(way, 0, end, budget), 0, two - 1, budget);
     case Join::kSwap:
       return Turned(Turned(Turned(way, 0, end, budget), 0, two - 1, budget), two, end, budget);
-    case Join::kTurnBoth: return Turned(Turned(way, 0, one - 1, budget), one, end, budget);
+    case Join::kTurnBoth:
+      return Turned(Turned(way, 0, one - 1, budget), one, end, budget);
   }
   return way;
 }
@@ -280,7 +289,7 @@ bool TourSearch::Exchange(WorkBudget& budget, int64_t* gain) {
   if (both >= size) return false;
   const Move move{0, 0, one - 1, both - 1, Join::kSwap};
   const int32_t last = At(way, size - 1);
-  const std::array<int32_t, 6> ends = {last,          way.first,         At(way, one - 1),
+  const std::array<int32_t, 6> ends = {last,         way.first,         At(way, one - 1),
                                        At(way, one), At(way, both - 1), At(way, both)};
   if (fixed_.Has(ends[0], ends[1]) || fixed_.Has(ends[2], ends[3]) || fixed_.Has(ends[4], ends[5]))
     return false;

@@ -100,8 +100,8 @@ class TourSearch {
     return {first, forward, tour_.PositionOf(first)};
   }
   int32_t IndexOf(const Way& way, int32_t node) const {
-    const int32_t steps = way.forward ? tour_.PositionOf(node) - way.start
-                                      : way.start - tour_.PositionOf(node);
+    const int32_t steps =
+        way.forward ? tour_.PositionOf(node) - way.start : way.start - tour_.PositionOf(node);
     return steps < 0 ? steps + tour_.size() : steps;
   }
   int32_t At(const Way& way, int32_t index) const {
@@ -141,8 +141,8 @@ class TourSearch {
   ArrayTour tour_;
   int64_t gained_ = 0;
   std::mt19937 random_;
-  std::vector<Turn> turns_;      ///< what was done since the last exchange
-  std::vector<int32_t> queue_;   ///< nodes to look at; a ring
+  std::vector<Turn> turns_;     ///< what was done since the last exchange
+  std::vector<int32_t> queue_;  ///< nodes to look at; a ring
   size_t queue_head_ = 0;
   size_t queue_size_ = 0;
   std::vector<uint8_t> queued_;  ///< by node

@@ -49,9 +49,14 @@ struct Specification {
   }
 };
 
-constexpr std::array<std::string_view, 8> kKeys = {
-    "NAME",          "TYPE",           "COMMENT",           "DIMENSION", "EDGE_WEIGHT_TYPE",
-    "NODE_COORD_TYPE", "EDGE_WEIGHT_FORMAT", "DISPLAY_DATA_TYPE"};
+constexpr std::array<std::string_view, 8> kKeys = {"NAME",
+                                                   "TYPE",
+                                                   "COMMENT",
+                                                   "DIMENSION",
+                                                   "EDGE_WEIGHT_TYPE",
+                                                   "NODE_COORD_TYPE",
+                                                   "EDGE_WEIGHT_FORMAT",
+                                                   "DISPLAY_DATA_TYPE"};
 constexpr std::array<std::string_view, 4> kSections = {
     "NODE_COORD_SECTION", "EDGE_WEIGHT_SECTION", "FIXED_EDGES_SECTION", "DISPLAY_DATA_SECTION"};
 
@@ -97,8 +102,7 @@ absl::StatusOr<Specification> Parse(std::string_view text) {
 
 absl::StatusOr<double> NumberOf(const Word& word) {
   const std::optional<double> number = ToNumber(word.text);
-  if (!number)
-    return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is no number"));
+  if (!number) return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is no number"));
   return *number;
 }
 
@@ -107,8 +111,7 @@ absl::StatusOr<int32_t> NodeOf(const Word& word, int32_t size) {
   const absl::StatusOr<double> number = NumberOf(word);
   if (!number.ok()) return number.status();
   if (*number < 1 || *number > size || *number != std::floor(*number)) {
-    return Malformed(word.line, Text("'", word.text.substr(0, 40),
-                                             "' is no node of 1 .. ", size));
+    return Malformed(word.line, Text("'", word.text.substr(0, 40), "' is no node of 1 .. ", size));
   }
   return static_cast<int32_t>(*number) - 1;
 }
@@ -133,7 +136,7 @@ absl::StatusOr<std::vector<Place>> PlacesOf(const Specification& specification, 
   if (words.size() != 3 * static_cast<size_t>(size)) {
     return Malformed(words.empty() ? specification.lines : words.back().line,
                      Text("NODE_COORD_SECTION has ", words.size(), " numbers, for ", size,
-                                  " nodes it takes ", 3 * int64_t{size}));
+                          " nodes it takes ", 3 * int64_t{size}));
   }
   std::vector<std::optional<Place>> places(static_cast<size_t>(size));
   for (size_t i = 0; i < words.size(); i += 3) {
@@ -230,8 +233,8 @@ absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
   if (!walk) {
     return Malformed(specification.LineOf("EDGE_WEIGHT_FORMAT"),
                      Text("EDGE_WEIGHT_FORMAT '", format.substr(0, 40),
-                                  "' must be FULL_MATRIX, UPPER_ROW, LOWER_ROW, UPPER_DIAG_ROW or "
-                                  "LOWER_DIAG_ROW"));
+                          "' must be FULL_MATRIX, UPPER_ROW, LOWER_ROW, UPPER_DIAG_ROW or "
+                          "LOWER_DIAG_ROW"));
   }
   const auto section = specification.sections.find("EDGE_WEIGHT_SECTION");
   if (section == specification.sections.end())
@@ -239,8 +242,8 @@ absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
   const std::vector<Word>& words = section->second;
   if (words.size() != walk->Count()) {
     return Malformed(words.empty() ? specification.lines : words.back().line,
-                     Text("EDGE_WEIGHT_SECTION has ", words.size(), " numbers, ", format,
-                                  " of ", size, " nodes takes ", walk->Count()));
+                     Text("EDGE_WEIGHT_SECTION has ", words.size(), " numbers, ", format, " of ",
+                          size, " nodes takes ", walk->Count()));
   }
   constexpr int32_t kUnknown = -1;
   std::vector<int32_t> table(size * size, kUnknown);
@@ -254,7 +257,7 @@ absl::StatusOr<Costs> ExplicitCosts(const Specification& specification) {
       const auto length = static_cast<int32_t>(*weight);
       if (a != b && table[b * size + a] != kUnknown && table[b * size + a] != length) {
         return Malformed(word->line, Text("the weights between ", a + 1, " and ", b + 1,
-                                                  " differ: only symmetric ones are known here"));
+                                          " differ: only symmetric ones are known here"));
       }
       table[a * size + b] = table[b * size + a] = length;
     }
@@ -279,7 +282,7 @@ absl::StatusOr<Costs> CostsOf(const Specification& specification) {
   if (type == "EXPLICIT") return ExplicitCosts(specification);
   return Malformed(specification.LineOf("EDGE_WEIGHT_TYPE"),
                    Text("EDGE_WEIGHT_TYPE '", type.substr(0, 40),
-                                "' must be EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT"));
+                        "' must be EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT"));
 }
 
 /// Refuses what no tour can keep: a third edge at a node, a ring of fewer than all nodes.

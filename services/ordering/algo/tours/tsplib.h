@@ -19,7 +19,7 @@ struct TspInstance {
 
 inline constexpr int32_t kMostPlaces = 20'000;
 inline constexpr int32_t kMostTableNodes = 5'000;  ///< a table takes n * n numbers
-inline constexpr double kGreatestWeight = 1e9;  ///< also of coordinates: sums stay exact
+inline constexpr double kGreatestWeight = 1e9;     ///< also of coordinates: sums stay exact
 
 /// A symmetric instance as TSPLIB 95 writes it; node k of the file is node k - 1 here.
 ///
