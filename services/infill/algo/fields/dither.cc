@@ -30,7 +30,7 @@ Window WindowOf(const MultiPolygon& region, double cell_nm) {
     return static_cast<int64_t>(std::floor(static_cast<double>(at) / cell_nm));
   };
   const int64_t x = index(box.min.x), y = index(box.min.y);
-  return {x, y, index(box.max.x) - x + 1, index(box.max.y) - y + 1};
+  return {x, y, index(box.max.x - 1) - x + 1, index(box.max.y - 1) - y + 1};
 }
 
 /// Which cells the region touches at all, by the area that they have in common.
@@ -44,7 +44,7 @@ std::vector<char> Touched(const MultiPolygon& region, const Window& window, Coor
     for (const PolygonWithHoles& island : row) {
       const Box box = Bounds(island.outer);
       const int64_t first = (box.min.x - left) / cell_nm;
-      const int64_t last = std::min((box.max.x - left) / cell_nm, window.width - 1);
+      const int64_t last = std::min((box.max.x - 1 - left) / cell_nm, window.width - 1);
       for (int64_t x = first; x <= last; ++x) touched[static_cast<size_t>(y * window.width + x)] = 1;
     }
   }

@@ -19,7 +19,7 @@ constexpr double kShortest = 4;
 /// Below this density there are no streamlines: beads would lie half a hand apart.
 constexpr double kThinnest = 0.01;
 /// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
-constexpr double kBoxMm = 32;
+constexpr double kBoxMm = 8;
 
 double Greatest(const LayerField& field) {
   return field.density == nullptr ? field.plain_density : field.density->Greatest();
