@@ -302,11 +302,23 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
   return result;
 }
 
+namespace {
+
+/// Few jobs have fields: those that have none do not say so.
+bool IsField(const SettingSpec& spec) {
+  return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
+         spec.kind == Kind::kMaterialField;
+}
+
+}  // namespace
+
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
   ToldSettings all = told;
   for (const SettingSpec& spec : SettingsTable()) {
     if (spec.field.get == nullptr) continue;
-    all[std::string(spec.key)] = PrintValue(spec, spec.field.get(settings));
+    std::string value = PrintValue(spec, spec.field.get(settings));
+    if (IsField(spec) && value.empty()) continue;
+    all[std::string(spec.key)] = std::move(value);
   }
   std::string text;
   for (const auto& [key, value] : all) text += fmt::format("{} = {}\n", key, value);

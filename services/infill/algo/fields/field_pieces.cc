@@ -80,7 +80,7 @@ absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPatter
   MultiPolygon cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
   auto pieces = PatternOf(pattern)(cells, densest);
   if (!pieces.ok()) return pieces.status();
-  return FieldPieces{std::move(cells), *std::move(pieces)};
+  return FieldPieces{std::move(cells), *std::move(pieces), true};
 }
 
 }  // namespace slicefarm::infill
