@@ -249,11 +249,16 @@ void TakeAdhesion(JobSettings& settings) {
 
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
-absl::Status TakeFieldHalo(JobSettings& settings) {
+absl::Status TakeDensityField(JobSettings& settings) {
   InfillOptions& infill = settings.infill[0];
   if (infill.density_field.empty()) return absl::OkStatus();
   const auto field = ParseDensityField(infill.density_field);
   if (!field.ok()) return field.status();
+  if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     "density_field: dither has no effect on the streamlines of stress_field",
+                     {{"setting", "density_field"}});
+  }
   const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
   if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
@@ -292,7 +297,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given) {
   TakeFootWidth(result.settings);
   TakeClearance(result.settings);
   TakeAdhesion(result.settings);
-  if (absl::Status ok = TakeFieldHalo(result.settings); !ok.ok()) return ok;
+  if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
   }
