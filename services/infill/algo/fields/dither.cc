@@ -7,6 +7,7 @@
 #include "common/geometry/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/blue_noise.h"
+#include "services/infill/algo/fields/cell_limit.h"
 #include "services/infill/algo/space_filling/cell_cover.h"
 
 namespace slicefarm::infill {
@@ -101,11 +102,13 @@ std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::v
   return on;
 }
 
-MultiPolygon DitheredRegion(const MultiPolygon& region, const LayerField& field, Dither dither,
-                            double greatest, double cell_mm) {
-  if (region.empty() || greatest <= 0) return {};
+absl::StatusOr<MultiPolygon> DitheredRegion(const MultiPolygon& region, const LayerField& field,
+                                            Dither dither, double greatest, double cell_mm) {
+  if (region.empty() || greatest <= 0) return MultiPolygon{};
   const auto cell_nm = FromMm(cell_mm);
   const Window window = WindowOf(region, static_cast<double>(cell_nm));
+  const double cells = static_cast<double>(window.width) * static_cast<double>(window.height);
+  if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   const std::vector<char> touched = Touched(region, window, cell_nm);
   std::vector<double> wanted;
   for (int64_t y = 0; y < window.height; ++y)

@@ -77,10 +77,11 @@ absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPatter
     if (!pieces.ok()) return pieces.status();
     return FieldPieces{region, *std::move(pieces)};
   }
-  MultiPolygon cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
-  auto pieces = PatternOf(pattern)(cells, densest);
+  auto cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
+  if (!cells.ok()) return cells.status();
+  auto pieces = PatternOf(pattern)(*cells, densest);
   if (!pieces.ok()) return pieces.status();
-  return FieldPieces{std::move(cells), *std::move(pieces), true};
+  return FieldPieces{*std::move(cells), *std::move(pieces), true};
 }
 
 }  // namespace slicefarm::infill

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/simplify.h"
+#include "services/infill/algo/fields/cell_limit.h"
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
@@ -262,7 +263,10 @@ class Tracer {
         const double separation = Separation(points[i]);
         for (const double side : {separation, -separation}) Start(points[i] + aside * side, kStartShare);
       }
-      if (absl::Status ok = CheckLineCount(static_cast<double>(lines_.size())); !ok.ok()) return ok;
+      points_ += static_cast<double>(points.size());
+      absl::Status ok = CheckLineCount(static_cast<double>(lines_.size()));
+      ok.Update(CheckFieldSize(kMaxStreamPoints, points_));
+      if (!ok.ok()) return ok;
     }
     return absl::OkStatus();
   }
@@ -273,6 +277,7 @@ class Tracer {
   MarkGrid grid_;
   std::vector<Line> lines_;
   size_t spread_ = 0;
+  double points_ = 0;  ///< of the lines that were spread from
 };
 
 std::optional<Curve> CurveOf(const Line& line) {
@@ -296,6 +301,8 @@ std::optional<Curve> CurveOf(const Line& line) {
 absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const DirectionField& directions,
                                                const StreamOptions& options) {
+  const double cells = (box.max_x_mm - box.min_x_mm) * (box.max_y_mm - box.min_y_mm);
+  if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   const auto lines = Tracer(box, directions, options).Run();
   if (!lines.ok()) return lines.status();
   std::vector<Curve> curves;
