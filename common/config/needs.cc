@@ -62,6 +62,10 @@ constexpr Need kNeeds[] = {
     {"extruder_clearance_radius extruder_clearance_height between_objects_gcode",
      "complete_objects = 1",
      [](const JobSettings& s) { return s.planning.sequence.complete_objects; }},
+    {"fill_density", "no density_field, which takes its place",
+     [](const JobSettings& s) { return s.infill[0].density_field.empty(); }},
+    {"fill_pattern", "no stress_field, whose streamlines take its place",
+     [](const JobSettings& s) { return s.infill[0].stress_field.empty(); }},
 };
 
 constexpr Need kLaserNeeds[] = {

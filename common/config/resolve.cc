@@ -276,11 +276,16 @@ void TakeAdhesion(JobSettings& settings) {
 
 /// A density that depends on the distance to the surface looks as many layers up and down as it
 /// reaches.
-absl::Status TakeFieldHalo(JobSettings& settings) {
+absl::Status TakeDensityField(JobSettings& settings) {
   InfillOptions& infill = settings.infill[0];
   if (infill.density_field.empty()) return absl::OkStatus();
   const auto field = ParseDensityField(infill.density_field);
   if (!field.ok()) return field.status();
+  if (field->dither != Dither::kNone && !infill.stress_field.empty()) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     "density_field: dither has no effect on the streamlines of stress_field",
+                     {{"setting", "density_field"}});
+  }
   const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
   if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
@@ -321,7 +326,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
     TakeFootWidth(result.settings);
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
-    if (absl::Status ok = TakeFieldHalo(result.settings); !ok.ok()) return ok;
+    if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
   }
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
@@ -332,11 +337,23 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   return result;
 }
 
+namespace {
+
+/// Few jobs have fields: those that have none do not say so.
+bool IsField(const SettingSpec& spec) {
+  return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
+         spec.kind == Kind::kMaterialField;
+}
+
+}  // namespace
+
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told) {
   ToldSettings all = told;
   for (const SettingSpec& spec : SettingsTable(settings.process)) {
     if (spec.field.get == nullptr) continue;
-    all[std::string(spec.key)] = PrintValue(spec, spec.field.get(settings));
+    std::string value = PrintValue(spec, spec.field.get(settings));
+    if (IsField(spec) && value.empty()) continue;
+    all[std::string(spec.key)] = std::move(value);
   }
   std::string text;
   for (const auto& [key, value] : all) text += fmt::format("{} = {}\n", key, value);

@@ -95,7 +95,8 @@ TEST(Resolve, ReadsThePeersProfile) {
                                 .first_layer_width_nm = 450'000,
                                 .thin_walls = false};
   EXPECT_EQ(s.beading[0], walls);
-  const InfillOptions infill = {.angle_rad = std::numbers::pi / 4};  // the rest is the model's
+  InfillOptions infill;  // the rest is the model's
+  infill.angle_rad = std::numbers::pi / 4;
   EXPECT_EQ(s.infill[0], infill);
   EXPECT_EQ(s.ordering, OrderingOptions{});
 
@@ -466,6 +467,52 @@ TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
                           "gcode_flavor = reprap: not supported yet: marlin2 is used",
                           "seam_position = random: not supported yet: nearest is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
+}
+
+TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
+  const std::string field = R"({"kind":"surface_distance","near":0.5,"far":0.1,"length":4.1})";
+  const JobSettings settings = Job({{"density_field", field}, {"layer_height", "0.2"}});
+  EXPECT_EQ(settings.infill[0].density_field, field);
+  EXPECT_EQ(settings.infill[0].field_halo_layers, 21);
+  EXPECT_GE(HaloLayers(settings), 21);
+  EXPECT_EQ(Job({{"density_field", R"({"kind":"constant","density":1})"}})
+                .infill[0]
+                .field_halo_layers,
+            0);
+  const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
+  EXPECT_EQ(DetailOf(far).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(far).metadata.at("setting"), "density_field");
+}
+
+TEST(Resolve, RefusesFieldsThatAreNone) {
+  for (const char* key : {"density_field", "stress_field", "material_field"}) {
+    const absl::Status status = Refusal({{key, R"({"kind":"nothing"})"}});
+    EXPECT_EQ(DetailOf(status).reason, Reason::kSettingMalformed) << key;
+    EXPECT_EQ(DetailOf(status).metadata.at("setting"), key);
+  }
+  const absl::Status large =
+      Refusal({{"density_field", std::string(limits::kMaxFieldBytes, ' ')}});
+  EXPECT_EQ(DetailOf(large).reason, Reason::kRequestTooLarge);
+}
+
+TEST(Resolve, RefusesFieldsThatDoNotGoTogether) {
+  const char* stress = R"({"kind":"constant","stress":[1,0,0]})";
+  const char* cells = R"({"kind":"constant","density":0.2,"dither":"blue_noise"})";
+  EXPECT_EQ(DetailOf(Refusal({{"stress_field", stress}, {"density_field", cells}})).reason,
+            Reason::kSettingOutOfRange);
+  const char* half = R"({"kind":"constant","density":0.5})";
+  const std::string mix = std::string("{\"parts\":[") + half + "," + half + "]}";
+  EXPECT_TRUE(Refusal({{"material_field", mix}}).ok());
+  EXPECT_EQ(DetailOf(Refusal({{"material_field", mix}, {"gcode_flavor", "klipper"}})).reason,
+            Reason::kSettingOutOfRange);
+}
+
+TEST(Resolve, JobsWithoutFieldsDoNotSaySo) {
+  EXPECT_THAT(ResolveOrDie({}).effective_text, Not(HasSubstr("_field")));
+  EXPECT_THAT(
+      ResolveOrDie(Settings({{"density_field", R"({"kind": "constant", "density": 0.5})"}}))
+          .effective_text,
+      HasSubstr("density_field = {\"kind\":\"height\",\"table\":[[0,0.5]]}\n"));
 }
 
 TEST(Resolve, EveryPatternHasItsNameInSettings) {

@@ -69,14 +69,14 @@ STRESS = {  # the tensor, and where it counts
 
 def field_of(value):
     n, m = 41, 9
-    return {"kind": "voxels", "count": [n, n, m], "origin": [0, 0, 0], "spacing": [SIDE / (n - 1), SIDE / (n - 1), HEIGHT / (m - 1)],
+    return {"kind": "voxels", "count": [n, n, m], "origin": [-SIDE / 2, -SIDE / 2, 0], "spacing": [SIDE / (n - 1), SIDE / (n - 1), HEIGHT / (m - 1)],
             "values": [round(value(SIDE * i / (n - 1), SIDE * j / (n - 1), HEIGHT * k / (m - 1)), 5)
                        for k in range(m) for j in range(n) for i in range(n)]}
 
 
 def stress_of(tensor):
     n = 81
-    return {"kind": "voxels", "count": [n, n, 1], "origin": [0, 0, 0], "spacing": [SIDE / (n - 1), SIDE / (n - 1), 1],
+    return {"kind": "voxels", "count": [n, n, 1], "origin": [-SIDE / 2, -SIDE / 2, 0], "spacing": [SIDE / (n - 1), SIDE / (n - 1), 1],
             "stress": [round(v, 6) for j in range(n) for i in range(n) for v in tensor(SIDE * i / (n - 1), SIDE * j / (n - 1))]}
 
 

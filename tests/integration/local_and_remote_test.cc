@@ -151,6 +151,30 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   EXPECT_GT(remote->times.beading_s, 0);
 }
 
+// Of a field by the distance to the surface, the halo is a part.
+TEST_F(LocalAndRemote, FieldsGiveTheSameHereAndThereAndInRanges) {
+  InfillOptions& infill = settings_.infill[0];
+  infill.density_field = R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.5})";
+  infill.field_halo_layers = 8;
+  settings_.motion.material_field =
+      R"({"parts":[{"kind":"height","table":[[0,0],[9,1]]},{"kind":"height","table":[[0,1],[9,0]]}]})";
+  const auto whole = chain_.Run(call_, task_);
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  const auto remote = remote_.worker.Run(call_, task_);
+  ASSERT_TRUE(remote.ok()) << remote.status();
+  EXPECT_EQ(remote->programs, whole->programs);
+  infill.density_field.clear();
+  infill.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
+  const LayerRange some{7, 11};
+  const auto all = chain_.Run(call_, task_), part = remote_.worker.Run(call_, TaskOf(some));
+  ASSERT_TRUE(all.ok()) << all.status();
+  ASSERT_TRUE(part.ok()) << part.status();
+  for (int32_t i = some.first; i < some.last; ++i)
+    EXPECT_EQ(part->programs[static_cast<size_t>(i - some.first)],
+              all->programs[static_cast<size_t>(i)]);
+  EXPECT_NE(all->programs, whole->programs);
+}
+
 TEST_F(LocalAndRemote, ARangeWithoutAllTheLayersAroundItIsRefused) {
   FdmTask task = TaskOf({10, 12});
   const std::span<const SlicedLayer> all = task.layers;

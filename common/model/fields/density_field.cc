@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "common/base/portable_math.h"
 
@@ -33,6 +34,22 @@ double InTable(const std::vector<double>& at, const std::vector<double>& values,
   const auto i = static_cast<size_t>(above);
   const double share = (where - at[i - 1]) / (at[i] - at[i - 1]);
   return values[i - 1] + (values[i] - values[i - 1]) * share;
+}
+
+bool AllEqual(std::span<const double> values) {
+  return std::ranges::all_of(values, [&](double v) { return v == values.front(); });
+}
+
+/// Whether each of the sheets of nodes that a height lies between has one value.
+bool IsUniformAt(const FieldGrid& grid, double z_mm) {
+  const auto sheet = static_cast<size_t>(grid.count[0]) * static_cast<size_t>(grid.count[1]);
+  const double at = std::clamp((z_mm - grid.origin_mm[2]) / grid.spacing_mm[2], 0.0,
+                               static_cast<double>(grid.count[2] - 1));
+  const auto below = static_cast<size_t>(at);
+  const size_t above = std::min(below + 1, static_cast<size_t>(grid.count[2]) - 1);
+  const std::span values(grid.values);
+  return AllEqual(values.subspan(below * sheet, sheet)) &&
+         AllEqual(values.subspan(above * sheet, sheet));
 }
 
 }  // namespace
@@ -71,9 +88,8 @@ double DensityField::At(const PlaceMm& place_mm, double to_surface_mm) const {
 }
 
 std::optional<double> DensityField::UniformAt(double z_mm) const {
-  const std::vector<double>& all = kind == Kind::kGrid ? grid.values : values;
-  const bool one = std::ranges::all_of(all, [&](double v) { return v == all.front(); });
-  if (kind != Kind::kHeight && !one) return std::nullopt;
+  if (kind == Kind::kGrid && !IsUniformAt(grid, z_mm)) return std::nullopt;
+  if (kind == Kind::kSurfaceDistance && !AllEqual(values)) return std::nullopt;
   return At({0, 0, z_mm}, 0);
 }
 

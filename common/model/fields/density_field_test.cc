@@ -64,13 +64,18 @@ TEST(DensityField, ByDistanceReachesAsFarAsItsTable) {
   EXPECT_EQ(field.ReachMm(), 4);
 }
 
-TEST(DensityField, OfAGridIsUniformOnlyIfAllItsValuesAre) {
+TEST(DensityField, OfAGridIsUniformWhereItsSheetsAre) {
   DensityField field{.kind = DensityField::Kind::kGrid,
                      .grid = {{2, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0.3, 0.3}}};
   EXPECT_EQ(field.UniformAt(1), 0.3);
   field.grid.values[1] = 0.4;
   EXPECT_FALSE(field.UniformAt(1).has_value());
   EXPECT_EQ(field.Greatest(), 0.4);
+  field.grid = {{2, 1, 3}, {0, 0, 0}, {1, 1, 2}, {0.1, 0.1, 0.3, 0.3, 0.2, 0.4}};
+  EXPECT_DOUBLE_EQ(field.UniformAt(1).value(), 0.2);
+  EXPECT_EQ(field.UniformAt(-3), 0.1);
+  EXPECT_FALSE(field.UniformAt(2.5).has_value());
+  EXPECT_FALSE(field.UniformAt(9).has_value());
 }
 
 }  // namespace

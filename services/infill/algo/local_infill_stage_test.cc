@@ -215,5 +215,40 @@ TEST(LocalInfill, StopsWhenCancelled) {
   EXPECT_EQ(polls, 3);
 }
 
+/// Fields that look at other layers, and those that do not, give the same however a job is cut.
+TEST(LocalInfill, FieldsDoNotDependOnTheRange) {
+  std::vector<SlicedLayer> layers = Steps(24, 12);
+  for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;
+  std::vector<InfillOptions> cases(4);
+  for (InfillOptions& options : cases) {
+    options.top_solid_layers = options.bottom_solid_layers = 1;
+    options.pattern = FillPattern::kRectilinear;
+    options.field_halo_layers = 8;
+    options.density_field =
+        R"({"kind":"surface_distance","near":0.6,"far":0.1,"length":1.6})";
+  }
+  cases[1].pattern = FillPattern::kHoneycomb;
+  cases[2].stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
+  cases[3].density_field = R"({"kind":"voxels","count":[2,2,1],"origin":[0,0,0],)"
+                           R"("spacing":[20,20,1],"values":[0.1,0.5,0.3,0.2]})";
+  for (const InfillOptions& options : cases) {
+    const auto whole = Fill(layers, {0, 24}, 0, options);
+    ASSERT_TRUE(whole.ok()) << whole.status();
+    for (const LayerRange range : {LayerRange{0, 3}, LayerRange{9, 14}, LayerRange{23, 24}}) {
+      const auto part = Fill(layers, range, 8, options);
+      ASSERT_TRUE(part.ok()) << part.status();
+      for (int32_t i = 0; i < range.size(); ++i)
+        EXPECT_EQ((*part)[static_cast<size_t>(i)], (*whole)[static_cast<size_t>(range.first + i)]);
+    }
+  }
+}
+
+TEST(LocalInfill, RefusesAFieldThatIsNone) {
+  InfillOptions options;
+  options.density_field = "{";
+  const auto filled = Fill(Steps(3, 9), {0, 3}, 0, options);
+  EXPECT_EQ(DetailOf(filled.status()).reason, Reason::kSettingMalformed);
+}
+
 }  // namespace
 }  // namespace slicefarm::infill

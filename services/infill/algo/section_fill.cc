@@ -232,7 +232,9 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
       const size_t first = result.fills.size();
       const auto field = fields.Of(area.settings, walled.object, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));
-      absl::Status ok = filler->second.Fill(area, field ? &*field : nullptr, result.fills);
+      if (!field.ok()) return field.status();
+      absl::Status ok =
+          filler->second.Fill(area, field->has_value() ? &**field : nullptr, result.fills);
       if (!ok.ok()) return ok;
       Sign(area, std::span(result.fills).subspan(first));
     }

@@ -117,6 +117,26 @@ TEST(FillSection, PatternsSeeTheHeightInTheObject) {
   EXPECT_NE(fills(5), fills(7));
 }
 
+TEST(FillSection, AFieldTakesThePlaceOfTheDensity) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> plain(2), fields(2), dense(2);
+  for (size_t i = 0; i < 2; ++i) {
+    plain[i].top_solid_layers = plain[i].bottom_solid_layers = 0;
+    plain[i].pattern = FillPattern::kGyroid;
+    fields[i] = dense[i] = plain[i];
+    plain[i].density = 0.35;
+    fields[i].density_field = R"({"kind":"height","table":[[0,0.35]]})";
+    dense[i].density_field = R"({"kind":"height","table":[[0,1]]})";
+  }
+  const auto fills = [&](const std::vector<InfillOptions>& regions) {
+    auto read = RegionFields::Read(regions, layers);
+    return *FillSection(Halves(5), false, objects, regions, *read);
+  };
+  EXPECT_EQ(fills(plain), fills(fields)) << "one density for a layer is the pattern's";
+  EXPECT_EQ(FeaturesOf(fills(dense), 0), std::set{Feature::kSolidInfill});
+}
+
 TEST(FillSection, ThePlateHasNoNeighbours) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);

@@ -15,6 +15,8 @@ namespace {
 
 /// Links may bring a region's plastic this far over what its density asks for.
 constexpr double kMostExcess = 0.025;
+/// The same where links lie all over it, and not in the band along its edge.
+constexpr double kMostExcessInside = 0.005;
 /// Thinner links than this share of a bead would not hold.
 constexpr double kLeastFlow = 0.3;
 /// The band along the edge in which links may change the pattern, in widths.
@@ -43,10 +45,11 @@ double LengthOf(const std::vector<Piece>& pieces) {
 /// What the links may add to the length of the pieces: the pattern's length over the whole region,
 /// and a little more, less that of the pieces.
 double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const SparseFill& fill,
-                  double pitch, const std::vector<Piece>& pieces) {
+                  double pitch, const FieldPieces& filled) {
   if (fill.field == nullptr) return ((1 + kMostExcess) * Area(region) - Area(area)) / pitch;
+  if (filled.in_cells) return kMostExcessInside * LengthOf(filled.pieces);
   const double whole = Area(area);
-  return whole <= 0 ? 0 : ((1 + kMostExcess) * Area(region) / whole - 1) * LengthOf(pieces);
+  return whole <= 0 ? 0 : ((1 + kMostExcess) * Area(region) / whole - 1) * LengthOf(filled.pieces);
 }
 
 }  // namespace
@@ -70,7 +73,7 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
        .max_link_nm = static_cast<double>(fill.anchor_max_nm),
        .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
        .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
-       .budget_nm = LinkBudget(region, area, fill, pitch, filled->pieces),
+       .budget_nm = LinkBudget(region, area, fill, pitch, *filled),
        .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
        .least_flow = kLeastFlow,
        .min_length_nm = kMinLengthWidths * width});

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "common/base/portable_math.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -50,8 +49,14 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
 std::optional<Direction> DirectionField::At(const PlaceMm& place_mm) const {
   const double c = cos2_.At(place_mm), s = sin2_.At(place_mm);
   if (c * c + s * s < kLeastLength * kLeastLength) return std::nullopt;
-  const double angle = 0.5 * Atan2(s, c);
-  return Direction{Cos(angle), Sin(angle)};
+  // Half the angle, by the formula that loses no digits on its side.
+  const double length = std::sqrt(c * c + s * s);
+  if (c >= 0) {
+    const double x = std::sqrt((1 + c / length) / 2);
+    return Direction{x, s / length / (2 * x)};
+  }
+  const double y = std::sqrt((1 - c / length) / 2);
+  return Direction{s / length / (2 * y), y};
 }
 
 }  // namespace slicefarm::infill

@@ -7,6 +7,7 @@
 #include "common/geometry/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/blue_noise.h"
+#include "services/infill/algo/fields/cell_limit.h"
 #include "services/infill/algo/space_filling/cell_cover.h"
 
 namespace slicefarm::infill {
@@ -30,7 +31,7 @@ Window WindowOf(const MultiPolygon& region, double cell_nm) {
     return static_cast<int64_t>(std::floor(static_cast<double>(at) / cell_nm));
   };
   const int64_t x = index(box.min.x), y = index(box.min.y);
-  return {x, y, index(box.max.x) - x + 1, index(box.max.y) - y + 1};
+  return {x, y, index(box.max.x - 1) - x + 1, index(box.max.y - 1) - y + 1};
 }
 
 /// Which cells the region touches at all, by the area that they have in common.
@@ -44,7 +45,7 @@ std::vector<char> Touched(const MultiPolygon& region, const Window& window, Coor
     for (const PolygonWithHoles& island : row) {
       const Box box = Bounds(island.outer);
       const int64_t first = (box.min.x - left) / cell_nm;
-      const int64_t last = std::min((box.max.x - left) / cell_nm, window.width - 1);
+      const int64_t last = std::min((box.max.x - 1 - left) / cell_nm, window.width - 1);
       for (int64_t x = first; x <= last; ++x) touched[static_cast<size_t>(y * window.width + x)] = 1;
     }
   }
@@ -101,11 +102,13 @@ std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::v
   return on;
 }
 
-MultiPolygon DitheredRegion(const MultiPolygon& region, const LayerField& field, Dither dither,
-                            double greatest, double cell_mm) {
-  if (region.empty() || greatest <= 0) return {};
+absl::StatusOr<MultiPolygon> DitheredRegion(const MultiPolygon& region, const LayerField& field,
+                                            Dither dither, double greatest, double cell_mm) {
+  if (region.empty() || greatest <= 0) return MultiPolygon{};
   const auto cell_nm = FromMm(cell_mm);
   const Window window = WindowOf(region, static_cast<double>(cell_nm));
+  const double cells = static_cast<double>(window.width) * static_cast<double>(window.height);
+  if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   const std::vector<char> touched = Touched(region, window, cell_nm);
   std::vector<double> wanted;
   for (int64_t y = 0; y < window.height; ++y)

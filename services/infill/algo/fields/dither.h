@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
 #include "common/model/fields/density_field.h"
 #include "services/infill/algo/fields/layer_field.h"
@@ -18,8 +19,9 @@ std::vector<char> FloydSteinberg(const std::vector<double>& wanted, const std::v
 
 /// The part of `region` that is to be filled as densely as `greatest`, so that the average is the
 /// field's: whole cells of the field's `cell_mm`, on a grid through the object's origin.
-/// Cells that the region only touches count by the field alone. Cost: O(n log n + cells).
-MultiPolygon DitheredRegion(const MultiPolygon& region, const LayerField& field, Dither dither,
-                            double greatest, double cell_mm);
+/// Cells that the region only touches count by the field alone.
+/// Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells. Cost: O(n log n + cells).
+absl::StatusOr<MultiPolygon> DitheredRegion(const MultiPolygon& region, const LayerField& field,
+                                            Dither dither, double greatest, double cell_mm);
 
 }  // namespace slicefarm::infill

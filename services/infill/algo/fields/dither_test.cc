@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/fields/field_samples_test.h"
@@ -52,7 +53,7 @@ TEST(DitheredRegion, CoversTheShareThatIsAskedFor) {
           GridField(2, 128, [&](double, double) { return asked; });
       const LayerField field{.density = &density};
       const double share =
-          Area(DitheredRegion(region, field, dither, 0.8, 2)) / Area(region) * 0.8;
+          Area(*DitheredRegion(region, field, dither, 0.8, 2)) / Area(region) * 0.8;
       EXPECT_NEAR(share / asked, 1, 0.005) << asked;
     }
   }
@@ -63,17 +64,25 @@ TEST(DitheredRegion, FollowsAGradient) {
   const DensityField density = GridField(3, 128, [](double x, double) { return 0.6 * x / 128; });
   const LayerField field{.density = &density};
   for (const Dither dither : {Dither::kBlueNoise, Dither::kFloydSteinberg}) {
-    const double mean = 0.6 * Area(DitheredRegion(region, field, dither, 0.6, 2)) / Area(region);
+    const double mean = 0.6 * Area(*DitheredRegion(region, field, dither, 0.6, 2)) / Area(region);
     EXPECT_NEAR(mean, 0.3, 0.005 * 0.3);
   }
+}
+
+TEST(DitheredRegion, RefusesTooManyCells) {
+  const MultiPolygon region = MakePolygonsOrDie("(0 0, 900 0, 900 900, 0 900)");
+  const DensityField density = GridField(2, 900, [](double, double) { return 0.2; });
+  const LayerField field{.density = &density};
+  const auto dithered = DitheredRegion(region, field, Dither::kBlueNoise, 0.2, 0.5);
+  EXPECT_EQ(DetailOf(dithered.status()).reason, Reason::kRequestTooLarge);
 }
 
 TEST(DitheredRegion, IsNothingWhereNothingIsAsked) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   const DensityField density = GridField(2, 10, [](double, double) { return 0.0; });
   const LayerField field{.density = &density};
-  EXPECT_TRUE(DitheredRegion(region, field, Dither::kFloydSteinberg, 0.5, 2).empty());
-  EXPECT_TRUE(DitheredRegion({}, field, Dither::kBlueNoise, 0.5, 2).empty());
+  EXPECT_TRUE(DitheredRegion(region, field, Dither::kFloydSteinberg, 0.5, 2)->empty());
+  EXPECT_TRUE(DitheredRegion({}, field, Dither::kBlueNoise, 0.5, 2)->empty());
 }
 
 }  // namespace

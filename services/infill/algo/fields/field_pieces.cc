@@ -19,7 +19,7 @@ constexpr double kShortest = 4;
 /// Below this density there are no streamlines: beads would lie half a hand apart.
 constexpr double kThinnest = 0.01;
 /// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
-constexpr double kBoxMm = 32;
+constexpr double kBoxMm = 8;
 
 double Greatest(const LayerField& field) {
   return field.density == nullptr ? field.plain_density : field.density->Greatest();
@@ -77,10 +77,11 @@ absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPatter
     if (!pieces.ok()) return pieces.status();
     return FieldPieces{region, *std::move(pieces)};
   }
-  MultiPolygon cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
-  auto pieces = PatternOf(pattern)(cells, densest);
+  auto cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
+  if (!cells.ok()) return cells.status();
+  auto pieces = PatternOf(pattern)(*cells, densest);
   if (!pieces.ok()) return pieces.status();
-  return FieldPieces{std::move(cells), *std::move(pieces)};
+  return FieldPieces{*std::move(cells), *std::move(pieces), true};
 }
 
 }  // namespace slicefarm::infill

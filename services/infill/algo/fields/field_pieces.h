@@ -14,6 +14,7 @@ namespace slicefarm::infill {
 struct FieldPieces {
   MultiPolygon area;
   std::vector<Piece> pieces;
+  bool in_cells = false;  ///< the area is made of cells, whose edges lie all over the region
 };
 
 /// Fills a region as a field asks for: with streamlines, if it has directions; else with

@@ -39,8 +39,8 @@ absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> r
   return fields;
 }
 
-std::optional<LayerField> RegionFields::Of(int32_t row, int32_t object, int32_t own_layer,
-                                           double z_mm) {
+absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t object,
+                                                           int32_t own_layer, double z_mm) {
   const Fields& fields = rows_[static_cast<size_t>(row)];
   if (!fields.density.has_value() && !fields.directions.has_value()) return std::nullopt;
   LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
@@ -52,7 +52,12 @@ std::optional<LayerField> RegionFields::Of(int32_t row, int32_t object, int32_t 
                           .try_emplace({row, object}, layers_, object, field.density->ReachMm())
                           .first->second;
     const MapOf wanted{row, object, own_layer};
-    if (map_of_ != wanted) map_ = distances.Of(own_layer);
+    if (!distances.Has(own_layer)) return field;  // an object that is not sliced is all surface
+    if (map_of_ != wanted) {
+      auto map = distances.Of(own_layer);
+      if (!map.ok()) return map.status();
+      map_ = *std::move(map);
+    }
     map_of_ = wanted;
     field.to_surface = &map_;
   }

@@ -22,7 +22,7 @@ std::vector<SlicedLayer> Layers() {
 TEST(RegionFields, AreNoneWhereNothingIsSet) {
   auto fields = RegionFields::Read(std::vector<InfillOptions>(2), {});
   ASSERT_TRUE(fields.ok());
-  EXPECT_FALSE(fields->Of(1, 0, 3, 1).has_value());
+  EXPECT_FALSE(fields->Of(1, 0, 3, 1)->has_value());
 }
 
 TEST(RegionFields, AreThoseOfTheirRow) {
@@ -32,11 +32,11 @@ TEST(RegionFields, AreThoseOfTheirRow) {
   regions[2].density = 0.35;
   auto fields = RegionFields::Read(regions, {});
   ASSERT_TRUE(fields.ok());
-  const auto density = fields->Of(1, 0, 3, 5);
+  const auto density = *fields->Of(1, 0, 3, 5);
   ASSERT_TRUE(density.has_value());
   EXPECT_EQ(density->directions, nullptr);
   EXPECT_DOUBLE_EQ(density->DensityAt(Point{7, 7}), 0.2);
-  const auto stress = fields->Of(2, 0, 3, 5);
+  const auto stress = *fields->Of(2, 0, 3, 5);
   ASSERT_TRUE(stress.has_value());
   EXPECT_NE(stress->directions, nullptr);
   EXPECT_EQ(stress->DensityAt(Point{7, 7}), 0.35);
@@ -48,10 +48,18 @@ TEST(RegionFields, LookForTheSurface) {
   const auto layers = Layers();
   auto fields = RegionFields::Read(regions, layers);
   ASSERT_TRUE(fields.ok());
-  const auto field = fields->Of(0, 0, 10, 5.25);
+  const auto field = *fields->Of(0, 0, 10, 5.25);
   ASSERT_TRUE(field.has_value());
   EXPECT_NEAR(field->DensityAt(1.0, 15), 0.5, 0.03);
   EXPECT_NEAR(field->DensityAt(15, 15), 0.2, 1e-6);
+}
+
+TEST(RegionFields, OfAnObjectThatIsNotAtHandAreThoseOfItsSurface) {
+  std::vector<InfillOptions> regions(1);
+  regions[0].density_field = R"({"kind":"surface_distance","near":0.6,"far":0.2,"length":4})";
+  const auto layers = Layers();
+  auto fields = RegionFields::Read(regions, layers);
+  EXPECT_EQ((*fields->Of(0, 7, 10, 5.25))->DensityAt(15, 15), 0.6);
 }
 
 TEST(RegionFields, RefuseTextsThatAreNone) {

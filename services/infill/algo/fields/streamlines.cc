@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/simplify.h"
+#include "services/infill/algo/fields/cell_limit.h"
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
@@ -19,6 +20,8 @@ constexpr double kLongestStepMm = 1;
 constexpr double kShortestStepMm = 0.01;
 /// A new line starts where no other one is nearer than this share of the separation.
 constexpr double kStartShare = 0.95;
+/// In the gaps that are left, in their middle: they are then wider than 1.6 separations.
+constexpr double kGapShare = kEndShare;
 /// Shorter lines, in separations, hold nothing.
 constexpr double kShortestLine = 1.5;
 /// A line does not mind itself within this many separations along it, nor its own start.
@@ -112,11 +115,11 @@ class Tracer {
       : box_(box), directions_(directions), options_(options), grid_(box, GridCell()) {}
 
   absl::StatusOr<std::vector<Line>> Run() {
-    Start({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
+    Start({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2}, kStartShare);
     if (absl::Status ok = Spread(); !ok.ok()) return ok;
     for (double y = box_.min_y_mm + kGridStepMm / 2; y < box_.max_y_mm; y += kGridStepMm) {
       for (double x = box_.min_x_mm + kGridStepMm / 2; x < box_.max_x_mm; x += kGridStepMm) {
-        if (!Start({x, y})) continue;
+        if (!Start({x, y}, kGapShare)) continue;
         if (absl::Status ok = Spread(); !ok.ok()) return ok;
       }
     }
@@ -225,12 +228,12 @@ class Tracer {
   }
 
   /// A new line from here, unless another one is too near or it comes to nothing.
-  bool Start(Vec2 at) {
+  bool Start(Vec2 at, double share) {
     if (!InBox(at)) return false;
     const double separation = Separation(at);
     const auto direction = DirectionAt(at, {1, 0});
     if (separation <= 0 || !direction.has_value()) return false;
-    if (grid_.Near(at, kStartShare * separation, [](const Mark&) { return true; })) return false;
+    if (grid_.Near(at, share * separation, [](const Mark&) { return true; })) return false;
     const auto number = static_cast<int32_t>(lines_.size());
     Line line{{at}};
     std::vector<Vec2> marked = {at};
@@ -258,9 +261,12 @@ class Tracer {
         if (length == 0) continue;
         const Vec2 aside{-along.y / length, along.x / length};
         const double separation = Separation(points[i]);
-        for (const double side : {separation, -separation}) Start(points[i] + aside * side);
+        for (const double side : {separation, -separation}) Start(points[i] + aside * side, kStartShare);
       }
-      if (absl::Status ok = CheckLineCount(static_cast<double>(lines_.size())); !ok.ok()) return ok;
+      points_ += static_cast<double>(points.size());
+      absl::Status ok = CheckLineCount(static_cast<double>(lines_.size()));
+      ok.Update(CheckFieldSize(kMaxStreamPoints, points_));
+      if (!ok.ok()) return ok;
     }
     return absl::OkStatus();
   }
@@ -271,6 +277,7 @@ class Tracer {
   MarkGrid grid_;
   std::vector<Line> lines_;
   size_t spread_ = 0;
+  double points_ = 0;  ///< of the lines that were spread from
 };
 
 std::optional<Curve> CurveOf(const Line& line) {
@@ -294,6 +301,8 @@ std::optional<Curve> CurveOf(const Line& line) {
 absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const DirectionField& directions,
                                                const StreamOptions& options) {
+  const double cells = (box.max_x_mm - box.min_x_mm) * (box.max_y_mm - box.min_y_mm);
+  if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   const auto lines = Tracer(box, directions, options).Run();
   if (!lines.ok()) return lines.status();
   std::vector<Curve> curves;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
@@ -175,6 +176,13 @@ TEST(Streamlines, AreCloserWhereTheSeparationIsSmaller) {
   const auto halves = LengthByCell(lines, kSide, 32);
   EXPECT_NEAR((halves[0] + halves[1]) / (64 * 32), 1, 0.1);
   EXPECT_NEAR((halves[2] + halves[3]) / (64 * 32), 0.25, 0.04);
+}
+
+TEST(Streamlines, RefuseBoxesOfTooManyCells) {
+  const DirectionField directions(Along([](double, double) { return std::pair(1.0, 0.0); }));
+  const auto lines = Streamlines({0, 0, 2000, 2000}, directions,
+                                 {.separation_mm = [](double, double) { return 1; }});
+  EXPECT_EQ(DetailOf(lines.status()).reason, Reason::kRequestTooLarge);
 }
 
 TEST(Streamlines, AreNoneWhereNothingIsAsked) {

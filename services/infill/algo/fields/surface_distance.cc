@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/geometry/polygon.h"
+#include "services/infill/algo/fields/cell_limit.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -145,7 +146,9 @@ const SurfaceDistances::Squares& SurfaceDistances::Within(int32_t own_layer) {
   return *known;
 }
 
-DistanceMap SurfaceDistances::Of(int32_t own_layer) {
+absl::StatusOr<DistanceMap> SurfaceDistances::Of(int32_t own_layer) {
+  const double cells = static_cast<double>(width_) * static_cast<double>(height_);
+  if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
   DistanceMap map{first_x_, first_y_, width_, height_, {}};
   const ObjectSection& own = *sections_.at(own_layer);
   const double z_mm = ToMm(own.z_nm) - ToMm(own.height_nm) / 2;

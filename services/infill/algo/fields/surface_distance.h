@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
 #include "common/model/layer.h"
 
@@ -34,7 +35,10 @@ class SurfaceDistances {
   /// `layers` must outlive this.
   SurfaceDistances(std::span<const SlicedLayer> layers, int32_t object, double reach_mm);
 
-  DistanceMap Of(int32_t own_layer);
+  /// Whether the object has such a layer here.
+  bool Has(int32_t own_layer) const { return sections_.contains(own_layer); }
+  /// REQUIRES: Has(own_layer). Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells.
+  absl::StatusOr<DistanceMap> Of(int32_t own_layer);
 
  private:
   using Squares = std::vector<float>;  ///< squared distances within a layer, in cells

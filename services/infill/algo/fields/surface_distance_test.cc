@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/error.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::infill {
@@ -29,7 +30,7 @@ TEST(SurfaceDistances, OfABoxAreThoseOfItsNearestFace) {
   const auto layers = LayersOf(std::vector<MultiPolygon>(40, P("(0 0, 30 0, 30 20, 0 20)")));
   SurfaceDistances distances(layers, 3, 8);
   for (const int layer : {0, 5, 20, 39}) {
-    const DistanceMap map = distances.Of(layer);
+    const DistanceMap map = *distances.Of(layer);
     const double z = 0.5 * layer + 0.25;
     for (double x = 0.3; x < 30; x += 1.7) {
       for (double y = 0.3; y < 20; y += 1.3) {
@@ -46,7 +47,7 @@ TEST(SurfaceDistances, LookPastEdgesOfOtherLayers) {
   std::fill(outlines.begin() + 10, outlines.end(), P("(0 0, 10 0, 10 20, 0 20)"));
   const auto layers = LayersOf(outlines);
   SurfaceDistances distances(layers, 3, 6);
-  const DistanceMap map = distances.Of(7);  // at 3.75, the step lies at 5
+  const DistanceMap map = *distances.Of(7);  // at 3.75, the step lies at 5
   EXPECT_NEAR(map.At(20, 10), 1.25, 0.1);
   EXPECT_NEAR(map.At(7, 10), 3.25, 0.3) << "the edge of the step, over 3 and up 1.25";
 }
@@ -57,7 +58,7 @@ TEST(SurfaceDistances, DoNotDependOnLayersBeyondTheirReach) {
                                 P("(0 0, 50 0, 50 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)"),
                                 P("(-20 0, 9 0, 9 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)")});
   SurfaceDistances all(layers, 3, 1), some(std::span<const SlicedLayer>(layers).subspan(1, 5), 3, 1);
-  const DistanceMap a = all.Of(3), b = some.Of(3);
+  const DistanceMap a = *all.Of(3), b = *some.Of(3);
   for (double x = 0; x < 9; x += 0.4)
     for (double y = 0; y < 9; y += 0.4) EXPECT_EQ(a.At(x, y), b.At(x, y)) << x << ", " << y;
 }
@@ -66,9 +67,17 @@ TEST(SurfaceDistances, HolesAreSurfaceToo) {
   const auto layers = LayersOf(std::vector<MultiPolygon>(
       20, P("(0 0, 30 0, 30 30, 0 30)(10 10, 10 20, 20 20, 20 10)")));
   SurfaceDistances distances(layers, 3, 4);
-  const DistanceMap map = distances.Of(10);
+  const DistanceMap map = *distances.Of(10);
   EXPECT_NEAR(map.At(8, 15), 2, 0.26);
   EXPECT_NEAR(map.At(15, 15), 0, 0.26);
+}
+
+TEST(SurfaceDistances, RefuseObjectsOfTooManyCells) {
+  const auto layers = LayersOf({P("(0 0, 900 0, 900 900, 0 900)")});
+  SurfaceDistances distances(layers, 3, 1);
+  EXPECT_TRUE(distances.Has(0));
+  EXPECT_FALSE(distances.Has(1));
+  EXPECT_EQ(DetailOf(distances.Of(0).status()).reason, Reason::kRequestTooLarge);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "absl/status/status.h"
+#include "common/base/error.h"
+
+namespace slicefarm::infill {
+
+/// Cells of distances, of dithering and of streamlines' points: an object of 0.5 m by 0.5 m at the
+/// finest.
+inline constexpr int64_t kMaxFieldCells = 1'200'000;
+/// Points of the streamlines of one region.
+inline constexpr int64_t kMaxStreamPoints = 10'000'000;
+
+/// REQUEST_TOO_LARGE for more than `limit`, before anything is allocated for them.
+inline absl::Status CheckFieldSize(int64_t limit, double got) {
+  if (got <= static_cast<double>(limit)) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "cells of a field in one layer", limit,
+                    static_cast<int64_t>(got < 1e18 ? got : 1e18));
+}
+
+}  // namespace slicefarm::infill
