@@ -101,7 +101,7 @@ std::vector<CurvePiece> FitArcs(std::span<const PlaceUm> points) {
   for (size_t at = 0; at + 1 < points.size();) {
     std::optional<CurvePiece> arc;
     if (at + kFewestSegments < points.size()) arc = LongestArc(points, at);
-    pieces.push_back(arc ? *arc : CurvePiece{.last = at + 1});
+    pieces.push_back(arc ? *arc : CurvePiece{at + 1, false, {}, false});
     at = pieces.back().last;
   }
   return pieces;
