@@ -11,6 +11,9 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr double kCosine30 = 0.86602540378443865;
+/// Cuts this close to an edge part slivers off walls that are straight but for rounding; the paper
+/// has no limit between reflex corners.
+constexpr double kCosine1 = 0.99984769515639127;
 /// Ranks of candidates; the last is for when nothing else is left.
 enum Rank { kBothReflex, kReflex, kConvex, kSharp };
 /// The share of A, from its first side to its other one, at which a cut without a corner to go to
@@ -70,7 +73,7 @@ void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVecto
   candidate.cosine = std::max({here_a, here_b, there_a, there_b});
   if (CrossSign(in, out) < 0) {
     const bool both = CrossSign(in, back) >= 0 && CrossSign(out, back) >= 0;
-    candidate.rank = both ? kBothReflex : kReflex;
+    candidate.rank = candidate.cosine > kCosine1 ? kSharp : both ? kBothReflex : kReflex;
   } else {
     candidate.rank = std::max(there_a, there_b) > kCosine30 ? kSharp : kConvex;
   }

@@ -27,6 +27,8 @@ struct Link {
 ///   3. convex ones at which the cut makes no angle below 30 degrees;
 /// among these, those on the extension of an edge at P (rings have a turn less there), then those
 /// of least weight |cos a - cos b|, a and b the cut's angles with the edges, summed over both ends.
+/// A cut to a reflex corner that makes an angle below 1 degree counts as none: along a wall that is
+/// straight but for rounding it would part off slivers.
 /// If there is none, the cut runs along the bisector of A to the border.
 ///
 /// All tests of sides are exact. A cut never passes another corner. Cost: O(n), and O(edges in A)
