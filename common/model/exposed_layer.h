@@ -56,9 +56,9 @@ struct ExposureVisit {
 /// Where the cuts of a layer's decomposition into convex pieces came out; of rings only.
 struct CutCounts {
   int64_t pieces = 0;
-  int64_t reflex = 0;         ///< corners over 180 degrees
-  int64_t extra_points = 0;   ///< ends of cuts that are no corners
-  int64_t sharp_cuts = 0;     ///< cuts with an angle below 30 degrees, where no better one was
+  int64_t reflex = 0;        ///< corners over 180 degrees
+  int64_t extra_points = 0;  ///< ends of cuts that are no corners
+  int64_t sharp_cuts = 0;    ///< cuts with an angle below 30 degrees, where no better one was
 
   void Add(const CutCounts& other) {
     pieces += other.pieces;
@@ -84,7 +84,7 @@ struct KindExposure {
   int64_t vectors = 0;  ///< edges
   int64_t lines = 0;    ///< times that the laser goes on, and off again
   double length_mm = 0;
-  double time_s = 0;    ///< delays at the ends and corners of lines included
+  double time_s = 0;  ///< delays at the ends and corners of lines included
   double energy_j = 0;
 
   void Add(const KindExposure& other) {

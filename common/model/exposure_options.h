@@ -52,8 +52,8 @@ inline constexpr int kExposureKindCount = 5;
 
 /// "contour", "hatch", "upskin", "downskin", "thin wall".
 constexpr std::string_view ExposureKindName(ExposureKind kind) {
-  constexpr std::array<std::string_view, kExposureKindCount> kNames = {
-      "contour", "hatch", "upskin", "downskin", "thin wall"};
+  constexpr std::array<std::string_view, kExposureKindCount> kNames = {"contour", "hatch", "upskin",
+                                                                       "downskin", "thin wall"};
   return kNames[static_cast<size_t>(kind)];
 }
 
@@ -62,11 +62,11 @@ constexpr std::string_view ExposureKindName(ExposureKind kind) {
 struct ExposureStyle {
   double power_w = 200;
   double speed_mm_s = 800;
-  double focus_mm = 0;            ///< of the focal plane, above the powder
-  double frequency_khz = 0;       ///< 0: continuous
-  Coord point_distance_nm = 0;    ///< pulsed: from point to point
-  double point_time_us = 0;       ///< pulsed: exposure of a point
-  double point_delay_us = 0;      ///< pulsed: between two points
+  double focus_mm = 0;          ///< of the focal plane, above the powder
+  double frequency_khz = 0;     ///< 0: continuous
+  Coord point_distance_nm = 0;  ///< pulsed: from point to point
+  double point_time_us = 0;     ///< pulsed: exposure of a point
+  double point_delay_us = 0;    ///< pulsed: between two points
 
   friend bool operator==(const ExposureStyle&, const ExposureStyle&) = default;
 };
@@ -88,11 +88,11 @@ struct ExposureOptions {
   DecomposeMethod decompose = DecomposeMethod::kBian;  ///< of rings
   JumpOrder jump_order = JumpOrder::kNearest;
 
-  Coord hatch_distance_nm = 80'000;    ///< between lines, and between rings
-  double hatch_angle_deg = 45;         ///< of layer 0
-  double layer_rotation_deg = 67;      ///< from each layer to the next
-  bool alternate_directions = true;    ///< every other line backwards
-  Coord minimum_vector_nm = 0;         ///< shorter hatch lines and rings are left out
+  Coord hatch_distance_nm = 80'000;  ///< between lines, and between rings
+  double hatch_angle_deg = 45;       ///< of layer 0
+  double layer_rotation_deg = 67;    ///< from each layer to the next
+  bool alternate_directions = true;  ///< every other line backwards
+  Coord minimum_vector_nm = 0;       ///< shorter hatch lines and rings are left out
 
   Coord stripe_width_nm = 5'000'000;  ///< of stripes
   Coord island_width_nm = 5'000'000;  ///< of islands

@@ -16,7 +16,8 @@ PolyFile Read(std::string_view text) {
 
 TEST(ParsePoly, ChainsWithOrderAndComments) {
   const PolyFile file = Read(
-      "# a frame\n2\n4 out # outside\n0 0\n3 3\n3 0\n0 3\n1 3 2 4\n4 in\n1 1\n1 2\n2 2\n2 1\n1 2 3 4\n");
+      "# a frame\n2\n4 out # outside\n0 0\n3 3\n3 0\n0 3\n1 3 2 4\n4 in\n1 1\n1 2\n2 2\n2 1\n1 2 3 "
+      "4\n");
   EXPECT_EQ(file.decimals, 0);
   ASSERT_EQ(file.islands.size(), 1u);
   EXPECT_EQ(file.islands[0].outer, (Polygon{{0, 0}, {3, 0}, {3, 3}, {0, 3}}));
@@ -59,9 +60,10 @@ TEST(ParsePoly, OutlinesThatPassACornerTwiceAreParted) {
 }
 
 TEST(ParsePoly, TellsWhatIsWrong) {
-  for (const char* text : {"", "1 2 3", "x y z", "1\n4 out\n0 0\n1 0\n1 1\n", "1\n3 out\n0 0\n1 0\n1 1\n1 2 9\n",
-                           "2\n3 out\n0 0\n1 0\n1 1\n1 2 3\n", "1\n3 in\n0 0\n1 0\n1 1\n1 2 3\n",
-                           "0 0\n1e30 0\n0 1\n", "0 0\n1.2.3 0\n0 1\n", "1\n999999999999 out\n0 0\n"}) {
+  for (const char* text :
+       {"", "1 2 3", "x y z", "1\n4 out\n0 0\n1 0\n1 1\n", "1\n3 out\n0 0\n1 0\n1 1\n1 2 9\n",
+        "2\n3 out\n0 0\n1 0\n1 1\n1 2 3\n", "1\n3 in\n0 0\n1 0\n1 1\n1 2 3\n", "0 0\n1e30 0\n0 1\n",
+        "0 0\n1.2.3 0\n0 1\n", "1\n999999999999 out\n0 0\n"}) {
     EXPECT_EQ(DetailOf(ParsePoly(text).status()).reason, Reason::kRequestMalformed) << text;
   }
 }

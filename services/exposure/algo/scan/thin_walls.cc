@@ -37,7 +37,8 @@ MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
   const MultiPolygon thick =
       OffsetTwice(outline, -inset_nm, inset_nm + kToleranceNm, {.miter_limit = 10});
   MultiPolygon thin = Difference(outline, thick);
-  const double least = kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
+  const double least =
+      kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
   std::erase_if(thin, [&](const PolygonWithHoles& part) { return Area(part) < least; });
   return Simplify(thin, kToleranceNm);
 }
@@ -72,7 +73,8 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
         Polyline next = std::move(lines[best]);
         lines.erase(lines.begin() + static_cast<ptrdiff_t>(best));
         if (backwards) std::reverse(next.begin(), next.end());
-        chain.insert(chain.end(), next.begin() + (next.front() == chain.back() ? 1 : 0), next.end());
+        chain.insert(chain.end(), next.begin() + (next.front() == chain.back() ? 1 : 0),
+                     next.end());
       }
     }
     chains.push_back(std::move(chain));
