@@ -104,7 +104,7 @@ TEST_F(FieldFiles, RefusesWhatIsNoFieldWithAReason) {
   EXPECT_EQ(ReasonOf(R"({"kind":"constant","density":0.5})", FieldKind::kMaterials),
             Reason::kSettingMalformed);
   const auto missing = ReadFieldFile("/nowhere/field.json", FieldKind::kStress);
-  EXPECT_EQ(ReasonOf(missing.status()), Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(missing.status()).reason, Reason::kRequestMalformed);
 }
 
 }  // namespace

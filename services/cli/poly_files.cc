@@ -101,7 +101,8 @@ Coord Scaled(const Decimal& number, int decimals) {
   Coord value = 0;
   int64_t power = number.exponent + decimals;
   const int64_t kept = std::ssize(number.digits) + std::min<int64_t>(0, power);
-  for (int64_t i = 0; i < kept; ++i) value = 10 * value + (number.digits[static_cast<size_t>(i)] - '0');
+  for (int64_t i = 0; i < kept; ++i)
+    value = 10 * value + (number.digits[static_cast<size_t>(i)] - '0');
   if (power < 0 && kept >= 0 && kept < std::ssize(number.digits) &&
       number.digits[static_cast<size_t>(kept)] >= '5')
     ++value;
@@ -151,7 +152,8 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const Words& words) {
     const std::optional<int64_t> count = ToCount(reader.Next());
     const std::string_view kind = reader.Next();
     if (!count || *count < 3 || (kind != "in" && kind != "out"))
-      return Malformed(fmt::format("chain {} has no number of points with `in` or `out`", chain + 1));
+      return Malformed(
+          fmt::format("chain {} has no number of points with `in` or `out`", chain + 1));
     std::vector<Decimal> listed;
     if (!reader.ReadNumbers(2 * *count, listed))
       return Malformed(fmt::format("chain {} has too few points", chain + 1));
@@ -284,15 +286,19 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
   for (const ReadRing& ring : *read) {
     Polygon points;
     for (size_t i = 0; i + 1 < ring.numbers.size(); i += 2)
-      points.push_back({Scaled(ring.numbers[i], file.decimals), Scaled(ring.numbers[i + 1], file.decimals)});
+      points.push_back(
+          {Scaled(ring.numbers[i], file.decimals), Scaled(ring.numbers[i + 1], file.decimals)});
     std::vector<Polygon> loops;
-    if (ring.hole) loops.push_back(std::move(points));
-    else loops = Loops(points);
+    if (ring.hole)
+      loops.push_back(std::move(points));
+    else
+      loops = Loops(points);
     std::move(loops.begin(), loops.end(), std::back_inserter(rings));
     told.resize(rings.size(), ring.hole);
   }
   std::vector<bool> holes;
-  for (size_t i = 0; i < rings.size(); ++i) holes.push_back(told[i].value_or(Depth(i, rings) % 2 == 1));
+  for (size_t i = 0; i < rings.size(); ++i)
+    holes.push_back(told[i].value_or(Depth(i, rings) % 2 == 1));
   auto islands = Nested(std::move(rings), holes);
   if (!islands.ok()) return islands.status();
   file.islands = *std::move(islands);

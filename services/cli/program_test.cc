@@ -109,7 +109,7 @@ TEST_F(Program, HelpNamesEveryCommandAndExitCode) {
   EXPECT_EQ(help.code, ExitCode::kOk);
   for (const char* command :
        {"slice", "submit", "watch", "list", "get", "cancel", "delete", "trace", "webhook", "render",
-        "settings", "health", "token", "tsp", "version"}) {
+         "decompose", "settings", "health", "token", "tsp", "version"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
     const Outcome own = Run({command, "--help"});
     EXPECT_EQ(own.code, ExitCode::kOk) << command;
@@ -164,6 +164,22 @@ TEST_F(Program, FindsAShortTour) {
   const Outcome bad = Run({"tsp", Path("bad.tsp")});
   EXPECT_EQ(bad.code, ExitCode::kUsage);
   EXPECT_THAT(bad.err, HasSubstr("bad.tsp: line "));
+}
+
+TEST_F(Program, DecomposesAPolygon) {
+  Put("l.poly", "1\n6 out\n0 0\n2.5 0\n2.5 1\n1 1\n1 2\n0 2\n1 2 3 4 5 6\n");
+  for (const char* method : {"bian", "optimal", "approximate"}) {
+    const Outcome outcome =
+        Run({"decompose", Path("l.poly"), "-o", Path("pieces.txt"), "--method", method});
+    ASSERT_EQ(outcome.code, ExitCode::kOk) << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith("pieces 2\nreflex 1\n"));
+    for (const char* row : {"min_angle_deg ", "worst_shape ", "seconds "})
+      EXPECT_THAT(outcome.out, HasSubstr(row));
+    EXPECT_THAT(ReadFile(Path("pieces.txt"), 1000).value(), HasSubstr("2.5 0"));
+  }
+  Put("crossed.poly", "0 0\n1 0\n0 1\n1 1\n");
+  EXPECT_EQ(Run({"decompose", Path("crossed.poly"), "-o", Path("none.txt")}).code, ExitCode::kUsage);
+  EXPECT_FALSE(std::filesystem::exists(Path("none.txt")));
 }
 
 TEST_F(Program, SlicesACube) {

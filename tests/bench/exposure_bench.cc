@@ -78,7 +78,8 @@ int BenchPolygons(const std::string& directory) {
     return 1;
   }
   std::sort(files.begin(), files.end());
-  std::printf("polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate\n");
+  std::printf(
+      "polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate\n");
   for (const fs::path& path : files) {
     const auto text = cli::ReadFile(path.string(), 64 << 20);
     const auto file = text.ok() ? cli::ParsePoly(*text) : text.status();
@@ -150,8 +151,8 @@ void BenchStrategy(const char* name, ScanStrategy strategy, bool inside_only) {
     write_seconds += Now() - write_start;
   }
   const char* part = inside_only ? "inside" : "layer";
-  std::printf("%s_%s_vectors %lld\n%s_%s_million_vectors_per_s %.2f\n%s_%s_cli_mb_per_s %.0f\n", name,
-              part, static_cast<long long>(vectors), name, part,
+  std::printf("%s_%s_vectors %lld\n%s_%s_million_vectors_per_s %.2f\n%s_%s_cli_mb_per_s %.0f\n",
+              name, part, static_cast<long long>(vectors), name, part,
               1e-6 * static_cast<double>(vectors) / seconds, name, part, megabytes / write_seconds);
 }
 

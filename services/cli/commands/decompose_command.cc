@@ -68,11 +68,11 @@ ExitCode Decompose(const DecomposeCommandOptions& options) {
     worst = std::max(worst, exposure::ShapeFactor(piece));
     least_angle = std::min(least_angle, exposure::LeastAngleDeg(piece));
   }
-  Print(fmt::format("pieces {}\nreflex {}\nmin_angle_deg {:.4f}\nworst_shape {:.4f}\nseconds {:.6f}\n"
-                    "extra_points {}\nsharp_cuts {}\nmin_cut_angle_deg {:.4f}\n",
-                    result->counts.pieces, result->counts.reflex, least_angle, worst, seconds,
-                    result->counts.extra_points, result->counts.sharp_cuts,
-                    result->min_cut_angle_deg));
+  Print(fmt::format(
+      "pieces {}\nreflex {}\nmin_angle_deg {:.4f}\nworst_shape {:.4f}\nseconds {:.6f}\n"
+      "extra_points {}\nsharp_cuts {}\nmin_cut_angle_deg {:.4f}\n",
+      result->counts.pieces, result->counts.reflex, least_angle, worst, seconds,
+      result->counts.extra_points, result->counts.sharp_cuts, result->min_cut_angle_deg));
   return ExitCode::kOk;
 }
 
@@ -94,7 +94,8 @@ void AddDecompose(CLI::App& app, CommandContext& context) {
       ->type_name("NAME");
   command->footer(
       "Prints rows: `worst_shape` is the greatest perimeter^2 / (4 pi area) of a piece, 1 for a\n"
-      "disc; `extra_points` are ends of cuts that are no corners, `sharp_cuts` those with an angle\n"
+      "disc; `extra_points` are ends of cuts that are no corners, `sharp_cuts` those with an "
+      "angle\n"
       "below 30 degrees. Pieces have the file's unit.\n"
       "Example:\n"
       "  slicefarm decompose texas.poly -o pieces.txt");

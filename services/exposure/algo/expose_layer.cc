@@ -43,8 +43,9 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
   for (const Region& region : section.regions) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
     if (region.settings < 0 || region.settings >= std::ssize(regions)) {
-      return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                       fmt::format("a region has settings {} of {}", region.settings, regions.size()));
+      return MakeError(
+          absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+          fmt::format("a region has settings {} of {}", region.settings, regions.size()));
     }
     const ExposureOptions& options = regions[static_cast<size_t>(region.settings)];
     if (absl::Status status = CheckExposure(options); !status.ok()) return status;
@@ -67,8 +68,9 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
 std::map<int32_t, ScanBlock> ObjectBlocks(const std::vector<ExposureGroup>& groups) {
   std::map<int32_t, ScanBlock> blocks;
   for (const ExposureGroup& group : groups) {
-    ScanBlock& block = blocks.try_emplace(group.object, ScanBlock{.start = group.points.front(),
-                                                                  .end = group.points.back()})
+    ScanBlock& block = blocks
+                           .try_emplace(group.object, ScanBlock{.start = group.points.front(),
+                                                                .end = group.points.back()})
                            .first->second;
     block.end = group.points.back();
   }

@@ -22,8 +22,13 @@ const ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kRingsIn
                                     ScanStrategy::kHatch};
 
 SlicedLayer LayerOf(MultiPolygon outlines, int32_t index = 0, int32_t object = 0) {
-  ObjectSection section{.object = object, .layer = index, .layer_count = 100, .height_nm = 50'000,
-                        .regions = {{.outlines = std::move(outlines)}}, .whole = {}, .z_nm = 0};
+  ObjectSection section{.object = object,
+                        .layer = index,
+                        .layer_count = 100,
+                        .height_nm = 50'000,
+                        .regions = {{.outlines = std::move(outlines)}},
+                        .whole = {},
+                        .z_nm = 0};
   return {{index, (index + 1) * 50'000, 50'000}, {std::move(section)}};
 }
 
@@ -33,7 +38,8 @@ absl::StatusOr<ExposedLayer> Expose(const std::vector<SlicedLayer>& layers, size
   return ExposeLayer(layers[which], ObjectLayers(layers), regions, copies, {});
 }
 
-ExposedLayer ExposeOrDie(const MultiPolygon& outlines, const ExposureOptions& options, int32_t index = 0) {
+ExposedLayer ExposeOrDie(const MultiPolygon& outlines, const ExposureOptions& options,
+                         int32_t index = 0) {
   const std::vector<SlicedLayer> layers = {LayerOf(outlines, index)};
   auto layer = Expose(layers, 0, {options});
   EXPECT_TRUE(layer.ok()) << layer.status();
@@ -48,7 +54,8 @@ void ForEachLineOf(const ExposedLayer& layer, ExposureKind kind, Visit visit) {
 
 double KindLengthMm(const ExposedLayer& layer, ExposureKind kind) {
   double length = 0;
-  ForEachLineOf(layer, kind, [&](std::span<const Point> line) { length += Length(line) / kNmPerMm; });
+  ForEachLineOf(layer, kind,
+                [&](std::span<const Point> line) { length += Length(line) / kNmPerMm; });
   return length;
 }
 
@@ -101,7 +108,8 @@ TEST(ExposeLayer, RingsExposeCutsOnce) {
     MeltedRaster raster(part, 13'000);
     const ExposedLayer layer = ExposeOrDie(part, options);
     // A spot a little narrower than the distance, so that touching is not twice.
-    ForEachLineOf(layer, ExposureKind::kHatch, [&](std::span<const Point> line) { raster.Add(line, 78'000); });
+    ForEachLineOf(layer, ExposureKind::kHatch,
+                  [&](std::span<const Point> line) { raster.Add(line, 78'000); });
     EXPECT_EQ(layer.cuts.pieces, layer.groups[0].LineCount());
     if (overlap == 0)
       EXPECT_LT(raster.Share(2), 0.003);
@@ -136,13 +144,16 @@ TEST(ExposeLayer, HatchTurnsFromLayerToLayer) {
   const MultiPolygon part = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   for (const int32_t index : {0, 1, 2, 7, 100}) {
     const double expected = std::fmod(10 + 67.0 * index, 180);
-    ForEachLineOf(ExposeOrDie(part, options, index), ExposureKind::kHatch, [&](std::span<const Point> line) {
-      if (Distance(line[0], line[1]) < 5e6) return;
-      double angle = std::atan2(static_cast<double>(line[1].y - line[0].y), static_cast<double>(line[1].x - line[0].x)) * 180 / M_PI;
-      angle = std::fmod(angle + 360, 180);
-      const double off = std::abs(angle - expected);
-      EXPECT_LT(std::min(off, 180 - off), 1e-3);
-    });
+    ForEachLineOf(ExposeOrDie(part, options, index), ExposureKind::kHatch,
+                  [&](std::span<const Point> line) {
+                    if (Distance(line[0], line[1]) < 5e6) return;
+                    double angle = std::atan2(static_cast<double>(line[1].y - line[0].y),
+                                              static_cast<double>(line[1].x - line[0].x)) *
+                                   180 / M_PI;
+                    angle = std::fmod(angle + 360, 180);
+                    const double off = std::abs(angle - expected);
+                    EXPECT_LT(std::min(off, 180 - off), 1e-3);
+                  });
   }
 }
 
@@ -154,9 +165,9 @@ TEST(ExposeLayer, SkinsAreWhatNeighboursDoNotCover) {
   options.upskin_layers = 1;
   options.downskin_layers = 2;
   const MultiPolygon wide = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
-  const std::vector<SlicedLayer> layers = {
-      LayerOf(MakePolygonsOrDie("(0 0, 10 0, 10 7, 0 7)"), 0), LayerOf(wide, 1), LayerOf(wide, 2),
-      LayerOf(MakePolygonsOrDie("(0 0, 4 0, 4 10, 0 10)"), 3)};
+  const std::vector<SlicedLayer> layers = {LayerOf(MakePolygonsOrDie("(0 0, 10 0, 10 7, 0 7)"), 0),
+                                           LayerOf(wide, 1), LayerOf(wide, 2),
+                                           LayerOf(MakePolygonsOrDie("(0 0, 4 0, 4 10, 0 10)"), 3)};
   const auto middle = Expose(layers, 2, {options});
   ASSERT_TRUE(middle.ok()) << middle.status();
   // Above is only x < 4; two layers below only y < 7.
@@ -182,7 +193,8 @@ TEST(ExposeLayer, AThinWallIsOneLineAlongItsMiddle) {
 
   ExposureOptions options;
   options.thin_walls = false;
-  EXPECT_TRUE(ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 0.06, 0 0.06)"), options).groups.empty());
+  EXPECT_TRUE(
+      ExposeOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 0.06, 0 0.06)"), options).groups.empty());
 }
 
 TEST(ExposeLayer, AThickPartHasNoThinWalls) {
@@ -213,7 +225,8 @@ TEST(ExposeLayer, RingsFromTheInsideAndFromTheOutside) {
 
 TEST(ExposeLayer, CopiesAreVisitedOnceEach) {
   const std::vector<SlicedLayer> layers = {LayerOf(MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)"))};
-  const std::vector<Copy> copies = {{0, {50'000'000, 0}}, {1, {9, 9}}, {0, {10'000'000, 0}}, {0, {30'000'000, 0}}};
+  const std::vector<Copy> copies = {
+      {0, {50'000'000, 0}}, {1, {9, 9}}, {0, {10'000'000, 0}}, {0, {30'000'000, 0}}};
   const auto layer = Expose(layers, 0, {ExposureOptions{}}, copies);
   ASSERT_TRUE(layer.ok());
   ASSERT_EQ(layer->visits.size(), 3u);  // object 1 has nothing here
@@ -225,7 +238,8 @@ TEST(ExposeLayer, CopiesAreVisitedOnceEach) {
 
 TEST(ExposeLayer, RegionsHaveTheirOwnStyles) {
   SlicedLayer layer = LayerOf(MakePolygonsOrDie("(0 0, 5 0, 5 5, 0 5)"));
-  layer.sections[0].regions.push_back({.settings = 1, .outlines = MakePolygonsOrDie("(6 0, 9 0, 9 5, 6 5)")});
+  layer.sections[0].regions.push_back(
+      {.settings = 1, .outlines = MakePolygonsOrDie("(6 0, 9 0, 9 5, 6 5)")});
   ExposureOptions first, second;
   first.strategy = ScanStrategy::kHatch;
   second.strategy = ScanStrategy::kRings;
@@ -238,7 +252,8 @@ TEST(ExposeLayer, RegionsHaveTheirOwnStyles) {
 TEST(ExposeLayer, RefusesSettingsThatAreInNoTable) {
   SlicedLayer layer = LayerOf(MakePolygonsOrDie("(0 0, 5 0, 5 5, 0 5)"));
   layer.sections[0].regions[0].settings = 1;
-  EXPECT_EQ(DetailOf(Expose({layer}, 0, {ExposureOptions{}}).status()).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(Expose({layer}, 0, {ExposureOptions{}}).status()).reason,
+            Reason::kRequestMalformed);
 }
 
 TEST(ExposeLayer, StopsWhenCancelled) {

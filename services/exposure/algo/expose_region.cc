@@ -67,7 +67,8 @@ class RegionScan {
   void AddRings(const MultiPolygon& area, ExposureGroup& group) {
     const std::vector<Polygon> rings = Rings(area);
     std::vector<ScanBlock> blocks;
-    for (const Polygon& ring : rings) blocks.push_back({.start = ring.front(), .end = ring.front()});
+    for (const Polygon& ring : rings)
+      blocks.push_back({.start = ring.front(), .end = ring.front()});
     for (const BlockTurn& turn : OrderBlocks(blocks, JumpOrder::kNearest, at_)) {
       Polyline line = rings[turn.block];
       line.push_back(line.front());
@@ -103,7 +104,8 @@ class RegionScan {
       return AddArea(area, ExposureKind::kHatch);
     const SkinAreas skins =
         PartSkins(area, region_.section, region_.neighbours, options_.skin_overlap_nm);
-    if (absl::Status status = AddArea(skins.core, ExposureKind::kHatch); !status.ok()) return status;
+    if (absl::Status status = AddArea(skins.core, ExposureKind::kHatch); !status.ok())
+      return status;
     if (absl::Status status = AddArea(skins.downskin, ExposureKind::kDownskin); !status.ok())
       return status;
     return AddArea(skins.upskin, ExposureKind::kUpskin);
@@ -113,7 +115,8 @@ class RegionScan {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
     if (IsRings(options_.strategy)) {
-      if (absl::Status status = ScanByRings(area, options_, at_, cancel_, group, counts_); !status.ok())
+      if (absl::Status status = ScanByRings(area, options_, at_, cancel_, group, counts_);
+          !status.ok())
         return status;
     } else {
       auto points = Hatch(area, AngleOf(options_, region_.layer), options_, at_);

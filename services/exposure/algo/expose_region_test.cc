@@ -13,8 +13,13 @@ TEST(ExposeRegion, GroupsSayWhoseTheyAre) {
   ExposureOptions options;
   options.skywriting_nm = 200'000;
   CutCounts counts;
-  const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {},
-                                    .layer = 3, .object = 7, .settings = 2}, options, {}, {}, counts);
+  const auto groups = ExposeRegion({.outlines = square,
+                                    .section = square,
+                                    .neighbours = {},
+                                    .layer = 3,
+                                    .object = 7,
+                                    .settings = 2},
+                                   options, {}, {}, counts);
   ASSERT_TRUE(groups.ok());
   ASSERT_EQ(groups->size(), 2u);
   for (const ExposureGroup& group : *groups) {
@@ -32,9 +37,11 @@ TEST(ExposeRegion, HatchKeepsItsOffsetFromTheLastContour) {
   for (const int32_t contours : {0, 1, 3}) {
     options.contours = contours;
     CutCounts counts;
-    const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}}, options, {}, {}, counts);
+    const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}},
+                                     options, {}, {}, counts);
     ASSERT_TRUE(groups.ok());
-    EXPECT_EQ(Bounds(groups->back().points).min.x, contours == 0 ? 40'000 : 40'000 + 80'000 * contours);
+    EXPECT_EQ(Bounds(groups->back().points).min.x,
+              contours == 0 ? 40'000 : 40'000 + 80'000 * contours);
   }
 }
 
@@ -43,7 +50,8 @@ TEST(ExposeRegion, RingsKeepItToo) {
   ExposureOptions options;
   options.strategy = ScanStrategy::kRings;
   CutCounts counts;
-  const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}}, options, {}, {}, counts);
+  const auto groups = ExposeRegion({.outlines = square, .section = square, .neighbours = {}},
+                                   options, {}, {}, counts);
   ASSERT_TRUE(groups.ok());
   // Contours at 40 and 120 um, the outermost ring 80 further on.
   EXPECT_EQ(Bounds(groups->back().points).min.x, 200'000);

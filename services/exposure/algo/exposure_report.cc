@@ -27,7 +27,8 @@ class Counter {
     kind.length_mm += length;
     const double exposed = ExposedS(length, style);
     kind.energy_j += style.power_w * LaserOnS(length, style);
-    kind.time_s += exposed + static_cast<double>(line.size() - 2) * options.jump.polygon_delay_us * kMicro;
+    kind.time_s +=
+        exposed + static_cast<double>(line.size() - 2) * options.jump.polygon_delay_us * kMicro;
     if (group.run_nm > 0) {  // runs out at full speed instead of waiting
       report_.jump_mm += 2 * ToMm(static_cast<double>(group.run_nm));
       report_.jump_time_s += 2 * ToMm(static_cast<double>(group.run_nm)) / style.speed_mm_s;
@@ -78,9 +79,8 @@ ExposureReport ReportOf(const ExposedLayer& layer, std::span<const ExposureOptio
     for (const ExposureGroup& group : layer.groups) {
       if (group.object != visit.object) continue;
       const ExposureOptions& options = regions[static_cast<size_t>(group.settings)];
-      group.ForEachLine([&](std::span<const Point> line) {
-        counter.AddLine(line, visit.shift, group, options);
-      });
+      group.ForEachLine(
+          [&](std::span<const Point> line) { counter.AddLine(line, visit.shift, group, options); });
     }
   }
   return report;

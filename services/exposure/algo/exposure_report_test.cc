@@ -42,12 +42,14 @@ TEST(ReportOf, LengthsTimesAndEnergyByHand) {
   EXPECT_DOUBLE_EQ(report.volume_mm3, 0.5);
   EXPECT_DOUBLE_EQ(report.EnergyDensityJmm3(), (2 + 50 * 12.0 / 500) / 0.5);
   EXPECT_EQ(report.bounds, (Box{{0, 0}, {10'000'000, 4'000'000}}));
-  EXPECT_DOUBLE_EQ(report.TimeS(), report.kinds[kHatch].time_s + report.kinds[kContour].time_s + report.jump_time_s);
+  EXPECT_DOUBLE_EQ(report.TimeS(), report.kinds[kHatch].time_s + report.kinds[kContour].time_s +
+                                       report.jump_time_s);
 }
 
 TEST(ReportOf, PulsesReplaceTheSpeed) {
   ExposureOptions options;
-  options.styles[kHatch] = {.power_w = 100, .point_distance_nm = 100'000, .point_time_us = 20, .point_delay_us = 5};
+  options.styles[kHatch] = {
+      .power_w = 100, .point_distance_nm = 100'000, .point_time_us = 20, .point_delay_us = 5};
   const ExposureReport report = ReportOf(TwoLines(), std::vector{options});
   EXPECT_NEAR(report.kinds[kHatch].time_s, 2 * 101 * 25e-6, 1e-12);
   EXPECT_NEAR(report.kinds[kHatch].energy_j, 2 * 101 * 20e-6 * 100, 1e-9);
@@ -64,7 +66,7 @@ TEST(ReportOf, SkywritingIsWayWithoutExposure) {
   const ExposureReport report = ReportOf(layer, std::vector{options});
   EXPECT_DOUBLE_EQ(report.kinds[kHatch].length_mm, plain.kinds[kHatch].length_mm);
   EXPECT_DOUBLE_EQ(report.kinds[kHatch].time_s, 20.0 / 1000);  // no mark delay
-  EXPECT_DOUBLE_EQ(report.jump_mm, plain.jump_mm + 4 * 0.5);  // both ends run out on the same side
+  EXPECT_DOUBLE_EQ(report.jump_mm, plain.jump_mm + 4 * 0.5);   // both ends run out on the same side
 }
 
 TEST(ReportOf, CopiesCountAndReportsAddUp) {

@@ -23,7 +23,9 @@ struct CornerIndex {
   friend bool operator==(const CornerIndex&, const CornerIndex&) = default;
 };
 
-inline Point Before(const Polygon& ring, size_t i) { return ring[i == 0 ? ring.size() - 1 : i - 1]; }
+inline Point Before(const Polygon& ring, size_t i) {
+  return ring[i == 0 ? ring.size() - 1 : i - 1];
+}
 inline Point After(const Polygon& ring, size_t i) { return ring[i + 1 == ring.size() ? 0 : i + 1]; }
 
 /// The first corner of more than 180 degrees, from `from` on in the order of rings; nullopt: the

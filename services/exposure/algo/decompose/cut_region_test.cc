@@ -67,7 +67,8 @@ TEST(CutAlong, JoinsAHoleWithTheOuterRing) {
 }
 
 TEST(CutAlong, JoinsTwoHolesAndKeepsTheOuterRingFirst) {
-  CutRegion region = RegionOf("(0 0, 19 0, 19 9, 0 9) (3 3, 6 3, 6 6, 3 6) (12 3, 15 3, 15 6, 12 6)");
+  CutRegion region =
+      RegionOf("(0 0, 19 0, 19 9, 0 9) (3 3, 6 3, 6 6, 3 6) (12 3, 15 3, 15 6, 12 6)");
   const auto parts = CutAlong(region, At(region, 6, 3), At(region, 12, 3));
   ASSERT_EQ(parts.size(), 1u);
   ASSERT_EQ(parts[0].rings.size(), 2u);
@@ -76,7 +77,8 @@ TEST(CutAlong, JoinsTwoHolesAndKeepsTheOuterRingFirst) {
 }
 
 TEST(CutAlong, SharesOutHoles) {
-  CutRegion region = RegionOf("(0 0, 20 0, 20 10, 0 10) (2 2, 4 2, 4 8, 2 8) (14 2, 18 2, 18 8, 14 8)");
+  CutRegion region =
+      RegionOf("(0 0, 20 0, 20 10, 0 10) (2 2, 4 2, 4 8, 2 8) (14 2, 18 2, 18 8, 14 8)");
   // From corner to corner the cut would meet the holes: the ring gets corners between them.
   region.rings[0].insert(region.rings[0].begin() + 1, Point{10 * kNmPerMm, 0});
   region.rings[0].insert(region.rings[0].begin() + 4, Point{11 * kNmPerMm, 10 * kNmPerMm});
@@ -89,7 +91,8 @@ TEST(CutAlong, SharesOutHoles) {
 
 TEST(CutAlong, ClosesTheBayOfAHole) {
   // A hole like a U: the cut over its mouth parts what is in the mouth from the rest.
-  CutRegion region = RegionOf("(0 0, 20 0, 20 20, 0 20) (5 5, 15 5, 15 15, 12 15, 12 8, 8 8, 8 15, 5 15)");
+  CutRegion region =
+      RegionOf("(0 0, 20 0, 20 20, 0 20) (5 5, 15 5, 15 15, 12 15, 12 8, 8 8, 8 15, 5 15)");
   const auto parts = CutAlong(region, At(region, 8, 15), At(region, 12, 15));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].rings.size() + parts[1].rings.size(), 3u);

@@ -1,13 +1,13 @@
 #include "services/exposure/algo/decompose/decompose.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
-
-#include <fmt/core.h>
 
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
@@ -55,11 +55,12 @@ MultiPolygon Scaled(MultiPolygon islands, Coord scale) {
 }
 
 absl::Status CannotCut(Point p, Coord scale) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                   fmt::format("the outline cannot be cut at ({:.6f}, {:.6f}) mm: its rings cross or "
-                               "overlap",
-                               ToMm(static_cast<double>(p.x) / static_cast<double>(scale)),
-                               ToMm(static_cast<double>(p.y) / static_cast<double>(scale))));
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+      fmt::format("the outline cannot be cut at ({:.6f}, {:.6f}) mm: its rings cross or "
+                  "overlap",
+                  ToMm(static_cast<double>(p.x) / static_cast<double>(scale)),
+                  ToMm(static_cast<double>(p.y) / static_cast<double>(scale))));
 }
 
 /// A corner of a ring that passes a point twice: the next one from which a cut parts its two

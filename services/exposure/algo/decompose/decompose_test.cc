@@ -59,8 +59,8 @@ MultiPolygon Scaled(MultiPolygon islands, Coord scale) {
 
 /// Exact: all pieces are convex, and together as large as the islands; no two overlap, as their
 /// boxes do not or an edge of one has all of the other on its right.
-void ExpectPartition(const MultiPolygon& islands, const ConvexPieces& result, const std::string& what,
-                     bool exact = true) {
+void ExpectPartition(const MultiPolygon& islands, const ConvexPieces& result,
+                     const std::string& what, bool exact = true) {
   Wide area = 0;
   for (const Polygon& piece : result.pieces) {
     EXPECT_TRUE(IsStrictlyConvex(piece)) << what;
@@ -103,10 +103,13 @@ TEST(Decompose, NamedShapes) {
       {"nothing", "", 0, 0},
       {"square", "(0 0, 10 0, 10 10, 0 10)", 1, 0},
       {"L", "(0 0, 20 0, 20 10, 10 10, 10 20, 0 20)", 2, 1},
-      {"plus", "(10 0, 20 0, 20 10, 30 10, 30 20, 20 20, 20 30, 10 30, 10 20, 0 20, 0 10, 10 10)", 3, 4},
+      {"plus", "(10 0, 20 0, 20 10, 30 10, 30 20, 20 20, 20 30, 10 30, 10 20, 0 20, 0 10, 10 10)",
+       3, 4},
       {"frame", "(0 0, 30 0, 30 30, 0 30) (10 10, 20 10, 20 20, 10 20)", 4, 4},
       {"two squares", "(0 0, 1 0, 1 1, 0 1) ; (2 0, 3 0, 3 1, 2 1)", 2, 0},
-      {"hole in a hole's island", "(0 0, 90 0, 90 90, 0 90) (10 10, 80 10, 80 80, 10 80) ; (20 20, 70 20, 70 70, 20 70)", 5, 4},
+      {"hole in a hole's island",
+       "(0 0, 90 0, 90 90, 0 90) (10 10, 80 10, 80 80, 10 80) ; (20 20, 70 20, 70 70, 20 70)", 5,
+       4},
       {"collinear points", "(0 0, 5 0, 10 0, 10 5, 10 10, 0 10, 0 5)", 1, 0},
   };
   for (const Case& c : cases) {
@@ -138,8 +141,7 @@ TEST(Decompose, KeepsADentThatIsMoreThanArea) {
 
 TEST(Decompose, TheCutAvoidsSharpAnglesByABisector) {
   // The only corners that the dent sees are at very flat angles: the cut goes straight up.
-  const ConvexPieces result =
-      DecomposeOrDie(MakePolygonsOrDie("(0 0, 50 1, 100 0, 100 10, 0 10)"));
+  const ConvexPieces result = DecomposeOrDie(MakePolygonsOrDie("(0 0, 50 1, 100 0, 100 10, 0 10)"));
   EXPECT_EQ(result.pieces.size(), 2u);
   EXPECT_EQ(result.counts.extra_points, 1);
   EXPECT_EQ(result.counts.sharp_cuts, 0);
@@ -147,10 +149,12 @@ TEST(Decompose, TheCutAvoidsSharpAnglesByABisector) {
 }
 
 TEST(Decompose, RingsThatTouchThemselves) {
-  // Two lobes of a hole that meet in a corner; a hole that touches the outer ring; islands in touch.
+  // Two lobes of a hole that meet in a corner; a hole that touches the outer ring; islands in
+  // touch.
   for (const char* text :
        {"(0 0, 20 0, 20 20, 0 20) (5 5, 10 5, 10 10, 15 10, 15 15, 10 15, 10 10, 5 10)",
-        "(0 0, 20 0, 20 20, 0 20) (0 0, 10 5, 5 10)", "(0 0, 20 0, 20 20, 0 20) (10 0, 12 10, 8 10)",
+        "(0 0, 20 0, 20 20, 0 20) (0 0, 10 5, 5 10)",
+        "(0 0, 20 0, 20 20, 0 20) (10 0, 12 10, 8 10)",
         "(0 0, 10 0, 10 10, 0 10) ; (10 10, 20 10, 20 20, 10 20)",
         "(0 0, 20 0, 20 20, 0 20) (5 5, 10 5, 10 10, 5 10) (10 10, 15 10, 15 15, 10 15)"}) {
     const MultiPolygon islands = MakePolygonsOrDie(text);
@@ -164,7 +168,8 @@ TEST(Decompose, AThousandHoles) {
   for (int row = 0; row < 32; ++row) {
     for (int column = 0; column < 32; ++column) {
       Polygon hole = ConvexHull(RandomStar(random, 4, 0.6));
-      for (Point& p : hole) p = p + Point{(row * 10 + 10) * kNmPerMm, (column * 10 + 10) * kNmPerMm};
+      for (Point& p : hole)
+        p = p + Point{(row * 10 + 10) * kNmPerMm, (column * 10 + 10) * kNmPerMm};
       std::reverse(hole.begin(), hole.end());
       islands[0].holes.push_back(hole);
     }
@@ -184,7 +189,8 @@ TEST(Decompose, AThousandHoles) {
 TEST(Decompose, RandomIslandsAreCutExactly) {
   std::mt19937 random(20);
   for (int i = 0; i < 1500; ++i) {
-    const MultiPolygon islands = RandomIsland(random, {i * 1'000'003, -i * 777'777}, Uniform(random, 0.5, 80));
+    const MultiPolygon islands =
+        RandomIsland(random, {i * 1'000'003, -i * 777'777}, Uniform(random, 0.5, 80));
     const ConvexPieces result = DecomposeOrDie(islands);
     ExpectPartition(islands, result, ToText(islands), false);
     // A cut does away with one reflex corner at least.
@@ -197,7 +203,8 @@ TEST(Decompose, CgalsPartitionsPassTheSameTests) {
   std::mt19937 random(21);
   for (int i = 0; i < 150; ++i) {
     const MultiPolygon islands = RandomIsland(random, {}, 30);
-    for (const DecomposeMethod method : {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate}) {
+    for (const DecomposeMethod method :
+         {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate}) {
       const auto result = Decompose(islands, {.method = method});
       if (!result.ok()) {  // CGAL 5.5 makes mistakes; they must be noticed
         EXPECT_EQ(DetailOf(result.status()).reason, Reason::kInternal) << result.status();
@@ -241,8 +248,9 @@ TEST(Decompose, MovedAndTurned) {
 }
 
 TEST(Decompose, RefusesRingsThatCross) {
-  for (const char* text : {"(0 0, 10 0, 10 10, 5 -5)", "(0 0, 20 0, 20 20, 0 20) (10 10, 30 10, 30 15, 10 15)",
-                           "(0 0, 10 0, 10 10, 0 10) ; (5 5, 15 5, 15 15, 5 15)"}) {
+  for (const char* text :
+       {"(0 0, 10 0, 10 10, 5 -5)", "(0 0, 20 0, 20 20, 0 20) (10 10, 30 10, 30 15, 10 15)",
+        "(0 0, 10 0, 10 10, 0 10) ; (5 5, 15 5, 15 15, 5 15)"}) {
     const auto result = Decompose(MakePolygonsOrDie(text), {});
     ASSERT_FALSE(result.ok()) << text;
     EXPECT_EQ(DetailOf(result.status()).reason, Reason::kRequestMalformed) << text;

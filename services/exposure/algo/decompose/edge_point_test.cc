@@ -40,7 +40,9 @@ TEST(PointOnEdge, LiesInTheInterval) {
 
 TEST(PointOnEdge, IsToTheLeftWhereIntegersDoNotAllowMore) {
   std::mt19937_64 random(8);
-  const auto coordinate = [&] { return static_cast<Coord>(random() % 2'000'000'001) - 1'000'000'000; };
+  const auto coordinate = [&] {
+    return static_cast<Coord>(random() % 2'000'000'001) - 1'000'000'000;
+  };
   for (int i = 0; i < 2000; ++i) {
     const Point a{coordinate(), coordinate()}, b{coordinate(), coordinate()};
     const EdgePoint place = PointOnEdge(a, b, 0.5, 0.500001);

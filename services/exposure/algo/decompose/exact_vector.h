@@ -32,8 +32,9 @@ inline int CrossSign(ExactVector a, ExactVector b) {
   const double cross = left - right;
   // Three roundings of at most 2^-53 each.
   if (std::abs(cross) > 4.5e-16 * (std::abs(left) + std::abs(right))) return cross > 0 ? 1 : -1;
-  const __int128 exact = static_cast<__int128>(static_cast<int64_t>(a.x)) * static_cast<int64_t>(b.y) -
-                         static_cast<__int128>(static_cast<int64_t>(a.y)) * static_cast<int64_t>(b.x);
+  const __int128 exact =
+      static_cast<__int128>(static_cast<int64_t>(a.x)) * static_cast<int64_t>(b.y) -
+      static_cast<__int128>(static_cast<int64_t>(a.y)) * static_cast<int64_t>(b.x);
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
@@ -41,6 +42,8 @@ inline double DotOf(ExactVector a, ExactVector b) { return a.x * b.x + a.y * b.y
 inline double NormOf(ExactVector a) { return std::sqrt(DotOf(a, a)); }
 
 /// Cosine of the angle between two vectors that are not zero.
-inline double CosineOf(ExactVector a, ExactVector b) { return DotOf(a, b) / (NormOf(a) * NormOf(b)); }
+inline double CosineOf(ExactVector a, ExactVector b) {
+  return DotOf(a, b) / (NormOf(a) * NormOf(b));
+}
 
 }  // namespace slicefarm::exposure

@@ -11,6 +11,9 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr double kCosine30 = 0.86602540378443865;
+/// Cuts this close to an edge part slivers off walls that are straight but for rounding; the paper
+/// has no limit between reflex corners.
+constexpr double kCosine1 = 0.99984769515639127;
 /// Ranks of candidates; the last is for when nothing else is left.
 enum Rank { kBothReflex, kReflex, kConvex, kSharp };
 /// The share of A, from its first side to its other one, at which a cut without a corner to go to
@@ -44,7 +47,8 @@ double CrossOf(Direction a, ExactVector b) { return a.x * b.y - a.y * b.x; }
 /// bisector. Other shares need not be those of its angle.
 Direction Between(ExactVector in, ExactVector out, double share) {
   const Direction first = Unit(in), straight = Unit(out);
-  // Bisectors: the sum of A's sides, and the perpendicular of P's edges; the longer is the more precise.
+  // Bisectors: the sum of A's sides, and the perpendicular of P's edges; the longer is the more
+  // precise.
   Direction sum{first.x - straight.x, first.y - straight.y};
   const Direction across{-(first.y + straight.y), first.x + straight.x};
   if (across.x * across.x + across.y * across.y > sum.x * sum.x + sum.y * sum.y) sum = across;
@@ -52,7 +56,8 @@ Direction Between(ExactVector in, ExactVector out, double share) {
   const Direction middle{sum.x / norm, sum.y / norm};
   const Direction side = share < 0.5 ? first : Direction{-straight.x, -straight.y};
   const double toward_side = 2 * std::abs(share - 0.5);
-  return {middle.x + toward_side * (side.x - middle.x), middle.y + toward_side * (side.y - middle.y)};
+  return {middle.x + toward_side * (side.x - middle.x),
+          middle.y + toward_side * (side.y - middle.y)};
 }
 
 }  // namespace
@@ -70,7 +75,7 @@ void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVecto
   candidate.cosine = std::max({here_a, here_b, there_a, there_b});
   if (CrossSign(in, out) < 0) {
     const bool both = CrossSign(in, back) >= 0 && CrossSign(out, back) >= 0;
-    candidate.rank = both ? kBothReflex : kReflex;
+    candidate.rank = candidate.cosine > kCosine1 ? kSharp : both ? kBothReflex : kReflex;
   } else {
     candidate.rank = std::max(there_a, there_b) > kCosine30 ? kSharp : kConvex;
   }
@@ -116,8 +121,7 @@ bool LinkChoice::Sees(ExactVector at) {
     const int from = CrossSign(at, edge.from), to = CrossSign(at, edge.to);
     const bool blocks =
         (from == 0 && on_way(edge.from)) || (to == 0 && on_way(edge.to)) ||
-        (from * to < 0 &&
-         edge.origin_side * CrossSign(edge.to - edge.from, at - edge.from) < 0);
+        (from * to < 0 && edge.origin_side * CrossSign(edge.to - edge.from, at - edge.from) < 0);
     if (!blocks) continue;
     std::swap(edges_[i], edges_[i / 2]);  // what blocks often moves to the front
     return false;
@@ -158,10 +162,12 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   const EdgePoint place = PointOnEdge(a, b, middle - span, middle + span);
   const ExactVector at = VectorBetween(origin_, place.point);
   if (place.point == a || place.point == b || at == ExactVector{}) return std::nullopt;
-  if (CrossSign(in_, at) < 0 || CrossSign(out_, at) < 0 || CrossSign(hit->to - hit->from, at - hit->from) < 0)
+  if (CrossSign(in_, at) < 0 || CrossSign(out_, at) < 0 ||
+      CrossSign(hit->to - hit->from, at - hit->from) < 0)
     return std::nullopt;
   const ExactVector edge = hit->to - hit->from;
-  const double cosine = std::max({-CosineOf(in_, at), CosineOf(out_, at), std::abs(CosineOf(edge, at))});
+  const double cosine =
+      std::max({-CosineOf(in_, at), CosineOf(out_, at), std::abs(CosineOf(edge, at))});
   const CornerIndex index = hit->index;
   if (!Sees(at)) return std::nullopt;
   return Link{.end = index, .extra = place.point, .cosine = cosine};

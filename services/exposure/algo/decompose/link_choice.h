@@ -13,9 +13,9 @@ namespace slicefarm::exposure {
 
 /// Where a cut from a reflex corner ends.
 struct Link {
-  CornerIndex end;             ///< the corner; or the start of the edge that is divided
+  CornerIndex end;                  ///< the corner; or the start of the edge that is divided
   std::optional<Point> extra = {};  ///< the place on that edge
-  double cosine = 0;           ///< of the least angle of the cut with an edge, at either end
+  double cosine = 0;                ///< of the least angle of the cut with an edge, at either end
 };
 
 /// Finds the best end of a cut from a reflex corner P, after Bian et al. 2005.
@@ -27,6 +27,8 @@ struct Link {
 ///   3. convex ones at which the cut makes no angle below 30 degrees;
 /// among these, those on the extension of an edge at P (rings have a turn less there), then those
 /// of least weight |cos a - cos b|, a and b the cut's angles with the edges, summed over both ends.
+/// A cut to a reflex corner that makes an angle below 1 degree counts as none: along a wall that is
+/// straight but for rounding it would part off slivers.
 /// If there is none, the cut runs along the bisector of A to the border.
 ///
 /// All tests of sides are exact. A cut never passes another corner. Cost: O(n), and O(edges in A)
@@ -51,7 +53,9 @@ class LinkChoice {
     ExactVector at;
     CornerIndex index;
 
-    auto Key() const { return std::tuple(rank, turns, weight, DotOf(at, at), index.ring, index.point); }
+    auto Key() const {
+      return std::tuple(rank, turns, weight, DotOf(at, at), index.ring, index.point);
+    }
   };
 
   void Collect(const CutRegion& region, CornerIndex from);
@@ -60,9 +64,9 @@ class LinkChoice {
   std::optional<Link> BisectorLink(const CutRegion& region);
   std::optional<Link> LinkAlong(const CutRegion& region, double share);
 
-  Point origin_;              ///< P
-  ExactVector in_, out_;      ///< P's edges, towards P and away from it
-  std::vector<Edge> edges_;   ///< those that may reach into A; the last ones to block come first
+  Point origin_;             ///< P
+  ExactVector in_, out_;     ///< P's edges, towards P and away from it
+  std::vector<Edge> edges_;  ///< those that may reach into A; the last ones to block come first
   std::vector<Candidate> candidates_;
 };
 

@@ -48,7 +48,8 @@ TEST(LinkChoice, ABlockedCornerIsNotTaken) {
 
 TEST(LinkChoice, AnExtensionGoesBeforeTheWeight) {
   // Both upper corners are convex and not sharp; (10, 20) continues the notch's side.
-  EXPECT_EQ(LinkFrom("(0 0, 20 0, 20 20, 10 20, 0 18, 0 10, 10 10, 10 5, 0 5)", 10, 10), Mm(10, 20));
+  EXPECT_EQ(LinkFrom("(0 0, 20 0, 20 20, 10 20, 0 18, 0 10, 10 10, 10 5, 0 5)", 10, 10),
+            Mm(10, 20));
 }
 
 TEST(LinkChoice, SharpCornersGiveWayToTheBisector) {
@@ -59,8 +60,11 @@ TEST(LinkChoice, SharpCornersGiveWayToTheBisector) {
 
 TEST(LinkChoice, NothingBehindACornerIsSeen) {
   // (20, 10) hides (30, 10) from (10, 10): the way would pass it.
-  EXPECT_NE(LinkFrom("(0 0, 40 0, 40 20, 30 20, 30 10, 25 10, 25 20, 20 20, 20 10, 15 20, 10 20, 10 10, 0 10)", 10, 10),
-            Mm(30, 10));
+  EXPECT_NE(
+      LinkFrom(
+          "(0 0, 40 0, 40 20, 30 20, 30 10, 25 10, 25 20, 20 20, 20 10, 15 20, 10 20, 10 10, 0 10)",
+          10, 10),
+      Mm(30, 10));
 }
 
 TEST(LinkChoice, FromAHoleToTheOuterRing) {

@@ -6,9 +6,9 @@
 namespace slicefarm::exposure {
 
 /// The same region by rings of which every corner's inside is its own: where rings touch in a
-/// corner they pass it without crossing, where a corner touches an edge the edge has a corner there,
-/// and where two rings run along each other with nothing between both edges are gone. What touches
-/// nothing comes back as it was.
+/// corner they pass it without crossing, where a corner touches an edge the edge has a corner
+/// there, and where two rings run along each other with nothing between both edges are gone. What
+/// touches nothing comes back as it was.
 ///
 /// Errors: REQUEST_MALFORMED, with the place, if edges cross, lie on each other the same way round,
 ///         or a ring is turned the wrong way. Exact.

@@ -26,21 +26,24 @@ TEST(MendedRings, AHoleOfTwoLobesIsPassedWithoutCrossing) {
     for (size_t i = 0; i < ring.size(); ++i) {
       if (ring[i] != Point{10 * kNmPerMm, 10 * kNmPerMm}) continue;
       // At the corner that both lobes share, what is inside is a quarter.
-      const Point before = ring[(i + ring.size() - 1) % ring.size()], after = ring[(i + 1) % ring.size()];
+      const Point before = ring[(i + ring.size() - 1) % ring.size()],
+                  after = ring[(i + 1) % ring.size()];
       EXPECT_GT(Cross(ring[i] - before, after - ring[i]), 0);
     }
   });
 }
 
 TEST(MendedRings, AnEdgeGetsTheCornerThatTouchesIt) {
-  const auto mended = MendedRings(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (10 0, 12 10, 8 10)"));
+  const auto mended =
+      MendedRings(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (10 0, 12 10, 8 10)"));
   ASSERT_TRUE(mended.ok());
   EXPECT_EQ(Area(*mended), 380e12);
   EXPECT_EQ(Corners(*mended), 8u);
 }
 
 TEST(MendedRings, EdgesThatRunToAndFroAreGone) {
-  const auto mended = MendedRings(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) ; (10 0, 20 0, 20 10, 10 10)"));
+  const auto mended =
+      MendedRings(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) ; (10 0, 20 0, 20 10, 10 10)"));
   ASSERT_TRUE(mended.ok());
   ASSERT_EQ(mended->size(), 1u);
   EXPECT_EQ(Area(*mended), 200e12);
@@ -55,7 +58,8 @@ TEST(MendedRings, AHoleThatPartsTheRegionMakesTwo) {
 }
 
 TEST(MendedRings, RefusesCrossings) {
-  for (const char* text : {"(0 0, 10 0, 10 10, 5 -5)", "(0 0, 10 0, 10 10, 0 10) ; (0 0, 10 0, 10 5, 0 5)"}) {
+  for (const char* text :
+       {"(0 0, 10 0, 10 10, 5 -5)", "(0 0, 10 0, 10 10, 0 10) ; (0 0, 10 0, 10 5, 0 5)"}) {
     const auto mended = MendedRings(MakePolygonsOrDie(text));
     ASSERT_FALSE(mended.ok()) << text;
     EXPECT_EQ(DetailOf(mended.status()).reason, Reason::kRequestMalformed);

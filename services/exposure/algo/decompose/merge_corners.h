@@ -6,8 +6,8 @@ namespace slicefarm::exposure {
 
 /// Which corners are as good as straight.
 struct MergeLimits {
-  double sagitta = 0;    ///< greatest distance of a corner from its neighbours' chord
-  double area = 0;       ///< of all triangles that are cut off or filled in
+  double sagitta = 0;  ///< greatest distance of a corner from its neighbours' chord
+  double area = 0;     ///< of all triangles that are cut off or filled in
 };
 
 /// Leaves out repeated and straight points, then corners that are nearly straight: within both

@@ -32,7 +32,8 @@ TEST(MergeCorners, AFineArcKeepsItsArea) {
   // Each corner alone is within the limit; together they would take half of the disc.
   Polygon ring;
   for (int i = 0; i < 1000; ++i)
-    ring.push_back({std::llround(1e7 * std::cos(i * 0.00628318)), std::llround(1e7 * std::sin(i * 0.00628318))});
+    ring.push_back({std::llround(1e7 * std::cos(i * 0.00628318)),
+                    std::llround(1e7 * std::sin(i * 0.00628318))});
   const double area = SignedArea(ring);
   const MultiPolygon merged = MergeCorners({{ring, {}}}, {INFINITY, 1e-6 * area});
   EXPECT_LT(merged[0].outer.size(), 1000u);
@@ -42,7 +43,8 @@ TEST(MergeCorners, AFineArcKeepsItsArea) {
 TEST(MergeCorners, KeepsACornerThatAnotherRingIsIn) {
   // The tip of a hole lies in the bulge that would be cut off.
   MultiPolygon islands = Dented(-1000);
-  islands[0].holes = {{{50 * kNmPerMm, -500}, {40 * kNmPerMm, 50 * kNmPerMm}, {60 * kNmPerMm, 50 * kNmPerMm}}};
+  islands[0].holes = {
+      {{50 * kNmPerMm, -500}, {40 * kNmPerMm, 50 * kNmPerMm}, {60 * kNmPerMm, 50 * kNmPerMm}}};
   EXPECT_EQ(MergeCorners(islands, {2000, INFINITY})[0].outer[1], (Point{50 * kNmPerMm, -1000}));
 }
 

@@ -29,7 +29,8 @@ class EntryGrid {
     columns_ = static_cast<int64_t>(width / cell_) + 1;
     rows_ = static_cast<int64_t>(height / cell_) + 1;
     cells_.resize(static_cast<size_t>(columns_ * rows_));
-    for (const Entry& entry : entries) cells_[Index(Column(entry.at), Row(entry.at))].push_back(entry);
+    for (const Entry& entry : entries)
+      cells_[Index(Column(entry.at), Row(entry.at))].push_back(entry);
   }
 
   /// The nearest entry of a block that is left; it and its block's other entry are gone after it.
@@ -62,9 +63,15 @@ class EntryGrid {
   static int64_t Clamped(double at, int64_t count) {
     return std::clamp(static_cast<int64_t>(at), int64_t{0}, count - 1);
   }
-  int64_t Column(Point p) const { return Clamped(static_cast<double>(p.x - box_.min.x) / cell_, columns_); }
-  int64_t Row(Point p) const { return Clamped(static_cast<double>(p.y - box_.min.y) / cell_, rows_); }
-  size_t Index(int64_t column, int64_t row) const { return static_cast<size_t>(row * columns_ + column); }
+  int64_t Column(Point p) const {
+    return Clamped(static_cast<double>(p.x - box_.min.x) / cell_, columns_);
+  }
+  int64_t Row(Point p) const {
+    return Clamped(static_cast<double>(p.y - box_.min.y) / cell_, rows_);
+  }
+  size_t Index(int64_t column, int64_t row) const {
+    return static_cast<size_t>(row * columns_ + column);
+  }
 
   template <typename Visit>
   void ForRing(int64_t column, int64_t row, int64_t ring, Visit visit) {
@@ -112,7 +119,8 @@ std::vector<BlockTurn> Farthest(const std::vector<ScanBlock>& blocks, Point from
   while (!left.empty()) {
     size_t best = 0;
     for (size_t k = 1; k < left.size(); ++k)
-      if (Distance(from, blocks[left[k]].start) > Distance(from, blocks[left[best]].start)) best = k;
+      if (Distance(from, blocks[left[k]].start) > Distance(from, blocks[left[best]].start))
+        best = k;
     turns.push_back({left[best], false});
     from = blocks[left[best]].end;
     left.erase(left.begin() + static_cast<ptrdiff_t>(best));
@@ -122,15 +130,18 @@ std::vector<BlockTurn> Farthest(const std::vector<ScanBlock>& blocks, Point from
 
 }  // namespace
 
-std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order, Point from) {
+std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order,
+                                   Point from) {
   std::vector<BlockTurn> turns;
   switch (order) {
     case JumpOrder::kNearest:
-      AppendNearest(blocks, [](const ScanBlock&) { return true; }, from, turns);
+      AppendNearest(
+          blocks, [](const ScanBlock&) { return true; }, from, turns);
       break;
     case JumpOrder::kChequerboard:
       for (const bool odd : {false, true}) {
-        AppendNearest(blocks, [odd](const ScanBlock& block) { return block.odd == odd; }, from, turns);
+        AppendNearest(
+            blocks, [odd](const ScanBlock& block) { return block.odd == odd; }, from, turns);
         if (!turns.empty()) from = blocks[turns.back().block].end;
       }
       break;

@@ -28,6 +28,7 @@ struct BlockTurn {
 ///   kFarthest:     always the one that begins farthest from where the last one ended.
 /// Among equal ones the first. Cost: O(n log n) on the whole for the first two, as blocks are
 /// searched in a grid; O(n^2) for the last.
-std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order, Point from);
+std::vector<BlockTurn> OrderBlocks(const std::vector<ScanBlock>& blocks, JumpOrder order,
+                                   Point from);
 
 }  // namespace slicefarm::exposure

@@ -11,7 +11,8 @@ namespace {
 
 std::vector<ScanBlock> RandomBlocks(size_t count, std::mt19937_64& random, bool reversible) {
   const auto place = [&] {
-    return Point{static_cast<Coord>(random() % 100'000'000), static_cast<Coord>(random() % 100'000'000)};
+    return Point{static_cast<Coord>(random() % 100'000'000),
+                 static_cast<Coord>(random() % 100'000'000)};
   };
   std::vector<ScanBlock> blocks(count);
   for (size_t i = 0; i < count; ++i)
@@ -69,7 +70,8 @@ TEST(OrderBlocks, ChequerboardDoesOneColourFirst) {
 TEST(OrderBlocks, EachBlockOnce) {
   std::mt19937_64 random(3);
   const auto blocks = RandomBlocks(333, random, true);
-  for (const JumpOrder order : {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest}) {
+  for (const JumpOrder order :
+       {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest}) {
     std::set<size_t> seen;
     for (const BlockTurn& turn : OrderBlocks(blocks, order, {})) seen.insert(turn.block);
     EXPECT_EQ(seen.size(), blocks.size());

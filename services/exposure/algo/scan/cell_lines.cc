@@ -40,11 +40,13 @@ struct CellRow {
 
 /// Cuts a piece at the cells' borders; wanted(cell) says which are taken.
 template <typename Wanted, typename Emit>
-void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Wanted wanted, Emit emit) {
+void CutAtCells(const ScanPiece& piece, const CellRow& cells, double least, Wanted wanted,
+                Emit emit) {
   for (int32_t cell = cells.First(piece.u0); cell <= cells.Last(piece.u1); ++cell) {
     // What only reaches into the overlap belongs to the neighbour alone.
     if (!wanted(cell) || !cells.Meets(cell, piece.u0, piece.u1)) continue;
-    const double u0 = std::max(piece.u0, cells.Low(cell)), u1 = std::min(piece.u1, cells.High(cell));
+    const double u0 = std::max(piece.u0, cells.Low(cell)),
+                 u1 = std::min(piece.u1, cells.High(cell));
     if (u1 > u0 && u1 - u0 >= least) emit(cell, u0, u1);
   }
 }
@@ -59,7 +61,8 @@ struct Family {
   std::vector<CellLine> lines = {};
 };
 
-absl::Status FillStripes(const MultiPolygon& region, const ExposureOptions& options, Family& family) {
+absl::Status FillStripes(const MultiPolygon& region, const ExposureOptions& options,
+                         Family& family) {
   const CellRow stripes{static_cast<double>(options.stripe_width_nm),
                         static_cast<double>(options.overlap_nm) / 2};
   const double least = static_cast<double>(options.minimum_vector_nm);
@@ -77,7 +80,8 @@ absl::Status FillStripes(const MultiPolygon& region, const ExposureOptions& opti
 }
 
 /// Rows and columns are those of the family's own frame.
-absl::Status FillIslands(const MultiPolygon& region, const ExposureOptions& options, Family& family) {
+absl::Status FillIslands(const MultiPolygon& region, const ExposureOptions& options,
+                         Family& family) {
   const CellRow islands{static_cast<double>(options.island_width_nm),
                         static_cast<double>(options.overlap_nm) / 2};
   const double least = static_cast<double>(options.minimum_vector_nm);
@@ -137,8 +141,8 @@ absl::StatusOr<LineBlocks> CellBlocks(const MultiPolygon& region, double angle_d
     Family family{.frame = ScanFrame(odd && !stripes ? angle_deg + 90 : angle_deg),
                   .grid = {.pitch_nm = pitch, .phase = odd && stripes ? 0.5 : 0},
                   .odd = odd};
-    const absl::Status status = stripes ? FillStripes(region, options, family)
-                                        : FillIslands(region, options, family);
+    const absl::Status status =
+        stripes ? FillStripes(region, options, family) : FillIslands(region, options, family);
     if (!status.ok()) return status;
     AppendBlocks(family, options.alternate_directions, blocks);
   }

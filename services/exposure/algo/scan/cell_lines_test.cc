@@ -21,7 +21,8 @@ TEST(CellBlocks, StripesEvenOnesFirst) {
   const LineBlocks blocks = Blocks("(0 0, 10 0, 10 10, 0 10)", ScanStrategy::kStripes);
   EXPECT_EQ(blocks.odd, (std::vector<bool>{false, false, false, true, true}));
   for (size_t b = 0; b < blocks.odd.size(); ++b) {
-    const Box box = Bounds(std::span(blocks.points).subspan(blocks.begin[b], blocks.begin[b + 1] - blocks.begin[b]));
+    const Box box = Bounds(
+        std::span(blocks.points).subspan(blocks.begin[b], blocks.begin[b + 1] - blocks.begin[b]));
     const Coord stripe = b < 3 ? 2 * static_cast<Coord>(b) : 2 * static_cast<Coord>(b - 3) + 1;
     EXPECT_EQ(box.min.x, std::max<Coord>(0, stripe * 2'000'000 - 50'000));
     EXPECT_EQ(box.max.x, std::min<Coord>(10'000'000, (stripe + 1) * 2'000'000 + 50'000));
@@ -33,7 +34,8 @@ TEST(CellBlocks, IslandsLieInSquares) {
   const LineBlocks blocks = Blocks("(0 0, 6 0, 6 6, 0 6)", ScanStrategy::kIslands);
   EXPECT_GE(blocks.odd.size(), 9u);
   for (size_t b = 0; b < blocks.odd.size(); ++b) {
-    const Box box = Bounds(std::span(blocks.points).subspan(blocks.begin[b], blocks.begin[b + 1] - blocks.begin[b]));
+    const Box box = Bounds(
+        std::span(blocks.points).subspan(blocks.begin[b], blocks.begin[b + 1] - blocks.begin[b]));
     EXPECT_LE(box.max.x - box.min.x, 2'100'000);
     EXPECT_LE(box.max.y - box.min.y, 2'100'000);
   }

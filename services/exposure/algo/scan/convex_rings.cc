@@ -21,7 +21,8 @@ Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.y)}; }
 
 ConvexInsets::ConvexInsets(const Polygon& piece, double scale) {
   const auto place = [&](size_t i) {
-    return PlaneVector{static_cast<double>(piece[i].x) / scale, static_cast<double>(piece[i].y) / scale};
+    return PlaneVector{static_cast<double>(piece[i].x) / scale,
+                       static_cast<double>(piece[i].y) / scale};
   };
   for (size_t i = 0; i < piece.size(); ++i) {
     const PlaneVector a = place(i), b = place((i + 1) % piece.size());
@@ -46,10 +47,13 @@ ConvexRing ConvexInsets::At(double distance) {
     const double t = Cross(b.way, a.at - b.at) / Cross(a.way, b.way);
     return PlaneVector{a.at.x + t * a.way.x, a.at.y + t * a.way.y};
   };
-  const auto outside = [](const Line& line, PlaneVector p) { return Cross(line.way, p - line.at) <= 0; };
+  const auto outside = [](const Line& line, PlaneVector p) {
+    return Cross(line.way, p - line.at) <= 0;
+  };
   for (size_t i = 0; i < edges_.size(); ++i) {
     const Edge& edge = edges_[i];
-    const Line line{{edge.at.x - distance * edge.way.y, edge.at.y + distance * edge.way.x}, edge.way, i};
+    const Line line{
+        {edge.at.x - distance * edge.way.y, edge.at.y + distance * edge.way.x}, edge.way, i};
     while (lines.size() > front + 1 && outside(line, corners.back())) {
       lines.pop_back();
       corners.pop_back();
@@ -57,7 +61,8 @@ ConvexRing ConvexInsets::At(double distance) {
     while (lines.size() > front + 1 && outside(line, corners[front])) ++front;
     if (lines.size() > front) {
       const double turn = Cross(lines.back().way, line.way);
-      if (turn < -kParallel || (turn <= kParallel && Dot(lines.back().way, line.way) < 0)) return {};
+      if (turn < -kParallel || (turn <= kParallel && Dot(lines.back().way, line.way) < 0))
+        return {};
       if (turn <= kParallel) {  // the same direction: the inner one counts
         if (outside(lines.back(), line.at)) continue;
         lines.pop_back();

@@ -48,7 +48,8 @@ TEST(ConvexInsets, AreThoseOfAnotherOffset) {
       const ConvexRing ring = insets.At(distance);
       const double other =
           Area(Offset({{hull, {}}}, -static_cast<Coord>(distance), {.miter_limit = 100}));
-      EXPECT_NEAR(ring.empty() ? 0 : AreaOf(ring), other, 50 * 1e6) << ToText(hull) << " at " << distance;
+      EXPECT_NEAR(ring.empty() ? 0 : AreaOf(ring), other, 50 * 1e6)
+          << ToText(hull) << " at " << distance;
     }
     if (::testing::Test::HasFailure()) break;
   }

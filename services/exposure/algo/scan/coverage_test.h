@@ -43,8 +43,12 @@ class MeltedRaster {
   }
 
  private:
-  double X(size_t column) const { return static_cast<double>(box_.min.x + static_cast<Coord>(column) * step_); }
-  double Y(size_t row) const { return static_cast<double>(box_.min.y + static_cast<Coord>(row) * step_); }
+  double X(size_t column) const {
+    return static_cast<double>(box_.min.x + static_cast<Coord>(column) * step_);
+  }
+  double Y(size_t row) const {
+    return static_cast<double>(box_.min.y + static_cast<Coord>(row) * step_);
+  }
 
   void MarkRow(const MultiPolygon& region, size_t row) {
     std::vector<double> crossings;
@@ -70,7 +74,8 @@ class MeltedRaster {
       const auto clamp = [&](Coord v) {
         return static_cast<size_t>(std::clamp<Coord>(v, 0, static_cast<Coord>(count) - 1));
       };
-      return std::pair(clamp((low - spot_nm / 2 - origin) / step_), clamp((high + spot_nm / 2 - origin) / step_ + 1));
+      return std::pair(clamp((low - spot_nm / 2 - origin) / step_),
+                       clamp((high + spot_nm / 2 - origin) / step_ + 1));
     };
     const auto [c0, c1] = cells(std::min(a.x, b.x), std::max(a.x, b.x), box_.min.x, columns_);
     const auto [r0, r1] = cells(std::min(a.y, b.y), std::max(a.y, b.y), box_.min.y, rows_);
@@ -78,7 +83,8 @@ class MeltedRaster {
     const double length2 = ex * ex + ey * ey, reach = static_cast<double>(spot_nm) / 2 + 2;
     for (size_t row = r0; row <= r1; ++row) {
       for (size_t column = c0; column <= c1; ++column) {
-        const double px = X(column) - static_cast<double>(a.x), py = Y(row) - static_cast<double>(a.y);
+        const double px = X(column) - static_cast<double>(a.x),
+                     py = Y(row) - static_cast<double>(a.y);
         const double t = length2 > 0 ? std::clamp((px * ex + py * ey) / length2, 0.0, 1.0) : 0;
         if (std::hypot(px - t * ex, py - t * ey) <= reach) hit.push_back(row * columns_ + column);
       }

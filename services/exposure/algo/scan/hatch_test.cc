@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 
-std::vector<Point> HatchOrDie(const MultiPolygon& region, double angle_deg, const ExposureOptions& options) {
+std::vector<Point> HatchOrDie(const MultiPolygon& region, double angle_deg,
+                              const ExposureOptions& options) {
   auto points = Hatch(region, angle_deg, options, {});
   EXPECT_TRUE(points.ok()) << points.status();
   return points.ok() ? *std::move(points) : std::vector<Point>{};
@@ -44,7 +45,8 @@ double JumpMm(const std::vector<Point>& points) {
   return length / kNmPerMm;
 }
 
-const ScanStrategy kStrategies[] = {ScanStrategy::kHatch, ScanStrategy::kStripes, ScanStrategy::kIslands};
+const ScanStrategy kStrategies[] = {ScanStrategy::kHatch, ScanStrategy::kStripes,
+                                    ScanStrategy::kIslands};
 
 /// Lines lie at whole (or, in odd stripes, half) multiples of the distance, to less than 2 nm.
 TEST(Hatch, DistancesAreExact) {
@@ -57,9 +59,13 @@ TEST(Hatch, DistancesAreExact) {
         const double x = static_cast<double>(p.x), y = static_cast<double>(p.y);
         const double v = std::cos(angle * kRadians) * y - std::sin(angle * kRadians) * x;
         const double u = std::cos(angle * kRadians) * x + std::sin(angle * kRadians) * y;
-        const auto off = [&](double at, double unit) { return std::abs(at - unit * std::round(at / unit)); };
+        const auto off = [&](double at, double unit) {
+          return std::abs(at - unit * std::round(at / unit));
+        };
         const double unit = strategy == ScanStrategy::kStripes ? pitch / 2 : pitch;
-        const double least = strategy == ScanStrategy::kIslands ? std::min(off(v, unit), off(u, unit)) : off(v, unit);
+        const double least = strategy == ScanStrategy::kIslands
+                                 ? std::min(off(v, unit), off(u, unit))
+                                 : off(v, unit);
         EXPECT_LT(least, 2.0);
       }
     }
@@ -67,7 +73,8 @@ TEST(Hatch, DistancesAreExact) {
 }
 
 TEST(Hatch, LinesOfAHatchAreNeighboursAtTheDistance) {
-  const auto points = HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 0, With(ScanStrategy::kHatch));
+  const auto points =
+      HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 0, With(ScanStrategy::kHatch));
   ASSERT_EQ(points.size() / 2, 125u);  // from 0 to 9.92
   for (size_t i = 0; i + 2 < points.size(); i += 2) {
     EXPECT_EQ(points[i + 2].y - points[i].y, 80'000);
@@ -125,13 +132,15 @@ TEST(Hatch, ShortVectorsAreLeftOut) {
   options.minimum_vector_nm = 1'000'000;
   const auto points = HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 5 9)"), 0, options);
   ASSERT_FALSE(points.empty());
-  for (size_t i = 0; i + 1 < points.size(); i += 2) EXPECT_GE(Distance(points[i], points[i + 1]), 1'000'000 - 2);
+  for (size_t i = 0; i + 1 < points.size(); i += 2)
+    EXPECT_GE(Distance(points[i], points[i + 1]), 1'000'000 - 2);
 }
 
 TEST(Hatch, OneDirectionIfAskedFor) {
   ExposureOptions options = With(ScanStrategy::kHatch);
   options.alternate_directions = false;
-  const auto points = HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (3 3, 7 3, 7 7, 3 7)"), 0, options);
+  const auto points =
+      HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (3 3, 7 3, 7 7, 3 7)"), 0, options);
   for (size_t i = 0; i + 1 < points.size(); i += 2) EXPECT_LT(points[i].x, points[i + 1].x);
 }
 
@@ -139,7 +148,8 @@ TEST(Hatch, JumpsFollowTheOrderAskedFor) {
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
   ExposureOptions options = With(ScanStrategy::kIslands);
   std::map<JumpOrder, double> jumps;
-  for (const JumpOrder order : {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest}) {
+  for (const JumpOrder order :
+       {JumpOrder::kNearest, JumpOrder::kChequerboard, JumpOrder::kFarthest}) {
     options.jump_order = order;
     const auto points = HatchOrDie(square, 45, options);
     jumps[order] = JumpMm(points);
@@ -153,14 +163,17 @@ TEST(Hatch, JumpsFollowTheOrderAskedFor) {
 TEST(Hatch, NeighbouringRegionsContinueEachOther) {
   // Cutting a region in two changes no line but that it is cut.
   ExposureOptions options = With(ScanStrategy::kHatch);
-  const double whole = LengthMm(HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 33, options));
-  const double halves = LengthMm(HatchOrDie(MakePolygonsOrDie("(0 0, 5 0, 5 10, 0 10)"), 33, options)) +
-                        LengthMm(HatchOrDie(MakePolygonsOrDie("(5 0, 10 0, 10 10, 5 10)"), 33, options));
+  const double whole =
+      LengthMm(HatchOrDie(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)"), 33, options));
+  const double halves =
+      LengthMm(HatchOrDie(MakePolygonsOrDie("(0 0, 5 0, 5 10, 0 10)"), 33, options)) +
+      LengthMm(HatchOrDie(MakePolygonsOrDie("(5 0, 10 0, 10 10, 5 10)"), 33, options));
   EXPECT_NEAR(whole, halves, 1e-3);
 }
 
 TEST(Hatch, OfNothingIsNothing) {
-  for (const ScanStrategy strategy : kStrategies) EXPECT_TRUE(HatchOrDie({}, 0, With(strategy)).empty());
+  for (const ScanStrategy strategy : kStrategies)
+    EXPECT_TRUE(HatchOrDie({}, 0, With(strategy)).empty());
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ std::vector<Point> InOrder(const LineBlocks& blocks, const ExposureOptions& opti
     const auto first = blocks.points.begin() + static_cast<ptrdiff_t>(blocks.begin[turn.block]);
     const auto last = blocks.points.begin() + static_cast<ptrdiff_t>(blocks.begin[turn.block + 1]);
     if (turn.reversed) {
-      points.insert(points.end(), std::make_reverse_iterator(last), std::make_reverse_iterator(first));
+      points.insert(points.end(), std::make_reverse_iterator(last),
+                    std::make_reverse_iterator(first));
     } else {
       points.insert(points.end(), first, last);
     }

@@ -10,9 +10,9 @@ namespace slicefarm::exposure {
 
 /// Hatch lines in blocks that are scanned in one go.
 struct LineBlocks {
-  std::vector<Point> points;    ///< two a line, in order and direction, block after block
-  std::vector<size_t> begin;    ///< of each block in `points`; one more entry than blocks
-  std::vector<bool> odd;        ///< by block: the other colour of the chequerboard
+  std::vector<Point> points;  ///< two a line, in order and direction, block after block
+  std::vector<size_t> begin;  ///< of each block in `points`; one more entry than blocks
+  std::vector<bool> odd;      ///< by block: the other colour of the chequerboard
 };
 
 /// The lines block by block, in the order that options.jump_order asks for. With alternating

@@ -36,7 +36,8 @@ void StartNear(Point from, Polyline& ring) {
 }
 
 /// The lines of one piece, in order.
-std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const ExposureOptions& options) {
+std::vector<Polyline> PieceLines(const Polygon& piece, double scale,
+                                 const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
   std::vector<Polyline> rings = ConvexRings(piece, scale, {.pitch_nm = pitch, .first_nm = first});
@@ -47,7 +48,8 @@ std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const Expos
   for (size_t i = 1; i < rings.size(); ++i) {
     if (rings[i].size() > 2) {
       StartNear(rings[i - 1].back(), rings[i]);
-    } else if (Distance(rings[i - 1].back(), rings[i][1]) < Distance(rings[i - 1].back(), rings[i][0])) {
+    } else if (Distance(rings[i - 1].back(), rings[i][1]) <
+               Distance(rings[i - 1].back(), rings[i][0])) {
       std::swap(rings[i][0], rings[i][1]);
     }
   }
@@ -70,7 +72,8 @@ absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& opti
   for (const Polygon& piece : pieces->pieces) {
     std::vector<Polyline> lines = PieceLines(piece, static_cast<double>(pieces->scale), options);
     if (lines.empty()) continue;
-    blocks.push_back({.start = lines.front().front(), .end = lines.back().back(),
+    blocks.push_back({.start = lines.front().front(),
+                      .end = lines.back().back(),
                       .odd = blocks.size() % 2 == 1});
     scans.push_back(std::move(lines));
   }

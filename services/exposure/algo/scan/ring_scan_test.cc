@@ -13,7 +13,8 @@
 namespace slicefarm::exposure {
 namespace {
 
-ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options, CutCounts* counts = nullptr) {
+ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options,
+                   CutCounts* counts = nullptr) {
   ExposureGroup group;
   CutCounts sum;
   options.strategy = ScanStrategy::kRings;
@@ -31,7 +32,9 @@ TEST(ScanByRings, OneLineAPieceIfLinkedElseOneARing) {
   options.link_rings = false;
   const ExposureGroup rings = Scan(region, options);
   EXPECT_GT(rings.LineCount(), 40u);
-  rings.ForEachLine([](std::span<const Point> line) { EXPECT_TRUE(line.size() == 2 || line.front() == line.back()); });
+  rings.ForEachLine([](std::span<const Point> line) {
+    EXPECT_TRUE(line.size() == 2 || line.front() == line.back());
+  });
 }
 
 TEST(ScanByRings, LinksAreShort) {
@@ -49,7 +52,8 @@ TEST(ScanByRings, CoversRandomRegions) {
     const MultiPolygon region = RandomIsland(random, {}, 5);
     MeltedRaster raster(region, 11'000);
     Scan(region, {}).ForEachLine([&](std::span<const Point> line) { raster.Add(line, 80'000); });
-    EXPECT_GE(raster.Share(1), 0.985) << ToText(region);  // sharp corners stay open: the spot is round
+    EXPECT_GE(raster.Share(1), 0.985)
+        << ToText(region);  // sharp corners stay open: the spot is round
   }
 }
 
@@ -65,8 +69,8 @@ TEST(ScanByRings, ShortRingsAreLeftOut) {
 TEST(ScanByRings, TakesWhateverOffsetsLeave) {
   std::mt19937 random(13);
   for (int i = 0; i < 300; ++i) {
-    const MultiPolygon region =
-        FastOffset(RandomIsland(random, {}, Uniform(random, 0.3, 6)), -static_cast<Coord>(Uniform(random, 1e4, 4e5)));
+    const MultiPolygon region = FastOffset(RandomIsland(random, {}, Uniform(random, 0.3, 6)),
+                                           -static_cast<Coord>(Uniform(random, 1e4, 4e5)));
     ExposureGroup group;
     CutCounts counts;
     ExposureOptions options;

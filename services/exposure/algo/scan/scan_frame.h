@@ -24,8 +24,12 @@ class ScanFrame {
     }
   }
 
-  double U(Point p) const { return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y); }
-  double V(Point p) const { return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x); }
+  double U(Point p) const {
+    return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
+  }
+  double V(Point p) const {
+    return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
+  }
   /// Rounded to nm.
   Point At(double u, double v) const {
     return {Rounded(cos_ * u - sin_ * v), Rounded(sin_ * u + cos_ * v)};

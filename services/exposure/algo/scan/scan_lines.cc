@@ -12,8 +12,8 @@ namespace {
 /// An edge of a region in the frame, from its lower end to its upper one, and the lines it meets:
 /// [first, last).
 struct FrameEdge {
-  double u = 0, v = 0;      ///< lower end
-  double slope = 0;         ///< du / dv
+  double u = 0, v = 0;  ///< lower end
+  double slope = 0;     ///< du / dv
   int64_t first = 0, last = 0;
 };
 
@@ -54,7 +54,8 @@ absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
     last = std::max(last, edge.last);
     crossings += edge.last - edge.first;
   }
-  if (crossings / 2 > kMaxScanPieces || last - first > kMaxScanPieces || first < INT32_MIN || last > INT32_MAX)
+  if (crossings / 2 > kMaxScanPieces || last - first > kMaxScanPieces || first < INT32_MIN ||
+      last > INT32_MAX)
     return LimitError(Reason::kRequestTooLarge, "hatch lines of a layer", kMaxScanPieces,
                       std::max(crossings / 2, last - first));
   // Crossings by line: counted, then put in their places.

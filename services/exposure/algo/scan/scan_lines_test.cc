@@ -14,8 +14,9 @@ namespace slicefarm::exposure {
 namespace {
 
 TEST(CutScanLines, OfASquareWithAHole) {
-  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"),
-                                   ScanFrame(0), {.pitch_nm = 1e6, .phase = 0.5});
+  const auto pieces =
+      CutScanLines(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"), ScanFrame(0),
+                   {.pitch_nm = 1e6, .phase = 0.5});
   ASSERT_TRUE(pieces.ok());
   ASSERT_EQ(pieces->size(), 12u);
   EXPECT_EQ((*pieces)[0].line, 0);
@@ -27,7 +28,8 @@ TEST(CutScanLines, OfASquareWithAHole) {
 
 TEST(CutScanLines, LinesThroughCornersMeetARingAnEvenNumberOfTimes) {
   // All corners lie on lines.
-  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"), ScanFrame(0), {.pitch_nm = 1e6});
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"),
+                                   ScanFrame(0), {.pitch_nm = 1e6});
   ASSERT_TRUE(pieces.ok());
   double length = 0;
   for (const ScanPiece& piece : *pieces) length += piece.u1 - piece.u0;
@@ -59,7 +61,8 @@ TEST(CutScanLines, PiecesAreWhatIsInside) {
 }
 
 TEST(CutScanLines, RefusesTooMany) {
-  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 1000 0, 1000 1000, 0 1000)"), ScanFrame(0), {.pitch_nm = 10});
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 1000 0, 1000 1000, 0 1000)"),
+                                   ScanFrame(0), {.pitch_nm = 10});
   EXPECT_EQ(DetailOf(pieces.status()).reason, Reason::kRequestTooLarge);
 }
 

@@ -15,7 +15,8 @@ constexpr size_t kNone = SIZE_MAX;
 /// Pieces of lines, and where each line's begin.
 class PieceTable {
  public:
-  explicit PieceTable(const std::vector<ScanPiece>& pieces) : pieces_(pieces), used_(pieces.size()) {
+  explicit PieceTable(const std::vector<ScanPiece>& pieces)
+      : pieces_(pieces), used_(pieces.size()) {
     for (size_t i = 0; i < pieces.size(); ++i)
       if (i == 0 || pieces[i].line != pieces[i - 1].line) begin_.push_back(i);
     begin_.push_back(pieces.size());
@@ -30,7 +31,8 @@ class PieceTable {
   /// The unused piece of the next line beside this one that has an end nearest to `u`.
   size_t NextBeside(size_t piece, double u) const {
     const size_t row = line_of_[piece] + 1;
-    if (row + 1 >= begin_.size() || pieces_[begin_[row]].line != pieces_[piece].line + 1) return kNone;
+    if (row + 1 >= begin_.size() || pieces_[begin_[row]].line != pieces_[piece].line + 1)
+      return kNone;
     const auto first = pieces_.begin() + static_cast<ptrdiff_t>(begin_[row]);
     const auto last = pieces_.begin() + static_cast<ptrdiff_t>(begin_[row + 1]);
     auto other = std::partition_point(

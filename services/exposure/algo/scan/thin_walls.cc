@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
 #include "common/geometry/simplify.h"
@@ -19,11 +21,24 @@ constexpr Coord kToleranceNm = 1'000;
 /// A wall is at least this many times as long as the spot's half width.
 constexpr double kLeastLength = 4;
 
+/// Islands of which an inset may leave out something. Where each edge just moves nothing is thin:
+/// that costs a tenth of looking.
+MultiPolygon Doubtful(const MultiPolygon& outline, Coord inset_nm) {
+  MultiPolygon doubtful;
+  for (const PolygonWithHoles& island : outline) {
+    const std::optional<CleanOffset> inset = TryOffset({island}, -inset_nm);
+    if (!inset || inset->has_tips) doubtful.push_back(island);
+  }
+  return doubtful;
+}
+
 MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
+  if (outline.empty()) return {};
   const MultiPolygon thick =
       OffsetTwice(outline, -inset_nm, inset_nm + kToleranceNm, {.miter_limit = 10});
   MultiPolygon thin = Difference(outline, thick);
-  const double least = kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
+  const double least =
+      kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
   std::erase_if(thin, [&](const PolygonWithHoles& part) { return Area(part) < least; });
   return Simplify(thin, kToleranceNm);
 }
@@ -58,7 +73,8 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
         Polyline next = std::move(lines[best]);
         lines.erase(lines.begin() + static_cast<ptrdiff_t>(best));
         if (backwards) std::reverse(next.begin(), next.end());
-        chain.insert(chain.end(), next.begin() + (next.front() == chain.back() ? 1 : 0), next.end());
+        chain.insert(chain.end(), next.begin() + (next.front() == chain.back() ? 1 : 0),
+                     next.end());
       }
     }
     chains.push_back(std::move(chain));
@@ -70,7 +86,7 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
 
 absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline, Coord inset_nm,
                                                     const CancelToken& cancel) {
-  const MultiPolygon thin = ThinParts(outline, inset_nm);
+  const MultiPolygon thin = ThinParts(Doubtful(outline, inset_nm), inset_nm);
   if (thin.empty()) return std::vector<Polyline>{};
   const auto pieces = Decompose(thin, {.merge_nm = kToleranceNm}, cancel);
   if (!pieces.ok()) return pieces.status();

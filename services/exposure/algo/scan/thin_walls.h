@@ -6,10 +6,9 @@
 
 namespace slicefarm::exposure {
 
-/// Lines along the middle of what is thinner than 2 * `inset_nm`, so that an inset leaves nothing of
-/// it: one exposure for a thin wall. Corners are no thin walls: what is shorter than it is wide is
-/// left out. Lines that meet are one.
-/// Errors: those of Decompose.
+/// Lines along the middle of what is thinner than 2 * `inset_nm`, so that an inset leaves nothing
+/// of it: one exposure for a thin wall. Corners are no thin walls: what is shorter than it is wide
+/// is left out. Lines that meet are one. Errors: those of Decompose.
 absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline, Coord inset_nm,
                                                     const CancelToken& cancel);
 

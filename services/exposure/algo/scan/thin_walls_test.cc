@@ -25,7 +25,8 @@ TEST(ThinWallLines, OneLineForAStraightWall) {
 }
 
 TEST(ThinWallLines, ARibOnABodyGetsOneAndTheBodyNone) {
-  const auto walls = Walls(MakePolygonsOrDie("(0 0, 10 0, 10 5, 5.03 5, 5.03 9, 4.97 9, 4.97 5, 0 5)"));
+  const auto walls =
+      Walls(MakePolygonsOrDie("(0 0, 10 0, 10 5, 5.03 5, 5.03 9, 4.97 9, 4.97 5, 0 5)"));
   ASSERT_EQ(walls.size(), 1u);
   for (const Point p : walls[0]) {
     EXPECT_NEAR(static_cast<double>(p.x), 5e6, 2e3);
@@ -37,7 +38,8 @@ TEST(ThinWallLines, ARibOnABodyGetsOneAndTheBodyNone) {
 TEST(ThinWallLines, AThinRingIsFollowedAllTheWay) {
   Polyline circle;
   for (int i = 0; i < 60; ++i)
-    circle.push_back({std::llround(5e6 * std::cos(i * M_PI / 30)), std::llround(5e6 * std::sin(i * M_PI / 30))});
+    circle.push_back(
+        {std::llround(5e6 * std::cos(i * M_PI / 30)), std::llround(5e6 * std::sin(i * M_PI / 30))});
   MultiPolygon ring = {{circle, {}}};
   for (Point& p : circle) p = {p.x * 99 / 100, p.y * 99 / 100};
   ring[0].holes.push_back({circle.rbegin(), circle.rend()});

@@ -40,13 +40,17 @@ std::vector<double> Values(const std::string& text) {
 
 void AddHatches(int id, const std::vector<double>& places, double unit, ReadFile& file) {
   for (size_t i = 0; i + 3 < places.size(); i += 4)
-    file.lines.back().push_back({id, -1, {places[i] * unit, places[i + 1] * unit, places[i + 2] * unit, places[i + 3] * unit}});
+    file.lines.back().push_back(
+        {id,
+         -1,
+         {places[i] * unit, places[i + 1] * unit, places[i + 2] * unit, places[i + 3] * unit}});
 }
 
 /// A header line, or false at the end of the header.
 bool ReadHeaderLine(const std::string& line, ReadFile& file) {
   const size_t slash = line.find('/');
-  const std::string key = line.substr(0, slash), rest = slash == std::string::npos ? "" : line.substr(slash + 1);
+  const std::string key = line.substr(0, slash),
+                    rest = slash == std::string::npos ? "" : line.substr(slash + 1);
   if (key == "$$BINARY") file.binary = true;
   if (key == "$$UNITS") file.unit = std::stod(rest);
   if (key == "$$LAYERS") file.layers = std::stoi(rest);
@@ -71,7 +75,9 @@ void ReadAscii(std::istringstream& stream, ReadFile& file) {
       file.lines.emplace_back();
     } else if (key == "$$POLYLINE") {
       ASSERT_EQ(values.size(), 3 + 2 * static_cast<size_t>(values[2])) << line;
-      ReadLine read{static_cast<int>(values[0]), static_cast<int>(values[1]), {values.begin() + 3, values.end()}};
+      ReadLine read{static_cast<int>(values[0]),
+                    static_cast<int>(values[1]),
+                    {values.begin() + 3, values.end()}};
       for (double& value : read.mm) value *= file.unit;
       file.lines.back().push_back(read);
     } else {
@@ -92,7 +98,8 @@ class Bytes {
     T value{};
     EXPECT_LE(next_ + sizeof(T), bytes_.size());
     if (next_ + sizeof(T) > bytes_.size()) return value;
-    std::memcpy(&value, bytes_.data() + next_, sizeof(T));  // the test runs on little-endian machines
+    std::memcpy(&value, bytes_.data() + next_,
+                sizeof(T));  // the test runs on little-endian machines
     next_ += sizeof(T);
     return value;
   }
@@ -113,7 +120,8 @@ void ReadBinary(std::string rest, ReadFile& file) {
       ReadLine line;
       line.id = bytes.Take<int32_t>();
       line.direction = bytes.Take<int32_t>();
-      for (int32_t i = 2 * bytes.Take<int32_t>(); i > 0; --i) line.mm.push_back(bytes.Take<float>() * file.unit);
+      for (int32_t i = 2 * bytes.Take<int32_t>(); i > 0; --i)
+        line.mm.push_back(bytes.Take<float>() * file.unit);
       file.lines.back().push_back(line);
     } else {
       ASSERT_EQ(command, 132);
@@ -180,7 +188,8 @@ TEST(CliWriter, IsReadBack) {
 
 TEST(CliWriter, TextIsExactToANanometre) {
   const std::string file = SampleFile(OutputFormat::kCliAscii);
-  EXPECT_NE(file.find("$$HATCHES/2,2,1000.001,80,9000,80,9000,160,1234.567,160\n"), std::string::npos);
+  EXPECT_NE(file.find("$$HATCHES/2,2,1000.001,80,9000,80,9000,160,1234.567,160\n"),
+            std::string::npos);
   EXPECT_NE(file.find("$$LAYER/50\n"), std::string::npos);
 }
 

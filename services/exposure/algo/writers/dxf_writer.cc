@@ -15,8 +15,9 @@ namespace {
 std::string LayerName(ExposureKind kind) {
   std::string name(ExposureKindName(kind));
   std::replace(name.begin(), name.end(), ' ', '_');
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  });
   return name;
 }
 

@@ -16,7 +16,9 @@ struct Entity {
   std::string type;
   std::map<int, std::string> values;
 
-  Point At(int code) const { return {FromMm(std::stod(values.at(code))), FromMm(std::stod(values.at(code + 10)))}; }
+  Point At(int code) const {
+    return {FromMm(std::stod(values.at(code))), FromMm(std::stod(values.at(code + 10)))};
+  }
 };
 
 std::vector<Entity> Read(const std::string& file) {

@@ -29,7 +29,8 @@ class MoveText {
 
   void SetStyle(const ExposureStyle& style) {
     feed_ = std::llround(style.speed_mm_s * 60 * 10);
-    power_ = std::llround(style.power_w / facts_.output.full_power_w * facts_.output.full_power_s * 100);
+    power_ =
+        std::llround(style.power_w / facts_.output.full_power_w * facts_.output.full_power_s * 100);
   }
 
   void Jump(Point p) {

@@ -23,7 +23,8 @@ class Machine {
 
   void Run(const std::string& file) {
     std::istringstream stream(file);
-    for (std::string line; std::getline(stream, line) && !::testing::Test::HasFailure();) RunLine(line);
+    for (std::string line; std::getline(stream, line) && !::testing::Test::HasFailure();)
+      RunLine(line);
   }
 
   std::vector<Exposure> exposures;
@@ -101,7 +102,8 @@ TEST(LaserGcode, IsReadBackByAStrictMachine) {
     const FileFacts facts = SampleFacts(format);
     for (const ExposedLayer& layer : SampleLayers()) {
       for (const PlateLine& line : PlateLines(layer)) {
-        const ExposureStyle& style = facts.regions[static_cast<size_t>(line.settings)].StyleOf(line.kind);
+        const ExposureStyle& style =
+            facts.regions[static_cast<size_t>(line.settings)].StyleOf(line.kind);
         for (size_t i = 0; i + 1 < line.points.size(); ++i, ++next) {
           ASSERT_LT(next, machine.exposures.size());
           const Machine::Exposure& move = machine.exposures[next];
@@ -133,7 +135,9 @@ TEST(LaserGcode, SkywritingRunsWithoutPower) {
   layers[0].groups[0].points = {{0, 0}, {4'000'000, 3'000'000}};
   layers[0].visits = {{0, 0, {}}};
   const std::string text = LayerText(layers[0], SampleFacts(OutputFormat::kGrbl));
-  EXPECT_NE(text.find("G0 X-0.4 Y-0.3\nG1 X0 Y0 F72000\nG1 X4 Y3 S500\nG1 X4.4 Y3.3 S0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("G0 X-0.4 Y-0.3\nG1 X0 Y0 F72000\nG1 X4 Y3 S500\nG1 X4.4 Y3.3 S0\n"),
+            std::string::npos)
+      << text;
 }
 
 }  // namespace

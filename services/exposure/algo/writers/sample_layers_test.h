@@ -17,14 +17,19 @@ inline std::vector<ExposedLayer> SampleLayers() {
     ExposureGroup contour;
     contour.kind = ExposureKind::kContour;
     contour.AddLine(Polyline{{0, 0}, {10'000'000, 0}, {10'000'000, 5'000'500}, {0, 0}});
-    contour.AddLine(Polyline{{2'000'000, 1'000'000}, {3'000'000, 2'000'000}, {3'000'000, 1'000'000}, {2'000'000, 1'000'000}});
+    contour.AddLine(Polyline{{2'000'000, 1'000'000},
+                             {3'000'000, 2'000'000},
+                             {3'000'000, 1'000'000},
+                             {2'000'000, 1'000'000}});
     ExposureGroup hatch;
-    hatch.points = {{1'000'001, 80'000}, {9'000'000, 80'000}, {9'000'000, 160'000}, {1'234'567, 160'000}};
+    hatch.points = {
+        {1'000'001, 80'000}, {9'000'000, 80'000}, {9'000'000, 160'000}, {1'234'567, 160'000}};
     ExposureGroup wall;
     wall.kind = ExposureKind::kThinWall;
     wall.settings = 1;
     wall.object = 1;
-    wall.AddLine(Polyline{{-5'000'000, -7'000'000}, {-4'000'000, -7'100'000}, {-3'000'000, -7'000'000}});
+    wall.AddLine(
+        Polyline{{-5'000'000, -7'000'000}, {-4'000'000, -7'100'000}, {-3'000'000, -7'000'000}});
     layer.groups = {contour, hatch, wall};
     layer.visits = {{0, 0, {}}, {1, 2, {}}, {0, 1, {20'000'000, 1'000'000}}};
   }

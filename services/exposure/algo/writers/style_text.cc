@@ -6,8 +6,9 @@ namespace slicefarm::exposure {
 
 std::string StyleText(const ExposureOptions& options, size_t kind) {
   const ExposureStyle& style = options.styles[kind];
-  std::string text = fmt::format("{} {} W {} mm/s", ExposureKindName(static_cast<ExposureKind>(kind)),
-                                 style.power_w, style.speed_mm_s);
+  std::string text =
+      fmt::format("{} {} W {} mm/s", ExposureKindName(static_cast<ExposureKind>(kind)),
+                  style.power_w, style.speed_mm_s);
   if (style.focus_mm != 0) text += fmt::format(" focus {} mm", style.focus_mm);
   if (style.frequency_khz != 0) text += fmt::format(" {} kHz", style.frequency_khz);
   if (style.point_distance_nm > 0) {

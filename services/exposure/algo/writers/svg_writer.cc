@@ -41,8 +41,8 @@ std::string SvgHeader(const FileFacts& facts) {
 }
 
 std::string SvgLayer(const ExposedLayer& layer, const FileFacts& facts) {
-  std::string text =
-      fmt::format("<g id=\"layer{}\" data-z=\"{}\">\n", layer.frame.index, Mm(layer.frame.print_z_nm));
+  std::string text = fmt::format("<g id=\"layer{}\" data-z=\"{}\">\n", layer.frame.index,
+                                 Mm(layer.frame.print_z_nm));
   for (const ExposureVisit& visit : layer.visits) {
     for (const ExposureGroup& group : layer.groups) {
       if (group.object != visit.object) continue;

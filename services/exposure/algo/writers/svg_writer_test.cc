@@ -24,7 +24,8 @@ TEST(SvgWriter, TagsCloseAndLayersAreGroups) {
   EXPECT_EQ(Count(file, "<path "), Count(file, "/>"));
   EXPECT_EQ(Count(file, "<path "), 10u);  // 2 layers of 2 copies of 2 groups and 1 of 1
   EXPECT_EQ(Count(file, "id=\"layer1\""), 1u);
-  EXPECT_NE(file.find("viewBox=\"-6 -7.0005 37 15.1005\""), std::string::npos) << file.substr(0, 300);
+  EXPECT_NE(file.find("viewBox=\"-6 -7.0005 37 15.1005\""), std::string::npos)
+      << file.substr(0, 300);
   EXPECT_TRUE(file.ends_with("</svg>\n"));
 }
 

@@ -41,11 +41,15 @@ absl::Status OutOfRange(const char* setting, double value, const std::string& li
 
 }  // namespace
 
-std::string FileHeader(const FileFacts& facts) { return WriterOf(facts.output.format).header(facts); }
+std::string FileHeader(const FileFacts& facts) {
+  return WriterOf(facts.output.format).header(facts);
+}
 std::string LayerText(const ExposedLayer& layer, const FileFacts& facts) {
   return WriterOf(facts.output.format).layer(layer, facts);
 }
-std::string FileFooter(const FileFacts& facts) { return WriterOf(facts.output.format).footer(facts); }
+std::string FileFooter(const FileFacts& facts) {
+  return WriterOf(facts.output.format).footer(facts);
+}
 
 absl::Status CheckOutput(const FileFacts& facts) {
   const ExposureOutput& output = facts.output;
