@@ -12,9 +12,9 @@
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
-#include "services/ordering/algo/tours/christofides.h"
 #include "services/ordering/algo/tours/constructions.h"
-#include "services/ordering/algo/tours/spanning_tree.h"
+#include "services/ordering/algo/tours/graphs/christofides.h"
+#include "services/ordering/algo/tours/graphs/spanning_tree.h"
 #include "services/ordering/algo/tours/tour_search.h"
 #include "services/ordering/algo/tours/tsplib.h"
 

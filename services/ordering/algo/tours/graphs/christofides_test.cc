@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/christofides.h"
+#include "services/ordering/algo/tours/graphs/christofides.h"
 
 #include <gtest/gtest.h>
 

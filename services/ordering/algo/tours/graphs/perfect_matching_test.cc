@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/perfect_matching.h"
+#include "services/ordering/algo/tours/graphs/perfect_matching.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "services/ordering/algo/tours/christofides.h"
+#include "services/ordering/algo/tours/graphs/christofides.h"
 
 #include <algorithm>
 
-#include "services/ordering/algo/tours/perfect_matching.h"
-#include "services/ordering/algo/tours/spanning_tree.h"
+#include "services/ordering/algo/tours/graphs/perfect_matching.h"
+#include "services/ordering/algo/tours/graphs/spanning_tree.h"
 
 namespace slicefarm::ordering {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/spanning_tree.h"
+#include "services/ordering/algo/tours/graphs/spanning_tree.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // LEMON 1.3.1 needs what C++20 took out of std::allocator: this file is C++17 (CMakeLists.txt).
-#include "services/ordering/algo/tours/perfect_matching.h"
+#include "services/ordering/algo/tours/graphs/perfect_matching.h"
 
 #include <lemon/matching.h>
 #include <lemon/smart_graph.h>
