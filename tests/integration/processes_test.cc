@@ -72,7 +72,7 @@ TEST_F(ProcessesTest, SplitStagesGiveTheSameBytes) {
   const coordinator::RemoteInfill infill(infill_pool);
   const coordinator::RemoteOrdering ordering(ordering_pool);
   dispatcher_.Join({.name = "split",
-                    .ranges = std::make_shared<LayerChain>(beading, infill, ordering, motion_),
+                    .tasks = std::make_shared<LayerChain>(beading, infill, ordering, motion_),
                     .slots = 4});
   const auto gcode = GcodeOf(slicing_, planning_, motion_, dispatcher_);
   ASSERT_TRUE(gcode.ok()) << gcode.status();
