@@ -12,7 +12,9 @@ TEST(LineFamilies, TogetherHaveThePitchThatIsAskedFor) {
     double per_area = 0;
     for (const LineFamily& family : LineFamiliesOf(info.pattern, {.pitch_nm = 2e6}))
       per_area += 1 / family.pitch_nm;
-    if (per_area > 0) EXPECT_NEAR(per_area, 1 / 2e6, 1e-15) << info.name;
+    if (per_area > 0) {
+      EXPECT_NEAR(per_area, 1 / 2e6, 1e-15) << info.name;
+    }
   }
 }
 
