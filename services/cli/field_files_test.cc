@@ -34,7 +34,7 @@ class FieldFiles : public testing::Test {
   Reason ReasonOf(const std::string& json, FieldKind kind = FieldKind::kDensity) {
     const auto setting = ReadFieldFile(Write("field.json", json), kind);
     EXPECT_FALSE(setting.ok());
-    return setting.ok() ? Reason::kInternal : GetReason(setting.status()).value();
+    return setting.ok() ? Reason::kInternal : DetailOf(setting.status()).reason;
   }
 
   TempDirectory folder_;
@@ -104,7 +104,7 @@ TEST_F(FieldFiles, RefusesWhatIsNoFieldWithAReason) {
   EXPECT_EQ(ReasonOf(R"({"kind":"constant","density":0.5})", FieldKind::kMaterials),
             Reason::kSettingMalformed);
   const auto missing = ReadFieldFile("/nowhere/field.json", FieldKind::kStress);
-  EXPECT_EQ(GetReason(missing.status()), Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(missing.status()).reason, Reason::kRequestMalformed);
 }
 
 }  // namespace
