@@ -77,7 +77,7 @@ TEST(SummaryText, SaysWhatMatters) {
             "3 of the given settings have no effect; --report FILE.json lists them\n");
   EXPECT_EQ(
       SummaryText({.output = "a", .layers = 2, .settings_without_effect = 1, .report = "r.json"}),
-      "a: 2 layers, 0s to print, 0.00 m of filament\n"
+      "a: 2 layers, 0s to print\n"
       "1 of the given settings has no effect; listed in r.json\n");
 }
 
