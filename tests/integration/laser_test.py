@@ -176,6 +176,14 @@ def check_gcode(gcode):
     assert lines > 100 and not on, "the laser is on at the end"
 
 
+def check_models(program, models, folder):
+    """Real outlines, whatever slicing makes of them, in the two ways that cut them into pieces."""
+    for model in sorted(models.glob("*.stl")):
+        for strategy in ("rings", "stripes"):
+            layers = read_cli(laser(program, model, folder / "model.cli", "layer_height=0.3", f"scan_strategy={strategy}").read_bytes())
+            assert sum(length_of(layer)[0] + length_of(layer)[1] for layer in layers) > 100, f"{model.name} {strategy}"
+
+
 def check_refusals(program, models, folder):
     model = models / "textbox.stl"
     for arguments, code, words in (
@@ -214,7 +222,7 @@ def check_farm(program, models, folder):
 
 def main(program, models):
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_strategies, check_rotation, check_formats, check_refusals, check_farm):
+        for check in (check_strategies, check_rotation, check_formats, check_models, check_refusals, check_farm):
             check(program, pathlib.Path(models), pathlib.Path(name))
             print(f"{check.__name__}: ok")
 

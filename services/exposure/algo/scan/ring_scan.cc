@@ -5,25 +5,12 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/simplify.h"
-#include "services/exposure/algo/decompose/decompose.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/convex_rings.h"
+#include "services/exposure/algo/scan/scan_pieces.h"
 
 namespace slicefarm::exposure {
 namespace {
-
-/// Corners that move the border by less cost a cut and change nothing to be seen.
-constexpr Coord kToleranceNm = 1'000;
-
-absl::StatusOr<ConvexPieces> Pieces(const MultiPolygon& region, DecomposeMethod method,
-                                    const CancelToken& cancel) {
-  const DecomposeOptions how = {.method = method, .merge_nm = kToleranceNm};
-  auto pieces = Decompose(Simplify(region, kToleranceNm), how, cancel);
-  // Narrow places may close when they are simplified.
-  return pieces.ok() || absl::IsCancelled(pieces.status()) ? std::move(pieces)
-                                                           : Decompose(region, how, cancel);
-}
 
 /// Turns a closed line so that it starts at its corner nearest to `from`.
 void StartNear(Point from, Polyline& ring) {
@@ -64,7 +51,7 @@ std::vector<Polyline> PieceLines(const Polygon& piece, double scale,
 absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, Point from,
                          const CancelToken& cancel, ExposureGroup& group, CutCounts& counts) {
   if (region.empty()) return absl::OkStatus();
-  const auto pieces = Pieces(region, options.decompose, cancel);
+  const auto pieces = ScanPieces(region, options.decompose, cancel);
   if (!pieces.ok()) return pieces.status();
   counts.Add(pieces->counts);
   std::vector<std::vector<Polyline>> scans;

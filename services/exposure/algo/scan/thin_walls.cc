@@ -10,9 +10,8 @@
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset.h"
-#include "common/geometry/simplify.h"
-#include "services/exposure/algo/decompose/decompose.h"
 #include "services/exposure/algo/scan/convex_rings.h"
+#include "services/exposure/algo/scan/scan_pieces.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -40,7 +39,7 @@ MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
   const double least =
       kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;
   std::erase_if(thin, [&](const PolygonWithHoles& part) { return Area(part) < least; });
-  return Simplify(thin, kToleranceNm);
+  return thin;
 }
 
 ConvexRing PlaceOf(const Polygon& piece, double scale) {
@@ -88,7 +87,7 @@ absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline,
                                                     const CancelToken& cancel) {
   const MultiPolygon thin = ThinParts(Doubtful(outline, inset_nm), inset_nm);
   if (thin.empty()) return std::vector<Polyline>{};
-  const auto pieces = Decompose(thin, {.merge_nm = kToleranceNm}, cancel);
+  const auto pieces = ScanPieces(thin, DecomposeMethod::kBian, cancel);
   if (!pieces.ok()) return pieces.status();
   std::vector<Polyline> lines;
   for (const Polygon& piece : pieces->pieces) {
