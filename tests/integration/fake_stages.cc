@@ -116,6 +116,7 @@ JobSettings SettingsWithAll() {
   settings.beading[1].perimeters = 7;
   settings.infill.resize(2);
   settings.infill[1].density = 0.33;
+  settings.exposure.regions.resize(2);
   settings.ordering.infill_first = true;
   settings.ordering.walls.resize(2);
   settings.ordering.walls[1].inner_outer_inner = true;
