@@ -17,7 +17,7 @@ Point EntryOf(const Leg& leg, bool reversed) { return reversed ? leg.end : leg.s
 Point ExitOf(const Leg& leg, bool reversed) { return reversed ? leg.start : leg.end; }
 
 /// Gain is slow from here on: more exchanges take more time than they save on the printer.
-constexpr int64_t kExchangesPerLeg = 4;
+constexpr int64_t kExchangesPerLeg = 2;
 constexpr size_t kNeighbours = 8;
 constexpr uint32_t kSeed = 20;
 
