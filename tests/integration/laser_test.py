@@ -150,8 +150,10 @@ def check_formats(program, models, folder):
     for a, b in zip(text, binary):
         assert len(a[1]) == len(b[1]) and len(a[2]) == len(b[2])
         assert all(math.dist(p, q) < 0.02 for p, q in zip(points_of(a), points_of(b)))
-    for name in ("out.nc", "out.gcode"):
-        check_gcode(laser(program, models / "textbox.stl", folder / name).read_text())
+    for name, flavor in (("out.nc", "grbl"), ("out.gcode", "marlin")):
+        out = laser(program, models / "textbox.stl", folder / name)
+        check_gcode(out.read_text())
+        assert "findings 0" in must(program, "check", out, "--flavor", flavor)
     assert laser(program, models / "textbox.stl", folder / "out.svg").read_text().count("<g") >= len(text)
     dxf = laser(program, models / "textbox.stl", folder / "out.dxf", "output_layer=3").read_text()
     assert dxf.rstrip().endswith("EOF") and "ENTITIES" in dxf

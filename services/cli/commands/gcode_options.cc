@@ -17,7 +17,7 @@ constexpr int64_t kMaxGcodeBytes = int64_t{2} << 30;
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
   app.add_option("GCODE", options.gcode, "G-code of any slicer")->required();
   app.add_option("--flavor", options.flavor,
-                 "Firmware of the printer: klipper, marlin, or rrf (RepRapFirmware)")
+                 "Firmware of the machine: klipper, marlin, rrf (RepRapFirmware), or grbl")
       ->required()
       ->type_name("NAME");
   app.add_option("-c,--config", options.config,
@@ -31,7 +31,7 @@ absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options) {
   file.firmware = motion::FindFirmware(options.flavor);
   if (file.firmware == nullptr) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     fmt::format("--flavor {}: must be klipper, marlin or rrf", options.flavor));
+                     fmt::format("--flavor {}: must be klipper, marlin, rrf or grbl", options.flavor));
   }
   auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
   if (!gcode.ok()) return gcode.status();

@@ -1,5 +1,6 @@
 #include "services/motion/algo/firmware/firmware.h"
 
+#include "services/motion/algo/firmware/grbl.h"
 #include "services/motion/algo/firmware/klipper.h"
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"
@@ -35,6 +36,7 @@ const Firmware* FindFirmware(std::string_view name) {
   if (name == "klipper") return &Klipper();
   if (name == "marlin" || name == "marlin2") return &Marlin2();
   if (name == "rrf" || name == "reprapfirmware") return &RepRap();
+  if (name == "grbl") return &Grbl();
   return nullptr;
 }
 

@@ -83,7 +83,8 @@ class Firmware {
 /// That of the settings. Lives for ever.
 const Firmware& FirmwareOf(GcodeFlavor flavor);
 
-/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware. Null: no such.
+/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; grbl.
+/// Null: no such.
 const Firmware* FindFirmware(std::string_view name);
 
 }  // namespace slicefarm::motion

@@ -17,7 +17,8 @@ TEST(FindFirmware, ByItsNames) {
   EXPECT_EQ(FindFirmware("marlin"), &FirmwareOf(GcodeFlavor::kMarlin2));
   EXPECT_EQ(FindFirmware("rrf")->name(), "reprapfirmware");
   EXPECT_EQ(FindFirmware("rrf"), FindFirmware("reprapfirmware"));
-  EXPECT_EQ(FindFirmware("grbl"), nullptr);
+  EXPECT_EQ(FindFirmware("grbl")->name(), "grbl");
+  EXPECT_EQ(FindFirmware("smoothie"), nullptr);
 }
 
 }  // namespace
