@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "common/base/error.h"
 #include "common/config/value.h"
 #include "common/model/adhesion_options.h"
+#include "common/model/exposure_options.h"
 #include "common/model/motion_options.h"
 
 namespace slicefarm::config {
@@ -95,16 +97,49 @@ absl::Status CheckSkirt(const Draft& draft) {
 }
 
 /// Stripes and islands that overlap by all of their width would not get on.
-absl::Status CheckLaser(const Draft& draft) {
+absl::Status CheckScan(const Draft& draft) {
   const double overlap = draft.Number("scan_overlap");
+  const double hatch = draft.Number("hatch_distance");
   for (const std::string_view width : {"stripe_width", "island_width"}) {
-    if (draft.Number(width) > 2 * overlap) continue;
-    return Refuse(draft, width,
-                  fmt::format("it must be more than twice scan_overlap = {} mm",
-                              PrintNumber(overlap)),
-                  2 * overlap, kUnbounded);
+    if (draft.Number(width) <= 2 * overlap)
+      return Refuse(draft, width,
+                    fmt::format("it must be more than twice scan_overlap = {} mm",
+                                PrintNumber(overlap)),
+                    2 * overlap, kUnbounded);
+    if (draft.Number(width) < hatch)
+      return Refuse(draft, width,
+                    fmt::format("it must be at least hatch_distance = {} mm", PrintNumber(hatch)),
+                    hatch, kUnbounded);
+  }
+  if (draft.Number("ring_overlap") <= hatch) return absl::OkStatus();
+  return Refuse(draft, "ring_overlap",
+                fmt::format("it must not exceed hatch_distance = {} mm", PrintNumber(hatch)), 0,
+                hatch);
+}
+
+/// G-code says power as a part of the laser's full power.
+absl::Status CheckPower(const Draft& draft) {
+  const auto format = static_cast<OutputFormat>(std::lround(draft.Number("output_format")));
+  if (format != OutputFormat::kGrbl && format != OutputFormat::kMarlin) return absl::OkStatus();
+  const double full = draft.Number("laser_full_power");
+  for (const std::string_view key :
+       {"contour_power", "hatch_power", "upskin_power", "downskin_power", "thin_wall_power"}) {
+    if (draft.Number(key) <= full) continue;
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     fmt::format("{} = {} W is out of range: it must not exceed laser_full_power = "
+                                 "{} W",
+                                 key, PrintNumber(draft.Number(key)), PrintNumber(full)),
+                     {{"setting", std::string(key)},
+                      {"value", PrintNumber(draft.Number(key))},
+                      {"max", PrintNumber(full)}});
   }
   return absl::OkStatus();
+}
+
+absl::Status CheckLaser(const Draft& draft) {
+  absl::Status status = CheckScan(draft);
+  status.Update(CheckPower(draft));
+  return status;
 }
 
 /// Klipper has no mixing extruder.
@@ -129,7 +164,13 @@ absl::Status CheckSettings(const Draft& draft) {
   if (absl::Status status = CheckSkirt(draft); !status.ok()) return status;
   if (absl::Status status = CheckMixing(draft); !status.ok()) return status;
 
-  if (draft.Number("retract_length") > 0 && draft.Number("retract_speed") == 0) {
+  const double length = draft.Number("retract_length");
+  if (length > 0 && draft.Number("retract_restart_extra") < -length)
+    return Refuse(draft, "retract_restart_extra",
+                  fmt::format("it must not take back more than retract_length = {} mm",
+                              PrintNumber(length)),
+                  -length, kUnbounded);
+  if (length > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                      "retract_speed = 0 is out of range: it must be more than 0 mm/s while "
                      "retract_length is",

@@ -766,6 +766,23 @@ TEST(ResolveLaser, TellsWhatHasNoEffect) {
                           "output_layer = 2: needs output_format = dxf"));
 }
 
+TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
+  struct Case {
+    const char* setting;
+    Pairs given;
+  };
+  const Case kCases[] = {{"stripe_width", {{"stripe_width", "0.3"}, {"hatch_distance", "0.4"}}},
+                         {"island_width", {{"island_width", "0.3"}, {"hatch_distance", "0.4"}}},
+                         {"ring_overlap", {{"ring_overlap", "0.1"}}},
+                         {"upskin_power", {{"upskin_power", "500"}, {"output_format", "grbl"}}}};
+  for (const auto& [setting, given] : kCases) {
+    const ErrorDetail detail = DetailOf(OfLaser(given).status());
+    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << setting;
+    EXPECT_EQ(detail.metadata.at("setting"), setting);
+  }
+  EXPECT_TRUE(OfLaser({{"upskin_power", "500"}, {"output_format", "cli"}}).ok());
+}
+
 TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {
   for (const char* key : {"stripe_width", "island_width"}) {
     const ErrorDetail detail =

@@ -66,10 +66,11 @@ std::vector<SettingSpec> WholeMachineLimits() {
 /// A setting of retraction, and the filament's own one that overrides it (through derive.h).
 void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
                    std::string_view filament_key, std::string_view unit, double max,
-                   std::string_view standard, std::string_view doc, Field field) {
+                   std::string_view standard, std::string_view doc, Field field,
+                   double min = 0) {
   SettingSpec spec = {.key = key,
                       .unit = unit,
-                      .min = 0,
+                      .min = min,
                       .max = max,
                       .standard = standard,
                       .doc = doc,
@@ -95,8 +96,9 @@ std::vector<SettingSpec> Retraction() {
                 "Speed of pushing forward again; 0: retract_speed",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.restart_speed_mm_s; }));
   AddRetraction(settings, "retract_restart_extra", "filament_retract_restart_extra", "mm", 100, "0",
-                "How much more is pushed forward than was pulled back",
-                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }));
+                "How much more is pushed forward than was pulled back; negative: how much less",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.restart_extra_mm; }),
+                /*min=*/-100);
   AddRetraction(settings, "retract_before_travel", "filament_retract_before_travel", "mm", 1000,
                 "2", "Shorter travels do not retract",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.min_travel_mm; }));
