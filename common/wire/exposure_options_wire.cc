@@ -1,5 +1,7 @@
 #include "common/wire/exposure_options_wire.h"
 
+#include <algorithm>
+
 #include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
 #include "common/wire/repeated_wire.h"
@@ -9,6 +11,10 @@
 
 namespace slicefarm {
 namespace {
+
+/// Finer lines have no meaning, and would take all memory.
+constexpr Coord kLeastHatchNm = 1'000;
+constexpr int32_t kMaxCount = 1'000;  ///< of contours, and of layers that skins reach
 
 static_assert(v1::SCAN_STRATEGY_RINGS == static_cast<int>(ScanStrategy::kRings) + 1);
 static_assert(v1::SCAN_STRATEGY_HATCH == static_cast<int>(ScanStrategy::kHatch) + 1);
@@ -33,21 +39,30 @@ absl::Status CheckStyle(const v1::ExposureStyle& proto) {
 
 absl::Status Check(const v1::ExposureOptions& proto) {
   absl::Status status = CheckComplete(proto);
-  status.Update(CheckPositive({{"hatch_distance_nm", proto.hatch_distance_nm()},
-                               {"stripe_width_nm", proto.stripe_width_nm()},
+  status.Update(CheckLengths({{"hatch_distance_nm", proto.hatch_distance_nm()},
+                              {"contour_distance_nm", proto.contour_distance_nm()}},
+                             kLeastHatchNm));
+  status.Update(CheckPositive({{"stripe_width_nm", proto.stripe_width_nm()},
                                {"island_width_nm", proto.island_width_nm()},
-                               {"contour_distance_nm", proto.contour_distance_nm()}}));
+                               {"spot_nm", proto.spot_nm()}}));
   status.Update(CheckNotNegative({{"minimum_vector_nm", proto.minimum_vector_nm()},
                                   {"overlap_nm", proto.overlap_nm()},
                                   {"ring_overlap_nm", proto.ring_overlap_nm()},
-                                  {"spot_nm", proto.spot_nm()},
                                   {"beam_compensation_nm", proto.beam_compensation_nm()},
                                   {"hatch_offset_nm", proto.hatch_offset_nm()},
                                   {"skin_overlap_nm", proto.skin_overlap_nm()},
                                   {"skywriting_nm", proto.skywriting_nm()}}));
   for (const int32_t count : {proto.contours(), proto.upskin_layers(), proto.downskin_layers()})
-    if (count < 0 || count > limits::kMaxLayers)
+    if (count < 0 || count > kMaxCount)
       status.Update(Malformed("contours or skin layers", "out of range"));
+  const Coord narrowest = std::min(proto.stripe_width_nm(), proto.island_width_nm());
+  if (narrowest < proto.hatch_distance_nm())
+    status.Update(Malformed("stripe_width_nm, island_width_nm", "less than the hatch distance"));
+  // Cells that reach into the next but one would be scanned thrice.
+  if (proto.overlap_nm() > narrowest / 2)
+    status.Update(Malformed("overlap_nm", "more than half of a stripe or island"));
+  if (proto.ring_overlap_nm() > proto.hatch_distance_nm())
+    status.Update(Malformed("ring_overlap_nm", "more than the hatch distance"));
   if (proto.styles_size() != kExposureKindCount)
     status.Update(Malformed("styles", "not one for each kind of vector"));
   for (const v1::ExposureStyle& style : proto.styles()) status.Update(CheckStyle(style));

@@ -6,7 +6,8 @@
 
 namespace slicefarm {
 
-/// Errors: REQUEST_MALFORMED, REQUEST_TOO_LARGE, naming the field.
+/// Options that come over the wire can be scanned with. Errors: REQUEST_MALFORMED,
+/// REQUEST_TOO_LARGE, naming the field.
 v1::ExposureSettings ToProto(const ExposureSettings& settings);
 absl::StatusOr<ExposureSettings> FromProto(const v1::ExposureSettings& proto);
 

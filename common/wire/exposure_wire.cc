@@ -1,38 +1,16 @@
 #include "common/wire/exposure_wire.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/geometry_wire.h"
+#include "common/wire/amounts.h"
+#include "common/wire/box_wire.h"
 #include "common/wire/layer_wire.h"
+#include "common/wire/object_names.h"
 #include "common/wire/wire_error.h"
 
 namespace slicefarm {
 namespace {
-
-bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
-
-/// The box of a message with `min` and `max`; an empty one is absent.
-template <typename Proto>
-absl::Status PutBox(const Box& box, Proto* proto) {
-  if (box.Empty()) return absl::OkStatus();
-  if (absl::Status status = ToProto(box.min, proto->mutable_min()); !status.ok())
-    return Within("min", status);
-  const absl::Status status = ToProto(box.max, proto->mutable_max());
-  return status.ok() ? status : Within("max", status);
-}
-
-template <typename Proto>
-absl::StatusOr<Box> TakeBox(const Proto& proto) {
-  if (proto.has_min() != proto.has_max()) return Malformed("min, max", "only one is given");
-  if (!proto.has_min()) return Box();
-  const Box box{FromProto(proto.min()), FromProto(proto.max())};
-  if (box.Empty()) return Malformed("min, max", "max is less than min");
-  return box;
-}
 
 v1::KindExposure ToProto(const KindExposure& kind) {
   v1::KindExposure proto;
@@ -74,14 +52,7 @@ absl::Status CheckSummary(const v1::ExposureFrameRequest& proto) {
   for (const int64_t height_nm : {proto.bottom_nm(), proto.top_nm()})
     if (height_nm < -limits::kMaxCoord || height_nm > limits::kMaxCoord)
       return Malformed("bottom_nm, top_nm", "out of range");
-  if (proto.object_names_size() > limits::kMaxObjects)
-    return LimitError(Reason::kRequestTooLarge, "object_names", limits::kMaxObjects,
-                      proto.object_names_size());
-  for (const std::string& name : proto.object_names())
-    if (std::ssize(name) > limits::kMaxNameBytes)
-      return LimitError(Reason::kRequestTooLarge, "bytes of object_names", limits::kMaxNameBytes,
-                        std::ssize(name));
-  return absl::OkStatus();
+  return CheckObjectNames(proto.object_names());
 }
 
 }  // namespace
@@ -94,7 +65,7 @@ absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto) {
   proto->set_area_mm2(report.area_mm2);
   proto->set_volume_mm3(report.volume_mm3);
   *proto->mutable_cuts() = ToProto(report.cuts);
-  return PutBox(report.bounds, proto);
+  return BoxToProto(report.bounds, proto);
 }
 
 absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto) {
@@ -117,7 +88,7 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto) {
   const absl::StatusOr<CutCounts> cuts = CutsOf(proto.cuts());
   if (!cuts.ok()) return cuts.status();
   report.cuts = *cuts;
-  const absl::StatusOr<Box> bounds = TakeBox(proto);
+  const absl::StatusOr<Box> bounds = BoxFromProto(proto);
   if (!bounds.ok()) return bounds.status();
   report.bounds = *bounds;
   return report;
@@ -142,12 +113,12 @@ absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* p
   proto->set_bottom_nm(summary.bottom_nm);
   proto->set_top_nm(summary.top_nm);
   proto->mutable_object_names()->Assign(summary.object_names.begin(), summary.object_names.end());
-  return PutBox(summary.bounds, proto);
+  return BoxToProto(summary.bounds, proto);
 }
 
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto) {
   if (absl::Status status = CheckSummary(proto); !status.ok()) return status;
-  const absl::StatusOr<Box> bounds = TakeBox(proto);
+  const absl::StatusOr<Box> bounds = BoxFromProto(proto);
   if (!bounds.ok()) return bounds.status();
   return ExposureSummary{proto.layers(), *bounds, proto.bottom_nm(), proto.top_nm(),
                          {proto.object_names().begin(), proto.object_names().end()}};

@@ -87,20 +87,20 @@ ExposureOptions DistinctOptions() {
   strategy = ScanStrategy::kIslands;
   decompose = DecomposeMethod::kApproximate;
   jump_order = JumpOrder::kFarthest;
-  hatch_distance = 1;
+  hatch_distance = 1'001;
   hatch_angle = -2.5;
   rotation = 3.5;
   alternate = false;
   minimum_vector = 5;
-  stripe_width = 6;
-  island_width = 7;
+  stripe_width = 6'000;
+  island_width = 7'000;
   overlap = 8;
   ring_overlap = 9;
   link_rings = false;
   spot = 11;
   compensation = 12;
   contours = 13;
-  contour_distance = 14;
+  contour_distance = 1'014;
   hatch_offset = 15;
   contours_first = false;
   thin_walls = false;
@@ -203,7 +203,7 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
   const std::pair<const char*, Change> kCases[] = {
       {"regions", [](auto& s) { s.clear_regions(); }},
       {"regions[0].hatch_distance_nm", [](auto& s) { s.mutable_regions(0)->set_hatch_distance_nm(0); }},
-      {"regions[1].spot_nm", [](auto& s) { s.mutable_regions(1)->set_spot_nm(-1); }},
+      {"regions[1].spot_nm", [](auto& s) { s.mutable_regions(1)->set_spot_nm(0); }},
       {"regions[0].strategy",
        [](auto& s) { s.mutable_regions(0)->set_strategy(v1::SCAN_STRATEGY_UNSPECIFIED); }},
       {"regions[0].contours or skin layers", [](auto& s) { s.mutable_regions(0)->set_contours(-1); }},
@@ -214,6 +214,28 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
       {"regions[0].jump", [](auto& s) { s.mutable_regions(0)->mutable_jump()->set_delay_us(-1); }},
       {"regions[0].jump.speed_mm_s",
        [](auto& s) { s.mutable_regions(0)->mutable_jump()->set_speed_mm_s(0); }},
+      {"regions[0].contour_distance_nm",
+       [](auto& s) { s.mutable_regions(0)->set_contour_distance_nm(10); }},
+      {"regions[0].stripe_width_nm, island_width_nm",
+       [](auto& s) { s.mutable_regions(0)->set_stripe_width_nm(1'000); }},
+      {"regions[0].overlap_nm", [](auto& s) { s.mutable_regions(0)->set_overlap_nm(3'100); }},
+      {"regions[0].ring_overlap_nm",
+       [](auto& s) { s.mutable_regions(0)->set_ring_overlap_nm(1'002); }},
+      {"regions[0].beam_compensation_nm",
+       [](auto& s) { s.mutable_regions(0)->set_beam_compensation_nm(-5); }},
+      {"regions[0].hatch_offset_nm", [](auto& s) { s.mutable_regions(0)->set_hatch_offset_nm(-1); }},
+      {"regions[0].skywriting_nm", [](auto& s) { s.mutable_regions(0)->set_skywriting_nm(-1); }},
+      {"regions[0].contours or skin layers",
+       [](auto& s) { s.mutable_regions(0)->set_downskin_layers(1'001); }},
+      {"regions[0].hatch_angle_deg",
+       [](auto& s) {
+         s.mutable_regions(0)->set_hatch_angle_deg(std::numeric_limits<double>::quiet_NaN());
+       }},
+      {"regions[0].focus_mm",
+       [](auto& s) {
+         s.mutable_regions(0)->mutable_styles(0)->set_focus_mm(
+             std::numeric_limits<double>::infinity());
+       }},
       {"output.unit_mm", [](auto& s) { s.mutable_output()->set_unit_mm(0); }},
       {"output.layer", [](auto& s) { s.mutable_output()->set_layer(-1); }}};
   for (const auto& [field, change] : kCases) {

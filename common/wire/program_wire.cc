@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <initializer_list>
 #include <utility>
 
 #include "common/model/limits.h"
+#include "common/wire/amounts.h"
+#include "common/wire/box_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/mesh_wire.h"
@@ -14,20 +14,6 @@
 #include "common/wire/repeated_wire.h"
 
 namespace slicefarm {
-namespace {
-
-/// A sum of lengths or times: finite and not negative.
-bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
-
-bool AreAmounts(std::initializer_list<double> values) {
-  for (const double value : values) {
-    if (!IsAmount(value)) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 void ToProto(const FeatureUse& use, v1::FeatureUse* proto) {
   proto->set_time_s(use.time_s);
   proto->set_length_mm(use.length_mm);
@@ -68,11 +54,7 @@ absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
   proto->set_travel_mm(stats.travel_mm);
   proto->set_travels(stats.travels);
   proto->set_retractions(stats.retractions);
-  if (stats.bounds.Empty()) return absl::OkStatus();
-  if (absl::Status status = ToProto(stats.bounds.min, proto->mutable_min()); !status.ok()) {
-    return Within("min", status);
-  }
-  return ToProto(stats.bounds.max, proto->mutable_max());
+  return BoxToProto(stats.bounds, proto);
 }
 
 absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
@@ -83,7 +65,8 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
       proto.retractions() < 0) {
     return Malformed("travel_time_s, travel_mm, travels, retractions", "not all are amounts");
   }
-  if (proto.has_min() != proto.has_max()) return Malformed("min, max", "only one is given");
+  const absl::StatusOr<Box> bounds = BoxFromProto(proto);
+  if (!bounds.ok()) return bounds.status();
   ProgramStats stats;
   for (int i = 0; i < kFeatureCount; ++i) {
     absl::StatusOr<FeatureUse> use = FromProto(proto.features(i));
@@ -94,10 +77,7 @@ absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
   stats.travel_mm = proto.travel_mm();
   stats.travels = proto.travels();
   stats.retractions = proto.retractions();
-  if (proto.has_min()) {
-    stats.bounds = {FromProto(proto.min()), FromProto(proto.max())};
-    if (stats.bounds.Empty()) return Malformed("min, max", "max is less than min");
-  }
+  stats.bounds = *bounds;
   return stats;
 }
 

@@ -9,6 +9,7 @@
 #include "common/wire/exposure_options_wire.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/motion_options_wire.h"
+#include "common/wire/object_names.h"
 #include "common/wire/plan_wire.h"
 #include "common/wire/planning_options_wire.h"
 #include "common/wire/repeated_wire.h"
@@ -54,16 +55,6 @@ absl::StatusOr<Start> TakeRangeStart(const Proto& proto) {
   return start;
 }
 
-absl::Status CheckNames(const google::protobuf::RepeatedPtrField<std::string>& names) {
-  if (names.size() > limits::kMaxObjects)
-    return LimitError(Reason::kRequestTooLarge, "object_names", limits::kMaxObjects, names.size());
-  for (const std::string& name : names)
-    if (std::ssize(name) > limits::kMaxNameBytes)
-      return LimitError(Reason::kRequestTooLarge, "bytes of object_names", limits::kMaxNameBytes,
-                        std::ssize(name));
-  return absl::OkStatus();
-}
-
 }  // namespace
 
 absl::Status ToProto(const BeadStart& start, v1::BeadStart* proto) {
@@ -89,7 +80,7 @@ absl::Status ToProto(const PlanStart& start, v1::PlanStart* proto) {
 }
 absl::StatusOr<PlanStart> FromProto(const v1::PlanStart& proto) {
   absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
-  status.Update(CheckNames(proto.object_names()));
+  status.Update(CheckObjectNames(proto.object_names()));
   if (!status.ok()) return status;
   absl::StatusOr<PlanStart> start = TakeStart<PlanStart>(proto);
   if (!start.ok()) return start;

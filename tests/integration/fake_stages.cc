@@ -117,6 +117,7 @@ JobSettings SettingsWithAll() {
   settings.infill.resize(2);
   settings.infill[1].density = 0.33;
   settings.exposure.regions.resize(2);
+  settings.exposure.regions[1].spot_nm = 77;
   settings.ordering.infill_first = true;
   settings.ordering.walls.resize(2);
   settings.ordering.walls[1].inner_outer_inner = true;
@@ -154,6 +155,12 @@ Sample MakeSample() {
                   {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}},
                   {{0, 0, 0}, {3, 1, 600'000}}};
   sample.warnings = {{Sample::kRange.first, 2}};
+  for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) {
+    ExposedProgram& exposed = sample.exposed.emplace_back();
+    exposed.frame = FrameOf(i);
+    exposed.text = "exposed\n";
+    exposed.report.jumps = i;
+  }
   sample.summary.layers = {{FrameOf(0), 1, {1, 2}, {3, 4}, 5, false}};
   sample.summary.copies = {{{"a.stl", 0, 1, 2}, {{0, 0}, {9, 0}, {9, 9}}}};
   sample.summary.settings_text = "perimeters = 3\n";
@@ -278,6 +285,25 @@ absl::StatusOr<ProgramFrame> FakeMotion::Frame(const StageCall& call, const Prog
   fakes_.motion_options = options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return TheSample().frame;
+}
+
+absl::StatusOr<std::vector<ExposedProgram>> FakeExposure::Expose(
+    const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
+    const ExposureSettings& settings) const {
+  Note(neighbourhood, &fakes_);
+  fakes_.copies.assign(copies.begin(), copies.end());
+  fakes_.exposure = settings;
+  if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
+  return Answer(TheSample().exposed, fakes_);
+}
+
+absl::StatusOr<ExposureFrame> FakeExposure::Frame(const StageCall& call,
+                                                  const ExposureSummary& summary,
+                                                  const ExposureSettings& settings) const {
+  fakes_.exposure_summary = summary;
+  fakes_.exposure = settings;
+  if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
+  return ExposureFrame{"header", "footer"};
 }
 
 absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {

@@ -40,6 +40,8 @@ struct FakeStages {
   JobFacts facts;
   MotionOptions motion_options;
   ProgramSummary summary;
+  ExposureSettings exposure;
+  ExposureSummary exposure_summary;
   JobSettings settings;
 };
 
@@ -60,6 +62,7 @@ struct Sample {
   JobFacts facts;
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
+  std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramFrame frame;
   JobSettings settings;  ///< of no default
@@ -141,6 +144,19 @@ class FakeMotion : public MotionStage {
                                                     const MotionOptions& options) const override;
   absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
                                      const MotionOptions& options) const override;
+
+ private:
+  FakeStages& fakes_;
+};
+
+class FakeExposure : public ExposureStage {
+ public:
+  explicit FakeExposure(FakeStages& fakes) : fakes_(fakes) {}
+  absl::StatusOr<std::vector<ExposedProgram>> Expose(
+      const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
+      const ExposureSettings& settings) const override;
+  absl::StatusOr<ExposureFrame> Frame(const StageCall& call, const ExposureSummary& summary,
+                                      const ExposureSettings& settings) const override;
 
  private:
   FakeStages& fakes_;

@@ -28,7 +28,8 @@ using std::chrono::seconds;
 struct FakeHost {
   FakeHost(const rpc::CallGateOptions& gate, const rpc::ServerOptions& options)
       : host({fake_slicing, fake_beading, fake_infill, fake_ordering, fake_motion, fake_runner,
-              [this](rpc::CallGate& its) { return std::make_unique<FakePlanning>(fakes, its); }},
+              [this](rpc::CallGate& its) { return std::make_unique<FakePlanning>(fakes, its); },
+              &fake_exposure},
              gate, options) {}
 
   FakeStages fakes;
@@ -37,6 +38,7 @@ struct FakeHost {
   FakeInfill fake_infill{fakes};
   FakeOrdering fake_ordering{fakes};
   FakeMotion fake_motion{fakes};
+  FakeExposure fake_exposure{fakes};
   FakeRunner fake_runner{fakes};
   StageHost host;
 };
@@ -233,11 +235,42 @@ INSTANTIATE_TEST_SUITE_P(
                   return farm.motion.Frame(call, TheSample().summary, {}).status();
                 },
                 false},
+        AnyCall{"Expose",
+                [](const Farm& farm, const StageCall& call) {
+                  const Sample& sample = TheSample();
+                  return farm.exposure
+                      .Expose(call, TheNeighbourhood(), sample.plan.copies,
+                              sample.settings.exposure)
+                      .status();
+                }},
+        AnyCall{"FrameExposure",
+                [](const Farm& farm, const StageCall& call) {
+                  return farm.exposure.Frame(call, {}, TheSample().settings.exposure).status();
+                },
+                false},
         AnyCall{"Work",
                 [](const Farm& farm, const StageCall& call) {
                   return farm.worker.Run(call, TheTask()).status();
                 }}),
     [](const auto& info) { return info.param.name; });
+
+TEST(RemoteStages, ExposureGivesAndTakesAll) {
+  Farm farm;
+  const Sample& sample = TheSample();
+  const auto programs = farm.exposure.Expose(NewCall(), TheNeighbourhood(), sample.plan.copies,
+                                             sample.settings.exposure);
+  ASSERT_TRUE(programs.ok()) << programs.status();
+  EXPECT_EQ(*programs, sample.exposed);
+  EXPECT_EQ(farm.fakes.range, Sample::kRange);
+  EXPECT_EQ(farm.fakes.layers, sample.outlines);
+  EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
+  EXPECT_EQ(farm.fakes.exposure, sample.settings.exposure);
+  const ExposureSummary summary{7, {{1, 2}, {3, 4}}, 5, 6, {"a"}};
+  const auto frame = farm.exposure.Frame(NewCall(), summary, sample.settings.exposure);
+  ASSERT_TRUE(frame.ok()) << frame.status();
+  EXPECT_EQ(frame->header, "header");
+  EXPECT_EQ(farm.fakes.exposure_summary, summary);
+}
 
 TEST_P(EveryRemoteCall, BringsTheStagesErrorWithItsReason) {
   Farm farm;
@@ -265,6 +298,7 @@ TEST_P(EveryRemoteCall, CancellationReachesTheAlgorithm) {
   StageCall call = NewCall();
   call.cancel = CancelToken([&] { return begun.Happened(); });
   const absl::Status status = Make(farm, call);
+  ASSERT_TRUE(begun.Happened()) << status;
   EXPECT_TRUE(absl::IsCancelled(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kCancelled);
   stopped.Await();
@@ -295,6 +329,7 @@ TEST_P(EveryRemoteCall, AServerThatGoesAwayIsUnavailable) {
     farm.host.server().Drain(milliseconds(0));
   });
   const absl::Status status = Make(farm);
+  begun.Happen();  // if the call did not come so far
   stop.join();
   EXPECT_TRUE(absl::IsUnavailable(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kUnavailable);

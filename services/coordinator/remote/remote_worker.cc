@@ -14,14 +14,6 @@ namespace {
 
 constexpr char kWorker[] = "worker";
 
-/// The range's own layers, in order.
-absl::Status CheckLayers(const std::vector<ExposedProgram>& programs, LayerRange range) {
-  int32_t next = range.first;
-  for (const ExposedProgram& program : programs)
-    if (program.frame.index != next++) return Malformed("exposed", "not the layers of the range");
-  return next == range.last ? absl::OkStatus() : Malformed("exposed", "not all of the range");
-}
-
 absl::Status TakeTimes(const v1::WorkResponse& response, StageTimes* times) {
   absl::StatusOr<StageTimes> taken = FromProto(response.times());
   if (taken.ok()) *times = *taken;
@@ -87,7 +79,7 @@ absl::StatusOr<LaserResult> RemoteWorker::Run(const StageCall& call,
       call, *task.settings, task.range, {}, {task.copies.begin(), task.copies.end()}, {}};
   absl::StatusOr<LaserResult> result = Ask<LaserResult>(call, start, task.layers);
   if (!result.ok()) return result;
-  if (absl::Status fits = CheckLayers(result->programs, task.range); !fits.ok())
+  if (absl::Status fits = CheckLayersOfRange(result->programs, task.range); !fits.ok())
     return BadAnswer(kWorker, fits);
   return result;
 }

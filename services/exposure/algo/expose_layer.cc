@@ -1,15 +1,13 @@
 #include "services/exposure/algo/expose_layer.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "common/base/error.h"
 #include "common/geometry/measure.h"
+#include "common/model/region_check.h"
 #include "services/exposure/algo/expose_region.h"
 #include "services/exposure/algo/scan/block_order.h"
 
@@ -42,13 +40,7 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
   Point at;
   for (const Region& region : section.regions) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
-    if (region.settings < 0 || region.settings >= std::ssize(regions)) {
-      return MakeError(
-          absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-          fmt::format("a region has settings {} of {}", region.settings, regions.size()));
-    }
     const ExposureOptions& options = regions[static_cast<size_t>(region.settings)];
-    if (absl::Status status = CheckExposure(options); !status.ok()) return status;
     const Neighbours neighbours = NeighboursOf(section, objects, options);
     auto groups = ExposeRegion({.outlines = region.outlines,
                                 .section = OutlineOf(section),
@@ -113,6 +105,7 @@ double AreaOfVisits(const SlicedLayer& layer, const std::vector<ExposureVisit>& 
 absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
                                          std::span<const ExposureOptions> regions,
                                          std::span<const Copy> copies, const CancelToken& cancel) {
+  if (absl::Status ok = CheckRegions(layer, regions.size()); !ok.ok()) return ok;
   ExposedLayer result;
   result.frame = layer.frame;
   for (const ObjectSection& section : layer.sections) {

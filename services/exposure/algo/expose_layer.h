@@ -9,7 +9,6 @@
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
 #include "common/stage/object_layers.h"
-#include "services/exposure/algo/check_exposure.h"
 #include "services/exposure/algo/exposure_report.h"
 
 namespace slicefarm::exposure {
@@ -22,8 +21,7 @@ namespace slicefarm::exposure {
 /// objects that have no section here are left out.
 ///
 /// The result depends on nothing else, so not on how a job is cut into ranges.
-/// Errors:  Cancelled, polled a few times a section; SETTING_OUT_OF_RANGE, naming the setting;
-///          REQUEST_MALFORMED for regions whose settings are in no table; those of Decompose.
+/// Errors:  Cancelled, polled a few times a section; those of CheckRegions and Decompose.
 absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectLayers& objects,
                                          std::span<const ExposureOptions> regions,
                                          std::span<const Copy> copies, const CancelToken& cancel);

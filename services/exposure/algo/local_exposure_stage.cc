@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/region_check.h"
 #include "common/stage/object_layers.h"
 #include "services/exposure/algo/expose_layer.h"
 #include "services/exposure/algo/writers/writers.h"
@@ -11,18 +10,11 @@
 namespace slicefarm::exposure {
 namespace {
 
-absl::Status CheckOptions(const ExposureSettings& settings) {
-  for (const ExposureOptions& region : settings.regions)
-    if (absl::Status ok = CheckExposure(region); !ok.ok()) return ok;
-  return absl::OkStatus();
-}
-
 class LocalExposure : public ExposureStage {
  public:
   absl::StatusOr<std::vector<ExposedProgram>> Expose(
       const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
       const ExposureSettings& settings) const override {
-    if (absl::Status ok = CheckOptions(settings); !ok.ok()) return ok;
     // What a layer's text says must not depend on what is known of the whole job.
     FileFacts facts;
     facts.regions = settings.regions;
@@ -33,7 +25,6 @@ class LocalExposure : public ExposureStage {
     for (const SlicedLayer& layer :
          neighbourhood.layers.subspan(static_cast<size_t>(before),
                                       static_cast<size_t>(neighbourhood.range.size()))) {
-      if (absl::Status ok = CheckRegions(layer, settings.regions.size()); !ok.ok()) return ok;
       auto exposed = ExposeLayer(layer, objects, settings.regions, copies, call.cancel);
       if (!exposed.ok()) return exposed.status();
       programs.push_back({layer.frame, LayerText(*exposed, facts),

@@ -29,8 +29,4 @@ std::string FileHeader(const FileFacts& facts);
 std::string LayerText(const ExposedLayer& layer, const FileFacts& facts);
 std::string FileFooter(const FileFacts& facts);
 
-/// SETTING_OUT_OF_RANGE, with metadata `setting`, for what the format cannot say: more power than
-/// full_power_w in G-code, a layer of DXF that does not exist, a unit that is none.
-absl::Status CheckOutput(const FileFacts& facts);
-
 }  // namespace slicefarm::exposure

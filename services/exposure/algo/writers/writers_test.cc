@@ -9,32 +9,6 @@
 namespace slicefarm::exposure {
 namespace {
 
-std::string SettingOf(const absl::Status& status) {
-  const ErrorDetail detail = DetailOf(status);
-  EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << status;
-  return detail.metadata.contains("setting") ? detail.metadata.at("setting") : "";
-}
-
-TEST(CheckOutput, NamesWhatAFormatCannotSay) {
-  EXPECT_TRUE(CheckOutput(SampleFacts(OutputFormat::kGrbl)).ok());
-  FileFacts facts = SampleFacts(OutputFormat::kGrbl);
-  facts.output.full_power_w = 150;  // hatch has 200
-  EXPECT_EQ(SettingOf(CheckOutput(facts)), "power_w");
-  facts.output.format = OutputFormat::kSvg;
-  EXPECT_TRUE(CheckOutput(facts).ok());
-  facts.output.full_power_w = 0;
-  EXPECT_EQ(SettingOf(CheckOutput(facts)), "full_power_w");
-  facts = SampleFacts(OutputFormat::kDxf);
-  facts.output.layer = 2;
-  EXPECT_EQ(SettingOf(CheckOutput(facts)), "layer");
-  facts = SampleFacts(OutputFormat::kCliAscii);
-  facts.output.unit_mm = 0;
-  EXPECT_EQ(SettingOf(CheckOutput(facts)), "unit_mm");
-  facts = SampleFacts(OutputFormat::kCliAscii);
-  facts.output.full_power_s = -1;
-  EXPECT_EQ(SettingOf(CheckOutput(facts)), "full_power_s");
-}
-
 TEST(NumberText, Rounds) {
   const auto mm = [](Coord nm, int decimals) {
     std::string text;

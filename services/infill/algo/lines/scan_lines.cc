@@ -5,16 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "common/base/portable_math.h"
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
 namespace {
-
-double SnapToRightAngle(double value) {
-  if (std::abs(value) < 1e-12) return 0;
-  return std::abs(std::abs(value) - 1) < 1e-12 ? std::copysign(1.0, value) : value;
-}
 
 /// The lines [first, last) that an edge between two heights meets: first <= v < last as half-open
 /// intervals.
@@ -92,13 +86,6 @@ void SortByLine(int32_t line_count, ScanLines& lines) {
 }
 
 }  // namespace
-
-LineFrame::LineFrame(double angle_rad)
-    : cos_(SnapToRightAngle(Cos(angle_rad))), sin_(SnapToRightAngle(Sin(angle_rad))) {}
-
-Point LineFrame::At(double u, double v) const {
-  return {std::llround(cos_ * u - sin_ * v), std::llround(sin_ * u + cos_ * v)};
-}
 
 Point ScanLines::PlaceOf(const Crossing& crossing) const {
   return frame.At(crossing.u, first_v + pitch * crossing.line);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/geometry/line_frame.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::infill {
@@ -14,24 +15,6 @@ struct LineFamily {
   double angle_rad = 0;
   double phase_nm = 0;
   double pitch_nm = 0;
-};
-
-/// The frame that a line family is laid out in: u along the lines, v across.
-class LineFrame {
- public:
-  explicit LineFrame(double angle_rad);
-
-  double U(Point p) const {
-    return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
-  }
-  double V(Point p) const {
-    return cos_ * static_cast<double>(p.y) - sin_ * static_cast<double>(p.x);
-  }
-  Point At(double u, double v) const;
-
- private:
-  double cos_;  ///< exactly 0 and 1 at multiples of a right angle
-  double sin_;
 };
 
 /// Where a scan line meets a ring.

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "services/ordering/algo/tours/node_sets.h"
+
 namespace slicefarm::ordering {
 namespace {
 
@@ -15,19 +17,14 @@ constexpr int32_t kNone = FixedEdges::kNone;
 class Pieces {
  public:
   explicit Pieces(int32_t size)
-      : links_(static_cast<size_t>(size), {kNone, kNone}), root_(links_.size()) {
-    std::iota(root_.begin(), root_.end(), 0);
-  }
+      : links_(static_cast<size_t>(size), {kNone, kNone}), pieces_(size) {}
 
   bool IsEnd(int32_t node) const { return links_[static_cast<size_t>(node)][1] == kNone; }
 
   /// Joins them unless that makes a branch or a ring.
   void Join(int32_t a, int32_t b) {
     if (!IsEnd(a) || !IsEnd(b)) return;
-    const int32_t root_a = RootOf(a);
-    const int32_t root_b = RootOf(b);
-    if (root_a == root_b) return;
-    root_[static_cast<size_t>(root_a)] = root_b;
+    if (!pieces_.Join(a, b)) return;
     Link(a, b);
     Link(b, a);
   }
@@ -52,17 +49,8 @@ class Pieces {
     links[links[0] == kNone ? 0 : 1] = to;
   }
 
-  int32_t RootOf(int32_t node) {
-    while (root_[static_cast<size_t>(node)] != node) {
-      int32_t& up = root_[static_cast<size_t>(node)];
-      up = root_[static_cast<size_t>(up)];
-      node = up;
-    }
-    return node;
-  }
-
   std::vector<std::array<int32_t, 2>> links_;
-  std::vector<int32_t> root_;
+  NodeSets pieces_;
 };
 
 struct Edge {

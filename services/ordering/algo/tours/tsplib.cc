@@ -13,6 +13,7 @@
 #include "common/base/error.h"
 #include "common/base/portable_math.h"
 #include "common/base/text.h"
+#include "services/ordering/algo/tours/node_sets.h"
 
 namespace slicefarm::ordering {
 namespace {
@@ -289,38 +290,24 @@ absl::StatusOr<Costs> CostsOf(const Specification& specification) {
 class FixedEdgesReader {
  public:
   explicit FixedEdgesReader(int32_t size)
-      : size_(size), degree_(static_cast<size_t>(size), 0), root_(static_cast<size_t>(size)) {
-    std::iota(root_.begin(), root_.end(), 0);
-  }
+      : size_(size), degree_(static_cast<size_t>(size), 0), pieces_(size) {}
 
   absl::Status Add(NodePair edge, size_t line) {
     if (edge.a == edge.b) return Malformed(line, "a fixed edge from a node to itself");
     if (++degree_[static_cast<size_t>(edge.a)] > 2 || ++degree_[static_cast<size_t>(edge.b)] > 2)
       return Malformed(line, "a third fixed edge at a node");
-    const int32_t a = RootOf(edge.a);
-    const int32_t b = RootOf(edge.b);
     edges_.push_back(edge);
-    if (a == b && (edges_.size() != static_cast<size_t>(size_) || size_ < 3))
+    if (!pieces_.Join(edge.a, edge.b) && (edges_.size() != static_cast<size_t>(size_) || size_ < 3))
       return Malformed(line, "fixed edges that make a ring of fewer than all nodes");
-    root_[static_cast<size_t>(a)] = b;
     return absl::OkStatus();
   }
 
   std::vector<NodePair> Take() { return std::move(edges_); }
 
  private:
-  int32_t RootOf(int32_t node) {
-    while (root_[static_cast<size_t>(node)] != node) {
-      int32_t& up = root_[static_cast<size_t>(node)];
-      up = root_[static_cast<size_t>(up)];
-      node = up;
-    }
-    return node;
-  }
-
   int32_t size_;
   std::vector<int> degree_;
-  std::vector<int32_t> root_;
+  NodeSets pieces_;
   std::vector<NodePair> edges_;
 };
 

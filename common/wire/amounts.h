@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+
+namespace slicefarm {
+
+/// A sum of lengths, times and the like: finite and not negative.
+inline bool IsAmount(double value) { return std::isfinite(value) && value >= 0; }
+
+inline bool AreAmounts(std::initializer_list<double> values) {
+  for (const double value : values)
+    if (!IsAmount(value)) return false;
+  return true;
+}
+
+}  // namespace slicefarm
