@@ -1,6 +1,9 @@
 #include "services/ordering/algo/route.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "services/ordering/algo/near_links.h"
 
 namespace slicefarm::ordering {
 
@@ -12,9 +15,22 @@ void Reverse(Path& path) {
   }
 }
 
+void Route::Enter(const RouteEdges& edges) {
+  edges_ = edges;
+  is_linkable_ = false;
+}
+
 void Route::Print(Path path, bool reversed) {
   if (reversed) Reverse(path);
+  const bool is_loop = path.closed;
+  if (is_linkable_ && edges_.for_links != nullptr) {
+    auto link =
+        LinkBetween({paths_.back(), last_is_loop_}, path, height_nm_, *edges_.for_links);
+    if (link) paths_.push_back(*std::move(link));
+  }
   at_ = EndOf(path);
+  is_linkable_ = true;
+  last_is_loop_ = is_loop;
   paths_.push_back(std::move(path));
 }
 

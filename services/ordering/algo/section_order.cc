@@ -115,7 +115,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
   const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
 
-  Route route(plan.entry);
+  Route route(plan.entry, section.height_nm);
   std::vector<Travel> travels;
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
@@ -124,8 +124,9 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
     std::optional<Point> next;
     if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
     FilledIsland& island = *stops[visits[i].leg].island;
-    const IslandEdges edges = looks_at_walls ? IslandEdges(island) : IslandEdges({});
-    route.Set(edges.empty() ? nullptr : &edges);
+    const IslandEdges edges(island);
+    const Barrier* known = edges.empty() ? nullptr : &edges;
+    route.Enter({looks_at_walls ? known : nullptr, known});
     PrintIsland(island, next, options, plan.seams, route, budget);
     const size_t first = travels.size();
     std::ranges::move(TravelsInIsland(island.outline, edges,

@@ -10,8 +10,15 @@ namespace {
 constexpr double kDefaultSpeedMmS = 60;
 constexpr double kMaxFeedRate = 1e6;
 
+/// A loop, also one that lost its end to the link that leads on from it.
+bool IsLoop(const Path& path) {
+  return path.closed ||
+         (path.points.size() > 2 && Distance(path.points.front(), path.points.back()) <=
+                                        static_cast<double>(path.WidthAt(0)));
+}
+
 bool IsSmallLoop(const Path& path, double length_mm) {
-  return path.closed && length_mm <= kSmallLoopMm &&
+  return length_mm <= kSmallLoopMm && IsLoop(path) &&
          (path.feature == Feature::kExternalPerimeter || path.feature == Feature::kPerimeter);
 }
 

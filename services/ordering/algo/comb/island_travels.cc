@@ -31,30 +31,52 @@ class IslandTravels {
   /// All must outlive this.
   IslandTravels(const PolygonWithHoles& outline, const IslandEdges& edges,
                 std::span<const Path> paths, const TravelOptions& options)
-      : edges_(edges), paths_(paths), options_(options), tops_(TopsOf(paths)) {
-    const Coord clearance = options.avoid_crossing ? OuterWallRadius(paths) : 0;
-    if (clearance > 0) ways_.emplace(MultiPolygon{outline}, clearance);
-  }
+      : outline_(outline),
+        edges_(edges),
+        paths_(paths),
+        options_(options),
+        clearance_(OuterWallRadius(paths)),
+        tops_(TopsOf(paths)) {}
 
   /// To paths[i] from the one before.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
-    Travel travel;
-    if (from == to) return travel;
-    if (ways_ && !ways_->IsClear(from, to)) travel.corners = Around(from, to, budget);
-    travel.hidden = options_.hide && !IsSeen(paths_[i].feature) && IsHidden(from, to, travel, i);
-    return travel;
+    if (from == to) return {};
+    if (options_.avoid_crossing) {
+      std::vector<Point> corners;
+      if (clearance_ > 0 && !Ways().IsClear(from, to))
+        corners = Around(from, to, LongestWay(from, to, options_), budget);
+      const bool hidden = CanHide(i) && IsHidden(from, to, corners, i);
+      return {hidden, std::move(corners)};
+    }
+    if (!CanHide(i)) return {};
+    if (!edges_.Parts(from, to)) return {IsHidden(from, to, {}, i), {}};
+    if (clearance_ == 0) return {};
+    std::vector<Point> corners = Around(from, to, LongestHiddenWay(from, to), budget);
+    if (corners.empty() || !IsHidden(from, to, corners, i)) return {};
+    return {true, std::move(corners)};
   }
 
  private:
-  std::vector<Point> Around(Point from, Point to, WorkBudget& budget) {
-    return ways_->Find(from, to, LongestWay(from, to, options_), budget)
-        .value_or(std::vector<Point>{});
+  bool CanHide(size_t i) const { return options_.hide && !IsSeen(paths_[i].feature); }
+
+  /// Where no way round is asked for: one that takes less time than the retraction that it saves.
+  static double LongestHiddenWay(Point from, Point to) {
+    return Distance(from, to) + static_cast<double>(kCrossingNm);
   }
 
-  bool IsHidden(Point from, Point to, const Travel& travel, size_t i) const {
+  ClearWays& Ways() {
+    if (!ways_) ways_.emplace(MultiPolygon{outline_}, clearance_);
+    return *ways_;
+  }
+
+  std::vector<Point> Around(Point from, Point to, double longest_nm, WorkBudget& budget) {
+    return Ways().Find(from, to, longest_nm, budget).value_or(std::vector<Point>{});
+  }
+
+  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t i) const {
     double length = 0;
-    std::vector<Point> places = travel.corners;
+    std::vector<Point> places = corners;
     places.push_back(to);
     for (const Point place : places) {
       if (edges_.Parts(from, place)) return false;
@@ -68,11 +90,13 @@ class IslandTravels {
     return edges_.Surrounds(to);
   }
 
+  const PolygonWithHoles& outline_;
   const IslandEdges& edges_;
   std::span<const Path> paths_;
   const TravelOptions& options_;
+  const Coord clearance_;
   EdgeStrips tops_;
-  std::optional<ClearWays> ways_;
+  std::optional<ClearWays> ways_;  ///< once asked for
 };
 
 }  // namespace

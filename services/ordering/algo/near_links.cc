@@ -1,0 +1,99 @@
+#include "services/ordering/algo/near_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "common/geometry/point.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::ordering {
+namespace {
+
+/// Loops shorter than this many times what a link takes from them stay whole.
+constexpr double kLeastLoop = 10;
+
+bool IsLinked(Feature feature) {
+  return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
+         feature == Feature::kGapFill || feature == Feature::kInternalInfill ||
+         feature == Feature::kSolidInfill;
+}
+
+/// A link is part of what is not seen.
+Feature FeatureOfLink(const Path& last, const Path& next) {
+  if (last.feature != Feature::kExternalPerimeter) return last.feature;
+  if (next.feature != Feature::kExternalPerimeter) return next.feature;
+  return Feature::kPerimeter;
+}
+
+Coord NarrowerWidth(const Path& last, const Path& next) {
+  return std::min(last.closed ? last.WidthAt(0) : last.WidthAt(last.points.size() - 1),
+                  next.WidthAt(0));
+}
+
+bool CanLoseEnd(const Path& path, double length_nm) {
+  return path.feature != Feature::kExternalPerimeter &&
+         PathLength(path) >= kLeastLoop * length_nm;
+}
+
+/// Takes the last `length_nm` of a path; a closed one becomes open. REQUIRES: the path is longer.
+void CutEnd(double length_nm, Path& path) {
+  const bool varies = path.widths_nm.size() > 1;
+  if (path.closed) {
+    path.points.push_back(path.points.front());
+    if (varies) path.widths_nm.push_back(path.widths_nm.front());
+    path.closed = false;
+  }
+  double last = 0;
+  while (path.points.size() > 2 &&
+         (last = Distance(path.points.back(), path.points[path.points.size() - 2])) <= length_nm) {
+    length_nm -= last;
+    path.points.pop_back();
+    if (varies) path.widths_nm.pop_back();
+  }
+  const Point before = path.points[path.points.size() - 2];
+  Point& end = path.points.back();
+  last = Distance(before, end);
+  if (last <= 0) return;
+  const double share = length_nm / last;
+  end = {end.x + std::llround(share * static_cast<double>(before.x - end.x)),
+         end.y + std::llround(share * static_cast<double>(before.y - end.y))};
+  if (varies) {
+    const Coord width = path.widths_nm[path.widths_nm.size() - 2];
+    Coord& end_width = path.widths_nm.back();
+    end_width += std::llround(share * static_cast<double>(width - end_width));
+  }
+}
+
+}  // namespace
+
+std::optional<Path> LinkBetween(PrintedEnd last, Path& next, Coord height_nm,
+                                const Barrier& edges) {
+  const Path& before = last.path;
+  if (!IsLinked(before.feature) || !IsLinked(next.feature) || before.tool != next.tool)
+    return std::nullopt;
+  const Point from = EndOf(before), to = StartOf(next);
+  const Coord width = NarrowerWidth(before, next);
+  const double step = Distance(from, to);
+  if (step <= 0 || step > kMostLinkWidths * static_cast<double>(width) || edges.Parts(from, to))
+    return std::nullopt;
+  Path link;
+  link.feature = FeatureOfLink(before, next);
+  link.settings = before.settings;
+  link.tool = before.tool;
+  link.inset = std::max(before.inset, next.inset);
+  link.reversible = false;
+  const double cut = kLinkFlow * step;
+  if (last.is_loop && CanLoseEnd(before, cut)) {
+    CutEnd(cut, last.path);
+  } else if (next.closed && CanLoseEnd(next, cut)) {
+    CutEnd(cut, next);
+  }
+  link.points = {EndOf(before), to};
+  const double strip = static_cast<double>(Spacing(width, height_nm)) * cut /
+                       Distance(link.points[0], link.points[1]);
+  link.widths_nm = {WidthToFill(std::max<Coord>(1, std::llround(strip)), height_nm)};
+  return link;
+}
+
+}  // namespace slicefarm::ordering
