@@ -85,9 +85,14 @@ MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPoly
   return WithoutSlivers(Difference(area, *side[0]), width_nm);
 }
 
-/// From far to near: what a far layer leaves bare is most often all that nearer ones do.
-MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outline,
-                        const Cover& cover, const SkinOptions& options) {
+/// Sparse infill in a narrower place between solid parts, in widths, is bits of lines: it becomes
+/// solid.
+constexpr Coord kLeastSparseWidths = 4;
+
+/// What no layer of the cover leaves bare. From far to near: what a far layer leaves bare is most
+/// often all that nearer ones do.
+MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                         const Cover& cover, const SkinOptions& options) {
   if (options.all_solid || HasAir(cover.above) || HasAir(cover.below)) return {};
   SparseRegion sparse(fill_area, options.width_nm);
   for (const auto* side : {&cover.above, &cover.below}) {
@@ -97,8 +102,34 @@ MultiPolygon SparsePart(const MultiPolygon& fill_area, const MultiPolygon& outli
       if (!seen && layer != &outline) sparse.TakeBareParts(*layer);
     }
   }
-  if (sparse.region() == fill_area) return fill_area;
-  return WithoutSlivers(sparse.region(), 2 * options.width_nm);
+  return sparse.region();
+}
+
+/// Whether one of `parts`, none of which crosses the island's edge, lies in it.
+bool HoldsOneOf(const PolygonWithHoles& island, const MultiPolygon& parts) {
+  return std::any_of(parts.begin(), parts.end(), [&island](const PolygonWithHoles& part) {
+    return Covers({island}, part.outer[0]);
+  });
+}
+
+/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid where
+/// it hangs together with something bare, as between two skins; else it stays sparse: a wedge
+/// between walls is no skin.
+void PartSparse(const MultiPolygon& fill_area, const MultiPolygon& covered, Coord width_nm,
+                Skins& skins) {
+  skins.sparse = covered.empty() || covered == fill_area
+                     ? covered
+                     : WithoutSlivers(covered, kLeastSparseWidths * width_nm);
+  if (skins.sparse == fill_area) return;
+  if (skins.sparse.empty()) {
+    skins.solid = fill_area;
+    return;
+  }
+  const MultiPolygon bare = Difference(fill_area, covered);
+  MultiPolygon wedges;
+  for (PolygonWithHoles& island : Difference(fill_area, skins.sparse))
+    (HoldsOneOf(island, bare) ? skins.solid : wedges).push_back(std::move(island));
+  if (!wedges.empty()) skins.sparse = Union(skins.sparse, wedges);
 }
 
 /// Moves what lies over air from the solid region to the bridges, with as much around it as their
@@ -117,11 +148,13 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
                    const SkinOptions& options) {
   Skins skins;
   if (fill_area.empty()) return skins;
-  skins.sparse = SparsePart(fill_area, outline, cover, options);
+  PartSparse(fill_area, CoveredPart(fill_area, outline, cover, options), options.width_nm, skins);
   const double least_area = options.solid_below_area_mm2 * kNmPerMm * kNmPerMm;
-  std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; });
+  const size_t small =
+      std::erase_if(skins.sparse, [&](const auto& region) { return Area(region) < least_area; });
   if (skins.sparse == fill_area) return skins;
-  skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
+  if (small > 0)
+    skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
   skins.top = Exposed(skins.solid, cover.above, outline, options.width_nm);
   if (!skins.top.empty()) skins.solid = Difference(skins.solid, skins.top);
   if (!cover.on_bed)

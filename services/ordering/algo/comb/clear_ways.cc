@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
 #include "common/geometry/predicates.h"
 #include "common/geometry/simplify.h"
 
@@ -44,14 +44,14 @@ Point Along(Point a, Point b, double length_nm) {
 
 ClearWays::ClearWays(const MultiPolygon& region, Coord clearance_nm) : clearance_(clearance_nm) {
   ForEachRing(region, [&](const Polygon& ring) { edge_.AddRing(ring); });
-  const MultiPolygon lanes = Simplify(Offset(region, -Times(kLane, clearance_nm)),
+  const MultiPolygon lanes = Simplify(FastOffset(region, -Times(kLane, clearance_nm)),
                                       Times(kLaneTolerance, clearance_nm));
   ForEachRing(lanes, [&](const Polygon& ring) {
     lane_.AddRing(ring);
     lanes_.push_back(ring);
     AddNodes(ring);
   });
-  ForEachRing(Offset(lanes, kHair), [&](const Polygon& ring) { border_.AddRing(ring); });
+  ForEachRing(FastOffset(lanes, kHair), [&](const Polygon& ring) { border_.AddRing(ring); });
   for (EdgeStrips* edges : {&edge_, &border_, &lane_}) edges->Build();
   links_.resize(nodes_.size());
 }
