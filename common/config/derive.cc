@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/base/text.h"
 #include "common/config/setting_limits.h"
 #include "common/config/settings_table.h"
 
@@ -68,7 +69,9 @@ void DeriveVariableWalls(Draft& draft) {
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key : {"external_perimeter_speed", "small_perimeter_speed",
                                      "solid_infill_speed", "top_solid_infill_speed",
-                                     "support_material_interface_speed"}) {
+                                     "support_material_interface_speed", "first_layer_infill_speed",
+                                     "overhang_speed_0", "overhang_speed_1", "overhang_speed_2",
+                                     "overhang_speed_3"}) {
     TakePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {
@@ -106,6 +109,19 @@ void DeriveFilament(Draft& draft) {
   if (print_limit > 0 && (filament_limit == 0 || print_limit < filament_limit)) {
     draft.SetNumber("filament_max_volumetric_speed", print_limit);
   }
+}
+
+/// Thumbnails take the format that they do not name from thumbnails_format.
+void DeriveThumbnails(Draft& draft) {
+  if (draft.Number("thumbnails_format") != static_cast<int>(PictureFormat::kQoi)) return;
+  Draft::Entry& thumbnails = draft.At("thumbnails");
+  const std::string& written = thumbnails.given ? thumbnails.written : thumbnails.value->text;
+  std::string text;
+  for (const std::string_view size : Split(written, ",")) {
+    const bool names_one = size.empty() || size.find('/') != size.npos;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ",", size, names_one ? "" : "/QOI");
+  }
+  if (const auto sizes = ParseSizes(text); sizes.ok()) thumbnails.value->text = PrintSizes(*sizes);
 }
 
 /// The filament's own G-code is the last before the layers and the first after them.
@@ -151,6 +167,7 @@ absl::Status Derive(Draft& draft) {
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveFilament(draft);
+  DeriveThumbnails(draft);
   absl::Status status = CheckPercentages(draft);
   status.Update(DeriveGcode(draft));
   return status;

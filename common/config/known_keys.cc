@@ -36,8 +36,6 @@ constexpr KnownKey kSwitches[] = {
     {"bridge_flow_ratio", kNotYet, "1", true},
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
-    {"enable_dynamic_fan_speeds", kNotYet, "0", true},
-    {"enable_dynamic_overhang_speeds", kNotYet, "0", true},
     {"ensure_vertical_shell_thickness", "skins are always as thick as asked for", "enabled", true},
     {"extra_perimeters", kNotYet, "0", true},
     {"extra_perimeters_on_overhangs", kNotYet, "0", true},
@@ -48,16 +46,10 @@ constexpr KnownKey kSwitches[] = {
     {"filament_shrinkage_compensation_xy", kNotYet, "0", true},
     {"filament_shrinkage_compensation_z", kNotYet, "0", true},
     {"filament_wipe", kNotYet, "nil", true},
-    {"first_layer_acceleration_over_raft", kNotYet, "0", true},
-    {"full_fan_speed_layer", kNotYet, "0", true},
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interface_shells", kNotYet, "0", true},
     {"interlocking_beam", kNotYet, "0", true},
-    {"machine_min_extruding_rate", kNotYet, "0", true},
-    {"machine_min_travel_rate", kNotYet, "0", true},
-    {"max_volumetric_extrusion_rate_slope_negative", kNotYet, "0", true},
-    {"max_volumetric_extrusion_rate_slope_positive", kNotYet, "0", true},
     {"only_one_perimeter_first_layer", kNotYet, "0", true},
     {"ooze_prevention", kNotYet, "0", true},
     {"overhangs", kNotYet, "0", true},
@@ -69,7 +61,6 @@ constexpr KnownKey kSwitches[] = {
     {"solid_infill_extruder", kNotYet, "1", true},
     {"staggered_inner_seams", kNotYet, "0", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
-    {"thumbnails_format", "only PNG pictures are made", "PNG", true},
     {"toolchange_gcode", kNotYet, "", true},
     {"top_one_perimeter_type", kNotYet, "none", true},
     {"travel_ramping_lift", kNotYet, "0", true},
@@ -100,12 +91,11 @@ constexpr Group kGroups[] = {
      "filament_retract_length_toolchange filament_retract_lift_above filament_retract_lift_below "
      "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
-     "filament_unload_time filament_unloading_* first_layer_infill_speed "
-     "first_layer_speed_over_raft fuzzy_skin_* gcode_resolution "
+     "filament_unload_time filament_unloading_* fuzzy_skin_* gcode_resolution "
      "high_current_on_filament_swap idle_temperature "
      "interlocking_* ironing_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
-     "over_bridge_speed overhang_* parking_pos_retraction pause_print_gcode "
+     "over_bridge_speed parking_pos_retraction pause_print_gcode "
      "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
      "retract_restart_extra_toolchange scarf_seam_* seam_gap_distance silent_mode "
      "single_extruder_multi_material_priming small_area_infill_flow_compensation* "

@@ -144,9 +144,9 @@ class Reader {
     return nullptr;
   }
 
-  /// Pictures of the same sizes are made, but as PNG.
+  /// Pictures of the same sizes are made, those of other formats as PNG.
   static bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
-    return spec.kind == Kind::kSizes && !OnlyPng(value);
+    return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
   }
 
   static absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {

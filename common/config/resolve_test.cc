@@ -157,7 +157,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.infill[0].overlap_nm = 112'500;
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
-  ours.slicing.thumbnails_px.clear();
+  ours.slicing.thumbnails.clear();
   ours.motion.start_gcode += "; Filament gcode\n";
   ours.motion.end_gcode =
       "; Filament-specific end gcode \n;END gcode for filament\n" + ours.motion.end_gcode;

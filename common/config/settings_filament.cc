@@ -34,6 +34,21 @@ std::vector<SettingSpec> Temperatures() {
   };
 }
 
+template <int kDegree>
+SettingSpec OverhangFan(std::string_view key, std::string_view doc) {
+  return PerExtruder(
+      {.key = key,
+       .kind = Kind::kInteger,
+       .unit = "%",
+       .min = 0,
+       .max = 100,
+       .standard = "0",
+       .doc = doc,
+       .field = Bind([](auto& s) -> auto& {
+         return s.motion.cooling.overhang_fan_percent[kDegree];
+       })});
+}
+
 std::vector<SettingSpec> Cooling() {
   const auto flag = [](std::string_view key, std::string_view standard, std::string_view doc,
                        Field field) {
@@ -64,6 +79,18 @@ std::vector<SettingSpec> Cooling() {
             Bind([](auto& s) -> auto& { return s.motion.cooling.bridge_fan_percent; })),
       whole("disable_fan_first_layers", "layers", 1000, "3", "The fan is off in this many layers",
             Bind([](auto& s) -> auto& { return s.motion.cooling.disable_fan_first_layers; })),
+      whole("full_fan_speed_layer", "layers", 100'000, "0",
+            "From disable_fan_first_layers on the fan's share grows until this layer; 0: it is full at "
+            "once",
+            Bind([](auto& s) -> auto& { return s.motion.cooling.full_fan_speed_layer; })),
+      flag("enable_dynamic_fan_speeds", "0",
+           "Sets the fan where walls hang over the layer below, by overhang_fan_speed_0 to _3, and "
+           "between these in proportion",
+           Bind([](auto& s) -> auto& { return s.motion.cooling.dynamic_fan; })),
+      OverhangFan<0>("overhang_fan_speed_0", "Fan at walls that rest on nothing"),
+      OverhangFan<1>("overhang_fan_speed_1", "Fan where 25 % of the width rest on the layer below"),
+      OverhangFan<2>("overhang_fan_speed_2", "Fan where 50 % of the width rest on it"),
+      OverhangFan<3>("overhang_fan_speed_3", "Fan where 75 % of the width rest on it"),
       whole("fan_below_layer_time", "s", 1000, "60", "The fan runs at layers shorter than this",
             Bind([](auto& s) -> auto& { return s.motion.cooling.fan_below_layer_time_s; })),
       whole("slowdown_below_layer_time", "s", 1000, "5", "Shorter layers are slowed down to this",
@@ -122,6 +149,13 @@ std::vector<SettingSpec> Material() {
            .standard = "0",
            .doc = "Bound on the extruded volume per second; 0: none",
            .field = Bind([](auto& s) -> auto& { return s.motion.max_volumetric_speed_mm3_s; })}),
+      PerExtruder({.key = "pressure_advance",
+                   .min = 0,
+                   .max = 100,
+                   .standard = "0",
+                   .doc = "Pressure advance (linear advance) of the filament, in the unit of the "
+                          "firmware; 0: left as it is",
+                   .field = Bind([](auto& s) -> auto& { return s.motion.pressure_advance; })}),
       text("filament_type", "PLA", "Name of the material, for printer hosts",
            Bind([](auto& s) -> auto& { return s.motion.filament_type; })),
       text("filament_colour", "#29B2B2", "Colour of the filament, for printer hosts",

@@ -80,8 +80,18 @@ std::vector<SettingSpec> LayerSettings() {
        .kind = Kind::kSizes,
        .unit = "pixels",
        .standard = "32x32,300x300",
-       .doc = "Pictures of the part at the head of the G-code: WIDTHxHEIGHT, by commas",
-       .field = Bind([](auto& s) -> auto& { return s.slicing.thumbnails_px; })},
+       .doc = "Pictures of the part at the head of the G-code: WIDTHxHEIGHT or WIDTHxHEIGHT/FORMAT "
+              "(PNG, QOI), by commas",
+       .field = Bind([](auto& s) -> auto& { return s.slicing.thumbnails; })},
+      {.key = "thumbnails_format",
+       .kind = Kind::kChoice,
+       .standard = "PNG",
+       .doc = "Format of the thumbnails that name none",
+       .choices = {{"PNG", static_cast<int>(PictureFormat::kPng)},
+                   {"QOI", static_cast<int>(PictureFormat::kQoi)},
+                   {"JPG", static_cast<int>(PictureFormat::kPng), "made as PNG"},
+                   {"BTT_TFT", static_cast<int>(PictureFormat::kPng), "made as PNG"},
+                   {"COLPIC", static_cast<int>(PictureFormat::kPng), "made as PNG"}}},
   };
 }
 

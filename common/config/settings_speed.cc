@@ -49,24 +49,58 @@ SettingSpec Acceleration(std::string_view key, std::string_view doc, Field field
 }
 
 /// Millimetres per second, or a percentage of what each feature's own setting says.
-SettingSpec FirstLayerSpeed() {
+template <double MotionOptions::*kSpeed, double MotionOptions::*kRatio>
+SettingSpec LayerSpeed(std::string_view key, std::string_view doc) {
   const auto set = [](JobSettings& s, const Value& v) {
-    s.motion.first_layer_speed_mm_s = v.percent ? 0 : v.number;
-    s.motion.first_layer_speed_ratio = v.percent && v.number > 0 ? v.number / 100 : 1;
+    s.motion.*kSpeed = v.percent ? 0 : v.number;
+    s.motion.*kRatio = v.percent && v.number > 0 ? v.number / 100 : 1;
   };
   const auto get = [](const JobSettings& s) -> Value {
-    if (s.motion.first_layer_speed_mm_s != 0) return {.number = s.motion.first_layer_speed_mm_s};
-    return {.number = Quantise(s.motion.first_layer_speed_ratio * 100), .percent = true};
+    if (s.motion.*kSpeed != 0) return {.number = s.motion.*kSpeed};
+    return {.number = Quantise(s.motion.*kRatio * 100), .percent = true};
   };
-  return {.key = "first_layer_speed",
+  return {.key = key,
           .kind = Kind::kNumberOrPercent,
           .unit = "mm/s",
           .min = 0,
           .max = kMaxSpeed,
           .standard = "30",
-          .doc = "Speed of all beads of the first layer; as a percentage, of what each has above",
+          .doc = doc,
           .percent_of = "each feature's own",
           .field = {set, get}};
+}
+
+template <int kDegree>
+SettingSpec OverhangSpeed(std::string_view key, std::string_view standard, std::string_view doc) {
+  return RelativeSpeed(
+      key, standard, "external_perimeter_speed", doc,
+      Bind([](auto& s) -> auto& { return s.motion.speeds[0].overhang_speed_mm_s[kDegree]; }));
+}
+
+std::vector<SettingSpec> Overhangs() {
+  return {
+      {.key = "enable_dynamic_overhang_speeds",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
+              "between these in proportion",
+       .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].dynamic_overhangs; })},
+      OverhangSpeed<0>("overhang_speed_0", "15",
+                       "Speed of walls that rest on nothing; 0: not slowed down"),
+      OverhangSpeed<1>("overhang_speed_1", "15", "Speed where 25 % of the width rest on the layer below"),
+      OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it"),
+      OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it"),
+  };
+}
+
+SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
+  return {.key = key,
+          .unit = "mm3/s2",
+          .min = 0,
+          .max = 1e6,
+          .standard = "0",
+          .doc = doc,
+          .field = field};
 }
 
 std::vector<SettingSpec> Speeds() {
@@ -95,7 +129,14 @@ std::vector<SettingSpec> Speeds() {
       RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
                     "Speed of the layers of rafts that carry the part; 0: max_print_speed",
                     SpeedOf<Feature::kSupportInterface>()),
-      FirstLayerSpeed(),
+      LayerSpeed<&MotionOptions::first_layer_speed_mm_s, &MotionOptions::first_layer_speed_ratio>(
+          "first_layer_speed",
+          "Speed of all beads of the first layer; as a percentage, of what each has above"),
+      RelativeSpeed("first_layer_infill_speed", "0", "solid_infill_speed",
+                    "Speed of solid infill in the first layer; 0: first_layer_speed",
+                    Bind([](auto& s) -> auto& { return s.motion.first_layer_infill_speed_mm_s; })),
+      LayerSpeed<&MotionOptions::over_raft_speed_mm_s, &MotionOptions::over_raft_speed_ratio>(
+          "first_layer_speed_over_raft", "Speed of all beads of an object's first layer on a raft"),
       {.key = "max_print_speed",
        .unit = "mm/s",
        .min = 1,
@@ -118,6 +159,12 @@ std::vector<SettingSpec> Speeds() {
        .max = 1000,
        .standard = "0",
        .doc = "Bound on the extruded volume per second, besides the filament's own; 0: none"},
+      FlowSlope("max_volumetric_extrusion_rate_slope_positive",
+                "How fast the flow may rise from bead to bead; 0: at once",
+                Bind([](auto& s) -> auto& { return s.motion.flow_rise_mm3_s2; })),
+      FlowSlope("max_volumetric_extrusion_rate_slope_negative",
+                "How fast the flow may fall from bead to bead; 0: at once",
+                Bind([](auto& s) -> auto& { return s.motion.flow_fall_mm3_s2; })),
   };
 }
 
@@ -146,6 +193,9 @@ std::vector<SettingSpec> Accelerations() {
       Acceleration("first_layer_acceleration",
                    "Acceleration of all beads of the first layer; 0: as in the others",
                    Bind([](auto& s) -> auto& { return s.motion.first_layer_acceleration_mm_s2; })),
+      Acceleration("first_layer_acceleration_over_raft",
+                   "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
+                   Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
       Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
                    Bind([](auto& s) -> auto& { return s.motion.travel_acceleration_mm_s2; })),
   };
@@ -155,7 +205,8 @@ std::vector<SettingSpec> Accelerations() {
 
 std::vector<SettingSpec> SpeedSettings() {
   std::vector<SettingSpec> settings = Speeds();
-  for (SettingSpec& acceleration : Accelerations()) settings.push_back(std::move(acceleration));
+  for (auto part : {Overhangs(), Accelerations()})
+    for (SettingSpec& spec : part) settings.push_back(std::move(spec));
   return settings;
 }
 

@@ -167,8 +167,7 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
     case Kind::kBedShape:
       return Canonical<Polygon>(spec, text, ParseBedShape(text), PrintBedShape);
     case Kind::kSizes:
-      return Canonical<std::vector<std::array<int32_t, 2>>>(spec, text, ParseSizes(text),
-                                                            PrintSizes);
+      return Canonical<std::vector<ThumbnailSize>>(spec, text, ParseSizes(text), PrintSizes);
     case Kind::kDensityField:
       return ParseField<DensityField>(spec, text, ParseDensityField, PrintDensityField);
     case Kind::kStressField:

@@ -19,9 +19,9 @@ namespace {
 constexpr double kSteps = 1e6;
 constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a double
 constexpr size_t kMaxCorners = 1000;
-constexpr std::string_view kOurFormat = "PNG";
+constexpr std::string_view kQoi = "QOI";
 /// PrusaSlicer's.
-constexpr std::string_view kPictureFormats[] = {kOurFormat, "JPG", "QOI", "BTT_TFT", "COLPIC"};
+constexpr std::string_view kPictureFormats[] = {"PNG", "JPG", kQoi, "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
 
@@ -43,7 +43,7 @@ bool IsPictureFormat(std::string_view name) {
          std::end(kPictureFormats);
 }
 
-absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
+absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
   if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
     return Malformed(
@@ -51,7 +51,7 @@ absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
   }
   const std::vector<std::string_view> sides = Split(parts[0], "x");
   if (sides.size() != 2) return Malformed(fmt::format("'{}' is not WIDTHxHEIGHT", text));
-  std::array<int32_t, 2> size = {0, 0};
+  std::array<int32_t, 2> px = {0, 0};
   for (int i = 0; i < 2; ++i) {
     const auto side = ToNumber(sides[i]);
     if (!side.has_value() || *side != std::floor(*side) || *side < 1 ||
@@ -59,9 +59,10 @@ absl::StatusOr<std::array<int32_t, 2>> ParseSize(std::string_view text) {
       return Malformed(
           fmt::format("'{}' is not WIDTHxHEIGHT of 1 to {} pixels", text, limits::kMaxThumbnailPx));
     }
-    size[i] = static_cast<int32_t>(*side);
+    px[i] = static_cast<int32_t>(*side);
   }
-  return size;
+  const bool qoi = parts.size() == 2 && parts[1] == kQoi;
+  return ThumbnailSize{px[0], px[1], qoi ? PictureFormat::kQoi : PictureFormat::kPng};
 }
 
 }  // namespace
@@ -170,8 +171,8 @@ std::string PrintBedShape(const Polygon& bed) {
   return text;
 }
 
-absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text) {
-  std::vector<std::array<int32_t, 2>> sizes;
+absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text) {
+  std::vector<ThumbnailSize> sizes;
   if (Trim(text).empty()) return sizes;
   for (const std::string_view item : Split(text, ",")) {
     const auto size = ParseSize(Trim(item));
@@ -184,18 +185,21 @@ absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view 
   return sizes;
 }
 
-bool OnlyPng(std::string_view text) {
+bool OnlyOurFormats(std::string_view text) {
   for (const std::string_view item : Split(text, ",")) {
     const size_t slash = item.find('/');
-    if (slash != std::string_view::npos && Trim(item.substr(slash + 1)) != kOurFormat) return false;
+    if (slash == std::string_view::npos) continue;
+    const std::string_view format = Trim(item.substr(slash + 1));
+    if (format != "PNG" && format != kQoi) return false;
   }
   return true;
 }
 
-std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes) {
+std::string PrintSizes(const std::vector<ThumbnailSize>& sizes) {
   std::string text;
-  for (const auto& [width, height] : sizes) {
+  for (const auto& [width, height, format] : sizes) {
     text += fmt::format("{}{}x{}", text.empty() ? "" : ",", width, height);
+    if (format == PictureFormat::kQoi) text += "/QOI";
   }
   return text;
 }

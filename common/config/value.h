@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
+#include "common/model/mesh.h"
 
 namespace slicefarm::config {
 
@@ -44,12 +45,12 @@ std::string QuoteText(std::string_view text);
 absl::StatusOr<Polygon> ParseBedShape(std::string_view text);
 std::string PrintBedShape(const Polygon& bed);
 
-/// `32x32, 300x300/PNG`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made
-/// is PNG. Errors: another format, more than limits::kMaxThumbnails pictures, a side beyond
-/// limits::kMaxThumbnailPx.
-absl::StatusOr<std::vector<std::array<int32_t, 2>>> ParseSizes(std::string_view text);
-/// Whether `text`, as ParseSizes takes it, asks for no format but PNG.
-bool OnlyPng(std::string_view text);
-std::string PrintSizes(const std::vector<std::array<int32_t, 2>>& sizes);
+/// `32x32, 300x300/QOI`, pixels; empty: none. The format may be any of PrusaSlicer's; what is made is
+/// QOI where it says so, else PNG. Errors: another format, more than limits::kMaxThumbnails pictures,
+/// a side beyond limits::kMaxThumbnailPx.
+absl::StatusOr<std::vector<ThumbnailSize>> ParseSizes(std::string_view text);
+/// Whether `text`, as ParseSizes takes it, asks for no format but PNG and QOI.
+bool OnlyOurFormats(std::string_view text);
+std::string PrintSizes(const std::vector<ThumbnailSize>& sizes);
 
 }  // namespace slicefarm::config

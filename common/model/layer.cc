@@ -37,6 +37,7 @@ double ProgramStats::ExtrudedMm() const { return SumOver(*this, &FeatureUse::len
 void ProgramStats::Add(const ProgramStats& other) {
   for (size_t i = 0; i < features.size(); ++i) features[i].Add(other.features[i]);
   travel_time_s += other.travel_time_s;
+  retract_time_s += other.retract_time_s;
   travel_mm += other.travel_mm;
   travels += other.travels;
   retractions += other.retractions;

@@ -8,6 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 #include "common/model/path.h"
+#include "common/model/print_times.h"
 #include "common/model/region.h"
 
 namespace slicefarm {
@@ -154,6 +155,8 @@ struct PathBlock {
   /// To each path, or empty: all straight and in sight. The way to the first is not used: it
   /// depends on what is printed before the block.
   std::vector<Travel> travels = {};
+  /// What the object's layer below covers, where motion asks for it (LooksBelow); else empty.
+  MultiPolygon below = {};
 
   friend bool operator==(const PathBlock&, const PathBlock&) = default;
 };
@@ -190,6 +193,7 @@ struct FeatureUse {
 struct ProgramStats {
   std::array<FeatureUse, kFeatureCount> features;  ///< by Feature
   double travel_time_s = 0;                        ///< retractions included
+  double retract_time_s = 0;                       ///< of that, what moves the filament alone
   double travel_mm = 0;
   int64_t travels = 0;
   int64_t retractions = 0;
@@ -203,6 +207,30 @@ struct ProgramStats {
   friend bool operator==(const ProgramStats&, const ProgramStats&) = default;
 };
 
+/// A move at an end of a layer's program, rounded as its G-code is: where it ends, and how it goes.
+struct EdgeMove {
+  int32_t x_um = 0;
+  int32_t y_um = 0;
+  int32_t z_um = 0;
+  int32_t filament = 0;           ///< in 1e-5 mm, relative
+  int32_t feed_rate = 0;          ///< mm/min
+  double acceleration_mm_s2 = 0;  ///< 0: what the machine is set to
+  Feature feature = Feature::kPerimeter;  ///< of a bead: a move in the plane that pushes filament
+
+  friend bool operator==(const EdgeMove&, const EdgeMove&) = default;
+};
+
+/// The moves of a layer whose times depend on what is printed before it and after it. Each list
+/// begins with the place that its first move starts from; none if nothing moves.
+struct LayerEdges {
+  std::vector<EdgeMove> head;  ///< x and y are not known before the approach
+  int32_t approach = 0;        ///< the move of `head` that goes to the layer's entry
+  std::vector<EdgeMove> tail;
+  double acceleration_mm_s2 = 0;  ///< what the machine is set to at the end
+
+  friend bool operator==(const LayerEdges&, const LayerEdges&) = default;
+};
+
 /// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament retracted, relative
 /// extrusion, absolute coordinates; so layers are joined by concatenation.
 struct LayerProgram {
@@ -211,7 +239,8 @@ struct LayerProgram {
   std::string gcode;
   Point entry;  ///< of the first path; the program's first move goes there from anywhere
   Point exit;
-  ProgramStats stats;
+  ProgramStats stats;  ///< times: from rest to rest, without the approach to the entry
+  LayerEdges edges;
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
@@ -222,7 +251,7 @@ struct ProgramFrame {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< one a layer (progress), most often empty
   std::string epilogue;
-  double time_s = 0;     ///< the whole print: layers and the travel between them
+  PrintTimes times;      ///< of the whole print
   double travel_mm = 0;  ///< layers' and between them
 
   friend bool operator==(const ProgramFrame&, const ProgramFrame&) = default;

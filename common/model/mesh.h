@@ -57,11 +57,23 @@ struct MeshReport {
   friend bool operator==(const MeshReport&, const MeshReport&) = default;
 };
 
-/// A picture of the part, PNG.
+enum class PictureFormat : uint8_t { kPng, kQoi };
+
+/// How a picture of the part is asked for.
+struct ThumbnailSize {
+  int32_t width_px = 0;
+  int32_t height_px = 0;
+  PictureFormat format = PictureFormat::kPng;
+
+  friend bool operator==(const ThumbnailSize&, const ThumbnailSize&) = default;
+};
+
+/// A picture of the part.
 struct Thumbnail {
   int32_t width_px = 0;
   int32_t height_px = 0;
-  std::string png;
+  std::string data;  ///< in its format
+  PictureFormat format = PictureFormat::kPng;
 
   friend bool operator==(const Thumbnail&, const Thumbnail&) = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -10,7 +11,10 @@
 
 namespace slicefarm {
 
-enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware };
+/// What of a wall's width rests on the layer below: 0, 25, 50, 75 %.
+inline constexpr int kOverhangDegrees = 4;
+
+enum class GcodeFlavor { kMarlin2, kMarlinLegacy, kKlipper, kRepRapFirmware, kPrusaBuddy, kBambu };
 
 /// The machine as its firmware sees it; the planner obeys the same rules, so that times are true.
 struct MachineLimits {
@@ -25,6 +29,9 @@ struct MachineLimits {
   double junction_deviation_mm = 0;        ///< machine_max_junction_deviation; 0: classic jerk
   double square_corner_velocity_mm_s = 5;  ///< square_corner_velocity (Klipper)
   double minimum_cruise_ratio = 0.5;       ///< minimum_cruise_ratio (Klipper)
+  double min_extruding_rate_mm_s = 0;      ///< machine_min_extruding_rate: no bead is slower
+  double min_travel_rate_mm_s = 0;         ///< machine_min_travel_rate: nor is any travel
+  double jerk_mm_s3 = 100'000;             ///< jerk_limit: change of acceleration (own planner)
   bool emit_to_gcode = false;              ///< machine_limits_usage = emit_to_gcode
 
   friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
@@ -51,6 +58,10 @@ struct CoolingOptions {
   double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
   double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
   double min_print_speed_mm_s = 10;        ///< min_print_speed
+  int32_t full_fan_speed_layer = 0;        ///< full_fan_speed_layer: the fan grows up to it; 0: none
+  bool dynamic_fan = false;                ///< enable_dynamic_fan_speeds
+  /// overhang_fan_speed_0 to _3, by degree.
+  std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};
 
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };
@@ -60,6 +71,9 @@ struct RegionSpeeds {
   std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80,
                                                   20, 15, 60, 60, 60, 60};  ///< by Feature
   double small_perimeter_speed_mm_s = 15;  ///< small_perimeter_speed: loops of radius below 6.5 mm
+  bool dynamic_overhangs = false;          ///< enable_dynamic_overhang_speeds
+  /// overhang_speed_0 to _3, by degree.
+  std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;
 };
@@ -88,13 +102,22 @@ struct MotionOptions {
   double travel_speed_z_mm_s = 0;          ///< travel_speed_z; 0: the machine's z limit
   double first_layer_speed_mm_s = 30;      ///< first_layer_speed; 0: as above
   double first_layer_speed_ratio = 1;      ///< first_layer_speed in percent
+  double first_layer_infill_speed_mm_s = 0;  ///< first_layer_infill_speed; 0: as the others
+  double over_raft_speed_mm_s = 30;    ///< first_layer_speed_over_raft, on a raft; 0: as above
+  double over_raft_speed_ratio = 1;    ///< first_layer_speed_over_raft in percent
   double max_print_speed_mm_s = 80;        ///< max_print_speed
   double max_volumetric_speed_mm3_s = 0;   ///< filament_max_volumetric_speed, 0: unlimited
+  /// max_volumetric_extrusion_rate_slope_positive and _negative: how fast the flow may rise and
+  /// fall; 0: at once.
+  double flow_rise_mm3_s2 = 0;
+  double flow_fall_mm3_s2 = 0;
+  double pressure_advance = 0;  ///< pressure_advance, in the firmware's own unit; 0: left as it is
 
   /// By Feature, 0: default_acceleration. perimeter_acceleration, infill_acceleration, ...
   std::array<double, kFeatureCount> acceleration_mm_s2 = {};
   double default_acceleration_mm_s2 = 0;      ///< default_acceleration, 0: leave it to the firmware
   double first_layer_acceleration_mm_s2 = 0;  ///< first_layer_acceleration, 0: as above
+  double over_raft_acceleration_mm_s2 = 0;    ///< first_layer_acceleration_over_raft, 0: as above
   double travel_acceleration_mm_s2 = 0;  ///< travel_acceleration, 0: the machine's travel limit
 
   double nozzle_diameter_mm = 0.4;       ///< nozzle_diameter
@@ -111,6 +134,9 @@ struct MotionOptions {
   int32_t first_layer_temperature_c = 200;    ///< first_layer_temperature
   int32_t bed_temperature_c = 0;              ///< bed_temperature
   int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
+
+  double nozzle_heating_c_s = 0;  ///< nozzle_heating_rate, for times; 0: heating takes none
+  double bed_heating_c_s = 0;     ///< bed_heating_rate
 
   bool progress = false;   ///< remaining_times: M73 before each layer
   double z_offset_mm = 0;  ///< z_offset
@@ -129,5 +155,11 @@ struct MotionOptions {
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;
 };
+
+/// Whether the speed or the fan of walls depends on what lies below them (PathBlock::below).
+inline bool LooksBelow(const MotionOptions& options) {
+  return options.cooling.dynamic_fan ||
+         std::ranges::any_of(options.speeds, &RegionSpeeds::dynamic_overhangs);
+}
 
 }  // namespace slicefarm

@@ -18,6 +18,7 @@ struct LayerSummary {
   Point exit;
   double time_s = 0;
   bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing
+  LayerEdges edges;
 
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };

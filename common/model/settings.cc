@@ -21,6 +21,7 @@ int32_t HaloLayers(const JobSettings& settings) {
   for (const InfillOptions& infill : settings.infill)
     halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
                      infill.field_halo_layers});
+  if (LooksBelow(settings.motion)) halo = std::max(halo, 1);
   return halo;
 }
 

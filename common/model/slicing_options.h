@@ -6,6 +6,7 @@
 
 #include "common/geometry/boolean.h"
 #include "common/geometry/polygon.h"
+#include "common/model/mesh.h"
 #include "common/model/raft_heights.h"
 
 namespace slicefarm {
@@ -40,7 +41,7 @@ struct SlicingOptions {
   Polygon bed = {
       {0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};  ///< bed_shape
   Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
-  std::vector<std::array<int32_t, 2>> thumbnails_px = {{32, 32}, {300, 300}};  ///< thumbnails
+  std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
   std::vector<ObjectSlicingOptions> objects = {{}};                            ///< by object
   Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
   Coord clearance_radius_nm = 0;  ///< extruder_clearance_radius with complete_objects, else 0

@@ -251,7 +251,10 @@ absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   PlaceToProto(block, proto);
   absl::Status status = AllToProto(block.paths, "paths", proto->mutable_paths());
   if (!status.ok()) return status;
-  return AllToProto(block.travels, "travels", proto->mutable_travels());
+  status = AllToProto(block.travels, "travels", proto->mutable_travels());
+  if (!status.ok() || block.below.empty()) return status;
+  status = ToProto(block.below, proto->mutable_below());
+  return status.ok() ? status : Within("below", status);
 }
 
 absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
@@ -263,6 +266,9 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   if (!block->travels.empty() && block->travels.size() != block->paths.size()) {
     return Malformed("travels", "not one for each path");
   }
+  absl::StatusOr<MultiPolygon> below = FromProto(proto.below());
+  if (!below.ok()) return Within("below", below.status());
+  block->below = *std::move(below);
   return block;
 }
 

@@ -91,7 +91,7 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [object, layer, height, paths, travels] = first;
+  auto& [object, layer, height, paths, travels, below] = first;
   object = kPlate;
   layer = 2;
   height = 150'000;
@@ -101,6 +101,7 @@ OrderedLayer Ordered() {
   hidden = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
+  below = ParseMultiPolygon("(0 0, 9 0, 9 9)");
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
   block = 1;

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/repeated_wire.h"
 
@@ -13,6 +14,10 @@ namespace {
 
 using google::protobuf::RepeatedField;
 
+constexpr int kPictureFormats = 2;
+static_assert(v1::PICTURE_FORMAT_PNG == static_cast<int>(PictureFormat::kPng) + 1);
+static_assert(v1::PICTURE_FORMAT_QOI == static_cast<int>(PictureFormat::kQoi) + 1);
+static_assert(v1::PictureFormat_MAX == kPictureFormats);
 static_assert(v1::MESH_FORMAT_UNSPECIFIED == static_cast<int>(MeshFormat::kUnknown));
 static_assert(v1::MESH_FORMAT_STL == static_cast<int>(MeshFormat::kStl));
 static_assert(v1::MESH_FORMAT_OBJ == static_cast<int>(MeshFormat::kObj));
@@ -182,13 +187,16 @@ v1::Thumbnail ToProto(const Thumbnail& thumbnail) {
   v1::Thumbnail proto;
   proto.set_width_px(thumbnail.width_px);
   proto.set_height_px(thumbnail.height_px);
-  proto.set_png(thumbnail.png);
+  proto.set_data(thumbnail.data);
+  proto.set_format(EnumToProto<v1::PictureFormat>(thumbnail.format));
   return proto;
 }
 
 absl::StatusOr<Thumbnail> FromProto(const v1::Thumbnail& proto) {
   if (proto.width_px() < 1 || proto.height_px() < 1) return Malformed("width_px", "is not a size");
-  return Thumbnail{proto.width_px(), proto.height_px(), proto.png()};
+  const auto format = EnumFromProto<PictureFormat>(proto.format(), kPictureFormats, "format");
+  if (!format.ok()) return format.status();
+  return Thumbnail{proto.width_px(), proto.height_px(), proto.data(), *format};
 }
 
 }  // namespace slicefarm

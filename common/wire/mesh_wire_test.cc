@@ -149,7 +149,7 @@ TEST(MeshWire, RefusesAdviceThatNoOrientationHas) {
 }
 
 TEST(MeshWire, ThumbnailReturns) {
-  const Thumbnail thumbnail{32, 33, std::string("\x89PNG\0", 5)};
+  const Thumbnail thumbnail{32, 33, std::string("\x89PNG\0", 5), PictureFormat::kQoi};
   EXPECT_EQ(*FromProto(ToProto(thumbnail)), thumbnail);
   EXPECT_FALSE(FromProto(v1::Thumbnail()).ok());
 }

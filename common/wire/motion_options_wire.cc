@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "common/model/limits.h"
 #include "common/wire/enum_wire.h"
@@ -14,12 +15,14 @@ namespace {
 
 using google::protobuf::RepeatedField;
 
-constexpr int kFlavors = 4;
+constexpr int kFlavors = 6;
 static_assert(v1::GCODE_FLAVOR_MARLIN2 == static_cast<int>(GcodeFlavor::kMarlin2) + 1);
 static_assert(v1::GCODE_FLAVOR_MARLIN_LEGACY == static_cast<int>(GcodeFlavor::kMarlinLegacy) + 1);
 static_assert(v1::GCODE_FLAVOR_KLIPPER == static_cast<int>(GcodeFlavor::kKlipper) + 1);
 static_assert(v1::GCODE_FLAVOR_REPRAP_FIRMWARE ==
               static_cast<int>(GcodeFlavor::kRepRapFirmware) + 1);
+static_assert(v1::GCODE_FLAVOR_PRUSA_BUDDY == static_cast<int>(GcodeFlavor::kPrusaBuddy) + 1);
+static_assert(v1::GCODE_FLAVOR_BAMBU == static_cast<int>(GcodeFlavor::kBambu) + 1);
 static_assert(v1::GcodeFlavor_MAX == kFlavors);
 static_assert(v1::ARC_FITTING_DISABLED == static_cast<int>(ArcFitting::kDisabled) + 1);
 static_assert(v1::ARC_FITTING_EMIT_CENTER == static_cast<int>(ArcFitting::kEmitCenter) + 1);
@@ -29,14 +32,14 @@ static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComm
 static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
 static_assert(v1::ObjectLabels_MAX == v1::OBJECT_LABELS_FIRMWARE);
 
-template <size_t N>
-void Put(const std::array<double, N>& values, RepeatedField<double>* proto) {
+template <typename Number, size_t N>
+void Put(const std::array<Number, N>& values, RepeatedField<Number>* proto) {
   proto->Assign(values.begin(), values.end());
 }
 
 /// REQUIRES: CheckSizes.
-template <size_t N>
-void Take(const RepeatedField<double>& proto, std::array<double, N>* values) {
+template <typename Number, size_t N>
+void Take(const RepeatedField<Number>& proto, std::array<Number, N>* values) {
   std::ranges::copy(proto, values->begin());
 }
 
@@ -52,7 +55,11 @@ absl::Status CheckSizes(const v1::MotionOptions& proto) {
     if (absl::Status complete = CheckComplete(region); !complete.ok()) return complete;
     if (region.speed_mm_s_size() != kFeatureCount)
       return Malformed("speeds.speed_mm_s", "not one for each feature");
+    if (region.overhang_speed_mm_s_size() != kOverhangDegrees)
+      return Malformed("speeds.overhang_speed_mm_s", "not one for each degree");
   }
+  if (proto.cooling().overhang_fan_percent_size() != kOverhangDegrees)
+    return Malformed("cooling.overhang_fan_percent", "not one for each degree");
   if (proto.acceleration_mm_s2_size() != kFeatureCount) {
     return Malformed("acceleration_mm_s2", "not one for each feature");
   }
@@ -65,16 +72,21 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
     return Malformed("filament_diameter_mm", "is not positive");
   }
   for (const v1::RegionSpeeds& region : proto.speeds()) {
-    if (std::ranges::any_of(region.speed_mm_s(), [](double speed) { return !(speed >= 0); }))
+    const auto is_negative = [](double speed) { return !(speed >= 0); };
+    if (std::ranges::any_of(region.speed_mm_s(), is_negative))
       return Malformed("speeds.speed_mm_s", "is negative");
+    if (std::ranges::any_of(region.overhang_speed_mm_s(), is_negative))
+      return Malformed("speeds.overhang_speed_mm_s", "is negative");
   }
   if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxCoord)
     return Malformed("max_print_height_nm", "is out of range");
   const v1::CoolingOptions& cooling = proto.cooling();
-  for (const int32_t percent :
-       {cooling.min_fan_percent(), cooling.max_fan_percent(), cooling.bridge_fan_percent()}) {
-    if (percent < 0 || percent > 100) return Malformed("cooling", "not all fans are percentages");
-  }
+  std::vector<int32_t> fans = {cooling.min_fan_percent(), cooling.max_fan_percent(),
+                               cooling.bridge_fan_percent()};
+  fans.insert(fans.end(), cooling.overhang_fan_percent().begin(),
+              cooling.overhang_fan_percent().end());
+  if (std::ranges::any_of(fans, [](int32_t percent) { return percent < 0 || percent > 100; }))
+    return Malformed("cooling", "not all fans are percentages");
   return absl::OkStatus();
 }
 
@@ -89,6 +101,9 @@ v1::MachineLimits ToProto(const MachineLimits& limits) {
   proto.set_junction_deviation_mm(limits.junction_deviation_mm);
   proto.set_square_corner_velocity_mm_s(limits.square_corner_velocity_mm_s);
   proto.set_minimum_cruise_ratio(limits.minimum_cruise_ratio);
+  proto.set_min_extruding_rate_mm_s(limits.min_extruding_rate_mm_s);
+  proto.set_min_travel_rate_mm_s(limits.min_travel_rate_mm_s);
+  proto.set_jerk_mm_s3(limits.jerk_mm_s3);
   proto.set_emit_to_gcode(limits.emit_to_gcode);
   return proto;
 }
@@ -104,6 +119,9 @@ MachineLimits FromProto(const v1::MachineLimits& proto) {
   limits.junction_deviation_mm = proto.junction_deviation_mm();
   limits.square_corner_velocity_mm_s = proto.square_corner_velocity_mm_s();
   limits.minimum_cruise_ratio = proto.minimum_cruise_ratio();
+  limits.min_extruding_rate_mm_s = proto.min_extruding_rate_mm_s();
+  limits.min_travel_rate_mm_s = proto.min_travel_rate_mm_s();
+  limits.jerk_mm_s3 = proto.jerk_mm_s3();
   limits.emit_to_gcode = proto.emit_to_gcode();
   return limits;
 }
@@ -141,6 +159,9 @@ v1::CoolingOptions ToProto(const CoolingOptions& cooling) {
   proto.set_fan_below_layer_time_s(cooling.fan_below_layer_time_s);
   proto.set_slowdown_below_layer_time_s(cooling.slowdown_below_layer_time_s);
   proto.set_min_print_speed_mm_s(cooling.min_print_speed_mm_s);
+  proto.set_full_fan_speed_layer(cooling.full_fan_speed_layer);
+  proto.set_dynamic_fan(cooling.dynamic_fan);
+  Put(cooling.overhang_fan_percent, proto.mutable_overhang_fan_percent());
   return proto;
 }
 
@@ -155,6 +176,9 @@ CoolingOptions FromProto(const v1::CoolingOptions& proto) {
   cooling.fan_below_layer_time_s = proto.fan_below_layer_time_s();
   cooling.slowdown_below_layer_time_s = proto.slowdown_below_layer_time_s();
   cooling.min_print_speed_mm_s = proto.min_print_speed_mm_s();
+  cooling.full_fan_speed_layer = proto.full_fan_speed_layer();
+  cooling.dynamic_fan = proto.dynamic_fan();
+  Take(proto.overhang_fan_percent(), &cooling.overhang_fan_percent);
   return cooling;
 }
 
@@ -163,11 +187,19 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
     v1::RegionSpeeds* speeds = proto->add_speeds();
     Put(region.speed_mm_s, speeds->mutable_speed_mm_s());
     speeds->set_small_perimeter_speed_mm_s(region.small_perimeter_speed_mm_s);
+    speeds->set_dynamic_overhangs(region.dynamic_overhangs);
+    Put(region.overhang_speed_mm_s, speeds->mutable_overhang_speed_mm_s());
   }
   proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
   proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
   proto->set_first_layer_speed_mm_s(options.first_layer_speed_mm_s);
   proto->set_first_layer_speed_ratio(options.first_layer_speed_ratio);
+  proto->set_first_layer_infill_speed_mm_s(options.first_layer_infill_speed_mm_s);
+  proto->set_over_raft_speed_mm_s(options.over_raft_speed_mm_s);
+  proto->set_over_raft_speed_ratio(options.over_raft_speed_ratio);
+  proto->set_flow_rise_mm3_s2(options.flow_rise_mm3_s2);
+  proto->set_flow_fall_mm3_s2(options.flow_fall_mm3_s2);
+  proto->set_over_raft_acceleration_mm_s2(options.over_raft_acceleration_mm_s2);
   proto->set_max_print_speed_mm_s(options.max_print_speed_mm_s);
   proto->set_max_volumetric_speed_mm3_s(options.max_volumetric_speed_mm3_s);
   Put(options.acceleration_mm_s2, proto->mutable_acceleration_mm_s2());
@@ -182,11 +214,19 @@ void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
     RegionSpeeds& speeds = options->speeds.emplace_back();
     Take(region.speed_mm_s(), &speeds.speed_mm_s);
     speeds.small_perimeter_speed_mm_s = region.small_perimeter_speed_mm_s();
+    speeds.dynamic_overhangs = region.dynamic_overhangs();
+    Take(region.overhang_speed_mm_s(), &speeds.overhang_speed_mm_s);
   }
   options->travel_speed_mm_s = proto.travel_speed_mm_s();
   options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();
   options->first_layer_speed_mm_s = proto.first_layer_speed_mm_s();
   options->first_layer_speed_ratio = proto.first_layer_speed_ratio();
+  options->first_layer_infill_speed_mm_s = proto.first_layer_infill_speed_mm_s();
+  options->over_raft_speed_mm_s = proto.over_raft_speed_mm_s();
+  options->over_raft_speed_ratio = proto.over_raft_speed_ratio();
+  options->flow_rise_mm3_s2 = proto.flow_rise_mm3_s2();
+  options->flow_fall_mm3_s2 = proto.flow_fall_mm3_s2();
+  options->over_raft_acceleration_mm_s2 = proto.over_raft_acceleration_mm_s2();
   options->max_print_speed_mm_s = proto.max_print_speed_mm_s();
   options->max_volumetric_speed_mm3_s = proto.max_volumetric_speed_mm3_s();
   Take(proto.acceleration_mm_s2(), &options->acceleration_mm_s2);
@@ -205,6 +245,9 @@ void PutMaterial(const MotionOptions& options, v1::MotionOptions* proto) {
   proto->set_filament_colour(options.filament_colour);
   proto->set_filament_settings_id(options.filament_settings_id);
   proto->set_printer_model(options.printer_model);
+  proto->set_pressure_advance(options.pressure_advance);
+  proto->set_nozzle_heating_c_s(options.nozzle_heating_c_s);
+  proto->set_bed_heating_c_s(options.bed_heating_c_s);
   proto->set_temperature_c(options.temperature_c);
   proto->set_first_layer_temperature_c(options.first_layer_temperature_c);
   proto->set_bed_temperature_c(options.bed_temperature_c);
@@ -221,6 +264,9 @@ void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
   options->filament_colour = proto.filament_colour();
   options->filament_settings_id = proto.filament_settings_id();
   options->printer_model = proto.printer_model();
+  options->pressure_advance = proto.pressure_advance();
+  options->nozzle_heating_c_s = proto.nozzle_heating_c_s();
+  options->bed_heating_c_s = proto.bed_heating_c_s();
   options->temperature_c = proto.temperature_c();
   options->first_layer_temperature_c = proto.first_layer_temperature_c();
   options->bed_temperature_c = proto.bed_temperature_c();

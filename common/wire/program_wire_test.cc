@@ -27,7 +27,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // wire.
 ProgramStats DistinctStats() {
   ProgramStats stats;
-  auto& [features, travel_time, travel, travels, retractions, bounds] = stats;
+  auto& [features, travel_time, retract_time, travel, travels, retractions, bounds] = stats;
   for (int i = 0; i < kFeatureCount; ++i) {
     auto& [time, length, filament, volume] = features[i];
     time = 10 * i + 1;
@@ -36,6 +36,7 @@ ProgramStats DistinctStats() {
     volume = 10 * i + 4;
   }
   travel_time = 201;
+  retract_time = 209;
   travel = 202;
   travels = 203;
   retractions = 204;
@@ -43,9 +44,29 @@ ProgramStats DistinctStats() {
   return stats;
 }
 
+LayerEdges DistinctEdges() {
+  LayerEdges edges;
+  auto& [head, approach, tail, acceleration] = edges;
+  EdgeMove move;
+  auto& [x, y, z, filament, feed_rate, move_acceleration, feature] = move;
+  x = -301;
+  y = 302;
+  z = 303;
+  filament = -304;
+  feed_rate = 305;
+  move_acceleration = 306;
+  feature = Feature::kGapFill;
+  head = {move, {}, {}};
+  approach = 2;
+  tail = {{}, move};
+  acceleration = 307;
+  return edges;
+}
+
 LayerProgram DistinctProgram() {
   LayerProgram program;
-  auto& [frame, pass, gcode, entry, exit, stats] = program;
+  auto& [frame, pass, gcode, entry, exit, stats, edges] = program;
+  edges = DistinctEdges();
   frame = kFrame;
   pass = 5;
   gcode = std::string("G1 X1\n\0\xff", 8);  // bytes, not text
@@ -59,16 +80,17 @@ ProgramSummary DistinctSummary() {
   ProgramSummary summary;
   auto& [layers, total, thumbnails, copies, settings_text] = summary;
   LayerSummary layer;
-  auto& [frame, pass, entry, exit, time, empty] = layer;
+  auto& [frame, pass, entry, exit, time, empty, edges] = layer;
+  edges = DistinctEdges();
   frame = kFrame;
   pass = 7;
   entry = {1, 2};
   exit = {3, 4};
   time = 5;
   empty = true;
-  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false}};
+  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, {}}};
   total = DistinctStats();
-  thumbnails = {{16, 17, "\x89PNG"}};
+  thumbnails = {{16, 17, "\x89PNG", PictureFormat::kQoi}};
   CopySummary copy;
   auto& [name, footprint] = copy;
   name = {"benchy", 4, 1, 3};
@@ -78,13 +100,32 @@ ProgramSummary DistinctSummary() {
   return summary;
 }
 
+PrintTimes DistinctTimesOfPrint() {
+  PrintTimes times;
+  auto& [feature, travel, retract, custom, dwell, heating, homings, heat_waits, tool_changes,
+         before, layer, after] = times;
+  for (int i = 0; i < kFeatureCount; ++i) feature[i] = 20 + i;
+  travel = 41;
+  retract = 42;
+  custom = 43;
+  dwell = 44;
+  heating = 45;
+  homings = 46;
+  heat_waits = 47;
+  tool_changes = 48;
+  before = 49;
+  layer = {50, 51};
+  after = 52;
+  return times;
+}
+
 ProgramFrame DistinctFrame() {
   ProgramFrame program;
-  auto& [prologue, prefixes, epilogue, time, travel] = program;
+  auto& [prologue, prefixes, epilogue, times, travel] = program;
   prologue = "start\xff";
   prefixes = {"", "M73 P1\n"};
   epilogue = "end";
-  time = 7;
+  times = DistinctTimesOfPrint();
   travel = 8;
   return program;
 }
@@ -193,7 +234,7 @@ TEST(ProgramWire, EachMemberIsTheFieldOfItsName) {
   EXPECT_THAT(summary.copies(0).footprint_xy_nm(), testing::ElementsAre(1, 2, 3, -4, 5, 6));
   const v1::ProgramFrame frame = ToProto(DistinctFrame());
   EXPECT_EQ(frame.epilogue(), "end");
-  EXPECT_EQ(frame.time_s(), 7);
+  EXPECT_EQ(frame.times().travel_s(), 41);
   EXPECT_EQ(frame.travel_mm(), 8);
 }
 

@@ -165,10 +165,11 @@ absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
   proto->set_max_print_height_nm(options.max_print_height_nm);
   proto->set_part_distance_nm(options.part_distance_nm);
   proto->set_clearance_radius_nm(options.clearance_radius_nm);
-  for (const auto& [width, height] : options.thumbnails_px) {
+  for (const auto& [width, height, format] : options.thumbnails) {
     v1::ThumbnailSize* size = proto->add_thumbnails();
     size->set_width_px(width);
     size->set_height_px(height);
+    size->set_format(EnumToProto<v1::PictureFormat>(format));
   }
   for (const ObjectSlicingOptions& object : options.objects)
     *proto->add_objects() = ToProto(object);
@@ -188,9 +189,10 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
   options.max_print_height_nm = proto.max_print_height_nm();
   options.part_distance_nm = proto.part_distance_nm();
   options.clearance_radius_nm = proto.clearance_radius_nm();
-  options.thumbnails_px.clear();
+  options.thumbnails.clear();
   for (const v1::ThumbnailSize& size : proto.thumbnails()) {
-    options.thumbnails_px.push_back({size.width_px(), size.height_px()});
+    options.thumbnails.push_back(
+        {size.width_px(), size.height_px(), Known<PictureFormat>(size.format())});
   }
   options.objects.clear();
   for (int i = 0; i < proto.objects_size(); ++i) {

@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   options.max_gap_nm = data[0] & 8 ? 2'000'000 : 0;
   object.xy_compensation_nm = data[0] & 16 ? -100'000 : 0;
   object.hole_compensation_nm = data[0] & 32 ? 100'000 : 0;
-  options.thumbnails_px = {{16, 16}};
+  options.thumbnails = {{16, 16}};
   options.bed = {};
   slicefarm::SliceInput input = slicefarm::InputOf(
       {{"fuzz", slicefarm::MeshFormat::kUnknown, std::string(data + 1, data + size)}},

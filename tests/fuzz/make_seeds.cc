@@ -215,7 +215,7 @@ Job JobOf(const SceneObject& object) {
   const SceneObject objects[] = {object};
   config::ResolvedPlate plate = Must(config::ResolvePlate(Given(kSettings), objects));
   job.settings = std::move(plate.settings);
-  job.settings.slicing.thumbnails_px = {{16, 16}};
+  job.settings.slicing.thumbnails = {{16, 16}};
   job.input.files.push_back({"box.obj", MeshFormat::kObj, std::string(kBox)});
   job.input.objects = std::move(plate.objects);
   return job;

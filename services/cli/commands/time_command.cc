@@ -26,9 +26,9 @@ std::string AsKey(std::string words) {
 std::string ToText(const motion::ProgramTime& time, const GcodeFile& file) {
   std::string text = fmt::format(
       "flavor {}\nconfig {}\ntime_s {:.6f}\nmove_s {:.6f}\ndwell_s {:.6f}\ntravel_s {:.6f}\n"
-      "retract_s {:.6f}\n",
+      "retract_s {:.6f}\nheating_s {:.6f}\n",
       file.firmware->name(), file.machine.source, time.TotalS(), time.move_s, time.dwell_s,
-      time.travel_s, time.retract_s);
+      time.travel_s, time.retract_s, time.heating_s);
   for (const auto& [feature, seconds] : time.feature_s)
     text += fmt::format("feature_{}_s {:.6f}\n", AsKey(feature), seconds);
   text += fmt::format("moves {}\nhomings {}\nheat_waits {}\ntool_changes {}\nlayers {}\n"
@@ -48,6 +48,7 @@ std::string ToJson(const motion::ProgramTime& time, const GcodeFile& file) {
                                        {"dwell_s", time.dwell_s},
                                        {"travel_s", time.travel_s},
                                        {"retract_s", time.retract_s},
+                                       {"heating_s", time.heating_s},
                                        {"features_s", time.feature_s},
                                        {"moves", time.moves},
                                        {"homings", time.homings},
@@ -76,7 +77,8 @@ void AddTime(CLI::App& app, CommandContext& context) {
   AddGcodeOptions(*command, *options);
   command->add_flag("--json", options->json, "As JSON");
   command->footer(
-      "Rows of `key value`, in seconds: time_s is move_s and dwell_s (G4); move_s is travel_s,\n"
+      "Rows of `key value`, in seconds: time_s is move_s, dwell_s (G4) and heating_s (waits whose\n"
+      "nozzle_heating_rate or bed_heating_rate the settings know); move_s is travel_s,\n"
       "retract_s (filament alone) and feature_NAME_s of what the slicer's comments name; layer_N_s\n"
       "and before_layers_s are all of it, once more. What no program tells takes 0 s and is\n"
       "counted: homings, heat_waits, tool_changes.\n"

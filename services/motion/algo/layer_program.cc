@@ -11,6 +11,7 @@
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
+#include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
@@ -19,7 +20,6 @@
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
-#include "services/motion/algo/toolpath/travel_time.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -111,14 +111,22 @@ class PassProgram {
               std::span<const BlockVisit> visits, const MotionOptions& options,
               const MaterialField* materials)
       : layer_(layer), visits_(visits), options_(options), materials_(materials) {
-    for (const BlockVisit& visit : visits) Count(visit, built);
-    AddBetween();
+    for (const BlockVisit& visit : visits) {
+      const auto block = static_cast<size_t>(visit.block);
+      if (place_of_.try_emplace(visit.block, paths_.size()).second)
+        paths_.push_back(built[block].path);
+      stats_.Add(Moved(built[block].stats, visit.shift));
+    }
+    for (size_t i = 1; i < visits.size(); ++i)
+      stats_.travel_mm += ToMm(Distance(ExitOf(visits[i - 1], layer), EntryOf(visits[i], layer)));
+    const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
-    SlowDown(options.cooling, stats_.travel_time_s, timing, blocks_);
-    AddVisits(built);
+    AddTimes(stretches, SlowDown(options.cooling, stretches, timing, paths_), stats_);
+    edges_ = EdgesOf(stretches);
   }
 
   const ProgramStats& stats() const { return stats_; }
+  const LayerEdges& edges() const { return edges_; }
 
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              GcodeText& out) const {
@@ -127,7 +135,7 @@ class PassProgram {
                        options_.arc_fitting, materials_);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
-      const ShiftUm shift{ToUm(visit.shift.x), ToUm(visit.shift.y)};
+      const ShiftUm shift = ShiftOf(visit);
       const size_t approach = path.approach;
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
@@ -143,43 +151,23 @@ class PassProgram {
     return options_.retraction.lift_mm > 0 && options_.retraction.length_mm > 0;
   }
 
-  void Count(const BlockVisit& visit, std::span<const BuiltBlock> built) {
-    const auto [place, is_new] = place_of_.try_emplace(visit.block, blocks_.size());
-    if (is_new) {
-      blocks_.push_back({built[static_cast<size_t>(visit.block)].path});
-    } else {
-      ++blocks_[place->second].copies;
-    }
-  }
-
   const Toolpath& PathOf(const BlockVisit& visit) const {
-    return blocks_[place_of_.at(visit.block)].path;
+    return paths_[place_of_.at(visit.block)];
   }
 
-  /// The travel from visit to visit.
-  void AddBetween() {
-    const int32_t index = layer_.frame.index;
-    for (size_t i = 1; i < visits_.size(); ++i) {
-      const Point from = ExitOf(visits_[i - 1], layer_), to = EntryOf(visits_[i], layer_);
-      stats_.travel_mm += ToMm(Distance(from, to));
-      stats_.travel_time_s += TravelTime(from, to, options_, index);
-      if (Lifts()) stats_.travel_time_s += LiftTime(options_.retraction.lift_mm, options_, index);
-    }
+  static ShiftUm ShiftOf(const BlockVisit& visit) {
+    return {ToUm(visit.shift.x), ToUm(visit.shift.y)};
   }
 
-  void AddVisits(std::span<const BuiltBlock> built) {
-    std::vector<ProgramStats> of_block;
-    for (const TimedToolpath& timed : blocks_) {
-      ProgramStats& stats = of_block.emplace_back();
-      AddTimes(timed.path, timed.times_s, std::min(timed.path.approach, timed.times_s.size()),
-               stats);
-    }
-    const TimedToolpath& first = blocks_[place_of_.at(visits_.front().block)];
-    for (size_t i = 0; i < first.path.approach; ++i) stats_.travel_time_s += first.times_s[i];
+  /// What is written, in its order. Copies after the first are at their height, unless travels rise.
+  std::vector<Stretch> Stretches() const {
+    std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {
-      stats_.Add(of_block[place_of_.at(visit.block)]);
-      stats_.Add(Moved(built[static_cast<size_t>(visit.block)].stats, visit.shift));
+      const Toolpath& path = PathOf(visit);
+      const bool whole = &visit == &visits_.front() || Lifts();
+      stretches.push_back({&path, whole ? 0 : path.approach, path.moves.size(), ShiftOf(visit)});
     }
+    return stretches;
   }
 
   void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts,
@@ -198,9 +186,10 @@ class PassProgram {
   const std::span<const BlockVisit> visits_;
   const MotionOptions& options_;
   const MaterialField* materials_;
-  std::map<int32_t, size_t> place_of_;  ///< in blocks_, by block of the layer
-  std::vector<TimedToolpath> blocks_;
+  std::map<int32_t, size_t> place_of_;  ///< in paths_, by block of the layer
+  std::vector<Toolpath> paths_;
   ProgramStats stats_;
+  LayerEdges edges_;
 };
 
 /// The visits of each pass, in order; one without visits if there are none.
@@ -231,6 +220,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     pass.emplace(layer, built, visits, options, materials);
     program.pass = visits.front().pass;
     program.stats = pass->stats();
+    program.edges = pass->edges();
     program.entry = EntryOf(visits.front(), layer);
     program.exit = ExitOf(visits.back(), layer);
   }

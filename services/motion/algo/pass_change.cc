@@ -8,7 +8,6 @@
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
-#include "services/motion/algo/toolpath/travel_time.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -40,20 +39,15 @@ TemplateVariables VariablesAt(const PassChange& change, const ProgramSummary& su
 std::vector<PassChange> PassChanges(const ProgramSummary& summary) {
   std::vector<PassChange> changes;
   Coord top_nm = 0;
-  Point at;
   for (size_t i = 0; i < summary.layers.size(); ++i) {
     const LayerSummary& layer = summary.layers[i];
     if (i > 0 && layer.pass != summary.layers[i - 1].pass) {
       changes.push_back({.layer = i,
-                         .from = at,
                          .to = layer.entry,
-                         .from_z_nm = summary.layers[i - 1].frame.print_z_nm,
-                         .to_z_nm = layer.frame.print_z_nm - layer.frame.height_nm,
                          .top_nm = top_nm,
                          .on_bed = layer.frame.index == 0});
     }
     top_nm = std::max(top_nm, layer.frame.print_z_nm);
-    if (!layer.empty) at = layer.exit;
   }
   return changes;
 }
@@ -70,15 +64,6 @@ std::string MoveToHeight(Coord z_nm, const MotionOptions& options) {
   out.Micrometers(ToUm(z_nm + FromMm(options.z_offset_mm))) << " F";
   out.Integer(FeedRate(TravelSpeedZ(options))) << '\n';
   return out.Take();
-}
-
-double TimeOf(const PassChange& change, const MotionOptions& options) {
-  const Coord clear = ClearHeight(change.top_nm, options);
-  const auto lift = [&](Coord from) {
-    return LiftTime(ToMm(static_cast<double>(clear - from)), options, 0);
-  };
-  return lift(change.from_z_nm) + TravelTime(change.from, change.to, options, 0) +
-         lift(change.to_z_nm);
 }
 
 absl::StatusOr<std::string> GcodeOf(const PassChange& change, const ProgramSummary& summary,

@@ -14,10 +14,7 @@ namespace slicefarm::motion {
 /// The way from the end of a pass to the beginning of the next one, over all that stands.
 struct PassChange {
   size_t layer = 0;  ///< the pass's first, among the summary's
-  Point from;
   Point to;
-  Coord from_z_nm = 0;
-  Coord to_z_nm = 0;   ///< below the first layer
   Coord top_nm = 0;    ///< of all that is printed before
   bool on_bed = true;  ///< the pass begins on the bed, not on a raft
 };
@@ -31,10 +28,6 @@ Coord ClearHeight(Coord top_nm, const MotionOptions& options);
 
 /// `G1 Z..`, z_offset included.
 std::string MoveToHeight(Coord z_nm, const MotionOptions& options);
-
-/// What the way takes: up, along and down, each from rest to rest; between_objects_gcode is not
-/// counted.
-double TimeOf(const PassChange& change, const MotionOptions& options);
 
 /// From the canonical state at the end of a pass to that over the entry of the next one, whose
 /// program moves down first. The nozzle rises, runs between_objects_gcode and goes to the entry at

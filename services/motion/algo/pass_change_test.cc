@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "services/motion/algo/kinematics/trapezoid.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -51,10 +50,7 @@ TEST(PassChanges, AreBetweenPassesOnly) {
   ASSERT_THAT(changes, SizeIs(2));
   EXPECT_EQ(changes[0].layer, 3u);
   EXPECT_EQ(changes[1].layer, 12u);
-  EXPECT_EQ(changes[1].from, Mm(100, 2));
   EXPECT_EQ(changes[1].to, Mm(200, 1));
-  EXPECT_EQ(changes[1].from_z_nm, FromMm(1.8));
-  EXPECT_EQ(changes[1].to_z_nm, 0);
 }
 
 TEST(PassChanges, KnowTheHighestOfAllPassesBefore) {
@@ -86,17 +82,6 @@ TEST(PassChange, RisesBeforeItTravels) {
   EXPECT_EQ(Gcode(Passes({3, 9, 2}), 1, options), "G1 Z2.8 F600\nG1 X200 Y1 F6000\n");
   options.z_offset_mm = 0.1;
   EXPECT_EQ(Gcode(Passes({3, 9, 2}), 1, options), "G1 Z2.9 F600\nG1 X200 Y1 F6000\n");
-}
-
-TEST(PassChange, TakesTheTimeOfItsMoves) {
-  MotionOptions options = Options();
-  options.limits.max_acceleration_travel_mm_s2 = 1000;
-  options.limits.max_acceleration_mm_s2 = {1000, 1000, 1000, 1000};
-  const auto change = PassChanges(Passes({3, 9, 2}))[1];
-  EXPECT_NEAR(TimeOf(change, options),
-              RestToRest(1, 10, 1000) + RestToRest(std::hypot(100, 1), 100, 1000) +
-                  RestToRest(2.8, 10, 1000),
-              1e-6);
 }
 
 // Whatever it did, the nozzle is high above the bed before it moves along it.

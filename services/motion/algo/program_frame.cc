@@ -1,6 +1,5 @@
 #include "services/motion/algo/program_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -11,46 +10,13 @@
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 #include "services/motion/algo/pass_change.h"
+#include "services/motion/algo/program/print_clock.h"
 #include "services/motion/algo/toolpath/print_speed.h"
-#include "services/motion/algo/toolpath/travel_time.h"
 #include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/gcode/thumbnails_block.h"
 
 namespace slicefarm::motion {
 namespace {
-
-/// Walks through the layers: `start_s` of each, then the whole.
-struct Timeline {
-  std::vector<PassChange> changes;
-  std::vector<double> start_s;
-  double time_s = 0;
-  double travel_mm = 0;
-};
-
-Timeline TimelineOf(const ProgramSummary& summary, const MotionOptions& options) {
-  Timeline timeline;
-  timeline.changes = PassChanges(summary);
-  timeline.travel_mm = summary.total.travel_mm;
-  auto change = timeline.changes.begin();
-  const LayerSummary* before = nullptr;
-  for (size_t i = 0; i < summary.layers.size(); ++i) {
-    const LayerSummary& layer = summary.layers[i];
-    if (change != timeline.changes.end() && change->layer == i) {
-      timeline.travel_mm += ToMm(Distance(change->from, change->to));
-      timeline.time_s += TimeOf(*change++, options);
-      before = &layer;
-    } else if (!layer.empty) {
-      if (before != nullptr) {
-        timeline.travel_mm += ToMm(Distance(before->exit, layer.entry));
-        timeline.time_s += TravelTime(before->exit, layer.entry, options, layer.frame.index);
-      }
-      before = &layer;
-    }
-    timeline.start_s.push_back(timeline.time_s);
-    timeline.time_s += layer.time_s;
-  }
-  return timeline;
-}
 
 /// M73: percent done, minutes left.
 std::string ProgressLine(double done_s, double time_s) {
@@ -86,43 +52,99 @@ std::string RiseAboveAll(const ProgramSummary& summary, const MotionOptions& opt
   return MoveToHeight(ClearHeight(top_nm, options), options);
 }
 
-std::string Epilogue(const ProgramSummary& summary, const MotionOptions& options,
-                     std::string_view end_gcode, double time_s) {
+/// What moves after the layers.
+std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
+                   std::string_view end_gcode) {
   GcodeText out;
   out << RiseAboveAll(summary, options);
   if (options.progress) out << "M73 P100 R0\n";
   out << ";TYPE:Custom\nM107\n";
-  out.Lines(end_gcode) << MetadataTail(options, summary, time_s);
+  out.Lines(end_gcode);
   return out.Take();
+}
+
+/// All text around the layers, but what tells times.
+struct FrameText {
+  std::string prologue;
+  std::vector<PassChange> changes;
+  std::vector<std::string> ways;  ///< of the changes
+  std::string ending;
+};
+
+/// `time_s`: of the print, for templates.
+absl::StatusOr<FrameText> TextOf(const ProgramSummary& summary, const MotionOptions& options,
+                                 double time_s) {
+  const TemplateVariables variables = ProgramVariables(options, summary, time_s);
+  const auto start = ExpandTemplate("start_gcode", options.start_gcode, variables);
+  if (!start.ok()) return start.status();
+  const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
+  if (!end.ok()) return end.status();
+  FrameText text;
+  text.prologue = Prologue(summary, options, *start);
+  text.changes = PassChanges(summary);
+  for (const PassChange& change : text.changes) {
+    auto way = GcodeOf(change, summary, variables, options);
+    if (!way.ok()) return way.status();
+    text.ways.push_back(*std::move(way));
+  }
+  text.ending = Ending(summary, options, *end);
+  return text;
+}
+
+PrintTimes TimesOf(const ProgramSummary& summary, const FrameText& text,
+                   const MotionOptions& options) {
+  PrintClock clock(summary, options);
+  clock.ReadBefore(text.prologue);
+  auto change = text.changes.begin();
+  auto way = text.ways.begin();
+  for (size_t i = 0; i < summary.layers.size(); ++i) {
+    if (change != text.changes.end() && change->layer == i) {
+      clock.ReadAt(i, *way++);
+      ++change;
+    }
+    clock.AddLayer(i);
+  }
+  clock.ReadAfter(text.ending);
+  return clock.Finish();
+}
+
+double TravelMm(const ProgramSummary& summary) {
+  double travel_mm = summary.total.travel_mm;
+  const LayerSummary* before = nullptr;
+  for (const LayerSummary& layer : summary.layers) {
+    if (layer.empty) continue;
+    if (before != nullptr) travel_mm += ToMm(Distance(before->exit, layer.entry));
+    before = &layer;
+  }
+  return travel_mm;
 }
 
 }  // namespace
 
 absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
                                           const MotionOptions& options) {
-  const Timeline timeline = TimelineOf(summary, options);
-  const TemplateVariables variables = ProgramVariables(options, summary, timeline.time_s);
-  const auto start = ExpandTemplate("start_gcode", options.start_gcode, variables);
-  if (!start.ok()) return start.status();
-  const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
-  if (!end.ok()) return end.status();
-
+  // Templates may name the time, which their moves are part of; what they name is the layers'.
+  auto text = TextOf(summary, options, summary.total.TimeS());
+  if (!text.ok()) return text.status();
   ProgramFrame frame;
-  frame.time_s = timeline.time_s;
-  frame.travel_mm = timeline.travel_mm;
+  frame.times = TimesOf(summary, *text, options);
+  const double time_s = frame.times.TotalS();
+  text = TextOf(summary, options, time_s);
+  if (!text.ok()) return text.status();
+
+  frame.travel_mm = TravelMm(summary);
   frame.layer_prefixes.resize(summary.layers.size());
+  for (size_t i = 0; i < text->changes.size(); ++i)
+    frame.layer_prefixes[text->changes[i].layer] = std::move(text->ways[i]);
   if (options.progress) {
+    double done_s = frame.times.before_s;
     for (size_t i = 0; i < summary.layers.size(); ++i) {
-      frame.layer_prefixes[i] = ProgressLine(timeline.start_s[i], timeline.time_s);
+      frame.layer_prefixes[i] += ProgressLine(done_s, time_s);
+      done_s += frame.times.layer_s[i];
     }
   }
-  for (const PassChange& change : timeline.changes) {
-    const auto way = GcodeOf(change, summary, variables, options);
-    if (!way.ok()) return way.status();
-    frame.layer_prefixes[change.layer].insert(0, *way);
-  }
-  frame.prologue = Prologue(summary, options, *start);
-  frame.epilogue = Epilogue(summary, options, *end, timeline.time_s);
+  frame.prologue = std::move(text->prologue);
+  frame.epilogue = text->ending + MetadataTail(options, summary, frame.times);
   return frame;
 }
 

@@ -11,8 +11,8 @@ namespace slicefarm::motion {
 ///
 /// The prologue heats up, runs the start G-code and leaves the canonical state that layers begin
 /// in: millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue
-/// begins in that state. Times: the layers' and, between layers that are not empty, the travel from
-/// rest to rest; heating and the start, end and between-objects G-code are not counted. The prefix of
+/// begins in that state. Times: those of the whole program's look-ahead (print_clock.h), its own G-code
+/// included; heating by the settings' rates. The prefix of
 /// a pass's first layer brings the nozzle there over all that stands (pass_change.h); end G-code
 /// begins above all of it. Errors: those of the templates (gcode_template.h). REQUIRES: CheckOptions
 /// holds.

@@ -7,7 +7,6 @@
 
 #include "common/base/error.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
-#include "services/motion/algo/pass_change.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -21,6 +20,22 @@ using ::testing::StartsWith;
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 
+/// Those of a layer that goes to its entry and ends there.
+LayerEdges EdgesAt(int32_t x_mm, int32_t y_mm) {
+  LayerEdges edges;
+  EdgeMove move;
+  edges.head.push_back(move);
+  move.x_um = x_mm * 1000;
+  move.y_um = y_mm * 1000;
+  move.feed_rate = 6000;
+  move.acceleration_mm_s2 = 3000;
+  edges.head.push_back(move);
+  edges.approach = 1;
+  edges.tail = {move};
+  edges.acceleration_mm_s2 = 3000;
+  return edges;
+}
+
 /// Three layers of 60 s; from each to the next the nozzle goes 100 mm.
 ProgramSummary Summary() {
   ProgramSummary summary;
@@ -30,6 +45,8 @@ ProgramSummary Summary() {
     layer.entry = Mm(i * 100, 0);
     layer.exit = Mm(i * 100, 0);
     layer.time_s = 60;
+    layer.edges = EdgesAt(i * 100, 0);
+    summary.total.features[0].time_s += 60;
     summary.layers.push_back(layer);
   }
   summary.total.travel_mm = 50;
@@ -42,6 +59,14 @@ MotionOptions Options() {
   options.limits.max_acceleration_travel_mm_s2 = 3000;
   options.start_gcode = "G28";
   options.end_gcode = "M84";
+  return options;
+}
+
+/// What stands around the layers does not move, and rest is rest.
+MotionOptions Still() {
+  MotionOptions options = Options();
+  options.retraction.length_mm = 0;
+  options.flavor = GcodeFlavor::kKlipper;
   return options;
 }
 
@@ -71,24 +96,45 @@ TEST(FrameProgram, EpilogueEndsThePrint) {
 }
 
 TEST(FrameProgram, TimeCountsTravelBetweenLayers) {
-  const ProgramFrame frame = Framed(Summary());
-  EXPECT_NEAR(frame.time_s, 180 + 2 * RestToRest(100, 100, 3000), 1e-9);
+  const ProgramFrame frame = Framed(Summary(), Still());
+  EXPECT_NEAR(frame.times.TotalS(), 180 + 2 * RestToRest(100, 100, 3000), 1e-9);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250);
+}
+
+TEST(FrameProgram, TellsWhatItsTimesAreSpentOn) {
+  MotionOptions options = Still();
+  options.temperature_c = options.first_layer_temperature_c = 225;
+  options.nozzle_heating_c_s = 2;
+  options.start_gcode = "G28\nG4 P500";
+  options.end_gcode = "G1 X0 F6000";
+  const PrintTimes times = Framed(Summary(), options).times;
+  const double travel = RestToRest(100, 100, 3000);
+  EXPECT_EQ(times.feature_s[0], 180);
+  EXPECT_NEAR(times.travel_s, 2 * travel + RestToRest(200, 100, 3000), 1e-9);
+  EXPECT_EQ(times.dwell_s, 0.5);
+  EXPECT_EQ(times.heating_s, 99.5) << "it heats up while it dwells";
+  EXPECT_EQ(times.homings, 1);
+  EXPECT_EQ(times.heat_waits, 0);
+  EXPECT_EQ(times.before_s, 100);
+  EXPECT_EQ(times.layer_s[0], 60);
+  EXPECT_NEAR(times.layer_s[1], 60 + travel, 1e-9);
+  EXPECT_NEAR(times.after_s, RestToRest(200, 100, 3000), 1e-9);
 }
 
 TEST(FrameProgram, EmptyLayersAreNoStops) {
   ProgramSummary summary = Summary();
   summary.layers[1].empty = true;
   summary.layers[1].time_s = 0;
-  const ProgramFrame frame = Framed(summary);
-  EXPECT_NEAR(frame.time_s, 120 + RestToRest(200, 100, 3000), 1e-9);
+  summary.total.features[0].time_s = 120;
+  const ProgramFrame frame = Framed(summary, Still());
+  EXPECT_NEAR(frame.times.TotalS(), 120 + RestToRest(200, 100, 3000), 1e-9);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250);
 }
 
 TEST(FrameProgram, TravelObeysTheMachine) {
-  MotionOptions options = Options();
+  MotionOptions options = Still();
   options.limits.max_feedrate_mm_s[0] = 50;
-  EXPECT_NEAR(Framed(Summary(), options).time_s, 180 + 2 * RestToRest(100, 50, 3000), 1e-9);
+  EXPECT_NEAR(Framed(Summary(), options).times.TotalS(), 180 + 2 * RestToRest(100, 50, 3000), 1e-9);
 }
 
 TEST(FrameProgram, ProgressOnlyIfAskedFor) {
@@ -128,6 +174,8 @@ ProgramSummary TwoPasses() {
     LayerSummary layer = summary.layers[i];
     layer.pass = 1;
     layer.entry = layer.exit = Mm(0, 300);
+    layer.edges = EdgesAt(0, 300);
+    summary.total.features[0].time_s += 60;
     summary.layers.push_back(layer);
   }
   summary.copies = {{{"a", 0, 0, 2}, {}}, {{"a", 0, 1, 2}, {}}};
@@ -135,12 +183,13 @@ ProgramSummary TwoPasses() {
 }
 
 TEST(FrameProgram, PassesAreTravelledBetween) {
-  const ProgramFrame frame = Framed(TwoPasses());
+  const ProgramFrame frame = Framed(TwoPasses(), Still());
   const double way = std::hypot(200, 300);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
-  EXPECT_NEAR(frame.time_s,
-              360 + 2 * RestToRest(100, 100, 3000) + TimeOf(PassChanges(TwoPasses())[0], Options()),
-              1e-6);
+  // Up to 1.6 mm, over to the other copy, and down to the bed with the travel to its layer.
+  EXPECT_GT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100);
+  EXPECT_LT(frame.times.TotalS(), 360 + 2 * RestToRest(100, 100, 3000) + way / 100 + 0.6);
+  EXPECT_GT(frame.times.layer_s[3], frame.times.layer_s[4] + way / 100);
   EXPECT_THAT(frame.layer_prefixes,
               ElementsAre("", "", "", "G1 Z1.6 F1200\nG1 X0 Y300 F6000\n", "", ""));
 }
@@ -183,7 +232,8 @@ TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {
 
 TEST(FrameProgram, NothingToPrint) {
   const ProgramFrame frame = Framed({});
-  EXPECT_EQ(frame.time_s, 0);
+  EXPECT_EQ(frame.times.TotalS(), frame.times.before_s) << "the filament is pulled back";
+  EXPECT_THAT(frame.times.layer_s, IsEmpty());
   EXPECT_THAT(frame.layer_prefixes, IsEmpty());
 }
 

@@ -142,8 +142,8 @@ class SlicingRun {
         for (size_t copy = 0; copy < (all_copies ? object.shifts.size() : 1); ++copy)
           scene.push_back({&part.connected.mesh, object.shifts[copy], solid});
       }
-    for (const auto& size_px : options_.thumbnails_px) {
-      absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size_px, call_.cancel);
+    for (const ThumbnailSize& size : options_.thumbnails) {
+      absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size, call_.cancel);
       if (!thumbnail.ok()) return thumbnail.status();
       job_.thumbnails.push_back(*std::move(thumbnail));
     }

@@ -315,7 +315,7 @@ TEST(LocalSlicing, RefusesWithAReason) {
   flat.objects[0].layer_height_nm = 0;
   EXPECT_EQ(reason(Input(Cube(0, 0, 0)), flat), Reason::kSettingOutOfRange);
   SlicingOptions picture;
-  picture.thumbnails_px = {{0, 0}};
+  picture.thumbnails = {{0, 0}};
   EXPECT_EQ(reason(Input(Cube(0, 0, 0)), picture), Reason::kSettingOutOfRange);
 }
 

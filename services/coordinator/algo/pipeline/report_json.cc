@@ -85,8 +85,18 @@ Json Exposure(const ExposureReport& report) {
 Json Travel(const JobReport& report) {
   return {{"length_mm", report.travel_mm},
           {"time_s", report.stats.travel_time_s},
+          {"retract_time_s", report.stats.retract_time_s},
           {"count", report.stats.travels},
           {"retractions", report.stats.retractions}};
+}
+
+/// Parts of print_time_s, beside those that `features` and `travel` tell, and all of it by layer.
+Json Times(const PrintTimes& times) {
+  return {{"custom_gcode_s", times.custom_s}, {"dwell_s", times.dwell_s},
+          {"heating_s", times.heating_s},     {"homings", times.homings},
+          {"heat_waits", times.heat_waits},   {"tool_changes", times.tool_changes},
+          {"before_layers_s", times.before_s}, {"layers_s", times.layer_s},
+          {"after_layers_s", times.after_s}};
 }
 
 void AddFdm(const JobReport& report, Json& json) {
@@ -96,6 +106,7 @@ void AddFdm(const JobReport& report, Json& json) {
                       {"cost", report.filament.cost}};
   json["features"] = Features(report.stats);
   json["travel"] = Travel(report);
+  json["times"] = Times(report.times);
 }
 
 }  // namespace

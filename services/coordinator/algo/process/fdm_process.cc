@@ -120,7 +120,8 @@ LayerSummary Summarize(const LayerProgram& program) {
           .entry = program.entry,
           .exit = program.exit,
           .time_s = program.stats.TimeS(),
-          .empty = program.stats.ExtrudedMm() == 0};
+          .empty = program.stats.ExtrudedMm() == 0,
+          .edges = program.edges};
 }
 
 ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
@@ -171,12 +172,17 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
 void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame& frame,
             const MotionOptions& motion) {
   report.stats = summary.total;
+  for (size_t i = 0; i < frame.times.feature_s.size(); ++i)
+    report.stats.features[i].time_s = frame.times.feature_s[i];
+  report.stats.retract_time_s = frame.times.retract_s;
+  report.stats.travel_time_s = frame.times.travel_s + frame.times.retract_s;
   report.layer_count = static_cast<int32_t>(summary.layers.size());
   for (const LayerSummary& layer : summary.layers) {
     const double top_mm = ToMm(static_cast<double>(layer.frame.print_z_nm));
     if (!layer.empty) report.object_height_mm = std::max(report.object_height_mm, top_mm);
   }
-  report.print_time_s = frame.time_s;
+  report.print_time_s = frame.times.TotalS();
+  report.times = frame.times;
   report.travel_mm = frame.travel_mm;
   report.filament = FilamentUseOf(summary.total, motion);
   for (const MeshReport& mesh : report.meshes) {

@@ -147,7 +147,7 @@ class FakeMotion : public MotionStage {
       frame.layer_prefixes.push_back(absl::StrCat(layer.empty ? "empty " : "", layer.time_s, ": "));
     }
     frame.epilogue = "end " + summary.settings_text;
-    frame.time_s = summary.total.TimeS() + 100;
+    frame.times.travel_s = summary.total.TimeS() + 100;
     frame.travel_mm = 50;
     return frame;
   }

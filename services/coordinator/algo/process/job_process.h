@@ -28,6 +28,7 @@ struct JobReport {
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
+  PrintTimes times;  ///< of FDM: what print_time_s is spent on
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
   std::optional<ExposureReport> exposure;  ///< of lasers

@@ -108,7 +108,7 @@ class FakeMotion : public MotionStage {
     ProgramFrame frame;
     frame.prologue = "; " + summary.copies.at(0).name.object_name + "\n";
     frame.epilogue = "; end\n";
-    frame.time_s = summary.total.TimeS();
+    frame.times.travel_s = summary.total.TimeS();
     return frame;
   }
 };

@@ -10,12 +10,6 @@
 
 namespace slicefarm::motion {
 
-/// What is added to the places of moves.
-struct ShiftUm {
-  int32_t x = 0;
-  int32_t y = 0;
-};
-
 /// What the head of a layer has told already, and what its fan is to be.
 struct LayerState {
   int32_t height_um = -1;

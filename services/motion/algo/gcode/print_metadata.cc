@@ -37,13 +37,13 @@ void WriteUse(const MotionOptions& options, const ProgramStats& total, GcodeText
   Line("total filament cost", Number(use.cost, 2), out);
 }
 
-void WriteLayers(const ProgramSummary& summary, double time_s, GcodeText& out) {
+void WriteLayers(const ProgramSummary& summary, const PrintTimes& times, GcodeText& out) {
   Line("total toolchanges", "0", out);
   Line("total layers count", std::to_string(summary.layers.size()), out);
-  Line("estimated printing time (normal mode)", DurationText(time_s), out);
+  Line("estimated printing time (normal mode)", DurationText(times.TotalS()), out);
   if (summary.layers.empty()) return;
   Line("estimated first layer printing time (normal mode)",
-       DurationText(summary.layers.front().time_s), out);
+       DurationText(times.layer_s.front()), out);
   Line("max_layer_z", Number(ToMm(static_cast<double>(TopOf(summary))), 3), out);
 }
 
@@ -124,11 +124,11 @@ std::string MetadataHead(const ProgramSummary& summary) {
 }
 
 std::string MetadataTail(const MotionOptions& options, const ProgramSummary& summary,
-                         double time_s) {
+                         const PrintTimes& times) {
   GcodeText out;
   out << '\n';
   WriteUse(options, summary.total, out);
-  WriteLayers(summary, time_s, out);
+  WriteLayers(summary, times, out);
   WriteSettings(options, summary, out);
   return out.Take();
 }

@@ -16,6 +16,6 @@ std::string MetadataHead(const ProgramSummary& summary);
 /// are added from the options. Nothing in names or settings can end its line. Source: PrusaSlicer's
 /// keys, as read by Moonraker, PrusaLink and OctoPrint's plug-ins.
 std::string MetadataTail(const MotionOptions& options, const ProgramSummary& summary,
-                         double time_s);
+                         const PrintTimes& times);
 
 }  // namespace slicefarm::motion

@@ -41,6 +41,14 @@ ProgramSummary Summary() {
   return summary;
 }
 
+/// So much in all, 100 s of it in each layer.
+PrintTimes Times(double time_s) {
+  PrintTimes times;
+  times.travel_s = time_s;
+  times.layer_s = {100, 100, 100};
+  return times;
+}
+
 /// The first group of `pattern`, as a host's parser would find it.
 std::string Find(const std::string& text, const std::string& pattern) {
   std::smatch match;
@@ -64,7 +72,7 @@ struct Key {
 class TailTest : public testing::TestWithParam<Key> {};
 
 TEST_P(TailTest, IsFound) {
-  EXPECT_EQ(Find(MetadataTail(Options(), Summary(), 93'784), GetParam().pattern), GetParam().want);
+  EXPECT_EQ(Find(MetadataTail(Options(), Summary(), Times(93'784)), GetParam().pattern), GetParam().want);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -100,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MetadataTail, SettingsAreQuotedByKey) {
   ProgramSummary summary = Summary();
   summary.settings_text = "layer_height = 0.3\nstart_gcode = G28\\nG1 Z5\n";
-  const std::string tail = MetadataTail(Options(), summary, 60);
+  const std::string tail = MetadataTail(Options(), summary, Times(60));
   EXPECT_THAT(tail, HasSubstr("; layer_height = 0.3\n"));
   EXPECT_THAT(tail, HasSubstr("; start_gcode = G28\\nG1 Z5\n"));
   EXPECT_LT(tail.find("; ironing"), tail.find("; layer_height"));
@@ -111,7 +119,7 @@ TEST(MetadataTail, WhatAProfileSaysStays) {
   ProgramSummary summary = Summary();
   summary.settings_text =
       "chamber_temperature = 60\nextruder_colour = #00FF00\nprinter_vendor = X\n";
-  const std::string tail = MetadataTail(Options(), summary, 60);
+  const std::string tail = MetadataTail(Options(), summary, Times(60));
   EXPECT_EQ(Find(tail, "; chamber_temperature = (\\d+)"), "60");
   EXPECT_EQ(Find(tail, "; extruder_colour = (.*)$"), "#00FF00");
   EXPECT_EQ(Find(tail, "; filament_colour = (.*)$"), "#FF8000");
@@ -120,7 +128,7 @@ TEST(MetadataTail, WhatAProfileSaysStays) {
 }
 
 TEST(MetadataTail, NothingPrinted) {
-  EXPECT_THAT(MetadataTail(MotionOptions{}, {}, 0), HasSubstr("; total layers count = 0\n"));
+  EXPECT_THAT(MetadataTail(MotionOptions{}, {}, {}), HasSubstr("; total layers count = 0\n"));
 }
 
 // What strangers write must not become a command.
@@ -134,7 +142,7 @@ TEST(Metadata, EveryLineIsAComment) {
   for (const std::string& name : {hostile, std::string("\n"), std::string("\\")})
     summary.copies.push_back({{name, 0, 0, 1}, {}});
   summary.settings_text = "notes = a\rM112\nM112\nkey\x01 = \x02 b\n = M112\n";
-  const std::string text = MetadataHead(summary) + MetadataTail(options, summary, 60);
+  const std::string text = MetadataHead(summary) + MetadataTail(options, summary, Times(60));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     EXPECT_TRUE(line.empty() || line[0] == ';') << line;

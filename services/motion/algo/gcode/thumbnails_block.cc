@@ -9,17 +9,22 @@ namespace {
 
 constexpr size_t kCharactersPerLine = 78;
 
+std::string TagOf(PictureFormat format) {
+  return format == PictureFormat::kQoi ? "thumbnail_QOI" : "thumbnail";
+}
+
 void Append(const Thumbnail& thumbnail, std::string& block) {
   std::string code;
-  absl::Base64Escape(absl::string_view(thumbnail.png.data(), thumbnail.png.size()), &code);
-  block += "; thumbnail begin " + std::to_string(thumbnail.width_px) + "x" +
+  absl::Base64Escape(absl::string_view(thumbnail.data.data(), thumbnail.data.size()), &code);
+  const std::string tag = TagOf(thumbnail.format);
+  block += "; " + tag + " begin " + std::to_string(thumbnail.width_px) + "x" +
            std::to_string(thumbnail.height_px) + " " + std::to_string(code.size()) + "\n";
   for (std::string_view rest = code; !rest.empty();) {
     const std::string_view line = rest.substr(0, kCharactersPerLine);
     rest.remove_prefix(line.size());
     block.append("; ").append(line).append("\n");
   }
-  block += "; thumbnail end\n;\n";
+  block += "; " + tag + " end\n;\n";
 }
 
 }  // namespace
@@ -27,7 +32,7 @@ void Append(const Thumbnail& thumbnail, std::string& block) {
 std::string ThumbnailsBlock(const std::vector<Thumbnail>& thumbnails) {
   std::string block;
   for (const Thumbnail& thumbnail : thumbnails) {
-    if (!thumbnail.png.empty()) Append(thumbnail, block);
+    if (!thumbnail.data.empty()) Append(thumbnail, block);
   }
   return block;
 }

@@ -1,5 +1,6 @@
 #include "services/motion/algo/program/gcode_machine.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/base/portable_math.h"
@@ -33,6 +34,13 @@ GcodeAction GcodeMachine::Read(const GcodeLine& line) {
   if (line.letter == 'T') return Rest();
   firmware_.ApplyLimits(line, limits_);
   return {.kind = GcodeAction::Kind::kLimits};
+}
+
+void GcodeMachine::Resume(const std::array<double, 3>& place_mm, double speed_mm_s,
+                          double acceleration_mm_s2) {
+  std::ranges::copy(place_mm, at_.begin());
+  speed_mm_s_ = speed_mm_s;
+  limits_.max_acceleration_extruding_mm_s2 = acceleration_mm_s2;
 }
 
 GcodeAction GcodeMachine::ReadG(const GcodeLine& line) {

@@ -11,6 +11,7 @@
 #include "services/motion/algo/kinematics/kinematic_move.h"
 #include "services/motion/algo/program/arc_chords.h"
 #include "services/motion/algo/program/gcode_line.h"
+#include "services/motion/algo/program/heat_waits.h"
 
 namespace slicefarm::motion {
 
@@ -18,6 +19,7 @@ namespace slicefarm::motion {
 struct MachineSetup {
   MachineLimits limits;
   RetractionOptions retraction;  ///< of G10 and G11, until M207
+  HeatingRates heating;
 };
 
 /// A straight move, in machine coordinates: x, y, z and the filament that went in so far.
@@ -57,6 +59,10 @@ class GcodeMachine {
       : firmware_(firmware), limits_(setup.limits), retraction_(setup.retraction) {}
 
   GcodeAction Read(const GcodeLine& line);
+
+  /// Goes on in a place, with a speed and a printing acceleration that others than this program have
+  /// brought it to.
+  void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }
   const std::array<double, 4>& position() const { return at_; }

@@ -12,6 +12,7 @@ class Clock {
   Clock(const Firmware& firmware, const MachineSetup& setup)
       : firmware_(firmware),
         machine_(firmware, setup),
+        heat_(setup.heating),
         planner_(firmware.MakePlanner(setup.limits)) {}
 
   void Read(std::string_view text) {
@@ -33,6 +34,7 @@ class Clock {
         break;
       case GcodeAction::Kind::kLimits:
         planner_->SetLimits(machine_.limits());
+        heat_.Read(line, time_.TotalS());
         break;
       case GcodeAction::Kind::kNone:
         break;
@@ -89,13 +91,15 @@ class Clock {
   void Count(const GcodeLine& line) {
     if (line.letter == 'T') ++time_.tool_changes;
     if (line.letter == 'G') ++time_.homings;
-    const bool heats = line.number == 109 || line.number == 116 || line.number == 190 ||
-                       line.number == 191;
-    if (line.letter == 'M' && heats) ++time_.heat_waits;
+    const auto wait_s = heat_.Read(line, time_.TotalS());
+    if (!wait_s) ++time_.heat_waits;
+    time_.heating_s += wait_s.value_or(0);
+    LayerTime() += wait_s.value_or(0);
   }
 
   const Firmware& firmware_;
   GcodeMachine machine_;
+  HeatWaits heat_;
   std::unique_ptr<Planner> planner_;
   ProgramLabels labels_;
   std::vector<Account> accounts_;

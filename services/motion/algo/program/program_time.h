@@ -14,6 +14,7 @@ namespace slicefarm::motion {
 struct ProgramTime {
   double move_s = 0;   ///< of all moves
   double dwell_s = 0;  ///< G4
+  double heating_s = 0;  ///< waits for heat whose rate is known
   /// Of what is printed, by the words of the slicer's comments ("None" without).
   std::map<std::string, double> feature_s;
   double travel_s = 0;   ///< of what moves without printing
@@ -23,10 +24,10 @@ struct ProgramTime {
   int64_t moves = 0;  ///< straight ones; arcs count by their chords
   // What takes a time that no program tells: counted as 0 s.
   int64_t homings = 0;
-  int64_t heat_waits = 0;
+  int64_t heat_waits = 0;  ///< of unknown rate
   int64_t tool_changes = 0;
 
-  double TotalS() const { return move_s + dwell_s; }
+  double TotalS() const { return move_s + dwell_s + heating_s; }
 };
 
 /// The time of a whole program by the firmware's look-ahead, from rest to rest and wherever the

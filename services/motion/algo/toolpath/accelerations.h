@@ -16,7 +16,7 @@ namespace slicefarm::motion {
 /// retraction is asked for is what was set last.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
-  double travel = 0;   ///< 0: that of the path before
+  double travel = 0;   ///< 0: what was set last
   double retract = 0;  ///< of the filament alone; 0: what was set last
   bool told = false;   ///< the G-code sets them
   bool told_travel = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -25,25 +26,24 @@ void SetSpeeds(const std::vector<int32_t>& full, double share, int32_t least, To
 
 using FeedRates = std::vector<std::vector<int32_t>>;  // by toolpath
 
-FeedRates FeedRatesOf(std::span<const TimedToolpath> paths) {
+FeedRates FeedRatesOf(std::span<const Toolpath> paths) {
   FeedRates rates;
-  for (const TimedToolpath& timed : paths) {
+  for (const Toolpath& path : paths) {
     std::vector<int32_t>& own = rates.emplace_back();
-    own.reserve(timed.path.moves.size());
-    for (const Move& move : timed.path.moves) own.push_back(move.feed_rate);
+    own.reserve(path.moves.size());
+    for (const Move& move : path.moves) own.push_back(move.feed_rate);
   }
   return rates;
 }
 
-void SetSpeeds(const FeedRates& full, double share, int32_t least,
-               std::span<TimedToolpath> paths) {
-  for (size_t i = 0; i < paths.size(); ++i) SetSpeeds(full[i], share, least, paths[i].path);
+void SetSpeeds(const FeedRates& full, double share, int32_t least, std::span<Toolpath> paths) {
+  for (size_t i = 0; i < paths.size(); ++i) SetSpeeds(full[i], share, least, paths[i]);
 }
 
-int32_t FastestBead(std::span<const TimedToolpath> paths) {
+int32_t FastestBead(std::span<const Toolpath> paths) {
   int32_t fastest = 0;
-  for (const TimedToolpath& timed : paths) {
-    for (const Move& move : timed.path.moves) {
+  for (const Toolpath& path : paths) {
+    for (const Move& move : path.moves) {
       if (move.kind == MoveKind::kPrint) fastest = std::max(fastest, move.feed_rate);
     }
   }
@@ -51,37 +51,17 @@ int32_t FastestBead(std::span<const TimedToolpath> paths) {
 }
 
 double Sum(std::span<const double> times) {
-  double sum = 0;
-  for (const double time : times) sum += time;
-  return sum;
-}
-
-/// Works the times out; gives the layer's.
-double LayerTime(double between_s, LayerTiming& timing, std::span<TimedToolpath> paths) {
-  double time_s = between_s;
-  for (TimedToolpath& timed : paths) {
-    const std::span<const double> times = timing.Times(timed.path);
-    timed.times_s.assign(times.begin(), times.end());
-    const bool first = &timed == &paths.front();
-    if (first) time_s += timed.TimeS();
-    time_s += (timed.copies - (first ? 1 : 0)) * timed.TimeAfterApproachS();
-  }
-  return time_s;
+  return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
 }  // namespace
 
-double TimedToolpath::TimeS() const { return Sum(times_s); }
-
-double TimedToolpath::TimeAfterApproachS() const {
-  return Sum(std::span(times_s).subspan(std::min(path.approach, times_s.size())));
-}
-
-void SlowDown(const CoolingOptions& cooling, double between_s, LayerTiming& timing,
-              std::span<TimedToolpath> paths) {
-  const double full_time = LayerTime(between_s, timing, paths);
+std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
+                                 LayerTiming& timing, std::span<Toolpath> paths) {
+  std::span<const double> times = timing.Times(program);
+  const double full_time = Sum(times);
   const double wanted = cooling.slowdown_below_layer_time_s;
-  if (!cooling.enabled || full_time >= wanted || full_time <= 0) return;
+  if (!cooling.enabled || full_time >= wanted || full_time <= 0) return times;
   const FeedRates full = FeedRatesOf(paths);
   const int32_t least = FeedRate(cooling.min_print_speed_mm_s);
   // Time falls as the share grows. The secant in 1 / share is nearly straight; the bounds keep it
@@ -91,13 +71,15 @@ void SlowDown(const CoolingOptions& cooling, double between_s, LayerTiming& timi
   double share = full_time / wanted;
   for (int i = 0; i < kMaxTrials; ++i) {
     SetSpeeds(full, share, least, paths);
-    const double time = LayerTime(between_s, timing, paths);
+    times = timing.Times(program);
+    const double time = Sum(times);
     if (std::abs(time - wanted) <= kTolerance * wanted) break;
     if (time < wanted && FastestBead(paths) <= least) break;
     (time > wanted ? low : high) = share;
     const double next = share * time / wanted;
     share = next > low && next < high ? next : (low + high) / 2;
   }
+  return times;
 }
 
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s) {

@@ -33,16 +33,15 @@ double Sum(std::span<const double> times) {
 
 double Time(const Toolpath& path) {
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  return Sum(timing.Times(path));
+  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  return Sum(timing.Times({&whole, 1}));
 }
 
 /// Slows `path` down and gives the time it takes then.
 double Slowed(const CoolingOptions& cooling, Toolpath& path) {
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  std::vector<TimedToolpath> paths = {{path}};
-  SlowDown(cooling, 0, timing, paths);
-  path = paths[0].path;
-  return paths[0].TimeS();
+  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  return Sum(SlowDown(cooling, {&whole, 1}, timing, {&path, 1}));
 }
 
 TEST(SlowDown, ReachesTheTimeAsThePlannerReckons) {
@@ -108,11 +107,11 @@ TEST(SlowDown, CopiesAndTravelBetweenThemCount) {
   cooling.min_print_speed_mm_s = 1;
   cooling.slowdown_below_layer_time_s = 30;
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  std::vector<TimedToolpath> paths = {{Squares(1), 3}, {Squares(2), 1}};
-  SlowDown(cooling, 4.5, timing, paths);
-  const double time = paths[0].TimeS() + 2 * paths[0].TimeAfterApproachS() +
-                      paths[1].TimeAfterApproachS() + 4.5;
-  EXPECT_NEAR(time, 30, 0.003 * 30);
+  Toolpath paths[] = {Squares(1), Squares(2)};
+  std::vector<Stretch> program;
+  for (const size_t path : {0, 0, 0, 1})
+    program.push_back({&paths[path], 0, paths[path].moves.size(), {30'000, 0}});
+  EXPECT_NEAR(Sum(SlowDown(cooling, program, timing, paths)), 30, 0.003 * 30);
 }
 
 TEST(SlowDown, EmptyLayer) {

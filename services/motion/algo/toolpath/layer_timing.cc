@@ -1,60 +1,61 @@
 #include "services/motion/algo/toolpath/layer_timing.h"
 
-#include <cmath>
-
-#include "services/motion/algo/gcode/gcode_text.h"
-#include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/edge_moves.h"
 
 namespace slicefarm::motion {
 namespace {
 
-/// A move from where `before` ends.
-KinematicMove ToKinematic(const Move& before, const Move& move) {
-  const double x = static_cast<double>(move.x_um - before.x_um) / kUmPerMm;
-  const double y = static_cast<double>(move.y_um - before.y_um) / kUmPerMm;
-  const double z = static_cast<double>(move.z_um - before.z_um) / kUmPerMm;
-  const double e = static_cast<double>(move.filament) / kFilamentUnitsPerMm;
-  double length = std::sqrt(x * x + y * y + z * z);
-  if (length == 0) length = std::abs(e);
-  const double scale = 1 / length;
-  return {length,
-          {x * scale, y * scale, z * scale, e * scale},
-          SpeedOf(move.feed_rate),
-          move.acceleration_mm_s2};
+double FirstBeadsAcceleration(std::span<const Stretch> stretches) {
+  for (const Stretch& stretch : stretches)
+    for (size_t i = stretch.first; i < stretch.last; ++i)
+      if (stretch.path->moves[i].kind == MoveKind::kPrint)
+        return stretch.path->moves[i].acceleration_mm_s2;
+  return 0;
 }
 
 }  // namespace
 
-std::span<const double> LayerTiming::Times(const Toolpath& path) {
-  times_.assign(path.moves.size(), 0);
-  const size_t approach = std::min(path.approach, path.moves.size());
-  PlanRun(path, 0, approach);
-  PlanRun(path, approach + 1, path.moves.size());
+std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
+  times_.clear();
+  if (stretches.empty()) return times_;
+  const Toolpath& first = *stretches.front().path;
+  MoveWalk walk({.z_um = first.start_z_um}, FirstBeadsAcceleration(stretches));
+  for (const Stretch& stretch : stretches) {
+    for (size_t i = stretch.first; i < stretch.last; ++i) {
+      const EdgeMove before = walk.at();
+      const EdgeMove& move = walk.Go(stretch.path->moves[i], stretch.shift);
+      times_.push_back(0);
+      if (&stretch == &stretches.front() && i == first.approach) {
+        PlanRun();
+      } else if (const auto kinematic = ToKinematic(before, move, 0)) {
+        planner_->Add(*kinematic);
+        run_.push_back(times_.size() - 1);
+      }
+    }
+  }
+  PlanRun();
   return times_;
 }
 
-void LayerTiming::PlanRun(const Toolpath& path, size_t first, size_t last) {
-  if (first >= last) return;
-  Move before = path.moves[first];
-  before.z_um = path.start_z_um;
-  if (first > 0) before = path.moves[first - 1];
+void LayerTiming::PlanRun() {
+  const auto profiles = planner_->Stop();
+  for (size_t i = 0; i < run_.size(); ++i) times_[run_[i]] = profiles[i].time_s;
   run_.clear();
-  for (size_t i = first; i < last; ++i) {
-    run_.push_back(ToKinematic(before, path.moves[i]));
-    before = path.moves[i];
-  }
-  const auto profiles = planner_->Plan(run_);
-  for (size_t i = first; i < last; ++i) times_[i] = profiles[i - first].time_s;
 }
 
-void AddTimes(const Toolpath& path, std::span<const double> times, size_t first,
+void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
               ProgramStats& stats) {
-  for (size_t i = first; i < times.size(); ++i) {
-    const Move& move = path.moves[i];
-    if (move.kind == MoveKind::kPrint) {
-      stats.features[static_cast<size_t>(move.feature)].time_s += times[i];
-    } else {
-      stats.travel_time_s += times[i];
+  auto time = times.begin();
+  for (const Stretch& stretch : stretches) {
+    for (size_t i = stretch.first; i < stretch.last; ++i, ++time) {
+      const Move& move = stretch.path->moves[i];
+      if (move.kind == MoveKind::kPrint) {
+        stats.features[static_cast<size_t>(move.feature)].time_s += *time;
+        continue;
+      }
+      stats.travel_time_s += *time;
+      if (move.kind == MoveKind::kRetract || move.kind == MoveKind::kRestart)
+        stats.retract_time_s += *time;
     }
   }
 }

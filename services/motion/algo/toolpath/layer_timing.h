@@ -12,27 +12,28 @@
 
 namespace slicefarm::motion {
 
-/// The time that a layer's moves take, by the planner of the firmware. The approach to the layer is
-/// left out: where it begins is not known.
+/// The time that a layer's moves take, by the planner of the firmware. The way to the first entry is
+/// left out: where it begins is not known. What runs with the acceleration of the layer before runs
+/// as the layer's first bead. Both are put right where the print is put together (print_clock.h).
 class LayerTiming {
  public:
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
       : planner_(firmware.MakePlanner(limits)) {}
 
-  /// Time in s of each move of `path`, 0 for the approach; valid until the next call. Cost:
-  /// O(moves).
-  std::span<const double> Times(const Toolpath& path);
+  /// Time in s of each move of the stretches, in their order: 0 for the first approach and for moves
+  /// that are there already. Valid until the next call. Cost: O(moves).
+  std::span<const double> Times(std::span<const Stretch> stretches);
 
  private:
-  void PlanRun(const Toolpath& path, size_t first, size_t last);
+  void PlanRun();
 
   std::unique_ptr<Planner> planner_;
-  std::vector<KinematicMove> run_;
+  std::vector<size_t> run_;  ///< of the moves in the planner: places in times_
   std::vector<double> times_;
 };
 
-/// Adds the times of the moves from `first` on up: those of beads by feature, all others as travel.
-void AddTimes(const Toolpath& path, std::span<const double> times, size_t first,
+/// Adds the times of the stretches' moves: those of beads by feature, all others as travel.
+void AddTimes(std::span<const Stretch> stretches, std::span<const double> times,
               ProgramStats& stats);
 
 }  // namespace slicefarm::motion

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "services/motion/algo/kinematics/trapezoid.h"
@@ -42,7 +43,9 @@ TEST(LayerTiming, MovesFromRestToRest) {
   MachineLimits limits;
   limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
   LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
-  const auto times = timing.Times(Sample());
+  const Toolpath path = Sample();
+  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const auto times = timing.Times({&whole, 1});
   ASSERT_EQ(times.size(), 5);
   EXPECT_NEAR(times[0], RestToRest(0.2, 10, 500), 1e-9);
   EXPECT_EQ(times[1], 0) << "the approach is not known";
@@ -55,14 +58,46 @@ TEST(LayerTiming, NothingToDo) {
   EXPECT_TRUE(timing.Times({}).empty());
 }
 
+// From copy to copy the nozzle is where the one before ends.
+TEST(LayerTiming, KnowsTheWayToOtherCopies) {
+  MachineLimits limits;
+  limits.max_acceleration_mm_s2 = {3000, 3000, 500, 1000};
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
+  const Toolpath path = Sample();
+  const Stretch program[] = {{&path, 0, 5, {}}, {&path, path.approach, 5, {0, 30'000}}};
+  const auto times = timing.Times(program);
+  ASSERT_EQ(times.size(), 9);
+  EXPECT_NEAR(times[5], RestToRest(std::hypot(100, 30), 100, 3000), 1e-9);
+  EXPECT_EQ(times[7], times[3]);
+}
+
+// Of one acceleration for all moves, the way to a copy has that of the bead before it.
+TEST(LayerTiming, MovesWithoutTheirOwnAccelerationHaveTheOneBefore) {
+  MachineLimits limits;
+  limits.max_acceleration_mm_s2 = {9000, 9000, 9000, 9000};
+  LayerTiming timing(FirmwareOf(GcodeFlavor::kKlipper), limits);
+  Toolpath path = Sample();
+  path.moves[0].acceleration_mm_s2 = path.moves[1].acceleration_mm_s2 = 0;
+  Toolpath other = path;
+  other.moves[3].acceleration_mm_s2 = 500;
+  const Stretch program[] = {{&path, 0, 5, {}}, {&other, 0, 5, {0, 30'000}}, {&path, 1, 5, {}}};
+  const auto times = timing.Times(program);
+  EXPECT_NEAR(times[0], RestToRest(0.2, 10, 3000), 1e-9) << "as the first bead";
+  EXPECT_EQ(times[5], 0) << "is at that height";
+  EXPECT_NEAR(times[6], RestToRest(std::hypot(100, 30), 100, 3000), 1e-9);
+  EXPECT_NEAR(times[10], RestToRest(std::hypot(100, 30), 100, 500), 1e-9);
+}
+
 TEST(AddTimes, ByFeatureAndTravel) {
   const Toolpath path = Sample();
   LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), {});
-  const auto times = timing.Times(path);
+  const Stretch whole = {&path, 0, path.moves.size(), {}};
+  const auto times = timing.Times({&whole, 1});
   ProgramStats stats;
-  AddTimes(path, times, 0, stats);
+  AddTimes({&whole, 1}, times, stats);
   EXPECT_EQ(stats.features[static_cast<size_t>(Feature::kSolidInfill)].time_s, times[3]);
   EXPECT_DOUBLE_EQ(stats.travel_time_s, times[0] + times[2] + times[4]);
+  EXPECT_DOUBLE_EQ(stats.retract_time_s, times[2] + times[4]);
   EXPECT_DOUBLE_EQ(stats.TimeS(), std::accumulate(times.begin(), times.end(), 0.0));
 }
 

@@ -32,7 +32,7 @@ struct Move {
   int32_t feed_rate = 0;  ///< mm/min
   int32_t width_um = 0;   ///< of a bead
   int32_t height_um = 0;  ///< of a bead
-  float acceleration_mm_s2 = 0;
+  float acceleration_mm_s2 = 0;  ///< 0: what the machine is set to by the beads before
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< of kPrint
 
@@ -46,6 +46,20 @@ struct Toolpath {
   std::vector<Move> moves;
   size_t approach = kNone;  ///< the travel to the entry, whose length the layer does not know
   int32_t start_z_um = 0;   ///< of the layer before
+};
+
+/// What is added to the places of moves.
+struct ShiftUm {
+  int32_t x = 0;
+  int32_t y = 0;
+};
+
+/// Moves [first, last) of a toolpath, in a place: a program is a list of these.
+struct Stretch {
+  const Toolpath* path = nullptr;
+  size_t first = 0;
+  size_t last = 0;
+  ShiftUm shift;
 };
 
 }  // namespace slicefarm::motion

@@ -44,7 +44,6 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   const double length_mm = ToMm(PathLength(path));
   print_acceleration_ = accelerations_.Print(path.feature);
-  if (set_acceleration_ == 0) set_acceleration_ = print_acceleration_;
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
   const int64_t filament_before = filament_;

@@ -63,7 +63,7 @@ class ToolpathBuilder {
   Toolpath path_;
   Move at_;                        ///< where the nozzle is, and what the next move inherits
   double print_acceleration_ = 0;  ///< of the path being printed
-  double set_acceleration_ = 0;    ///< what the machine is set to: of the path before, a travel's
+  double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
   double owed_ = 0;       ///< filament that rounding left, in 1e-5 mm
   int64_t filament_ = 0;  ///< printed in all, in 1e-5 mm

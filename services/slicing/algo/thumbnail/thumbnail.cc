@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
+#include "services/slicing/algo/thumbnail/qoi_image.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -192,23 +193,26 @@ absl::Status DrawObject(const SceneMesh& object, const Frame& frame, DepthBuffer
   return absl::OkStatus();
 }
 
-absl::Status SizeError(const std::array<int32_t, 2>& size_px) {
+absl::Status SizeError(const ThumbnailSize& size) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("thumbnails: {} x {} is not within 1 x 1 and {} x {}", size_px[0],
-                               size_px[1], kMaxSizePx, kMaxSizePx),
+                   fmt::format("thumbnails: {} x {} is not within 1 x 1 and {} x {}", size.width_px,
+                               size.height_px, kMaxSizePx, kMaxSizePx),
                    {{"setting", "thumbnails"},
                     {"limit", std::to_string(kMaxSizePx)},
-                    {"got", fmt::format("{}x{}", size_px[0], size_px[1])}});
+                    {"got", fmt::format("{}x{}", size.width_px, size.height_px)}});
+}
+
+absl::StatusOr<std::string> Encode(const std::vector<Rgba>& pixels, const ThumbnailSize& size) {
+  if (size.format == PictureFormat::kQoi) return EncodeQoi(pixels, size.width_px, size.height_px);
+  return EncodePng(pixels, size.width_px, size.height_px);
 }
 
 }  // namespace
 
 absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
-                                          const std::array<int32_t, 2>& size_px,
-                                          const CancelToken& cancel) {
-  const auto [width, height] = size_px;
-  if (std::min(width, height) < 1 || std::max(width, height) > kMaxSizePx)
-    return SizeError(size_px);
+                                          const ThumbnailSize& size, const CancelToken& cancel) {
+  const int32_t width = size.width_px, height = size.height_px;
+  if (std::min(width, height) < 1 || std::max(width, height) > kMaxSizePx) return SizeError(size);
   const int32_t fine = std::max(width, height) <= 128 ? 4 : 2;
   const Frame frame = FitFrame(scene, width * fine, height * fine);
   DepthBuffer buffer(width * fine, height * fine);
@@ -219,9 +223,9 @@ absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
   pixels.reserve(static_cast<size_t>(width) * height);
   for (int32_t y = 0; y < height; ++y)
     for (int32_t x = 0; x < width; ++x) pixels.push_back(buffer.Pixel(x, y, fine));
-  absl::StatusOr<std::string> png = EncodePng(pixels, width, height);
-  if (!png.ok()) return png.status();
-  return Thumbnail{width, height, *std::move(png)};
+  absl::StatusOr<std::string> data = Encode(pixels, size);
+  if (!data.ok()) return data.status();
+  return Thumbnail{width, height, *std::move(data), size.format};
 }
 
 }  // namespace slicefarm::slicing

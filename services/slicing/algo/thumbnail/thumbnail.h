@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct SceneMesh {
 /// on every machine: no sine, no threads. Errors: SETTING_OUT_OF_RANGE for a size outside [1,
 /// 2048]; Cancelled. Cost: O(triangles + samples).
 absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
-                                          const std::array<int32_t, 2>& size_px,
+                                          const ThumbnailSize& size,
                                           const CancelToken& cancel);
 
 }  // namespace slicefarm::slicing

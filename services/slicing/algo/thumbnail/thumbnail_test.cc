@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/thumbnail/png_image.h"
+#include "services/slicing/algo/thumbnail/qoi_image.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {
@@ -16,14 +17,14 @@ namespace {
 std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  EXPECT_TRUE(png_image_begin_read_from_memory(&image, thumbnail.png.data(), thumbnail.png.size()));
+  EXPECT_TRUE(png_image_begin_read_from_memory(&image, thumbnail.data.data(), thumbnail.data.size()));
   image.format = PNG_FORMAT_RGBA;
   std::vector<Rgba> pixels(size_t{image.width} * image.height);
   EXPECT_TRUE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
   return pixels;
 }
 
-Thumbnail Render(const std::vector<SceneMesh>& scene, std::array<int32_t, 2> size) {
+Thumbnail Render(const std::vector<SceneMesh>& scene, ThumbnailSize size) {
   const auto thumbnail = RenderThumbnail(scene, size, {});
   EXPECT_TRUE(thumbnail.ok()) << thumbnail.status();
   return *thumbnail;
@@ -61,7 +62,7 @@ TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
   const SceneMesh object{&mesh, {}, false};
   IndexedMesh reordered = mesh;
   std::reverse(reordered.triangles.begin(), reordered.triangles.end());
-  EXPECT_EQ(Render({object}, {300, 300}).png, Render({{&reordered, {}, false}}, {300, 300}).png);
+  EXPECT_EQ(Render({object}, {300, 300}).data, Render({{&reordered, {}, false}}, {300, 300}).data);
   EXPECT_NEAR(CoveredShare(Pixels(Render({{&shuffled, {}, false}}, {300, 300}))),
               CoveredShare(Pixels(Render({object}, {300, 300}))), 1e-4);
 }
@@ -79,10 +80,18 @@ TEST(RenderThumbnail, FitsAllObjectsIn) {
   EXPECT_LT(CoveredShare(pixels), 0.2);
 }
 
+TEST(RenderThumbnail, ShowsTheSameAsQoi) {
+  const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
+  const Thumbnail png = Render({{&cube, {}, true}}, {40, 30});
+  const Thumbnail qoi = Render({{&cube, {}, true}}, {40, 30, PictureFormat::kQoi});
+  EXPECT_EQ(qoi.format, PictureFormat::kQoi);
+  EXPECT_EQ(qoi.data, EncodeQoi(Pixels(png), 40, 30));
+}
+
 TEST(RenderThumbnail, RefusesSenselessSizes) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
   const SceneMesh object{&cube, {}, true};
-  for (const std::array<int32_t, 2>& size : {std::array{0, 10}, {10, -1}, {2049, 10}}) {
+  for (const ThumbnailSize& size : {ThumbnailSize{0, 10}, {10, -1}, {2049, 10}}) {
     const auto thumbnail = RenderThumbnail({&object, 1}, size, {});
     EXPECT_EQ(DetailOf(thumbnail.status()).reason, Reason::kSettingOutOfRange);
   }

@@ -1,0 +1,124 @@
+#include "services/motion/algo/program/print_clock.h"
+
+#include <gtest/gtest.h>
+
+#include "common/model/paths_test.h"
+#include "services/motion/algo/layer_program.h"
+#include "services/motion/algo/program/program_time.h"
+#include "services/motion/algo/program_frame.h"
+
+namespace slicefarm::motion {
+namespace {
+
+Path Line(Feature feature, std::string_view points, bool closed = false) {
+  Path path = MakePathOrDie(points, closed);
+  path.feature = feature;
+  return path;
+}
+
+/// Walls and fill of two copies, elsewhere in each layer.
+OrderedLayer Layer(int32_t index) {
+  OrderedLayer layer;
+  layer.frame = {index, (index + 1) * 200'000, 200'000};
+  layer.blocks = {{0,
+                   index,
+                   layer.frame.height_nm,
+                   {Line(Feature::kExternalPerimeter, "(10 10, 30 10, 30 30, 10 30)", true),
+                    Line(Feature::kInternalInfill, "(12 12, 28 28)"),
+                    Line(Feature::kSolidInfill, "(28.5 28, 29 28, 29 28.5, 20 29)")}}};
+  const Point shift = {FromMm(7 * index), FromMm(3)};
+  layer.visits = {{0, 0, 0, shift}, {0, 1, 0, shift + Point{FromMm(50), 0}}};
+  return layer;
+}
+
+struct Case {
+  std::string_view name;
+  GcodeFlavor flavor = GcodeFlavor::kKlipper;
+  double lift_mm = 0;
+  double retraction_mm = 0.8;
+  double travel_acceleration_mm_s2 = 0;
+  bool told = true;
+  double tolerance_s = 1e-6;  ///< of each sum
+};
+
+MotionOptions Options(const Case& c) {
+  MotionOptions options;
+  options.flavor = c.flavor;
+  options.retraction.length_mm = c.retraction_mm;
+  options.retraction.lift_mm = c.lift_mm;
+  options.travel_acceleration_mm_s2 = c.travel_acceleration_mm_s2;
+  if (c.told) {
+    options.default_acceleration_mm_s2 = 1000;
+    options.acceleration_mm_s2[static_cast<size_t>(Feature::kExternalPerimeter)] = 600;
+    options.acceleration_mm_s2[static_cast<size_t>(Feature::kSolidInfill)] = 2500;
+    options.first_layer_acceleration_mm_s2 = 500;
+  }
+  options.start_gcode = "G28\nG1 Z5 F1200\nG1 X0 Y-3 F3000\nG1 X60 E9 F1000\nG4 P200";
+  options.end_gcode = "G1 X0 Y200\nG1 E-2 F300";
+  return options;
+}
+
+class PrintClockTest : public testing::TestWithParam<Case> {};
+
+// What is put together from layers that know nothing of each other is what the program takes as a
+// whole.
+TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
+  const MotionOptions options = Options(GetParam());
+  ProgramSummary summary;
+  std::vector<LayerProgram> programs;
+  for (int32_t i = 0; i < 5; ++i) {
+    auto passes = ProgramLayer(Layer(i), {}, options);
+    ASSERT_TRUE(passes.ok()) << passes.status();
+    LayerProgram& program = programs.emplace_back(std::move(passes->front()));
+    summary.layers.push_back({.frame = program.frame,
+                              .entry = program.entry,
+                              .exit = program.exit,
+                              .time_s = program.stats.TimeS(),
+                              .edges = program.edges});
+    summary.total.Add(program.stats);
+  }
+  const auto frame = FrameProgram(summary, options);
+  ASSERT_TRUE(frame.ok()) << frame.status();
+  std::string gcode = frame->prologue;
+  for (size_t i = 0; i < programs.size(); ++i)
+    gcode += frame->layer_prefixes[i] + programs[i].gcode;
+  gcode += frame->epilogue;
+
+  const ProgramTime want =
+      TimeOfProgram(gcode, FirmwareOf(options.flavor), {options.limits, options.retraction, {}});
+  const PrintTimes& got = frame->times;
+  const double tolerance = GetParam().tolerance_s;
+  EXPECT_NEAR(got.TotalS(), want.TotalS(), tolerance);
+  EXPECT_NEAR(got.travel_s, want.travel_s, tolerance);
+  EXPECT_NEAR(got.retract_s, want.retract_s, tolerance);
+  EXPECT_EQ(got.dwell_s, 0.2);
+  EXPECT_EQ(got.homings, 1);
+  EXPECT_EQ(got.heat_waits, 1);
+  for (const Feature feature :
+       {Feature::kExternalPerimeter, Feature::kInternalInfill, Feature::kSolidInfill}) {
+    EXPECT_NEAR(got.feature_s[static_cast<size_t>(feature)],
+                want.feature_s.at(std::string(FeatureName(feature))), tolerance);
+  }
+  ASSERT_EQ(got.layer_s.size(), want.layer_s.size());
+  for (size_t i = 0; i + 1 < want.layer_s.size(); ++i)
+    EXPECT_NEAR(got.layer_s[i], want.layer_s[i], tolerance) << i;
+  EXPECT_NEAR(got.before_s, want.before_s, tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Motion, PrintClockTest,
+    testing::Values(Case{.name = "Klipper"}, Case{.name = "KlipperLifts", .lift_mm = 0.4},
+                    Case{.name = "KlipperTravels", .lift_mm = 0.2, .travel_acceleration_mm_s2 = 2000},
+                    Case{.name = "KlipperWithoutRetraction", .retraction_mm = 0, .tolerance_s = 1e-3},
+                    Case{.name = "KlipperUntold", .told = false},
+                    Case{.name = "RepRap", .flavor = GcodeFlavor::kRepRapFirmware, .lift_mm = 0.3},
+                    // It never comes to rest between layers.
+                    Case{.name = "Marlin2", .flavor = GcodeFlavor::kMarlin2, .tolerance_s = 2e-3},
+                    Case{.name = "Marlin1",
+                         .flavor = GcodeFlavor::kMarlinLegacy,
+                         .lift_mm = 0.2,
+                         .tolerance_s = 2e-3}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace slicefarm::motion
