@@ -9,6 +9,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/exposed_layer.h"
 #include "common/model/filament_use.h"
+#include "common/model/job_plan.h"
 #include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
@@ -30,6 +31,7 @@ struct JobReport {
   double print_time_s = 0;
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
+  SeamQuality seams;  ///< of loops of objects, whatever their copies
   std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
