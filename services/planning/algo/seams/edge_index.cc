@@ -10,12 +10,18 @@ constexpr Coord kLeastCellNm = 1 * kNmPerMm;
 /// Bounds the memory of a grid over few edges that lie far apart.
 constexpr double kCellsAnyway = 4096;
 constexpr double kCellsPerEdge = 4;
+/// The same where many edges are long: in how many cells they lie, in all and each.
+constexpr double kMembersAnyway = 1'000'000;
+constexpr double kMembersPerEdge = 32;
 
-Coord CellSize(const Box& box, size_t edges) {
-  const double cells = kCellsAnyway + kCellsPerEdge * static_cast<double>(edges);
+/// `reach_nm`: the sum of the edges' extents in x and y.
+Coord CellSize(const Box& box, size_t edges, double reach_nm) {
+  const auto count = static_cast<double>(edges);
   const double area = static_cast<double>(box.max.x - box.min.x + kLeastCellNm) *
                       static_cast<double>(box.max.y - box.min.y + kLeastCellNm);
-  return std::max(kLeastCellNm, static_cast<Coord>(std::sqrt(area / cells)));
+  const double by_cells = std::sqrt(area / (kCellsAnyway + kCellsPerEdge * count));
+  const double by_members = reach_nm / (kMembersAnyway + kMembersPerEdge * count);
+  return std::max(kLeastCellNm, static_cast<Coord>(std::max(by_cells, by_members)));
 }
 
 }  // namespace
@@ -24,7 +30,11 @@ EdgeIndex::EdgeIndex(const MultiPolygon& outlines) {
   int32_t ring_count = 0;
   ForEachRing(outlines, [&](const Polygon& ring) { AddRing(ring, ring_count++); });
   if (edges_.empty()) return;
-  cell_nm_ = CellSize(box_, edges_.size());
+  double reach_nm = 0;
+  for (const Edge& edge : edges_)
+    reach_nm += static_cast<double>(std::abs(edge.to.x - edge.from.x) +
+                                    std::abs(edge.to.y - edge.from.y));
+  cell_nm_ = CellSize(box_, edges_.size(), reach_nm);
   columns_ = Column(box_.max.x) + 1;
   rows_ = Row(box_.max.y) + 1;
   FillCells();
@@ -43,34 +53,33 @@ void EdgeIndex::AddRing(const Polygon& ring, int32_t number) {
 Coord EdgeIndex::Column(Coord x) const { return (x - box_.min.x) / cell_nm_; }
 Coord EdgeIndex::Row(Coord y) const { return (y - box_.min.y) / cell_nm_; }
 
+/// Calls visit(cell) for all cells that an edge goes through, row by row, and a few beside.
+template <typename Visit>
+void EdgeIndex::ForEachCell(const Edge& edge, const Visit& visit) const {
+  const auto [low, high] = std::minmax(edge.from, edge.to, [](Point a, Point b) {
+    return a.y < b.y;
+  });
+  const double slope = low.y == high.y ? 0
+                                       : static_cast<double>(high.x - low.x) /
+                                             static_cast<double>(high.y - low.y);
+  for (Coord row = Row(low.y); row <= Row(high.y); ++row) {
+    const Coord bottom = std::max(box_.min.y + row * cell_nm_, low.y);
+    const Coord top = std::min(box_.min.y + (row + 1) * cell_nm_, high.y);
+    const auto x_at = [&](Coord y) {
+      return low.x + static_cast<Coord>(slope * static_cast<double>(y - low.y));
+    };
+    const Coord at_bottom = x_at(bottom), at_top = low.y == high.y ? high.x : x_at(top);
+    const Coord first = Column(std::max(std::min(at_bottom, at_top) - 1, box_.min.x));
+    const Coord last = std::min(Column(std::max(at_bottom, at_top) + 1), columns_ - 1);
+    for (Coord column = first; column <= last; ++column)
+      visit(static_cast<size_t>(row * columns_ + column));
+  }
+}
+
 void EdgeIndex::FillCells() {
-  // An edge is a member of all cells of its box: they are small against most rings, and long edges
-  // are few.
   const auto for_each_cell = [&](const auto& visit) {
-    for (size_t i = 0; i < edges_.size(); ++i) {
-      const Edge& edge = edges_[i];
-      const Coord y0 = Row(std::min(edge.from.y, edge.to.y));
-      const Coord y1 = Row(std::max(edge.from.y, edge.to.y));
-      const auto slope = static_cast<double>(edge.to.x - edge.from.x) /
-                         static_cast<double>(std::max<Coord>(1, std::abs(edge.to.y - edge.from.y)));
-      for (Coord row = y0; row <= y1; ++row) {
-        // The piece of the edge in this row, from side to side.
-        const bool up = edge.from.y <= edge.to.y;
-        const Coord low = std::max(box_.min.y + row * cell_nm_, std::min(edge.from.y, edge.to.y));
-        const Coord high =
-            std::min(box_.min.y + (row + 1) * cell_nm_, std::max(edge.from.y, edge.to.y));
-        const auto x_at = [&](Coord y) {
-          const Coord along = up ? y - edge.from.y : edge.from.y - y;
-          return edge.from.x + static_cast<Coord>(slope * static_cast<double>(along));
-        };
-        const bool flat = edge.from.y == edge.to.y;
-        const auto [a, b] = std::minmax(flat ? edge.from.x : x_at(low), flat ? edge.to.x : x_at(high));
-        const Coord first = std::clamp<Coord>(Column(std::max(a - 1, box_.min.x)), 0, columns_ - 1);
-        const Coord last = std::clamp<Coord>(Column(b + 1), 0, columns_ - 1);
-        for (Coord column = first; column <= last; ++column)
-          visit(static_cast<size_t>(row * columns_ + column), static_cast<int32_t>(i));
-      }
-    }
+    for (size_t i = 0; i < edges_.size(); ++i)
+      ForEachCell(edges_[i], [&](size_t cell) { visit(cell, static_cast<int32_t>(i)); });
   };
   first_.assign(static_cast<size_t>(columns_ * rows_) + 1, 0);
   for_each_cell([&](size_t cell, int32_t) { ++first_[cell + 1]; });

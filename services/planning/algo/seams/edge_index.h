@@ -44,6 +44,8 @@ class EdgeIndex {
   };
 
   void AddRing(const Polygon& ring, int32_t number);
+  template <typename Visit>
+  void ForEachCell(const Edge& edge, const Visit& visit) const;
   void FillCells();
   Coord Column(Coord x) const;
   Coord Row(Coord y) const;

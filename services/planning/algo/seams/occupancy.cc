@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "common/base/portable_math.h"
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int32_t kMostCells = 256;  // along each side
 constexpr double kReachMm = 30;
+/// Outlines with more crossings of rows are taken to hide nothing: a bound on the work.
+constexpr double kMostCrossings = 20e6;
 /// Rays start this far from the middle of the cell, so that the surface in it does not hide itself.
 constexpr double kLiftCells = 1.5;
 constexpr std::array<double, 4> kSideways = {-std::numbers::pi / 3, -std::numbers::pi / 9,
@@ -22,6 +25,17 @@ constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz by horizontal lengt
 int32_t FloorMm(double nm) { return static_cast<int32_t>(std::floor(nm / kNmPerMm)); }
 
 int32_t FloorDiv(int32_t a, int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/// How many millimetres of y the edges go through, all in all.
+double RowsCrossed(const MultiPolygon& outlines) {
+  double rows = 0;
+  ForEachRing(outlines, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i)
+      rows += ToMm(static_cast<double>(
+          std::abs(ring[i + 1 < ring.size() ? i + 1 : 0].y - ring[i].y)));
+  });
+  return rows;
+}
 
 /// Where the edges of all rings cross the middle line of each millimetre of y, in nm.
 std::map<int32_t, std::vector<double>> Crossings(const MultiPolygon& outlines) {
@@ -51,6 +65,7 @@ void Occupancy::Add(const MultiPolygon& outlines, Coord top_nm) {
   const int32_t slab = FloorMm(static_cast<double>(std::max<Coord>(top_nm - 1, 0)));
   if (slab == last_slab_) return;
   last_slab_ = slab;
+  if (RowsCrossed(outlines) > kMostCrossings) return;
   for (auto& [row, places] : Crossings(outlines)) {
     std::ranges::sort(places);
     for (size_t i = 0; i + 1 < places.size(); i += 2) {

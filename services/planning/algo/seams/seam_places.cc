@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -14,6 +15,8 @@ constexpr double kSpacingNm = 1'000'000;
 constexpr double kPaintedSpacingNm = 250'000;
 constexpr double kMostPlaces = 100;
 constexpr double kFewestPlaces = 8;
+/// Of rings with more corners the sharpest count.
+constexpr size_t kMostCorners = 200;
 /// Rings are linked, and overhangs measured, over this distance in the plane.
 constexpr Coord kReachNm = 2'000'000;
 /// Places that come closer together than this part of the spacing become one.
@@ -28,6 +31,15 @@ struct Along {
   double nm = 0;
   bool corner = false;
 };
+
+std::vector<Corner> CornersOf(const RingShape& shape) {
+  std::vector<Corner> corners = shape.Corners();
+  if (corners.size() <= kMostCorners) return corners;
+  std::ranges::stable_sort(corners, std::greater(),
+                           [](const Corner& corner) { return std::abs(corner.turn_rad); });
+  corners.resize(kMostCorners);
+  return corners;
+}
 
 double SpacingOn(const RingShape& shape, bool painted) {
   const double length = shape.length_nm();
@@ -78,7 +90,7 @@ class LayerRings {
     ForEachRing(outlines_, [&](const Polygon& ring) {
       shapes_.emplace_back(ring);
       std::vector<Along>& wanted = wanted_.emplace_back();
-      for (const Corner& corner : shapes_.back().Corners())
+      for (const Corner& corner : CornersOf(shapes_.back()))
         wanted.push_back({corner.along_nm, true});
       const auto rear = std::ranges::min_element(
           ring, {}, [](Point p) { return std::pair(-p.y, p.x); });
