@@ -57,9 +57,7 @@ constexpr KnownKey kSwitches[] = {
     {"prefer_clockwise_movements", kNotYet, "0", true},
     {"resolution", "outline_resolution is the setting here", "0", true},
     {"retract_layer_change", "every layer starts with the filament retracted", "1", true},
-    {"scarf_seam_placement", kNotYet, "nowhere", true},
     {"solid_infill_extruder", kNotYet, "1", true},
-    {"staggered_inner_seams", kNotYet, "0", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
     {"toolchange_gcode", kNotYet, "", true},
     {"top_one_perimeter_type", kNotYet, "none", true},
@@ -97,7 +95,7 @@ constexpr Group kGroups[] = {
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
      "over_bridge_speed parking_pos_retraction pause_print_gcode "
      "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
-     "retract_restart_extra_toolchange scarf_seam_* seam_gap_distance silent_mode "
+     "retract_restart_extra_toolchange seam_gap_distance silent_mode "
      "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
      "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "

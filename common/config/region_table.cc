@@ -7,7 +7,7 @@ namespace slicefarm::config {
 
 RegionTable::Walls RegionTable::WallsOf(const JobSettings& settings) {
   const RegionSpeeds& speeds = settings.motion.speeds.front();
-  Walls walls{settings.beading.front(), settings.ordering.walls.front(), {}};
+  Walls walls{settings.beading.front(), settings.ordering.walls.front(), {}, speeds.scarf};
   walls.beading.wall_class = 0;
   for (const Feature feature : {Feature::kExternalPerimeter, Feature::kPerimeter,
                                 Feature::kOverhangPerimeter, Feature::kGapFill})

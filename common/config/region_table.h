@@ -25,6 +25,7 @@ class RegionTable {
     BeadingOptions beading;
     WallOrder order;
     std::vector<double> speeds;
+    ScarfOptions scarf;
 
     friend bool operator==(const Walls&, const Walls&) = default;
   };

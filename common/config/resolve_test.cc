@@ -457,15 +457,13 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
-      {{"fill_pattern", "lightning"}, {"seam_position", "random"}, {"gcode_flavor", "reprap"}},
+      {{"fill_pattern", "lightning"}, {"gcode_flavor", "reprap"}},
       Source::kProfile));
   EXPECT_EQ(resolved.settings.infill[0].pattern, FillPattern::kGrid);
-  EXPECT_EQ(resolved.settings.planning.objects[0].seam, SeamPosition::kNearest);
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("fill_pattern = lightning: not supported yet: grid is used",
-                          "gcode_flavor = reprap: not supported yet: marlin2 is used",
-                          "seam_position = random: not supported yet: nearest is used"));
+                          "gcode_flavor = reprap: not supported yet: marlin2 is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 }
 

@@ -9,6 +9,7 @@ namespace slicefarm::config {
 // The parts of the settings table, by what they are about.
 std::vector<SettingSpec> LayerSettings();     ///< settings_layers.cc
 std::vector<SettingSpec> WallSettings();      ///< settings_walls.cc
+std::vector<SettingSpec> SeamSettings();      ///< settings_seams.cc
 std::vector<SettingSpec> InfillSettings();    ///< settings_infill.cc
 std::vector<SettingSpec> AdhesionSettings();  ///< settings_adhesion.cc
 std::vector<SettingSpec> SpeedSettings();     ///< settings_speed.cc

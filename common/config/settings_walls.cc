@@ -109,7 +109,6 @@ std::vector<SettingSpec> Widths() {
 }  // namespace
 
 std::vector<SettingSpec> WallSettings() {
-  const auto seam = [](SeamPosition position) { return static_cast<int>(position); };
   std::vector<SettingSpec> settings = {
       {.key = "perimeters",
        .kind = Kind::kInteger,
@@ -148,15 +147,6 @@ std::vector<SettingSpec> WallSettings() {
        .standard = "0.8",
        .doc = "Wider gaps are the infill's",
        .field = Bind([](auto& s) -> auto& { return s.beading[0].max_gap_width_nm; })},
-      {.key = "seam_position",
-       .kind = Kind::kChoice,
-       .standard = "aligned",
-       .doc = "Where loops start: in line with the layer below, near the nozzle, or at the back",
-       .choices = {{"aligned", seam(SeamPosition::kAligned)},
-                   {"nearest", seam(SeamPosition::kNearest)},
-                   {"rear", seam(SeamPosition::kRear)},
-                   {"random", seam(SeamPosition::kNearest), "not supported yet: nearest is used"}},
-       .field = Bind([](auto& s) -> auto& { return s.planning.objects[0].seam; })},
       {.key = "ordering_improvement_moves",
        .kind = Kind::kInteger,
        .min = 0,

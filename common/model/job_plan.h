@@ -48,11 +48,26 @@ struct PlateAddition {
   friend bool operator==(const PlateAddition&, const PlateAddition&) = default;
 };
 
+/// How good the planned seams are. A seam's step is its distance from that of the ring below which
+/// it follows.
+struct SeamQuality {
+  int64_t loops = 0;        ///< outlines with a planned seam
+  int64_t followers = 0;    ///< of them, above another
+  int64_t jumps = 0;        ///< of the followers, with a step of more than 1 mm
+  double steps_mm = 0;      ///< sum of the other followers' steps
+  int64_t with_corner = 0;  ///< loops that have an inner corner, or an outer one sharper than 30 deg
+  int64_t on_corner = 0;    ///< of them, with the seam there
+  int64_t overhanging = 0;  ///< seams that hang over the edge of the layer below
+
+  friend bool operator==(const SeamQuality&, const SeamQuality&) = default;
+};
+
 /// What planning makes of the outlines of a whole job.
 struct JobPlan {
   std::vector<LayerPlan> layers;         ///< one a layer; without paths, which are additions
   std::vector<PlateAddition> additions;  ///< by ascending layer
   std::vector<Copy> copies;              ///< as in SlicedJob::copies
+  SeamQuality seams;
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;
 };

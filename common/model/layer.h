@@ -53,6 +53,8 @@ struct ObjectSection {
   /// The outlines of all regions together; empty where there is one region at most. See OutlineOf.
   MultiPolygon whole;
   Coord z_nm = 0;  ///< of the layer's top, above the object's own bottom
+  MultiPolygon seam_enforcers;  ///< where loops should start; for planning alone
+  MultiPolygon seam_blockers;   ///< where they should not; for planning alone
 
   friend bool operator==(const ObjectSection&, const ObjectSection&) = default;
 };

@@ -66,7 +66,28 @@ struct CoolingOptions {
   friend bool operator==(const CoolingOptions&, const CoolingOptions&) = default;
 };
 
-/// How fast the beads of one region are printed.
+/// Which loops of a region get a scarf.
+enum class ScarfPlacement : uint8_t {
+  kNowhere,
+  kContours,  ///< the outer contours of islands
+  kEverywhere,
+};
+
+/// A scarf: a loop begins low and thin, rises, and ends over its own beginning, in place of a butt
+/// joint that shows.
+struct ScarfOptions {
+  ScarfPlacement placement = ScarfPlacement::kNowhere;  ///< scarf_seam_placement
+  bool only_on_smooth = true;        ///< scarf_seam_only_on_smooth: not at corners
+  bool on_inner = false;             ///< scarf_seam_on_inner_perimeters
+  bool entire_loop = false;          ///< scarf_seam_entire_loop: the length is the loop's
+  double start_height_ratio = 0;     ///< scarf_seam_start_height: where it begins in the layer
+  double length_mm = 20;             ///< scarf_seam_length
+  double max_segment_mm = 1;         ///< scarf_seam_max_segment_length: of steps of the flow
+
+  friend bool operator==(const ScarfOptions&, const ScarfOptions&) = default;
+};
+
+/// How the beads of one region are printed.
 struct RegionSpeeds {
   std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80,
                                                   20, 15, 60, 60, 60, 60};  ///< by Feature
@@ -74,6 +95,7 @@ struct RegionSpeeds {
   bool dynamic_overhangs = false;          ///< enable_dynamic_overhang_speeds
   /// overhang_speed_0 to _3, by degree.
   std::array<double, kOverhangDegrees> overhang_speed_mm_s = {15, 15, 20, 25};
+  ScarfOptions scarf;
 
   friend bool operator==(const RegionSpeeds&, const RegionSpeeds&) = default;
 };

@@ -5,12 +5,14 @@
 
 namespace slicefarm {
 
-/// The order of the walls of one region.
+/// The order of the walls of one region, and where they start.
 struct WallOrder {
   bool external_perimeters_first = false;  ///< external_perimeters_first
   bool inner_outer_inner = false;          ///< inner_outer_inner: goes before the one above
   /// From the outer edge of an island to its holes: brims. Goes before both.
   bool towards_holes = false;
+  /// staggered_inner_seams: each inner loop starts further along than the one outside of it.
+  bool stagger_seams = false;
 
   friend bool operator==(const WallOrder&, const WallOrder&) = default;
 };

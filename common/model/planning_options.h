@@ -8,7 +8,14 @@
 
 namespace slicefarm {
 
-enum class SeamPosition : uint8_t { kNearest, kRear, kAligned };
+/// Where loops start.
+enum class SeamPosition : uint8_t {
+  kNearest,  ///< near the nozzle
+  kRear,     ///< at the back, in line
+  kAligned,  ///< in line up the object, at corners
+  kRandom,   ///< anywhere, each loop elsewhere
+  kHidden,   ///< in line, where the least is seen of it
+};
 
 /// What planning is told of one object.
 struct ObjectPlanOptions {

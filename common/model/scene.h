@@ -32,6 +32,8 @@ enum class PartRole : uint8_t {
   kModifier,         ///< gives what lies inside it settings of its own
   kSupportEnforcer,  ///< not supported yet
   kSupportBlocker,   ///< not supported yet
+  kSeamEnforcer,     ///< loops start inside it where they can
+  kSeamBlocker,      ///< loops start outside of it where they can
 };
 
 /// A mesh as a part of an object.

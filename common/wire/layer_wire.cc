@@ -128,8 +128,12 @@ absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
   proto->set_layer_count(section.layer_count);
   proto->set_z_nm(section.z_nm);
   absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
-  if (!status.ok() || section.whole.empty()) return status;
-  return ToProto(section.whole, proto->mutable_whole());
+  if (!section.whole.empty()) status.Update(ToProto(section.whole, proto->mutable_whole()));
+  if (!section.seam_enforcers.empty())
+    status.Update(ToProto(section.seam_enforcers, proto->mutable_seam_enforcers()));
+  if (!section.seam_blockers.empty())
+    status.Update(ToProto(section.seam_blockers, proto->mutable_seam_blockers()));
+  return status;
 }
 
 absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
@@ -144,6 +148,12 @@ absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
   absl::StatusOr<MultiPolygon> whole = FromProto(proto.whole());
   if (!whole.ok()) return Within("whole", whole.status());
   section->whole = *std::move(whole);
+  absl::StatusOr<MultiPolygon> enforcers = FromProto(proto.seam_enforcers());
+  if (!enforcers.ok()) return Within("seam_enforcers", enforcers.status());
+  section->seam_enforcers = *std::move(enforcers);
+  absl::StatusOr<MultiPolygon> blockers = FromProto(proto.seam_blockers());
+  if (!blockers.ok()) return Within("seam_blockers", blockers.status());
+  section->seam_blockers = *std::move(blockers);
   section->z_nm = proto.z_nm();
   if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
     return Malformed("z_nm", "is not a height");

@@ -50,7 +50,7 @@ const MultiPolygon& Islands() {
 
 ObjectSection DistinctSection(int32_t of) {
   ObjectSection section;
-  auto& [object, layer, layer_count, height, regions, whole, z] = section;
+  auto& [object, layer, layer_count, height, regions, whole, z, enforcers, blockers] = section;
   object = of;
   layer = 5;
   layer_count = 9;
@@ -58,6 +58,8 @@ ObjectSection DistinctSection(int32_t of) {
   regions = {{Role::kPart, 1, 2, Islands()}, {Role::kRaft, 3, 4, {}}};
   whole = Islands();
   z = 950'000;
+  enforcers = {Islands()[0]};
+  blockers = {Islands()[1]};
   return section;
 }
 

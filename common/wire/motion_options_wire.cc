@@ -32,6 +32,11 @@ static_assert(v1::OBJECT_LABELS_COMMENTS == static_cast<int>(ObjectLabels::kComm
 static_assert(v1::OBJECT_LABELS_FIRMWARE == static_cast<int>(ObjectLabels::kFirmware) + 1);
 static_assert(v1::ObjectLabels_MAX == v1::OBJECT_LABELS_FIRMWARE);
 
+static_assert(v1::SCARF_PLACEMENT_NOWHERE == static_cast<int>(ScarfPlacement::kNowhere) + 1);
+static_assert(v1::SCARF_PLACEMENT_CONTOURS == static_cast<int>(ScarfPlacement::kContours) + 1);
+static_assert(v1::SCARF_PLACEMENT_EVERYWHERE == static_cast<int>(ScarfPlacement::kEverywhere) + 1);
+static_assert(v1::ScarfPlacement_MAX == v1::SCARF_PLACEMENT_EVERYWHERE);
+
 template <typename Number, size_t N>
 void Put(const std::array<Number, N>& values, RepeatedField<Number>* proto) {
   proto->Assign(values.begin(), values.end());
@@ -77,6 +82,12 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
       return Malformed("speeds.speed_mm_s", "is negative");
     if (std::ranges::any_of(region.overhang_speed_mm_s(), is_negative))
       return Malformed("speeds.overhang_speed_mm_s", "is negative");
+    const v1::ScarfOptions& scarf = region.scarf();
+    if (!(scarf.start_height_ratio() >= 0 && scarf.start_height_ratio() <= 1))
+      return Malformed("speeds.scarf.start_height_ratio", "is no share");
+    if (!(scarf.length_mm() >= 0)) return Malformed("speeds.scarf.length_mm", "is negative");
+    if (!(scarf.max_segment_mm() > 0))
+      return Malformed("speeds.scarf.max_segment_mm", "is not positive");
   }
   if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxCoord)
     return Malformed("max_print_height_nm", "is out of range");
@@ -182,6 +193,30 @@ CoolingOptions FromProto(const v1::CoolingOptions& proto) {
   return cooling;
 }
 
+v1::ScarfOptions ToProto(const ScarfOptions& options) {
+  v1::ScarfOptions proto;
+  proto.set_placement(EnumToProto<v1::ScarfPlacement>(options.placement));
+  proto.set_only_on_smooth(options.only_on_smooth);
+  proto.set_on_inner(options.on_inner);
+  proto.set_entire_loop(options.entire_loop);
+  proto.set_start_height_ratio(options.start_height_ratio);
+  proto.set_length_mm(options.length_mm);
+  proto.set_max_segment_mm(options.max_segment_mm);
+  return proto;
+}
+
+ScarfOptions FromProto(const v1::ScarfOptions& proto) {
+  ScarfOptions options;
+  options.placement = Known<ScarfPlacement>(proto.placement());
+  options.only_on_smooth = proto.only_on_smooth();
+  options.on_inner = proto.on_inner();
+  options.entire_loop = proto.entire_loop();
+  options.start_height_ratio = proto.start_height_ratio();
+  options.length_mm = proto.length_mm();
+  options.max_segment_mm = proto.max_segment_mm();
+  return options;
+}
+
 void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
   for (const RegionSpeeds& region : options.speeds) {
     v1::RegionSpeeds* speeds = proto->add_speeds();
@@ -189,6 +224,7 @@ void PutSpeeds(const MotionOptions& options, v1::MotionOptions* proto) {
     speeds->set_small_perimeter_speed_mm_s(region.small_perimeter_speed_mm_s);
     speeds->set_dynamic_overhangs(region.dynamic_overhangs);
     Put(region.overhang_speed_mm_s, speeds->mutable_overhang_speed_mm_s());
+    *speeds->mutable_scarf() = ToProto(region.scarf);
   }
   proto->set_travel_speed_mm_s(options.travel_speed_mm_s);
   proto->set_travel_speed_z_mm_s(options.travel_speed_z_mm_s);
@@ -216,6 +252,7 @@ void TakeSpeeds(const v1::MotionOptions& proto, MotionOptions* options) {
     speeds.small_perimeter_speed_mm_s = region.small_perimeter_speed_mm_s();
     speeds.dynamic_overhangs = region.dynamic_overhangs();
     Take(region.overhang_speed_mm_s(), &speeds.overhang_speed_mm_s);
+    speeds.scarf = FromProto(region.scarf());
   }
   options->travel_speed_mm_s = proto.travel_speed_mm_s();
   options->travel_speed_z_mm_s = proto.travel_speed_z_mm_s();

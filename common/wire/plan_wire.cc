@@ -113,6 +113,31 @@ absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto) {
   return addition;
 }
 
+v1::SeamQuality ToProto(const SeamQuality& quality) {
+  v1::SeamQuality proto;
+  proto.set_loops(quality.loops);
+  proto.set_followers(quality.followers);
+  proto.set_jumps(quality.jumps);
+  proto.set_steps_mm(quality.steps_mm);
+  proto.set_with_corner(quality.with_corner);
+  proto.set_on_corner(quality.on_corner);
+  proto.set_overhanging(quality.overhanging);
+  return proto;
+}
+
+absl::StatusOr<SeamQuality> FromProto(const v1::SeamQuality& proto) {
+  for (const int64_t part : {proto.followers(), proto.with_corner(), proto.overhanging()})
+    if (part < 0 || part > proto.loops()) return Malformed("loops", "are not as many as their parts");
+  if (proto.jumps() < 0 || proto.jumps() > proto.followers())
+    return Malformed("jumps", "are not some of the followers");
+  if (proto.on_corner() < 0 || proto.on_corner() > proto.with_corner())
+    return Malformed("on_corner", "are not some of the loops with corners");
+  if (!(proto.steps_mm() >= 0)) return Malformed("steps_mm", "is negative");
+  return SeamQuality{proto.loops(),    proto.followers(),   proto.jumps(),
+                     proto.steps_mm(), proto.with_corner(), proto.on_corner(),
+                     proto.overhanging()};
+}
+
 v1::CopyName ToProto(const CopyName& name) {
   v1::CopyName proto;
   proto.set_object_name(name.object_name);

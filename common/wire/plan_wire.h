@@ -34,6 +34,9 @@ absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto);
 absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto);
 
+v1::SeamQuality ToProto(const SeamQuality& quality);
+absl::StatusOr<SeamQuality> FromProto(const v1::SeamQuality& proto);
+
 v1::PassFacts ToProto(const PassFacts& facts);
 absl::StatusOr<PassFacts> FromProto(const v1::PassFacts& proto);
 

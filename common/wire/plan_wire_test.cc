@@ -87,6 +87,19 @@ JobFacts DistinctFacts() {
   return facts;
 }
 
+SeamQuality DistinctQuality() {
+  SeamQuality quality;
+  auto& [loops, followers, jumps, steps, with_corner, on_corner, overhanging] = quality;
+  loops = 90;
+  followers = 80;
+  jumps = 7;
+  steps = 6.5;
+  with_corner = 50;
+  on_corner = 40;
+  overhanging = 3;
+  return quality;
+}
+
 TEST(PlanWire, Returns) {
   ExpectReturns<v1::Copy>(DistinctCopy());
   ExpectReturns<v1::PlacedCopy>(DistinctPlaced());
@@ -95,6 +108,7 @@ TEST(PlanWire, Returns) {
   ExpectReturns<v1::PlateAddition>(DistinctAddition());
   EXPECT_EQ(*FromProto(ToProto(DistinctName())), DistinctName());
   EXPECT_EQ(*FromProto(ToProto(DistinctFacts())), DistinctFacts());
+  EXPECT_EQ(*FromProto(ToProto(DistinctQuality())), DistinctQuality());
 }
 
 TEST(PlanWire, EmptyReturns) {
@@ -212,6 +226,22 @@ TEST(PlanWire, RefusesAdditionsThatNoPlateHas) {
     auto proto = ProtoOf<v1::PlateAddition>(DistinctAddition());
     spoil(proto);
     ExpectMalformed(FromProto(proto).status(), field);
+  }
+}
+
+TEST(PlanWire, RefusesSeamsThatNoJobHas) {
+  const std::vector<std::pair<std::string, std::function<void(v1::SeamQuality&)>>> spoils = {
+      {"loops", [](auto& q) { q.set_loops(79); }},
+      {"loops", [](auto& q) { q.set_overhanging(-1); }},
+      {"jumps", [](auto& q) { q.set_jumps(81); }},
+      {"jumps", [](auto& q) { q.set_jumps(-1); }},
+      {"on_corner", [](auto& q) { q.set_on_corner(51); }},
+      {"steps_mm", [](auto& q) { q.set_steps_mm(-1); }},
+  };
+  for (const auto& [field, spoil] : spoils) {
+    v1::SeamQuality quality = ToProto(DistinctQuality());
+    spoil(quality);
+    ExpectMalformed(FromProto(quality).status(), field);
   }
 }
 

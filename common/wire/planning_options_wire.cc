@@ -19,6 +19,8 @@ namespace {
 static_assert(v1::SEAM_POSITION_NEAREST == static_cast<int>(SeamPosition::kNearest) + 1);
 static_assert(v1::SEAM_POSITION_REAR == static_cast<int>(SeamPosition::kRear) + 1);
 static_assert(v1::SEAM_POSITION_ALIGNED == static_cast<int>(SeamPosition::kAligned) + 1);
+static_assert(v1::SEAM_POSITION_RANDOM == static_cast<int>(SeamPosition::kRandom) + 1);
+static_assert(v1::SEAM_POSITION_HIDDEN == static_cast<int>(SeamPosition::kHidden) + 1);
 static_assert(v1::DRAFT_SHIELD_DISABLED == static_cast<int>(DraftShield::kDisabled) + 1);
 static_assert(v1::DRAFT_SHIELD_LIMITED == static_cast<int>(DraftShield::kLimited) + 1);
 static_assert(v1::DRAFT_SHIELD_ENABLED == static_cast<int>(DraftShield::kEnabled) + 1);

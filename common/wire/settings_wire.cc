@@ -318,6 +318,7 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
     walls->set_external_perimeters_first(order.external_perimeters_first);
     walls->set_inner_outer_inner(order.inner_outer_inner);
     walls->set_towards_holes(order.towards_holes);
+    walls->set_stagger_seams(order.stagger_seams);
   }
   return proto;
 }
@@ -340,7 +341,7 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),
-                             walls.towards_holes()});
+                             walls.towards_holes(), walls.stagger_seams()});
   return options;
 }
 

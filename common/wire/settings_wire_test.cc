@@ -201,10 +201,11 @@ OrderingOptions DistinctOrdering() {
   max_detour_ratio = 4.03;
   improvement_moves = 404;
   WallOrder order;
-  auto& [external_first, inner_outer_inner, towards_holes] = order;
+  auto& [external_first, inner_outer_inner, towards_holes, stagger] = order;
   external_first = true;
   inner_outer_inner = false;
   towards_holes = true;
+  stagger = true;
   walls = {order, {false, true}};
   return options;
 }
@@ -269,9 +270,18 @@ MotionOptions DistinctMotion() {
   retraction = DistinctRetraction();
   cooling = DistinctCooling();
   RegionSpeeds region;
-  auto& [speed, small_perimeter_speed] = region;
+  auto& [speed, small_perimeter_speed, scarf] = region;
   speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507};
   small_perimeter_speed = 506;
+  auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
+      scarf;
+  placement = ScarfPlacement::kContours;
+  only_on_smooth = false;
+  on_inner = true;
+  entire_loop = true;
+  start_height = 0.51;
+  length = 5.2;
+  max_segment = 5.3;
   speeds = {region, {}};
   travel_speed = 507;
   travel_speed_z = 508;
@@ -434,7 +444,7 @@ constexpr char kDistinct[] = R"pb(
       max_detour_mm: 402
       max_detour_ratio: 4.03
     }
-    walls { external_perimeters_first: true towards_holes: true }
+    walls { external_perimeters_first: true towards_holes: true stagger_seams: true }
   }
   motion {
     flavor: GCODE_FLAVOR_KLIPPER
@@ -472,6 +482,14 @@ constexpr char kDistinct[] = R"pb(
     speeds {
       speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507 ]
       small_perimeter_speed_mm_s: 506
+      scarf {
+        placement: SCARF_PLACEMENT_CONTOURS
+        on_inner: true
+        entire_loop: true
+        start_height_ratio: 0.51
+        length_mm: 5.2
+        max_segment_mm: 5.3
+      }
     }
     travel_speed_mm_s: 507
     travel_speed_z_mm_s: 508
@@ -715,6 +733,21 @@ INSTANTIATE_TEST_SUITE_P(
                   p.mutable_motion()->mutable_speeds(0)->mutable_speed_mm_s()->RemoveLast();
                 },
                 "motion.speeds.speed_mm_s"},
+        Refused{"ScarfBelowItsLayer",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_start_height_ratio(-1);
+                },
+                "motion.speeds.scarf.start_height_ratio"},
+        Refused{"ScarfLength",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_length_mm(-1);
+                },
+                "motion.speeds.scarf.length_mm"},
+        Refused{"ScarfOfEndlessPieces",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_max_segment_mm(0);
+                },
+                "motion.speeds.scarf.max_segment_mm"},
         Refused{"NegativeSpeed",
                 [](auto& p) { p.mutable_motion()->mutable_speeds(0)->set_speed_mm_s(3, -1); },
                 "motion.speeds.speed_mm_s"},

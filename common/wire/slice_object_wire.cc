@@ -13,12 +13,14 @@
 namespace slicefarm {
 namespace {
 
-constexpr int kPartRoles = 5;
+constexpr int kPartRoles = 7;
 static_assert(v1::PART_ROLE_SOLID == static_cast<int>(PartRole::kSolid) + 1);
 static_assert(v1::PART_ROLE_NEGATIVE == static_cast<int>(PartRole::kNegative) + 1);
 static_assert(v1::PART_ROLE_MODIFIER == static_cast<int>(PartRole::kModifier) + 1);
 static_assert(v1::PART_ROLE_SUPPORT_ENFORCER == static_cast<int>(PartRole::kSupportEnforcer) + 1);
 static_assert(v1::PART_ROLE_SUPPORT_BLOCKER == static_cast<int>(PartRole::kSupportBlocker) + 1);
+static_assert(v1::PART_ROLE_SEAM_ENFORCER == static_cast<int>(PartRole::kSeamEnforcer) + 1);
+static_assert(v1::PART_ROLE_SEAM_BLOCKER == static_cast<int>(PartRole::kSeamBlocker) + 1);
 static_assert(v1::PartRole_MAX == kPartRoles);
 constexpr int kPlaces = 3;
 static_assert(v1::SliceCopy::PLACE_ANYWHERE == static_cast<int>(CopyInput::Place::kAnywhere) + 1);

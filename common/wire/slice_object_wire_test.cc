@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NoPartTransform", [](auto& o) { Part(o).clear_to_object(); },
                 "parts[1].to_object"},
         Refused{"NoRole", [](auto& o) { Part(o).clear_role(); }, "parts[1].role"},
-        Refused{"UnknownRole", [](auto& o) { Part(o).set_role(v1::PartRole(6)); },
+        Refused{"UnknownRole", [](auto& o) { Part(o).set_role(v1::PartRole(8)); },
                 "parts[1].role"},
         Refused{"NegativeFile", [](auto& o) { Part(o).mutable_mesh()->set_file(-1); },
                 "parts[1].mesh"},

@@ -136,6 +136,7 @@ JobPlan PlanWithAll() {
                      {{Role::kBrim, 1, 0, Islands()}},
                      {PathOf(Feature::kSkirt, "(-5 -5, 40 -5)", false)}}};
   plan.copies = {{0, {1'000, -2'000}, 0}, {0, {}, 1}, {2, {7'000, 0}, 0}};
+  plan.seams = {9, 8, 1, 2.5, 4, 3, 1};
   return plan;
 }
 
@@ -230,6 +231,7 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
         return ToProto(addition, proto->mutable_addition());
       }));
   v1::PlanResponse end;
+  *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   for (const Copy& copy : plan.copies) {
     status.Update(ToProto(copy, end.mutable_end()->add_copies()));
   }

@@ -33,6 +33,10 @@ std::string_view NameOf(PartRole role) {
       return "support_enforcer";
     case PartRole::kSupportBlocker:
       return "support_blocker";
+    case PartRole::kSeamEnforcer:
+      return "seam_enforcer";
+    case PartRole::kSeamBlocker:
+      return "seam_blocker";
   }
   return "unknown";
 }

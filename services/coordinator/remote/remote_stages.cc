@@ -126,6 +126,9 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
       if (response.has_layer()) return Append(FromProto(response.layer()), &plan.layers);
       if (response.has_addition()) return Append(FromProto(response.addition()), &plan.additions);
       ended = response.has_end();
+      const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
+      if (!seams.ok()) return seams.status();
+      plan.seams = *seams;
       return AllFromProto(response.end().copies(), "copies", &plan.copies);
     });
   };

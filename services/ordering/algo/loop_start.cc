@@ -12,8 +12,58 @@ namespace {
 /// Around a corner of an outline that points inwards, the corner of a loop inside lies sqrt(2)
 /// times as far away as its edges; it still is the place to start.
 constexpr double kCornerPreference = 1.5;
-/// A vertex this near to a seam always will do.
+/// A corner this near to a seam always will do.
 constexpr double kNearEnoughNm = 100'000;
+/// Any vertex this near: shorter moves are not worth it.
+constexpr double kSameNm = 50'000;
+/// What makes a corner: so much of a turn, between the points so far before and after.
+constexpr double kArmNm = 300'000;
+constexpr double kCornerCosine = 0.906;  // of 25 degrees
+
+/// The first point of the loop from `vertex` on that is an arm away, in steps of 1 or size - 1.
+Point ArmEnd(std::span<const Point> loop, size_t vertex, size_t step) {
+  double length = 0;
+  size_t i = vertex;
+  do {
+    const size_t next = (i + step) % loop.size();
+    length += Distance(loop[i], loop[next]);
+    i = next;
+  } while (length < kArmNm && i != vertex);
+  return loop[i];
+}
+
+bool IsCorner(std::span<const Point> loop, size_t vertex) {
+  const Point in = loop[vertex] - ArmEnd(loop, vertex, loop.size() - 1);
+  const Point out = ArmEnd(loop, vertex, 1) - loop[vertex];
+  return Dot(in, out) <= kCornerCosine * Norm(in) * Norm(out);
+}
+
+/// The corner nearest to `to` and no further than `reach_nm`; or the loop's size.
+size_t NearestCorner(std::span<const Point> loop, Point to, double reach_nm) {
+  size_t best = loop.size();
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const double distance = Distance(loop[i], to);
+    if (distance > reach_nm || (best < loop.size() && distance == reach_nm)) continue;
+    if (!IsCorner(loop, i)) continue;
+    best = i;
+    reach_nm = distance;
+  }
+  return best;
+}
+
+/// The place of the loop that is nearest to `to`.
+LoopPlace NearestPlace(std::span<const Point> loop, Point to) {
+  LoopPlace best{0, loop[0]};
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const Point next = loop[i + 1 < loop.size() ? i + 1 : 0];
+    const double distance = DistanceToSegment(to, loop[i], next);
+    if (distance >= least) continue;
+    best = {i, NearestOnSegment(to, loop[i], next)};
+    least = distance;
+  }
+  return best;
+}
 
 /// Width at `at` between the points of an edge.
 Coord WidthBetween(const Path& path, size_t edge, Point at) {
@@ -42,22 +92,37 @@ LoopPlace NearestVertex(std::span<const Point> loop, Point to) {
 }
 
 LoopPlace NearestToSeam(std::span<const Point> loop, Point seam) {
-  const LoopPlace vertex = NearestVertex(loop, seam);
-  const double to_vertex = Distance(vertex.at, seam);
-  if (to_vertex <= kNearEnoughNm) return vertex;
-  LoopPlace inside = vertex;
-  double to_inside = to_vertex;
-  for (size_t i = 0; i < loop.size(); ++i) {
-    const Point next = loop[i + 1 < loop.size() ? i + 1 : 0];
-    const double distance = DistanceToSegment(seam, loop[i], next);
-    if (distance >= to_inside) continue;
-    inside = {i, NearestOnSegment(seam, loop[i], next)};
-    to_inside = distance;
+  const LoopPlace place = NearestPlace(loop, seam);
+  const double distance = Distance(place.at, seam);
+  const size_t corner = NearestCorner(loop, seam, kCornerPreference * distance + kNearEnoughNm);
+  if (corner < loop.size()) return {corner, loop[corner]};
+  const size_t next = place.edge + 1 < loop.size() ? place.edge + 1 : 0;
+  if (Distance(place.at, loop[next]) <= kSameNm) return {next, loop[next]};
+  if (Distance(place.at, loop[place.edge]) <= kSameNm) return {place.edge, loop[place.edge]};
+  return place;
+}
+
+LoopPlace Further(std::span<const Point> loop, LoopPlace from, double by_nm) {
+  const auto next_of = [&](size_t i) { return i + 1 < loop.size() ? i + 1 : 0; };
+  double length = 0;
+  for (size_t i = 0; i < loop.size(); ++i) length += Distance(loop[i], loop[next_of(i)]);
+  if (length <= 0) return from;
+  by_nm -= std::floor(by_nm / length) * length;
+  LoopPlace at = from;
+  for (;;) {
+    const Point end = loop[next_of(at.edge)];
+    const double left = Distance(at.at, end);
+    if (by_nm < left) {
+      const double share = by_nm / left;
+      const Point way = end - at.at;
+      const Point there = at.at + Point{std::llround(share * static_cast<double>(way.x)),
+                                        std::llround(share * static_cast<double>(way.y))};
+      if (there == end) return {next_of(at.edge), end};
+      return {at.edge, there};
+    }
+    by_nm -= left;
+    at = {next_of(at.edge), end};
   }
-  if (to_vertex <= kCornerPreference * to_inside + kNearEnoughNm) return vertex;
-  // The end of an edge is the start of the next.
-  const size_t next = inside.edge + 1 < loop.size() ? inside.edge + 1 : 0;
-  return inside.at == loop[next] ? LoopPlace{next, inside.at} : inside;
 }
 
 void StartAt(LoopPlace place, Path& loop) {

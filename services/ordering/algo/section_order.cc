@@ -75,14 +75,15 @@ InsetOrder OrderOf(const WallOrder& walls) {
 }
 
 /// An island's walls have the settings of one region, or of regions whose walls are alike.
-InsetOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
-  if (island.walls.empty()) return InsetOrder::kInnerFirst;
-  return OrderOf(options.walls[static_cast<size_t>(island.walls.front().settings)]);
+WallOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
+  if (island.walls.empty()) return {};
+  return options.walls[static_cast<size_t>(island.walls.front().settings)];
 }
 
 void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
                  std::span<const Point> seams, Route& route, WorkBudget& budget) {
-  const WallRules rules{OrderOf(island, options), seams};
+  const WallOrder order = OrderOf(island, options);
+  const WallRules rules{OrderOf(order), seams, order.stagger_seams};
   std::vector<Path*> walls;
   std::vector<FillBlock> gaps;
   for (Path& wall : island.walls) {

@@ -14,9 +14,13 @@ namespace {
 /// Where loops of a contour start.
 struct StartRule {
   std::optional<Point> seam;
+  bool stagger = false;
 
   LoopPlace For(const Path& loop, Point nozzle) const {
-    return seam ? NearestToSeam(loop.points, *seam) : NearestVertex(loop.points, nozzle);
+    if (!seam) return NearestVertex(loop.points, nozzle);
+    const LoopPlace place = NearestToSeam(loop.points, *seam);
+    if (!stagger || loop.inset == 0) return place;
+    return Further(loop.points, place, Distance(place.at, *seam));
   }
 };
 
@@ -69,7 +73,7 @@ void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& rou
   std::vector<Leg> legs;
   for (const WallGroup& group : groups) {
     const Path& wall = group.Outermost();
-    StartRule start;
+    StartRule start{.seam = {}, .stagger = rules.stagger};
     if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
       start.seam = rules.seams[static_cast<size_t>(wall.ring)];
     starts.push_back(start);

@@ -23,6 +23,9 @@ struct WallRules {
   /// Where the loops of a contour start, by the ring that its outermost wall follows; a contour along
   /// no ring, or all if this is empty, start near the nozzle.
   std::span<const Point> seams;
+  /// Inner loops of a contour with a seam start further along, each by as much as it lies inside of
+  /// the seam.
+  bool stagger = false;
 };
 
 /// Prints the walls of an island, contour by contour, each in the order of the rules. The paths are

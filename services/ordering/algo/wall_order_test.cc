@@ -88,6 +88,20 @@ TEST(PrintWalls, LoopsOfAContourStartAtItsSeam) {
   EXPECT_THAT(starts, testing::UnorderedElementsAre(Mm(39, 1), Mm(40, 0), Mm(14, 26), Mm(15, 25)));
 }
 
+TEST(PrintWalls, InnerLoopsStartFurtherAlongIfAsked) {
+  std::vector<Path> walls = {Wall(0, "(0 0, 40 0, 40 40, 0 40)"),
+                             Wall(1, "(1 1, 39 1, 39 39, 1 39)"),
+                             Wall(2, "(2 2, 38 2, 38 38, 2 38)")};
+  walls[0].ring = 0;
+  const std::vector<Point> seams = {Mm(20, 0)};
+  const auto printed =
+      Printed(walls, {InsetOrder::kOuterFirst, seams, /*stagger=*/true}, Mm(0, 0));
+  ASSERT_EQ(printed.size(), 3u);
+  EXPECT_EQ(printed[0].points[0], Mm(20, 0));
+  EXPECT_EQ(printed[1].points[0], Mm(21, 1));
+  EXPECT_EQ(printed[2].points[0], Mm(22, 2));
+}
+
 TEST(PrintWalls, OpenWallsTurnToTheNozzle) {
   Path line = Wall(0, "(0 0, 30 0)");
   line.closed = false;

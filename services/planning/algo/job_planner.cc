@@ -76,16 +76,17 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
   return JobPlanner(options, copies, object_names);
 }
 
-absl::StatusOr<LayerPlan> JobPlanner::Next(const SlicedLayer& layer) {
+absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
     if (absl::Status ok = CheckObject(section.object, *options_); !ok.ok()) return ok;
-  LayerPlan plan;
+  LayerPlan& plan = layers_.emplace_back();
   for (const auto& planner : planners_) planner->Look(layer, plan);
-  return plan;
+  return absl::OkStatus();
 }
 
 absl::StatusOr<JobPlan> JobPlanner::Finish() {
   JobPlan plan;
+  plan.layers = std::move(layers_);
   for (const PlacedCopy& copy : copies_) plan.copies.push_back({copy.object, copy.shift, 0});
   for (const auto& planner : planners_)
     if (absl::Status ok = planner->Finish(plan); !ok.ok()) return ok;

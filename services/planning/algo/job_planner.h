@@ -12,8 +12,8 @@
 
 namespace slicefarm::planning {
 
-/// Plans a job layer by layer, bottom up, so that layers can stream in and plans out. What is kept
-/// is what the planners keep, which is no more than a few layers each. The planners, in the order in
+/// Plans a job layer by layer, bottom up, so that layers can stream in. What is kept is what the
+/// planners keep: no outlines of more than a few layers, but places for seams on each of them. The planners, in the order in
 /// which they look at a layer:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
@@ -33,9 +33,9 @@ class JobPlanner {
                                          std::span<const std::string> object_names = {});
 
   /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
-  absl::StatusOr<LayerPlan> Next(const SlicedLayer& layer);
+  absl::Status Next(const SlicedLayer& layer);
 
-  /// Everything but the layers' plans. To be called once, after the last layer. Errors: those of the
+  /// The plan of the layers so far. To be called once, after the last layer. Errors: those of the
   /// planners.
   absl::StatusOr<JobPlan> Finish();
 
@@ -46,6 +46,7 @@ class JobPlanner {
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;
   std::vector<std::unique_ptr<Planner>> planners_;
+  std::vector<LayerPlan> layers_;
 };
 
 }  // namespace slicefarm::planning

@@ -1,7 +1,6 @@
 #include "services/planning/server/planning_service.h"
 
 #include <utility>
-#include <vector>
 
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
@@ -25,7 +24,7 @@ absl::Status Answer(const JobPlan& plan, Stream& stream) {
       });
   if (!status.ok()) return status;
   v1::PlanResponse end;
-  end.mutable_end();
+  *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
   for (const Copy& copy : plan.copies) {
     status = ToProto(copy, end.mutable_end()->add_copies());
     if (!status.ok()) return status;
@@ -50,22 +49,20 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  std::vector<LayerPlan> plans;
+  int32_t layers = 0;
   absl::Status status = ReadEach<v1::PlanRequest>(
       stream, [&](const v1::PlanRequest& request) -> absl::Status {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
         const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
         if (!layer.ok()) return layer.status();
-        if (layer->frame.index != std::ssize(plans)) {
+        if (layer->frame.index != layers++)
           return Malformed("layer", "does not follow the one before");
-        }
-        return Append(planner->Next(*layer), &plans);
+        return planner->Next(*layer);
       });
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
-  absl::StatusOr<JobPlan> plan = planner->Finish();
+  const absl::StatusOr<JobPlan> plan = planner->Finish();
   if (!plan.ok()) return plan.status();
-  plan->layers = std::move(plans);
   return Answer(*plan, stream);
 }
 

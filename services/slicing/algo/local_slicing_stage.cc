@@ -188,8 +188,7 @@ class SlicingRun {
     bool manifold = true;
     for (SweptPart& swept : object.parts) {
       const PartInput& input = swept.part->input;
-      if (input.role != PartRole::kSolid && input.role != PartRole::kNegative &&
-          input.role != PartRole::kModifier)
+      if (input.role == PartRole::kSupportEnforcer || input.role == PartRole::kSupportBlocker)
         continue;
       manifold = manifold && (input.role != PartRole::kSolid || swept.part->IsManifold());
       parts.push_back({input.role, input.regions[range], &input.changes,
@@ -201,6 +200,8 @@ class SlicingRun {
                   options_.resolution_nm);
     section.regions = std::move(partition.regions);
     section.whole = std::move(partition.whole);
+    section.seam_enforcers = std::move(partition.seam_enforcers);
+    section.seam_blockers = std::move(partition.seam_blockers);
   }
 
   /// The index of the range of heights that holds the section; that of all others is the last.

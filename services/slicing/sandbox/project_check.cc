@@ -59,7 +59,7 @@ bool IsMeshRef(const MeshRef& ref, const Triangles& triangles) {
 
 bool IsPart(const Part& part, const Triangles& triangles) {
   return IsName(part.name) && IsMeshRef(part.mesh, triangles) &&
-         part.role <= PartRole::kSupportBlocker && IsTransform(part.to_object) &&
+         part.role <= PartRole::kSeamBlocker && IsTransform(part.to_object) &&
          AreSettings(part.settings);
 }
 

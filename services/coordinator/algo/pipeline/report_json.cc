@@ -99,6 +99,22 @@ Json Times(const PrintTimes& times) {
           {"after_layers_s", times.after_s}};
 }
 
+/// Shares are of the loops that they can be of; none if there are no such loops.
+Json Seams(const SeamQuality& seams) {
+  const auto share = [](int64_t part, int64_t whole) {
+    return whole == 0 ? Json() : Json(static_cast<double>(part) / static_cast<double>(whole));
+  };
+  const int64_t steps = seams.followers - seams.jumps;
+  Json json = {{"loops", seams.loops},
+               {"jumps", seams.jumps},
+               {"jumps_share", share(seams.jumps, seams.followers)},
+               {"mean_step_mm", Json()},
+               {"on_corner_share", share(seams.on_corner, seams.with_corner)},
+               {"overhanging_share", share(seams.overhanging, seams.loops)}};
+  if (steps > 0) json["mean_step_mm"] = seams.steps_mm / static_cast<double>(steps);
+  return json;
+}
+
 void AddFdm(const JobReport& report, Json& json) {
   json["filament"] = {{"mm", report.filament.length_mm},
                       {"mm3", report.filament.volume_mm3},
@@ -107,6 +123,7 @@ void AddFdm(const JobReport& report, Json& json) {
   json["features"] = Features(report.stats);
   json["travel"] = Travel(report);
   json["times"] = Times(report.times);
+  json["seams"] = Seams(report.seams);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ TEST(ReportJson, HasWhatTheReportHas) {
   report.stats.features[static_cast<int>(Feature::kGapFill)] = {1, 2, 3, 4};
   report.stats.retractions = 9;
   report.warnings = {"careful"};
+  report.seams = {10, 8, 2, 1.5, 0, 0, 1};
 
   const auto json = nlohmann::json::parse(ReportJson(
       report,
@@ -39,6 +40,11 @@ TEST(ReportJson, HasWhatTheReportHas) {
   EXPECT_EQ(json["features"]["Gap fill"]["volume_mm3"], 4);
   EXPECT_EQ(json["travel"]["retractions"], 9);
   EXPECT_EQ(json["warnings"][0], "careful");
+  EXPECT_EQ(json["seams"]["loops"], 10);
+  EXPECT_DOUBLE_EQ(json["seams"]["jumps_share"], 0.25);
+  EXPECT_DOUBLE_EQ(json["seams"]["mean_step_mm"], 0.25);
+  EXPECT_TRUE(json["seams"]["on_corner_share"].is_null()) << "no loop has a corner";
+  EXPECT_DOUBLE_EQ(json["seams"]["overhanging_share"], 0.1);
   EXPECT_EQ(json["settings_without_effect"][0], "raft_layers");
   EXPECT_EQ(json["settings_digest"], "d");
   EXPECT_EQ(json["build_id"], "b");

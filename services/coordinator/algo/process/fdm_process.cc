@@ -52,6 +52,16 @@ absl::Status AddToPlate(std::vector<SlicedLayer>& layers, JobPlan& plan) {
   return absl::OkStatus();
 }
 
+/// Nobody but planning asks where seams should be.
+void DropSeamParts(std::vector<SlicedLayer>& layers) {
+  for (SlicedLayer& layer : layers) {
+    for (ObjectSection& section : layer.sections) {
+      section.seam_enforcers.clear();
+      section.seam_blockers.clear();
+    }
+  }
+}
+
 /// The names of the copies, in their order.
 std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
                               const std::vector<PlacedCopy>& copies) {
@@ -210,6 +220,7 @@ class FdmJob : public PlannedJob {
 
   absl::Status Take(SlicedJob sliced, JobPlan plan) {
     layers_ = std::move(sliced.layers);
+    DropSeamParts(layers_);
     plan_ = std::move(plan);
     copies_ = std::move(sliced.copies);
     thumbnails_ = std::move(sliced.thumbnails);
@@ -304,6 +315,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
                           settings.planning);
   });
   if (!plan.ok()) return plan.status();
+  report.seams = plan->seams;
   auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
                                       std::move(input.settings_text), std::move(report));
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())

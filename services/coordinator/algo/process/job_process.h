@@ -9,6 +9,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/exposed_layer.h"
 #include "common/model/filament_use.h"
+#include "common/model/job_plan.h"
 #include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
@@ -31,6 +32,7 @@ struct JobReport {
   PrintTimes times;  ///< of FDM: what print_time_s is spent on
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
+  SeamQuality seams;  ///< of loops of objects, whatever their copies
   std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks

@@ -17,7 +17,7 @@ bool NeedsBridgeFan(Feature feature) {
 /// Whether two moves print alike, so that an arc may stand for both.
 bool SameBead(const Move& a, const Move& b) {
   return a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint && a.feature == b.feature &&
-         a.width_um == b.width_um && a.height_um == b.height_um && a.feed_rate == b.feed_rate &&
+         a.width_um == b.width_um && a.height_um == b.height_um && a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
          a.acceleration_mm_s2 == b.acceleration_mm_s2;
 }
 
@@ -36,7 +36,7 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
                         GcodeText& out) {
   for (size_t i = first; i < last;) {
     size_t end = i + 1;
-    if (arcs_ != ArcFitting::kDisabled && i > 0) {
+    if (arcs_ != ArcFitting::kDisabled && i > 0 && path.moves[i].z_um == path.moves[i - 1].z_um) {
       while (end < last && SameBead(path.moves[i], path.moves[end])) ++end;
     }
     if (end - i > 1) {
@@ -117,6 +117,7 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
   }
+  const bool climbs = move.kind == MoveKind::kPrint && z_um_ != -1 && move.z_um != z_um_;
   SetAcceleration(move, out);
   out << "G1";
   if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {
@@ -124,9 +125,10 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     out.Micrometers(move.x_um + shift.x) << " Y";
     out.Micrometers(move.y_um + shift.y);
   }
-  if (move.kind == MoveKind::kLift) {
+  if (move.kind == MoveKind::kLift || climbs) {
     out << " Z";
     out.Micrometers(move.z_um);
+    z_um_ = move.z_um;
   }
   WriteEnd(move, out);
 }

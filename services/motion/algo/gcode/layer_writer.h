@@ -73,6 +73,7 @@ class LayerWriter {
   int32_t width_um_ = -1;
   int32_t height_um_;
   int32_t fan_percent_;
+  int32_t z_um_ = -1;
   float acceleration_ = -1;
 };
 

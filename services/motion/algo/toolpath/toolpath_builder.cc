@@ -10,6 +10,7 @@
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
+#include "services/motion/algo/toolpath/scarf.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -26,6 +27,7 @@ int32_t Units(double filament_mm) {
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
                                  Coord bead_height_nm)
     : options_(options),
+      first_layer_(frame.index == 0),
       speeds_(options, frame.index),
       accelerations_(AccelerationsFor(options, frame.index)),
       filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
@@ -34,6 +36,7 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
   const RetractionOptions& retraction = options.retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
+  bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
   retract_units_ = Units(retraction.length_mm);
   restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
   lift_um_ = retract_units_ > 0 ? ToUm(FromMm(retraction.lift_mm)) : 0;
@@ -52,8 +55,15 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   } else {
     GoTo(StartOf(path), travel);
   }
+  const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
+  const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   if (retracted_) Restart();
-  PrintSegments(path, speeds_.Of(path, length_mm));
+  if (scarfed) {
+    PrintScarf(path, scarf, speeds_.Of(path, length_mm));
+  } else {
+    PrintSegments(path, speeds_.Of(path, length_mm));
+  }
+  moved_on_ = scarfed;
   Count(path, length_mm, filament_ - filament_before);
 }
 
@@ -76,6 +86,22 @@ void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
     if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
     PrintSegment(path.points[i - 1], path.points[to], bead);
+  }
+}
+
+void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options,
+                                 double speed_mm_s) {
+  const auto height_um = static_cast<double>(z_um_ - bottom_um_);
+  MoveZ(bottom_um_ + static_cast<int32_t>(std::lround(options.start_height_ratio * height_um)));
+  Point from = path.points.front();
+  for (const ScarfPiece& piece : ScarfedLoop(path, options)) {
+    // As fast as a full bead: the speed is the same on both passes.
+    Bead bead = BeadOf(piece.width_nm, speed_mm_s);
+    bead.filament_per_mm *= piece.flow;
+    at_.z_um = bottom_um_ + static_cast<int32_t>(std::lround(piece.rise * height_um));
+    at_.height_um = std::max(1, static_cast<int32_t>(std::lround(piece.flow * height_um)));
+    PrintSegment(from, piece.to, bead);
+    from = piece.to;
   }
 }
 
@@ -132,7 +158,7 @@ void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   for (const Point corner : travel.corners) add(corner);
   add(to);
   if (way.empty()) return;
-  if (!travel.hidden && way_mm >= options_.retraction.min_travel_mm) {
+  if ((!travel.hidden || moved_on_) && way_mm >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
   }

@@ -14,7 +14,8 @@ namespace slicefarm::motion {
 /// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; a path
 /// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
 /// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
-/// their filament is not.
+/// their filament is not. Loops with a scarf (scarf.h) end further on; the way from there is in
+/// sight. There are none on the first layer.
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder. `bead_height_nm`: of the paths.
@@ -41,6 +42,7 @@ class ToolpathBuilder {
   void Approach(Point to);
   void GoTo(Point to, const Travel& travel);
   void PrintSegments(const Path& path, double speed_mm_s);
+  void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
@@ -51,10 +53,12 @@ class ToolpathBuilder {
   void Count(const Path& path, double length_mm, int64_t filament);
 
   const MotionOptions& options_;
+  bool first_layer_;
   PrintSpeeds speeds_;
   Accelerations accelerations_;
   double filament_area_mm2_;
   Coord bead_height_nm_;
+  int32_t bottom_um_;  ///< of the beads
   int32_t z_um_;
   int32_t lift_um_;
   int32_t retract_units_;
@@ -65,6 +69,7 @@ class ToolpathBuilder {
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
+  bool moved_on_ = false;  ///< beyond the end of the path before: a scarf ends over its beginning
   double owed_ = 0;       ///< filament that rounding left, in 1e-5 mm
   int64_t filament_ = 0;  ///< printed in all, in 1e-5 mm
   ProgramStats stats_;

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "services/planning/algo/layers_test.h"
+#include "services/planning/algo/seams/rings_test.h"
 
 namespace slicefarm::planning {
 namespace {
@@ -11,53 +14,150 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
-
-std::vector<LayerPlan> Plans(const std::vector<SlicedLayer>& layers,
-                             std::vector<SeamPosition> seams) {
+JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPosition> seams) {
   PlanningOptions options;
   options.objects.clear();
   for (const SeamPosition seam : seams) options.objects.push_back({seam});
   SeamPlanner planner(options);
-  std::vector<LayerPlan> plans(layers.size());
-  for (size_t i = 0; i < layers.size(); ++i) planner.Look(layers[i], plans[i]);
-  return plans;
+  JobPlan plan;
+  for (const SlicedLayer& layer : layers) planner.Look(layer, plan.layers.emplace_back());
+  EXPECT_TRUE(planner.Finish(plan).ok());
+  return plan;
+}
+
+/// Layers of 0.2 mm, one of each ring.
+std::vector<SlicedLayer> LayersOf(const std::vector<Polygon>& rings) {
+  std::vector<SlicedLayer> layers(rings.size());
+  for (size_t i = 0; i < rings.size(); ++i) {
+    const auto index = static_cast<int32_t>(i);
+    layers[i].frame = {index, (index + 1) * Coord{200'000}, 200'000};
+    layers[i].sections = {SectionOrDie(0, index, "")};
+    layers[i].sections[0].z_nm = layers[i].frame.print_z_nm;
+    layers[i].sections[0].regions = {{Role::kPart, 0, 0, {{rings[i], {}}}}};
+  }
+  return layers;
+}
+
+std::vector<Point> FirstSeams(const JobPlan& plan) {
+  std::vector<Point> seams;
+  for (const LayerPlan& layer : plan.layers) seams.push_back(layer.sections[0].seams[0]);
+  return seams;
+}
+
+/// Mean distance of seams from those below.
+double MeanStepMm(const std::vector<Point>& seams) {
+  double sum = 0;
+  for (size_t i = 1; i < seams.size(); ++i) sum += ToMm(Distance(seams[i - 1], seams[i]));
+  return sum / static_cast<double>(seams.size() - 1);
 }
 
 constexpr std::string_view kTwoTowers = "(10 0, 20 0, 20 10, 10 10) ; (90 0, 100 0, 100 10, 90 10)";
 
-TEST(SeamPlanner, RearSeamsHaveTheOrderOfRings) {
-  const auto plans = Plans(LayersOrDie({"(0 0, 20 0, 20 20, 0 20) (5 5, 15 5, 15 15, 5 15)"}),
-                           {SeamPosition::kRear});
-  EXPECT_THAT(plans[0].sections[0].seams, ElementsAre(Mm(0, 20), Mm(5, 15)));
+TEST(SeamPlanner, SeamsHaveTheOrderOfRings) {
+  for (const SeamPosition position :
+       {SeamPosition::kRear, SeamPosition::kAligned, SeamPosition::kHidden}) {
+    const auto plan =
+        PlanOfLayers(LayersOrDie({"(0 0, 20 0, 20 20, 0 20) (5 5, 5 15, 15 15, 15 5)"}), {position});
+    ASSERT_EQ(plan.layers[0].sections[0].seams.size(), 2u);
+    EXPECT_EQ(plan.layers[0].sections[0].seams[0], Mm(0, 20));
+    EXPECT_EQ(plan.layers[0].sections[0].seams[1], Mm(5, 15));
+  }
 }
 
 TEST(SeamPlanner, NearestHasNoSeams) {
-  EXPECT_THAT(Plans(LayersOrDie({kTwoTowers}), {SeamPosition::kNearest})[0].sections, IsEmpty());
+  const auto plan = PlanOfLayers(LayersOrDie({kTwoTowers}), {SeamPosition::kNearest});
+  EXPECT_THAT(plan.layers[0].sections, IsEmpty());
+  EXPECT_EQ(plan.seams, SeamQuality{});
 }
 
 TEST(SeamPlanner, AlignedSeamsStandUpright) {
-  const auto plans =
-      Plans(LayersOrDie({kTwoTowers, kTwoTowers, kTwoTowers}), {SeamPosition::kAligned});
-  EXPECT_THAT(plans[0].sections[0].seams, ElementsAre(Mm(10, 10), Mm(90, 10)));
-  EXPECT_EQ(plans[1].sections, plans[0].sections);
-  EXPECT_EQ(plans[2].sections, plans[0].sections);
+  const auto plan =
+      PlanOfLayers(LayersOrDie({kTwoTowers, kTwoTowers, kTwoTowers}), {SeamPosition::kAligned});
+  EXPECT_THAT(plan.layers[0].sections[0].seams, ElementsAre(Mm(10, 10), Mm(90, 10)));
+  EXPECT_EQ(plan.layers[1].sections, plan.layers[0].sections);
+  EXPECT_EQ(plan.layers[2].sections, plan.layers[0].sections);
+  const SeamQuality want = {.loops = 6, .followers = 4, .with_corner = 6, .on_corner = 6};
+  EXPECT_EQ(plan.seams, want);
+}
+
+TEST(SeamPlanner, PrefersAnInnerCorner) {
+  const auto plan =
+      PlanOfLayers(LayersOrDie({"(0 0, 10 0, 10 5, 5 5, 5 10, 0 10)"}), {SeamPosition::kAligned});
+  EXPECT_EQ(plan.layers[0].sections[0].seams[0], Mm(5, 5));
+}
+
+TEST(SeamPlanner, StaysInLineOnARoundPart) {
+  // The facets turn from layer to layer; the seam must not turn along.
+  for (const SeamPosition position :
+       {SeamPosition::kAligned, SeamPosition::kRear, SeamPosition::kHidden}) {
+    std::vector<Polygon> rings;
+    for (int i = 0; i < 100; ++i) rings.push_back(CircleRing({}, 10, 100, 0.013 * i));
+    const std::vector<Point> seams = FirstSeams(PlanOfLayers(LayersOf(rings), {position}));
+    EXPECT_LT(MeanStepMm(seams), 0.05);
+    for (const Point seam : seams) EXPECT_LT(Distance(seam, seams[0]), FromMm(0.5));
+  }
+}
+
+TEST(SeamPlanner, FollowsACornerThatTurns) {
+  std::vector<Polygon> rings;
+  for (int i = 0; i < 100; ++i)
+    rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
+  const JobPlan plan = PlanOfLayers(LayersOf(rings), {SeamPosition::kAligned});
+  EXPECT_LT(MeanStepMm(FirstSeams(plan)), 0.1);
+  EXPECT_EQ(plan.seams.on_corner, 100);
+  EXPECT_EQ(plan.seams.jumps, 0);
+}
+
+TEST(SeamPlanner, KeepsAwayFromOverhangs) {
+  // A wall that leans out to the rear, where the corners are that would be taken else.
+  std::vector<Polygon> rings;
+  for (int i = 0; i < 60; ++i) {
+    const double rear = 20 + 0.4 * i;
+    rings.push_back({Mm(0, 0), Mm(20, 0), Mm(20, rear), Mm(0, rear)});
+  }
+  const JobPlan plan = PlanOfLayers(LayersOf(rings), {SeamPosition::kAligned});
+  EXPECT_EQ(plan.seams.overhanging, 0);
+  EXPECT_EQ(plan.seams.on_corner, 60);
+  EXPECT_EQ(plan.seams.jumps, 0);
+}
+
+TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
+  std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(30, kTwoTowers));
+  for (size_t i = 10; i < 20; ++i) {
+    layers[i].sections[0].seam_blockers = MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)");
+    layers[i].sections[0].seam_enforcers = MakePolygonsOrDie("(88 -1, 92 -1, 92 11, 88 11)");
+  }
+  const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kAligned});
+  for (size_t i = 10; i < 20; ++i) {
+    const std::vector<Point>& seams = plan.layers[i].sections[0].seams;
+    EXPECT_LT(seams[0].y, FromMm(9));
+    EXPECT_LT(seams[1].y, FromMm(9));
+    EXPECT_LE(seams[1].x, FromMm(92));
+  }
+}
+
+TEST(SeamPlanner, RandomSeamsAreElsewhereEachTimeAndTheSameInEachRun) {
+  const auto layers = LayersOrDie(std::vector<std::string_view>(60, kTwoTowers));
+  const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kRandom});
+  EXPECT_EQ(plan, PlanOfLayers(layers, {SeamPosition::kRandom}));
+  EXPECT_GT(plan.seams.jumps, plan.seams.followers * 8 / 10);
 }
 
 TEST(SeamPlanner, ObjectsDoNotFollowEachOther) {
   std::vector<SlicedLayer> layers = LayersOrDie({"(0 0, 10 0, 10 10)", ""});
   layers[1].sections = {SectionOrDie(1, 0, "(0 0, 10 0, 10 10, 0 10)")};
-  const auto plans = Plans(layers, {SeamPosition::kAligned, SeamPosition::kAligned});
-  EXPECT_EQ(plans[1].sections[0].object, 1);
-  EXPECT_THAT(plans[1].sections[0].seams, ElementsAre(Mm(0, 10)));
+  const auto plan = PlanOfLayers(layers, {SeamPosition::kAligned, SeamPosition::kAligned});
+  EXPECT_EQ(plan.layers[1].sections[0].object, 1);
+  EXPECT_THAT(plan.layers[1].sections[0].seams, ElementsAre(Mm(0, 10)));
+  EXPECT_EQ(plan.seams.followers, 0);
 }
 
 TEST(SeamPlanner, EachObjectHasItsOwnPosition) {
   std::vector<SlicedLayer> layers = LayersOrDie({kTwoTowers});
   layers[0].sections.push_back(SectionOrDie(1, 0, kTwoTowers));
-  const auto plans = Plans(layers, {SeamPosition::kNearest, SeamPosition::kRear});
-  ASSERT_EQ(plans[0].sections.size(), 1u);
-  EXPECT_EQ(plans[0].sections[0].object, 1);
+  const auto plan = PlanOfLayers(layers, {SeamPosition::kNearest, SeamPosition::kRear});
+  ASSERT_EQ(plan.layers[0].sections.size(), 1u);
+  EXPECT_EQ(plan.layers[0].sections[0].object, 1);
 }
 
 }  // namespace

@@ -71,6 +71,14 @@ void FitInto(const MultiPolygon& whole, Coord reach_nm, Areas& areas) {
   first = United(first);
 }
 
+/// The sections of all parts of a role.
+MultiPolygon AllOf(PartRole role, const std::vector<PartSection>& parts) {
+  MultiPolygon all;
+  for (const PartSection& part : parts)
+    if (part.role == role) Append(part.outlines, all);
+  return all.empty() ? all : United(all);
+}
+
 bool IsOneSolid(const std::vector<PartSection>& parts) {
   return parts.size() == 1 && parts[0].role == PartRole::kSolid;
 }
@@ -110,7 +118,10 @@ PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& 
                         2 * edits.closing_radius_nm;
     FitInto(whole, reach, areas);
   }
-  return AsRegions(std::move(areas), std::move(whole));
+  PartitionedSection section = AsRegions(std::move(areas), std::move(whole));
+  section.seam_enforcers = AllOf(PartRole::kSeamEnforcer, parts);
+  section.seam_blockers = AllOf(PartRole::kSeamBlocker, parts);
+  return section;
 }
 
 }  // namespace slicefarm::slicing

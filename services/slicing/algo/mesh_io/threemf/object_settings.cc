@@ -23,7 +23,7 @@ struct RoleName {
   PartRole role;
 };
 
-constexpr std::array<RoleName, 10> kRoles = {{{"ModelPart", PartRole::kSolid},
+constexpr std::array<RoleName, 14> kRoles = {{{"ModelPart", PartRole::kSolid},
                                               {"NegativeVolume", PartRole::kNegative},
                                               {"ParameterModifier", PartRole::kModifier},
                                               {"SupportEnforcer", PartRole::kSupportEnforcer},
@@ -32,7 +32,11 @@ constexpr std::array<RoleName, 10> kRoles = {{{"ModelPart", PartRole::kSolid},
                                               {"negative_part", PartRole::kNegative},
                                               {"modifier_part", PartRole::kModifier},
                                               {"support_enforcer", PartRole::kSupportEnforcer},
-                                              {"support_blocker", PartRole::kSupportBlocker}}};
+                                              {"support_blocker", PartRole::kSupportBlocker},
+                                              {"SeamEnforcer", PartRole::kSeamEnforcer},
+                                              {"SeamBlocker", PartRole::kSeamBlocker},
+                                              {"seam_enforcer", PartRole::kSeamEnforcer},
+                                              {"seam_blocker", PartRole::kSeamBlocker}}};
 
 /// What slicers note for themselves: no settings.
 constexpr std::array<std::string_view, 24> kNotes = {

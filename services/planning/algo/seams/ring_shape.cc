@@ -1,0 +1,112 @@
+#include "services/planning/algo/seams/ring_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/base/portable_math.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr double kArmNm = 500'000;
+/// Of rings that are shorter than a few arms.
+constexpr double kArmOfLength = 1.0 / 8;
+/// Turns below this are no corners.
+constexpr double kLeastTurnRad = std::numbers::pi / 12;
+/// Turns of a rounded corner that count as equal.
+constexpr double kSameTurnRad = std::numbers::pi / 90;
+/// A corner that is longer than this part of its ring is none.
+constexpr double kLongestCorner = 1.0 / 3;
+
+double TurnOf(Point in, Point out) { return Atan2(Cross(in, out), Dot(in, out)); }
+
+}  // namespace
+
+double OutwardAngleRad(int outward) {
+  return (outward + 0.5) * 2 * std::numbers::pi / kOutwards;
+}
+
+RingShape::RingShape(const Polygon& ring) : ring_(&ring) {
+  ends_.reserve(ring.size() + 1);
+  ends_.push_back(0);
+  for (size_t i = 0; i < ring.size(); ++i)
+    ends_.push_back(ends_.back() + Distance(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]));
+  length_nm_ = ends_.back();
+  arm_nm_ = std::min(kArmNm, length_nm_ * kArmOfLength);
+}
+
+Point RingShape::At(double along_nm) const {
+  if (along_nm < 0) along_nm += length_nm_;
+  if (along_nm >= length_nm_) along_nm -= length_nm_;
+  const auto end = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, along_nm);
+  const auto edge = static_cast<size_t>(end - ends_.begin()) - 1;
+  const Point from = (*ring_)[edge], to = (*ring_)[edge + 1 < ring_->size() ? edge + 1 : 0];
+  const double length = ends_[edge + 1] - ends_[edge];
+  if (length <= 0) return from;
+  const double share = std::clamp((along_nm - ends_[edge]) / length, 0.0, 1.0);
+  return {from.x + std::llround(share * static_cast<double>(to.x - from.x)),
+          from.y + std::llround(share * static_cast<double>(to.y - from.y))};
+}
+
+RingShape::Arms RingShape::ArmsAt(double along_nm) const {
+  const Point at = At(along_nm);
+  return {at - At(along_nm - arm_nm_), At(along_nm + arm_nm_) - at};
+}
+
+double RingShape::TurnAt(double along_nm) const {
+  const Arms arms = ArmsAt(along_nm);
+  return TurnOf(arms.in, arms.out);
+}
+
+int RingShape::OutwardAt(double along_nm) const {
+  const Arms arms = ArmsAt(along_nm);
+  const Point along = arms.in + arms.out;  // the solid is to its left
+  const double angle = Atan2(static_cast<double>(-along.x), static_cast<double>(along.y));
+  const double turns = angle / (2 * std::numbers::pi);
+  const int direction = static_cast<int>(std::floor((turns < 0 ? turns + 1 : turns) * kOutwards));
+  return std::clamp(direction, 0, kOutwards - 1);
+}
+
+std::vector<Corner> RingShape::Turns() const {
+  const size_t n = ring_->size();
+  std::vector<Corner> all;
+  for (size_t i = 0; i < n; ++i) all.push_back({ends_[i], TurnAt(ends_[i])});
+  // From a straight place on, so that no corner is cut in two.
+  const auto is_straight = [](const Corner& corner) {
+    return std::abs(corner.turn_rad) < kLeastTurnRad;
+  };
+  const auto start = std::ranges::find_if(all, is_straight);
+  for (auto corner = all.begin(); corner != start && start != all.end(); ++corner)
+    corner->along_nm += length_nm_;
+  if (start != all.end()) std::rotate(all.begin(), start, all.end());
+  std::erase_if(all, is_straight);
+  return all;
+}
+
+std::vector<Corner> RingShape::Corners() const {
+  const std::vector<Corner> turns = Turns();
+  const auto same_corner = [&](const Corner& a, const Corner& b) {
+    return b.along_nm - a.along_nm <= arm_nm_ && (a.turn_rad > 0) == (b.turn_rad > 0);
+  };
+  std::vector<Corner> corners;
+  for (size_t first = 0, last = 0; first < turns.size(); first = last) {
+    last = first + 1;
+    while (last < turns.size() && same_corner(turns[last - 1], turns[last])) ++last;
+    double most = 0;
+    for (size_t i = first; i < last; ++i) most = std::max(most, std::abs(turns[i].turn_rad));
+    // The middle of what turns most.
+    std::vector<size_t> sharpest;
+    for (size_t i = first; i < last; ++i)
+      if (std::abs(turns[i].turn_rad) >= most - kSameTurnRad) sharpest.push_back(i);
+    const double span = turns[sharpest.back()].along_nm - turns[sharpest.front()].along_nm;
+    if (span > kLongestCorner * length_nm_) continue;
+    Corner corner = turns[sharpest[sharpest.size() / 2]];
+    if (corner.along_nm >= length_nm_) corner.along_nm -= length_nm_;
+    corners.push_back(corner);
+  }
+  std::ranges::sort(corners, {}, &Corner::along_nm);
+  return corners;
+}
+
+}  // namespace slicefarm::planning

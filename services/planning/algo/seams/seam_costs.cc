@@ -1,0 +1,112 @@
+#include "services/planning/algo/seams/seam_costs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr double kOuterCornerMm = 0.5;
+constexpr double kStraightMm = 2;
+/// Turns from here on count as sharp.
+constexpr double kSharpRad = std::numbers::pi / 3;
+/// What a place costs that nobody sees, of one in plain view.
+constexpr double kHidden = 0.4;
+constexpr double kSeenMm = 4;
+/// For `hidden` and `rear`: what corners count yet.
+constexpr double kLittle = 0.25;
+/// For each mm that a place lies before the rear-most one of its ring.
+constexpr double kFromRear = 4;
+/// Decide between equals.
+constexpr double kRearOfEqual = 1e-4;
+constexpr double kLeftOfEqual = 1e-7;
+/// Overhangs, in heights of a layer: from the first on they cost something, from the second on all.
+constexpr double kSomeOverhang = 0.6;
+constexpr double kFullOverhang = 1.2;
+constexpr double kOverhangMm = 6;
+/// tan 55 degrees.
+constexpr double kSteep = 1.43;
+/// More than all others of a job together.
+constexpr double kBlockedMm = 1e9;
+constexpr double kNotEnforcedMm = 1e6;
+
+/// 0 at a sharp inner corner.
+double ShapeMm(const SeamPlace& place) {
+  const double sharpness = std::min(std::abs(place.turn_rad) / kSharpRad, 1.0);
+  const double corner_mm = place.turn_rad < 0 ? 0 : kOuterCornerMm;
+  return kStraightMm + (corner_mm - kStraightMm) * sharpness;
+}
+
+double OverhangMm(const SeamPlace& place) {
+  const double share = (place.overhang - kSomeOverhang) / (kFullOverhang - kSomeOverhang);
+  return kOverhangMm * std::clamp(share, 0.0, 1.0);
+}
+
+/// Even bits in, even bits out (splitmix64's finish: Steele, Lea, Flood 2014).
+uint64_t Mixed(uint64_t bits) {
+  bits += 0x9e3779b97f4a7c15;
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
+  return bits ^ (bits >> 31);
+}
+
+/// In [0, 1).
+double Random(RingNumber number, size_t place) {
+  uint64_t bits = Mixed(static_cast<uint64_t>(number.object));
+  bits = Mixed(bits ^ static_cast<uint64_t>(number.layer));
+  bits = Mixed(bits ^ static_cast<uint64_t>(number.ring));
+  bits = Mixed(bits ^ place);
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+Point RearMost(const std::vector<SeamPlace>& places) {
+  const auto place = std::ranges::min_element(
+      places, {}, [](const SeamPlace& p) { return std::pair(-p.at.y, p.at.x); });
+  return place->at;
+}
+
+}  // namespace
+
+std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
+                              SeamPosition position, RingNumber number) {
+  const Point rear = RearMost(places);
+  const bool enforced = std::ranges::any_of(places, &SeamPlace::enforced);
+  std::vector<double> costs;
+  for (size_t i = 0; i < places.size(); ++i) {
+    const SeamPlace& place = places[i];
+    const double from_rear_mm = ToMm(static_cast<double>(rear.y - place.at.y));
+    double cost = OverhangMm(place) + kRearOfEqual * from_rear_mm +
+                  kLeftOfEqual * ToMm(static_cast<double>(place.at.x));
+    switch (position) {
+      case SeamPosition::kRear:
+        cost += kFromRear * from_rear_mm + kLittle * ShapeMm(place);
+        break;
+      case SeamPosition::kHidden:
+        cost += kSeenMm * seen[i] + kLittle * ShapeMm(place);
+        break;
+      case SeamPosition::kRandom:
+        cost = OverhangMm(place) + Random(number, i);
+        break;
+      default:
+        cost += ShapeMm(place) * (kHidden + (1 - kHidden) * seen[i]);
+    }
+    if (place.blocked) cost += kBlockedMm;
+    if (enforced && !place.enforced) cost += kNotEnforcedMm;
+    costs.push_back(cost);
+  }
+  return costs;
+}
+
+StepCost StepCostOf(SeamPosition position) {
+  if (position == SeamPosition::kRandom) return {.free_mm = 0, .jump = 0};
+  return {};
+}
+
+bool IsCorner(const SeamPlace& place) {
+  return place.turn_rad <= -std::numbers::pi / 12 || place.turn_rad >= std::numbers::pi / 6;
+}
+
+bool Overhangs(const SeamPlace& place) { return place.overhang > kSteep; }
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "common/model/planning_options.h"
+#include "services/planning/algo/seams/seam_forest.h"
+#include "services/planning/algo/seams/seam_places.h"
+
+namespace slicefarm::planning {
+
+/// Which ring of a job it is, for what must differ from ring to ring.
+struct RingNumber {
+  int32_t object = 0;
+  int32_t layer = 0;
+  int32_t ring = 0;
+};
+
+/// How little each place suits a seam, as the distance in mm that is worth going for a better one:
+/// 0 at a sharp inner corner that nobody sees, 0.5 at a sharp outer one, 2 on a straight wall in
+/// plain view, more where it hangs over the layer below.
+///   aligned  corner first, then how much is seen of it; of equals the rear-most, then left-most
+///   rear     how far it is from the rear
+///   hidden   how much is seen of it first
+///   random   a number that depends on nothing but `number`
+/// Blocked places cost more than anything else, then those that are not enforced where some are.
+/// Shapes: one a place; `seen`: of each, in [0, 1]. REQUIRES: not nearest.
+std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::vector<double>& seen,
+                              SeamPosition position, RingNumber number);
+
+/// What steps cost in this mode: nothing if seams need not be in line.
+StepCost StepCostOf(SeamPosition position);
+
+/// Corners that count as such: inner ones, and outer ones from 30 degrees on.
+bool IsCorner(const SeamPlace& place);
+
+/// Whether it hangs over the layer below at more than 55 degrees from upright.
+bool Overhangs(const SeamPlace& place);
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm::planning {
+
+/// A ring with the places where its seam may be.
+struct SeamNode {
+  int32_t parent = -1;         ///< the ring below that it follows, which comes before it; -1: none
+  std::vector<Point> places;   ///< one at least
+  std::vector<double> costs;   ///< how little each of them suits a seam
+};
+
+/// What it costs that a seam does not stand over that of the ring below.
+struct StepCost {
+  double free_mm = 1;       ///< up to here a step costs its length in mm
+  double jump = 5;          ///< beyond, however far; no less than free_mm
+
+  double Of(Point from, Point to) const;
+};
+
+/// The choice of a place for each ring that costs least in all: the places' costs, and those of the
+/// steps from each ring to its parent. Where an island splits, each part follows it; where islands
+/// meet, the ring follows one of them: so rings are trees. Exact, by dynamic programming from the
+/// leaves down; the first of equals.
+/// Shapes: an index into `places` for each node. Cost: O(sum over steps of places * places).
+std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step);
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,97 @@
+#include "services/planning/algo/seams/seam_forest.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "services/planning/algo/seams/rings_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+using testing::ElementsAre;
+
+double CostOf(const std::vector<SeamNode>& nodes, const std::vector<int32_t>& chosen,
+              const StepCost& step) {
+  double cost = 0;
+  const auto place = [&](size_t node) {
+    return nodes[node].places[static_cast<size_t>(chosen[node])];
+  };
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    cost += nodes[i].costs[static_cast<size_t>(chosen[i])];
+    if (nodes[i].parent >= 0)
+      cost += step.Of(place(static_cast<size_t>(nodes[i].parent)), place(i));
+  }
+  return cost;
+}
+
+/// Looks at all choices.
+double LeastCost(const std::vector<SeamNode>& nodes, const StepCost& step) {
+  std::vector<int32_t> chosen(nodes.size(), 0);
+  double least = std::numeric_limits<double>::infinity();
+  for (;;) {
+    least = std::min(least, CostOf(nodes, chosen, step));
+    size_t i = 0;
+    while (i < nodes.size() && ++chosen[i] == std::ssize(nodes[i].places)) chosen[i++] = 0;
+    if (i == nodes.size()) return least;
+  }
+}
+
+TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
+  std::mt19937 random(7);
+  const auto up_to = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int turn = 0; turn < 300; ++turn) {
+    std::vector<SeamNode> nodes(static_cast<size_t>(1 + up_to(7)));
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      // Any ring before it: chains, splits, several roots.
+      nodes[i].parent = i == 0 ? -1 : up_to(static_cast<int>(i) + 1) - 1;
+      for (int p = up_to(4); p >= 0; --p) {
+        nodes[i].places.push_back(Mm(0.25 * up_to(20), 0.25 * up_to(4)));
+        nodes[i].costs.push_back(0.5 * up_to(8));
+      }
+    }
+    const StepCost step{.free_mm = 1, .jump = 1.0 + up_to(4)};
+    const std::vector<int32_t> chosen = CheapestSeams(nodes, step);
+    ASSERT_EQ(chosen.size(), nodes.size());
+    EXPECT_DOUBLE_EQ(CostOf(nodes, chosen, step), LeastCost(nodes, step)) << turn;
+  }
+}
+
+TEST(SeamForest, JumpsOnceForAWallThatIsBetterFromThereOn) {
+  std::vector<SeamNode> nodes;
+  for (int i = 0; i < 20; ++i) {
+    const bool low = i < 10;
+    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {low ? 0.0 : 2.0, low ? 2.0 : 0.0}});
+  }
+  const std::vector<int32_t> chosen = CheapestSeams(nodes, {});
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(chosen[static_cast<size_t>(i)], i < 10 ? 0 : 1);
+}
+
+TEST(SeamForest, StaysForAFewLayersThatAreBetterElsewhere) {
+  std::vector<SeamNode> nodes;
+  for (int i = 0; i < 20; ++i) {
+    const bool bad = i == 9 || i == 10;
+    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {bad ? 2.0 : 0.0, 1}});
+  }
+  EXPECT_THAT(CheapestSeams(nodes, {}), testing::Each(0));
+}
+
+TEST(SeamForest, BothPartsOfASplitFollowTheirCommonRing) {
+  const std::vector<SeamNode> nodes = {{-1, {Mm(0, 0), Mm(10, 0)}, {0, 0.5}},
+                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}},
+                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}}};
+  EXPECT_THAT(CheapestSeams(nodes, {}), ElementsAre(1, 1, 1));
+}
+
+TEST(SeamForest, TakesTheFirstOfEquals) {
+  const SeamNode node{-1, {Mm(3, 0), Mm(1, 0), Mm(2, 0)}, {1, 1, 1}};
+  SeamNode follower = node;
+  follower.parent = 0;
+  EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0}), ElementsAre(0, 0));
+  EXPECT_THAT(CheapestSeams({}, {}), ElementsAre());
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,187 @@
+#include "services/planning/algo/seams/seam_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "services/planning/algo/seams/ring_shape.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr double kSpacingNm = 1'000'000;
+constexpr double kPaintedSpacingNm = 250'000;
+constexpr double kMostPlaces = 100;
+constexpr double kFewestPlaces = 8;
+/// Of rings with more corners the sharpest count.
+constexpr size_t kMostCorners = 200;
+/// Rings are linked, and overhangs measured, over this distance in the plane.
+constexpr Coord kReachNm = 2'000'000;
+/// Places that come closer together than this part of the spacing become one.
+constexpr double kTooClose = 0.4;
+/// What is further apart than this many spacings gets a place between.
+constexpr double kTooFar = 1.5;
+/// Places this close to each other are the same.
+constexpr double kSameNm = 1'000;
+
+/// A place to be, by its length along a ring.
+struct Along {
+  double nm = 0;
+  bool corner = false;
+};
+
+std::vector<Corner> CornersOf(const RingShape& shape) {
+  std::vector<Corner> corners = shape.Corners();
+  if (corners.size() <= kMostCorners) return corners;
+  std::ranges::stable_sort(corners, std::greater(),
+                           [](const Corner& corner) { return std::abs(corner.turn_rad); });
+  corners.resize(kMostCorners);
+  return corners;
+}
+
+double SpacingOn(const RingShape& shape, bool painted) {
+  const double length = shape.length_nm();
+  const double spacing = painted ? kPaintedSpacingNm : kSpacingNm;
+  return std::min(std::max(spacing, length / kMostPlaces), length / kFewestPlaces);
+}
+
+/// Thins out and fills up: corners stay.
+std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, double spacing) {
+  std::ranges::sort(wanted, {}, [](const Along& a) { return std::pair(a.nm, !a.corner); });
+  std::vector<Along> kept;
+  for (const Along& along : wanted) {
+    const double gap = kept.empty() ? spacing : along.nm - kept.back().nm;
+    if (gap < kSameNm) continue;
+    if (gap < kTooClose * spacing && !along.corner) continue;
+    if (gap < kTooClose * spacing && !kept.back().corner) kept.pop_back();
+    kept.push_back(along);
+  }
+  if (kept.empty()) kept.push_back({});
+  std::vector<double> all;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    const double from = kept[i].nm;
+    const double to = i + 1 < kept.size() ? kept[i + 1].nm : kept.front().nm + shape.length_nm();
+    all.push_back(from);
+    if (to - from <= kTooFar * spacing) continue;
+    const auto pieces = static_cast<int>(std::lround((to - from) / spacing));
+    for (int k = 1; k < pieces; ++k) all.push_back(from + (to - from) * k / pieces);
+  }
+  for (double& nm : all)
+    if (nm >= shape.length_nm()) nm -= shape.length_nm();
+  std::ranges::sort(all);
+  return all;
+}
+
+bool Holds(const MultiPolygon& polygons, Point p) {
+  return std::ranges::any_of(polygons, [p](const PolygonWithHoles& island) {
+    return Locate(p, island) != Side::kOutside;
+  });
+}
+
+}  // namespace
+
+/// The rings of one layer while their places are sought.
+class LayerRings {
+ public:
+  explicit LayerRings(const ObjectSection& section)
+      : section_(section), outlines_(OutlineOf(section)) {
+    ForEachRing(outlines_, [&](const Polygon& ring) {
+      shapes_.emplace_back(ring);
+      std::vector<Along>& wanted = wanted_.emplace_back();
+      for (const Corner& corner : CornersOf(shapes_.back()))
+        wanted.push_back({corner.along_nm, true});
+      const auto rear = std::ranges::min_element(
+          ring, {}, [](Point p) { return std::pair(-p.y, p.x); });
+      wanted.push_back({shapes_.back().AlongTo(static_cast<size_t>(rear - ring.begin())), false});
+    });
+    votes_.resize(shapes_.size());
+  }
+
+  size_t size() const { return shapes_.size(); }
+
+  /// A place of ring `ring_below` of the layer below wants to go on here.
+  void Continue(int32_t ring_below, const EdgeIndex::Hit& hit) {
+    const auto ring = static_cast<size_t>(hit.ring);
+    const auto edge = static_cast<size_t>(hit.edge);
+    const double from = shapes_[ring].AlongTo(edge), to = shapes_[ring].AlongTo(edge + 1);
+    wanted_[ring].push_back({from + hit.share * (to - from), false});
+    votes_[ring][ring_below] += kReachNm - hit.distance_nm;
+  }
+
+  /// The ring below that most places of `ring` come from, the nearer the better; -1: none.
+  int32_t BelowOf(size_t ring) const {
+    int32_t best = -1;
+    double most = 0;
+    for (const auto& [below, votes] : votes_[ring]) {
+      if (votes <= most) continue;
+      best = below;
+      most = votes;
+    }
+    return best;
+  }
+
+  std::vector<SeamPlace> PlacesOn(size_t ring) {
+    const RingShape& shape = shapes_[ring];
+    const bool painted = !section_.seam_enforcers.empty() || !section_.seam_blockers.empty();
+    std::vector<SeamPlace> places;
+    for (const double nm : Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted))) {
+      SeamPlace& place = places.emplace_back();
+      place.at = shape.At(nm);
+      place.turn_rad = static_cast<float>(shape.TurnAt(nm));
+      place.outward = static_cast<uint8_t>(shape.OutwardAt(nm));
+      place.enforced = Holds(section_.seam_enforcers, place.at);
+      place.blocked = Holds(section_.seam_blockers, place.at);
+    }
+    return places;
+  }
+
+ private:
+  const ObjectSection& section_;
+  const MultiPolygon& outlines_;
+  std::vector<RingShape> shapes_;
+  std::vector<std::vector<Along>> wanted_;
+  std::vector<std::map<int32_t, double>> votes_;  ///< by ring, then by ring below
+};
+
+namespace {
+
+/// How far a place lies outside of the layer below, in nm; no more than kReachNm.
+double Outside(Point at, const MultiPolygon& below, const EdgeIndex& index) {
+  if (const auto hit = index.Nearest(at, kReachNm)) return hit->inside ? 0 : hit->distance_nm;
+  return Holds(below, at) ? 0 : static_cast<double>(kReachNm);
+}
+
+}  // namespace
+
+std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
+  const MultiPolygon& outlines = OutlineOf(section);
+  EdgeIndex index(outlines);
+  LayerRings rings(section);
+  if (below_) {
+    for (size_t ring = 0; ring < below_->places.size(); ++ring)
+      for (const Point place : below_->places[ring])
+        if (const auto hit = index.Nearest(place, kReachNm))
+          rings.Continue(static_cast<int32_t>(ring), *hit);
+  }
+  std::vector<RingPlaces> found;
+  for (size_t ring = 0; ring < rings.size(); ++ring)
+    found.push_back({rings.BelowOf(ring), rings.PlacesOn(ring)});
+  if (below_) {
+    for (RingPlaces& ring : found)
+      for (SeamPlace& place : ring.places)
+        place.overhang =
+            static_cast<float>(Outside(place.at, below_->outlines, below_->index) /
+                               static_cast<double>(std::max<Coord>(section.height_nm, 1)));
+  }
+  std::vector<std::vector<Point>> places;
+  for (const RingPlaces& ring : found) {
+    std::vector<Point>& points = places.emplace_back();
+    for (const SeamPlace& place : ring.places) points.push_back(place.at);
+  }
+  below_.emplace(outlines, std::move(index), std::move(places));
+  return found;
+}
+
+}  // namespace slicefarm::planning

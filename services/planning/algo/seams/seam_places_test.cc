@@ -1,0 +1,123 @@
+#include "services/planning/algo/seams/seam_places.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "services/planning/algo/layers_test.h"
+#include "services/planning/algo/seams/rings_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+ObjectSection SectionOf(MultiPolygon outlines, int32_t layer = 0) {
+  ObjectSection section = SectionOrDie(0, layer, "");
+  section.regions = {{Role::kPart, 0, 0, std::move(outlines)}};
+  return section;
+}
+
+bool HasPlaceAt(const RingPlaces& ring, Point at) {
+  return std::ranges::any_of(
+      ring.places, [&](const SeamPlace& place) { return Distance(place.at, at) < 1000; });
+}
+
+TEST(PlaceFinder, TakesCornersAndFillsUp) {
+  PlaceFinder finder;
+  const auto rings = finder.Next(SectionOrDie(0, 0, "(0 0, 20 0, 20 10, 0 10)"));
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_EQ(rings[0].below, -1);
+  for (const Point corner : {Mm(0, 0), Mm(20, 0), Mm(20, 10), Mm(0, 10)})
+    EXPECT_TRUE(HasPlaceAt(rings[0], corner));
+  const auto& places = rings[0].places;
+  EXPECT_GT(places.size(), 40u);
+  for (size_t i = 0; i + 1 < places.size(); ++i)
+    EXPECT_LE(Distance(places[i].at, places[i + 1].at), FromMm(1.5));
+}
+
+TEST(PlaceFinder, PlacesOfARoundWallStandOverEachOther) {
+  PlaceFinder finder;
+  auto below = finder.Next(SectionOf({{CircleRing({}, 10, 100), {}}}));
+  for (int layer = 1; layer < 20; ++layer) {
+    // The facets turn from layer to layer; the places must not.
+    auto here = finder.Next(SectionOf({{CircleRing({}, 10, 100, 0.013 * layer), {}}}, layer));
+    EXPECT_EQ(here[0].below, 0);
+    size_t upright = 0;
+    for (const SeamPlace& place : below[0].places)
+      for (const SeamPlace& above : here[0].places)
+        upright += Distance(place.at, above.at) < 20'000 ? 1 : 0;
+    EXPECT_GT(upright, below[0].places.size() * 9 / 10);
+    below = std::move(here);
+  }
+}
+
+TEST(PlaceFinder, LinksRingsThroughSplitsAndMerges) {
+  PlaceFinder finder;
+  const std::string_view one = "(0 0, 30 0, 30 10, 0 10)";
+  const std::string_view two = "(0 0, 14 0, 14 10, 0 10) ; (16 0, 30 0, 30 10, 16 10)";
+  finder.Next(SectionOrDie(0, 0, one));
+  const auto split = finder.Next(SectionOrDie(0, 1, two));
+  EXPECT_EQ(split[0].below, 0);
+  EXPECT_EQ(split[1].below, 0);
+  const auto merged =
+      finder.Next(SectionOrDie(0, 2, "(0 0, 18 0, 18 10, 0 10) ; (90 0, 95 0, 95 5)"));
+  EXPECT_EQ(merged[0].below, 0) << "most of it goes on from the left one";
+  EXPECT_EQ(merged[1].below, -1);
+}
+
+TEST(PlaceFinder, ARingOfAHoleFollowsTheHole) {
+  PlaceFinder finder;
+  const std::string_view tube = "(0 0, 10 0, 10 10, 0 10) (1 1, 1 9, 9 9, 9 1)";
+  finder.Next(SectionOrDie(0, 0, tube));
+  const auto rings = finder.Next(SectionOrDie(0, 1, tube));
+  EXPECT_EQ(rings[0].below, 0);
+  EXPECT_EQ(rings[1].below, 1);
+}
+
+TEST(PlaceFinder, MeasuresOverhangsInHeightsOfTheLayer) {
+  PlaceFinder finder;
+  finder.Next(SectionOrDie(0, 0, "(0 0, 30 0, 30 30, 0 30)"));
+  const auto rings =
+      finder.Next(SectionOrDie(0, 1, "(0 0, 30.3 0, 30.3 30, 0 30) ; (12 70, 15 70, 15 75)"));
+  for (const SeamPlace& place : rings[0].places)
+    EXPECT_NEAR(place.overhang, place.at.x > FromMm(30) ? 1.5 : 0, 1e-6);
+  for (const SeamPlace& place : rings[1].places)
+    EXPECT_EQ(place.overhang, 10) << "2 mm: the end of what is looked at";
+  const auto top = finder.Next(SectionOrDie(0, 2, "(12 12, 18 12, 18 18, 12 18)"));
+  for (const SeamPlace& place : top[0].places) EXPECT_EQ(place.overhang, 0) << "far inside";
+}
+
+TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
+  ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
+  section.seam_enforcers = MakePolygonsOrDie("(9.8 19, 10.2 19, 10.2 21, 9.8 21)");
+  section.seam_blockers = MakePolygonsOrDie("(-1 -1, 1 -1, 1 21, -1 21)");
+  const auto rings = PlaceFinder().Next(section);
+  int enforced = 0;
+  for (const SeamPlace& place : rings[0].places) {
+    enforced += place.enforced ? 1 : 0;
+    EXPECT_EQ(place.blocked, place.at.x <= FromMm(1));
+  }
+  EXPECT_GE(enforced, 1);
+}
+
+TEST(PlaceFinder, SmallRingsHaveAFewAndLargeOnesNotTooMany) {
+  const auto small = PlaceFinder().Next(SectionOrDie(0, 0, "(0 0, 0.4 0, 0.4 0.4)"));
+  EXPECT_GE(small[0].places.size(), 3u);
+  const auto large = PlaceFinder().Next(SectionOrDie(0, 0, "(0 0, 1000 0, 1000 900, 0 900)"));
+  EXPECT_LE(large[0].places.size(), 200u);
+}
+
+TEST(PlaceFinder, DustAndNothingAreFine) {
+  MultiPolygon dust;
+  for (int i = 0; i < 6000; ++i) {
+    const Point at = Mm(i % 80, i / 80);
+    dust.push_back({{at, at + Mm(0.5, 0), at + Mm(0.5, 0.5)}, {}});
+  }
+  PlaceFinder finder;
+  EXPECT_EQ(finder.Next(SectionOf(dust)).size(), 6000u);
+  const auto again = finder.Next(SectionOf(dust, 1));
+  for (size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].below, static_cast<int32_t>(i));
+  EXPECT_TRUE(finder.Next(SectionOrDie(0, 2, "")).empty());
+  EXPECT_EQ(finder.Next(SectionOrDie(0, 3, "(0 0, 9 0, 9 9)"))[0].below, -1);
+}
+
+}  // namespace
+}  // namespace slicefarm::planning
