@@ -21,7 +21,7 @@ class LocalPlanning : public PlanningStage {
       if (!plan.ok()) return plan.status();
       layers.push_back(*std::move(plan));
     }
-    absl::StatusOr<JobPlan> plan = planner->Finish();
+    absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
     if (plan.ok()) plan->layers = std::move(layers);
     return plan;
   }

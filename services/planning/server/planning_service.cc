@@ -1,37 +1,52 @@
 #include "services/planning/server/planning_service.h"
 
 #include <utility>
-#include <vector>
 
+#include "common/base/error.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/plan_wire.h"
+#include "common/wire/repeated_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/planning/algo/job_planner.h"
 
 namespace slicefarm::planning {
 namespace {
 
+absl::Status WentAway() {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "the client went away");
+}
+
+/// What comes after the layers' plans.
 template <typename Stream>
-absl::Status Answer(const JobPlan& plan, Stream& stream) {
+absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
   absl::Status status = WriteEach<v1::PlanResponse>(
-      stream, plan.layers, [](const LayerPlan& layer, v1::PlanResponse* proto) {
-        return ToProto(layer, proto->mutable_layer());
-      });
-  if (!status.ok()) return status;
-  status = WriteEach<v1::PlanResponse>(
       stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
         return ToProto(addition, proto->mutable_addition());
       });
   if (!status.ok()) return status;
   v1::PlanResponse end;
-  end.mutable_end();
-  for (const Copy& copy : plan.copies) {
-    status = ToProto(copy, end.mutable_end()->add_copies());
-    if (!status.ok()) return status;
-  }
-  stream.Write(end);  // a client that is gone needs no error
-  return absl::OkStatus();
+  status = AllToProto(plan.copies, "copies", end.mutable_end()->mutable_copies());
+  if (status.ok()) stream.Write(end);  // a client that is gone needs no error
+  return status;
+}
+
+/// Plans layers as they come and answers their plans.
+template <typename Stream>
+absl::Status AnswerLayers(JobPlanner& planner, const CancelToken& cancel, Stream& stream) {
+  int32_t next = 0;
+  v1::PlanResponse response;
+  return ReadEach<v1::PlanRequest>(stream, [&](const v1::PlanRequest& request) -> absl::Status {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+    const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
+    if (!layer.ok()) return layer.status();
+    if (layer->frame.index != next++) return Malformed("layer", "does not follow the one before");
+    const absl::StatusOr<LayerPlan> plan = planner.Next(*layer);
+    if (!plan.ok()) return plan.status();
+    response.Clear();
+    if (absl::Status status = ToProto(*plan, response.mutable_layer()); !status.ok()) return status;
+    return stream.Write(response) ? absl::OkStatus() : WentAway();
+  });
 }
 
 }  // namespace
@@ -50,23 +65,12 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  std::vector<LayerPlan> plans;
-  absl::Status status = ReadEach<v1::PlanRequest>(
-      stream, [&](const v1::PlanRequest& request) -> absl::Status {
-        if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
-        if (!layer.ok()) return layer.status();
-        if (layer->frame.index != std::ssize(plans)) {
-          return Malformed("layer", "does not follow the one before");
-        }
-        return Append(planner->Next(*layer), &plans);
-      });
+  absl::Status status = AnswerLayers(*planner, call.cancel, stream);
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
-  absl::StatusOr<JobPlan> plan = planner->Finish();
+  const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
   if (!plan.ok()) return plan.status();
-  plan->layers = std::move(plans);
-  return Answer(*plan, stream);
+  return AnswerRest(*plan, stream);
 }
 
 }  // namespace slicefarm::planning
