@@ -16,6 +16,7 @@
 #include "common/config/region_table.h"
 #include "common/config/setting_scope.h"
 #include "common/config/settings_table.h"
+#include "common/stage/copy_groups.h"
 
 namespace slicefarm::config {
 namespace {
@@ -265,32 +266,6 @@ class ObjectResolver {
   RowSettings rows_;
 };
 
-/// Copies that differ by a shift along the bed alone.
-struct CopyGroup {
-  Transform to_plate;  ///< without x and y
-  std::vector<CopyInput> copies;
-};
-
-CopyInput CopyOf(const Instance& instance) {
-  const Point at{FromMm(instance.to_plate(0, 3)), FromMm(instance.to_plate(1, 3))};
-  if (!instance.placed) return {CopyInput::Place::kAnywhere, {}};
-  return {instance.by_middle ? CopyInput::Place::kMiddleAt : CopyInput::Place::kOriginAt, at};
-}
-
-std::vector<CopyGroup> GroupsOf(const std::vector<Instance>& instances) {
-  std::vector<CopyGroup> groups;
-  for (const Instance& instance : instances) {
-    if (!instance.printable) continue;
-    Transform fixed = instance.to_plate;
-    fixed(0, 3) = fixed(1, 3) = 0;
-    const auto same = std::ranges::find_if(
-        groups, [&](const CopyGroup& group) { return group.to_plate == fixed; });
-    CopyGroup& group = same != groups.end() ? *same : groups.emplace_back(CopyGroup{fixed, {}});
-    group.copies.push_back(CopyOf(instance));
-  }
-  return groups;
-}
-
 /// Settings of objects, for people and for the cache's key.
 nlohmann::ordered_json ToJson(const Settings& settings) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -357,11 +332,11 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
     absl::StatusOr<ObjectResolver::Result> resolved =
         ObjectResolver(object, resolver, table).Resolve();
     if (!resolved.ok()) return resolved.status();
-    for (CopyGroup& group : GroupsOf(object.instances)) {
+    for (const CopyGroup& group : GroupsOf(object.instances)) {
       ObjectResolver::Result one = *resolved;
       one.input.sunk_mm = 0;
       one.input.to_plate = group.to_plate;
-      one.input.copies = std::move(group.copies);
+      one.input.copies = CopiesOf(group);
       Add(std::move(one), plate);
     }
   }

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
 #include "common/wire/mesh_wire.h"
 #include "common/wire/plan_wire.h"
 #include "common/wire/repeated_wire.h"
@@ -149,6 +150,17 @@ absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto) {
   status.Update(AllFromProto(proto.orientations(), "orientations", &job.orientations));
   if (!status.ok()) return status;
   return job;
+}
+
+absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto) {
+  proto->set_plate(place.plate);
+  return ToProto(place.middle, proto->mutable_middle());
+}
+
+absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto) {
+  if (proto.plate() < 0 || proto.plate() >= limits::kMaxObjects)
+    return Malformed("plate", "is none that copies could need");
+  return PlatePlace{proto.plate(), FromProto(proto.middle())};
 }
 
 }  // namespace slicefarm

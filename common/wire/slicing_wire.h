@@ -8,6 +8,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/stage/plates.h"
 #include "common/stage/stages.h"
 #include "slicefarm/v1/slicing.pb.h"
 
@@ -51,6 +52,10 @@ absl::StatusOr<SliceStart> FromProto(const v1::SliceStart& proto);
 /// All of a sliced job but its layers, which follow one by one.
 absl::Status ToProto(const SlicedJob& job, v1::SliceSummary* proto);
 absl::StatusOr<SlicedJob> FromProto(const v1::SliceSummary& proto);
+
+absl::Status ToProto(const PlatePlace& place, v1::PlatePlace* proto);
+/// Errors: REQUEST_MALFORMED for a plate that no job can have.
+absl::StatusOr<PlatePlace> FromProto(const v1::PlatePlace& proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

@@ -223,6 +223,14 @@ absl::StatusOr<v1::Job> JobsClient::CreateJob(v1::CreateJobRequest request) {
       request.validate_only() ? kTransferDeadline : kUnaryDeadline);
 }
 
+absl::StatusOr<v1::CreatePlatesResponse> JobsClient::CreatePlates(
+    v1::CreatePlatesRequest request) {
+  request.set_request_id(NewRequestId());
+  // The meshes are read before it answers.
+  return Call<v1::CreatePlatesResponse>(
+      request, [&](auto... a) { return jobs_->AsyncCreatePlates(a...); }, kTransferDeadline);
+}
+
 absl::StatusOr<v1::Job> JobsClient::GetJob(const std::string& id) {
   v1::GetJobRequest request;
   request.set_id(id);

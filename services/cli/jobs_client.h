@@ -42,6 +42,8 @@ class JobsClient {
 
   /// With a request id, so that a repeated call makes no second job.
   absl::StatusOr<v1::Job> CreateJob(v1::CreateJobRequest request);
+  /// The same for as many jobs as there are plates.
+  absl::StatusOr<v1::CreatePlatesResponse> CreatePlates(v1::CreatePlatesRequest request);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
   absl::Status DeleteJob(const std::string& id);

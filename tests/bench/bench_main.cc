@@ -18,6 +18,8 @@ struct Benchmark {
 constexpr std::array kBenchmarks = {
     Benchmark{"slice", "", "1,000,000 triangles into 400 layers on one thread",
               [](const std::string&) { return slicefarm::bench::BenchSlice(); }},
+    Benchmark{"planning", "", "100,000 layers x 100 islands, and as many islands through the service",
+              [](const std::string&) { return slicefarm::bench::BenchPlanning(); }},
     Benchmark{"hop", "", "bytes and time per layer between processes, fused and split",
               [](const std::string&) { return slicefarm::bench::BenchHop(); }},
     Benchmark{"hop-tls", "CERTS", "the same with TLS, by certificates of deploy/dev-certs.sh",

@@ -6,6 +6,7 @@ namespace slicefarm::bench {
 
 /// Each prints `key value` rows to stdout and returns the exit code.
 int BenchSlice();
+int BenchPlanning();
 int BenchHop();
 int BenchHopWithTls(const std::string& certs);
 int BenchMesh();

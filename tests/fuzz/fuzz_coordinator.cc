@@ -49,7 +49,7 @@ class Farm {
     options.stores.state_dir = directory_;
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
-    auto opened = coordinator::Coordinator::Open(options, {slicing_, planning_, motion_},
+    auto opened = coordinator::Coordinator::Open(options, {slicing_, arranging_, planning_, motion_},
                                                  dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
@@ -120,12 +120,14 @@ class Farm {
   void Upload(const fuzz::Upload& upload);
   void Create(const v1::CreateJobRequest& request);
   void BatchCreate(const v1::BatchCreateJobsRequest& request);
+  void CreatePlates(const v1::CreatePlatesRequest& request);
   void Watch(const v1::WatchJobRequest& request);
   void Download(const v1::DownloadRequest& request);
   void PutProfile(const v1::PutProfileRequest& request);
 
   const std::string directory_ = NewDirectory();
   coordinator::FakeSlicing slicing_;
+  coordinator::FakeArranging arranging_;
   coordinator::FakePlanning planning_;
   coordinator::FakeMotion motion_;
   coordinator::Dispatcher dispatcher_;
@@ -210,6 +212,21 @@ void Farm::BatchCreate(const v1::BatchCreateJobsRequest& request) {
     Expect(response.outcomes_size() == request.requests_size());
 }
 
+/// All are kept, or none.
+void Farm::CreatePlates(const v1::CreatePlatesRequest& request) {
+  v1::CreatePlatesResponse response;
+  if (!Make(*jobs_, &v1::Jobs::Stub::CreatePlates, request, &response)) return;
+  Expect(response.jobs_size() >= request.requests_size());
+  for (const v1::Job& job : response.jobs()) {
+    Expect(job.id().empty() == request.validate_only());
+    if (request.validate_only()) continue;
+    created_.insert(job.id());
+    v1::GetJobRequest get;
+    get.set_id(job.id());
+    Expect(Make(*jobs_, &v1::Jobs::Stub::GetJob, get));
+  }
+}
+
 void Farm::Call(const CoordinatorCall& call) {
   using Meshes = v1::Meshes::Stub;
   using Jobs = v1::Jobs::Stub;
@@ -223,6 +240,8 @@ void Farm::Call(const CoordinatorCall& call) {
       return Create(call.create_job());
     case CoordinatorCall::kBatchCreateJobs:
       return BatchCreate(call.batch_create_jobs());
+    case CoordinatorCall::kCreatePlates:
+      return CreatePlates(call.create_plates());
     case CoordinatorCall::kGetJob:
       return (void)Make(*jobs_, &Jobs::GetJob, call.get_job());
     case CoordinatorCall::kListJobs:

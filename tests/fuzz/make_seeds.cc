@@ -141,6 +141,11 @@ void WriteCoordinatorSeeds(const Seeds& seeds) {
   requests.mutable_requests(1)->mutable_spec()->set_mode(v1::JOB_MODE_QUOTE);
   *batch.add_calls()->mutable_batch_create_jobs() = requests;
   seeds.Write("coordinator", "batch", batch);
+
+  CoordinatorCalls plates = UploadAndCreate();
+  *plates.mutable_calls(1)->mutable_create_plates()->add_requests() = batch.calls(1).create_job();
+  plates.mutable_calls(1)->mutable_create_plates()->mutable_requests(0)->clear_request_id();
+  seeds.Write("coordinator", "plates", plates);
   v1::ListJobsRequest& list = *calls.add_calls()->mutable_list_jobs();
   list.set_page_size(2);
   list.set_page_token("7");

@@ -5,6 +5,8 @@
 #include <signal.h>
 
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -115,6 +117,57 @@ TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
   KillCoordinator();
   StartCoordinator(state_);
   EXPECT_EQ(Create("one-and-only").id(), id);
+}
+
+/// The G-code of `slicefarm slice --plates` with these arguments, by plate.
+std::vector<std::string> SlicedPlates(const TempDirectory& folder, std::vector<std::string> arguments) {
+  const std::string output = folder.path() + "/out.gcode";
+  arguments.insert(arguments.end(), {"--plates", "-q", "-o", output});
+  EXPECT_EQ(ChildProcess("slicefarm", std::move(arguments)).Wait(), 0);
+  std::vector<std::string> plates;
+  for (int i = 1;; ++i) {
+    std::ifstream file(folder.path() + "/out-" + std::to_string(i) + ".gcode");
+    if (!file) return plates;
+    plates.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+}
+
+TEST_F(CoordinatorProcessesTest, PlatesAreMadeOnceAndTheSameAsHere) {
+  const std::string model = state_.path() + "/part.stl";  // the name of FarmClient's object
+  std::ofstream(model, std::ios::binary) << mesh_;
+  const TempDirectory folder;
+  const std::vector<std::string> here = SlicedPlates(
+      folder, {"slice", model, "--copies", "part.stl=7", "--set", "bed_shape=0x0,250x0,250x210,0x210"});
+  ASSERT_GT(here.size(), 1u);
+  v1::CreatePlatesRequest request;
+  request.set_request_id("plates");
+  v1::JobSpec& spec = *request.add_requests()->mutable_spec();
+  spec = FarmClient::RequestFor(mesh_).spec();
+  spec.mutable_objects(0)->set_copies(7);
+  v1::Setting& bed = *spec.add_settings();
+  bed.set_key("bed_shape");
+  bed.set_value("0x0,250x0,250x210,0x210");
+  const auto create = [&] {
+    grpc::ClientContext context;
+    v1::CreatePlatesResponse response;
+    const grpc::Status status = client_->jobs_->CreatePlates(&context, request, &response);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    std::vector<std::string> ids;
+    for (const v1::Job& job : response.jobs()) ids.push_back(job.id());
+    return ids;
+  };
+  StartCoordinator(state_);
+  ASSERT_TRUE(client_->Upload(mesh_).ok());
+  const std::vector<std::string> ids = create();
+  KillCoordinator();
+  StartCoordinator(state_);
+  EXPECT_EQ(create(), ids) << "the call is made again, as its answer may have been lost";
+  ASSERT_EQ(ids.size(), here.size());
+  for (size_t i = 0; i < ids.size(); ++i) {
+    const v1::JobEvent end = client_->Watch(ids[i], 0);
+    EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error().message();
+    EXPECT_EQ(end.job().result().gcode_sha256(), Sha256Hex(here[i])) << i;
+  }
 }
 
 TEST_F(CoordinatorProcessesTest, SplitStagesGiveTheSameBytes) {

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "common/base/error.h"
+#include "common/rpc/client/duplex_call.h"
 #include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"
+#include "common/wire/layer_wire.h"
+#include "common/wire/start_wire.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "services/infill/algo/local_infill_stage.h"
@@ -13,6 +17,8 @@
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
+#include "slicefarm/v1/planning.grpc.pb.h"
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 #include "tests/integration/whole_job.h"
@@ -130,6 +136,77 @@ TEST_F(LocalAndRemote, PlanningRefusesLayersThatDoNotFollowEachOther) {
       remote_.planning.Plan(call_, without_first, settings_.planning).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed);
   EXPECT_EQ(DetailOf(status).metadata["field"], "message[0].layer");
+}
+
+/// Islands side by side on each of so many layers: both streams are longer than gRPC holds.
+std::vector<SlicedLayer> ManyIslands(int32_t layers) {
+  MultiPolygon islands;
+  for (Coord i = 0; i < 60; ++i) {
+    const Point at{FromMm(i), 0};
+    const Coord side = FromMm(0.5);
+    islands.push_back({{at, at + Point{side, 0}, at + Point{side, side}, at + Point{0, side}}, {}});
+  }
+  std::vector<SlicedLayer> all;
+  for (int32_t i = 0; i < layers; ++i) {
+    ObjectSection section{0, i, layers, 200'000, {{Role::kPart, 0, 0, islands}}, {}};
+    all.push_back({{i, (i + 1) * Coord{200'000}, 200'000}, {std::move(section)}});
+  }
+  return all;
+}
+
+TEST_F(LocalAndRemote, PlansOfManyLayersAreTheSameHereAndThere) {
+  const std::vector<SlicedLayer> layers = ManyIslands(4'000);
+  const SlicedOutlines outlines{layers, job_.copies};
+  const auto here = planning_->Plan(call_, outlines, settings_.planning);
+  const auto there = remote_.planning.Plan(call_, outlines, settings_.planning);
+  ASSERT_TRUE(here.ok() && there.ok()) << there.status();
+  EXPECT_EQ(*there, *here);
+}
+
+TEST_F(LocalAndRemote, PlansComeWhileLayersAreSent) {
+  const std::vector<SlicedLayer> layers = ManyIslands(4'000);
+  size_t plans = 0;
+  rpc::DuplexCall<v1::PlanRequest, v1::PlanResponse> call(
+      {},
+      [&](auto* context, auto* queue) {
+        return v1::Planning::Stub(remote_.replica.channel()).PrepareAsyncPlanJob(context, queue);
+      },
+      [&](const v1::PlanResponse& response) {
+        plans += response.has_layer();
+        return absl::OkStatus();
+      });
+  v1::PlanRequest request;
+  ASSERT_TRUE(ToProto(PlanStart{call_, settings_.planning, job_.copies, {}}, request.mutable_start())
+                  .ok());
+  ASSERT_TRUE(call.Write(request));
+  for (const SlicedLayer& layer : layers) {
+    ASSERT_TRUE(ToProto(layer, request.mutable_layer()).ok());
+    ASSERT_TRUE(call.Write(request));
+    request.Clear();
+  }
+  EXPECT_GT(plans, layers.size() / 2) << "before the server can know that this was all";
+  const absl::Status end = call.Finish();
+  EXPECT_TRUE(end.ok()) << end;
+  EXPECT_EQ(plans, layers.size());
+}
+
+TEST_F(LocalAndRemote, PlatesAreTheSameHereAndThere) {
+  SliceInput input = TextBox();
+  input.objects[0].copies.assign(30, {});
+  SlicingOptions options = settings_.slicing;
+  const auto mm = [](double x, double y) { return Point{FromMm(x), FromMm(y)}; };
+  options.bed = {mm(0, 0), mm(250, 0), mm(250, 210), mm(0, 210)};
+  const auto arranging = slicing::MakeLocalArranging();
+  const auto here = arranging->PutOnPlates(call_, input, options);
+  ASSERT_TRUE(here.ok()) << here.status();
+  ASSERT_EQ(here->size(), 30);
+  EXPECT_TRUE(std::ranges::any_of(*here, [](const PlatePlace& at) { return at.plate > 0; }));
+  const auto there = remote_.arranging.PutOnPlates(call_, input, options);
+  ASSERT_TRUE(there.ok()) << there.status();
+  EXPECT_EQ(*there, *here);
+  options.bed = {mm(0, 0), mm(1, 0), mm(1, 1), mm(0, 1)};
+  EXPECT_EQ(DetailOf(remote_.arranging.PutOnPlates(call_, input, options).status()).reason,
+            Reason::kOutOfBuildVolume);
 }
 
 TEST_F(LocalAndRemote, PlanningStopsWhenItIsCancelled) {

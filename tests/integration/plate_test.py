@@ -3,6 +3,7 @@
 
 - the beads of an object are those of the object alone, moved, whatever else is printed;
 - copies of an object are alike;
+- a copy that the firmware leaves out (Klipper's exclude_object) changes nothing of the others;
 - objects with layer heights of their own are printed at these, and the nozzle never moves below what is printed.
 
 usage: plate_test.py SLICEFARM MODELS
@@ -15,15 +16,17 @@ import sys
 import tempfile
 
 # Cooling slows whole layers down, and so would make an object's speeds depend on the others.
-COMMON = ["--set", "gcode_label_objects=octoprint", "--set", "cooling=0", "--set", "bed_shape=0x0,250x0,250x210,0x210", "-q"]
+COMMON = ["--set", "cooling=0", "--set", "bed_shape=0x0,250x0,250x210,0x210", "-q"]
+LABELLED = ["--set", "gcode_label_objects=octoprint"]
 FIRST_UM = 200
 
 Move = collections.namedtuple("Move", "label z_um from_um to_um e f")
 
 
 def slice_plate(program, folder, arguments):
+    """Arguments win over LABELLED."""
     output = pathlib.Path(folder, "out.gcode")
-    subprocess.run([program, "slice", *arguments, "-o", output, *COMMON], check=True, stderr=subprocess.DEVNULL)
+    subprocess.run([program, "slice", "-o", output, *COMMON, *LABELLED, *arguments], check=True, stderr=subprocess.DEVNULL)
     return output.read_text()
 
 
@@ -90,6 +93,79 @@ def check_settings_are_seen(program, folder, models):
     assert thin != usual
 
 
+LABEL = re.compile(r"EXCLUDE_OBJECT_(DEFINE|START|END) NAME=(\S+)")
+
+
+def without(gcode, excluded):
+    """What a firmware does that is told to leave an object out: all between its labels is not done. Checks the labels
+    as exclude_object reads them: names are known, of its alphabet and once defined; labels are in pairs."""
+    known, inside, kept = set(), None, []
+    for line in gcode.splitlines():
+        label = LABEL.match(line)
+        assert label or not line.startswith("EXCLUDE_OBJECT"), line
+        if label and label[1] == "DEFINE":
+            assert label[2] not in known and re.fullmatch(r"[\w().-]+", label[2]), line
+            known.add(label[2])
+        elif label and label[1] == "START":
+            assert inside is None and label[2] in known, line
+            inside = label[2]
+        elif label:
+            assert inside == label[2], line
+            inside = None
+            kept.append(line)
+            continue
+        if inside is None or inside != excluded:
+            kept.append(line)
+    assert inside is None
+    return known, "\n".join(kept)
+
+
+def replay(gcode):
+    """The beads of each label with all that decides them: where from, filament that is held back, the last word of fans,
+    accelerations and pressure advance."""
+    beads, label, state = collections.defaultdict(list), None, {}
+    at, z, f, held = (0, 0), 0, None, 0
+    for line in gcode.splitlines():
+        found = LABEL.match(line)
+        if found and found[1] != "DEFINE":
+            label = found[2] if found[1] == "START" else None
+        command = line.split(" ")[0]
+        if command in ("M106", "M107"):
+            state["fan"] = line
+        elif command in ("M204", "SET_VELOCITY_LIMIT", "M104", "M220", "M221", "G90", "G91", "M82", "M83"):
+            state[command] = line
+        if command != "G1":
+            continue
+        words = dict(re.findall(r"([XYZEF])(-?\d*\.?\d+)", line))
+        z, f = words.get("Z", z), words.get("F", f)
+        to = words.get("X", at[0]), words.get("Y", at[1])
+        e = micrometres(words.get("E", 0)) / 1000
+        if to != at and e > 0:
+            assert label or held == 0, line
+            beads[label].append((at, to, z, words["E"], f, held, tuple(sorted(state.items()))))
+        else:
+            held -= e
+        at = to
+    return beads
+
+
+def check_exclusion(program, folder, models):
+    gcode = slice_plate(program, folder, [
+        str(models / "busted.stl"), str(models / "thin_walls.stl"), "--copies", "busted.stl=2", "--set",
+        "gcode_flavor=klipper", "--set", "gcode_label_objects=firmware", "--set", "skirts=1", "--set",
+        "perimeter_acceleration=900", "--set", "infill_acceleration=1500", "--set", "default_acceleration=1000"])
+    names, whole = without(gcode, None)
+    assert len(names) == 3, names
+    want = replay(whole)
+    assert names < want.keys() and len(want[None]) > 0, "a skirt, and beads of each copy"
+    for excluded in sorted(names):
+        got = replay(without(gcode, excluded)[1])
+        assert excluded not in got
+        for name in want.keys() - {excluded}:
+            assert got[name] == want[name], f"without {excluded}, {name} is not what it was"
+    print(f"exclude_object: each of {len(names)} copies can be left out")
+
+
 def check_layer_heights(program, folder, models):
     heights = {"spot": 150, "textbox": 250}
     arguments = [str(models / f"{name}.stl") for name in heights]
@@ -114,6 +190,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_objects_are_independent(program, folder, models)
         check_settings_are_seen(program, folder, models)
+        check_exclusion(program, folder, models)
         check_layer_heights(program, folder, models)
 
 

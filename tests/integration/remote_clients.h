@@ -14,6 +14,7 @@ struct RemoteClients {
                          const rpc::ChannelOptions& channel = {})
       : replica(rpc::MakeChannel(address, channel)),
         slicing(replica, options),
+        arranging(replica, options),
         planning(replica, options),
         beading(replica, options),
         infill(replica, options),
@@ -24,6 +25,7 @@ struct RemoteClients {
 
   coordinator::SingleReplica replica;
   coordinator::RemoteSlicing slicing;
+  coordinator::RemoteArranging arranging;
   coordinator::RemotePlanning planning;
   coordinator::RemoteBeading beading;
   coordinator::RemoteInfill infill;

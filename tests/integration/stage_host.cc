@@ -18,7 +18,7 @@ rpc::JsonLog NoLog() {
 StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate,
                      const rpc::ServerOptions& options)
     : gate_(gate, NoLog()),
-      slicing_(stages.slicing, gate_, kThreads),
+      slicing_(stages.slicing, *arranging_, gate_, kThreads),
       planning_(stages.planning(gate_)),
       beading_(stages.beading, gate_),
       infill_(stages.infill, gate_),

@@ -15,6 +15,7 @@
 #include "services/motion/server/motion_service.h"
 #include "services/ordering/server/ordering_service.h"
 #include "services/planning/server/planning_service.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 #include "services/slicing/server/slicing_service.h"
 #include "services/worker/server/worker_service.h"
 
@@ -49,6 +50,7 @@ class StageHost {
   rpc::Metrics metrics_;
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
+  const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
   slicing::SlicingService slicing_;
   const std::unique_ptr<v1::Planning::Service> planning_;
   beading::BeadingService beading_;

@@ -21,6 +21,7 @@ constexpr char kServiceConfig[] = R"({
       {"service": "slicefarm.v1.Meshes", "method": "GetUpload"},
       {"service": "slicefarm.v1.Jobs", "method": "CreateJob"},
       {"service": "slicefarm.v1.Jobs", "method": "BatchCreateJobs"},
+      {"service": "slicefarm.v1.Jobs", "method": "CreatePlates"},
       {"service": "slicefarm.v1.Jobs", "method": "GetJob"},
       {"service": "slicefarm.v1.Jobs", "method": "ListJobs"},
       {"service": "slicefarm.v1.Jobs", "method": "CancelJob"},

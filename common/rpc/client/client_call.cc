@@ -33,14 +33,13 @@ void ClientCall::CancelIfUnwanted() {
   context_.TryCancel();
 }
 
-bool ClientCall::Await() {
-  void* tag = nullptr;
-  bool ok = false;
+ClientCall::Done ClientCall::AwaitAny() {
+  Done done;
   do {
     CancelIfUnwanted();
-  } while (queue_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + kPollCancel) ==
+  } while (queue_.AsyncNext(&done.tag, &done.ok, std::chrono::system_clock::now() + kPollCancel) ==
            grpc::CompletionQueue::TIMEOUT);
-  return ok;
+  return done;
 }
 
 absl::Status ClientCall::Outcome(const grpc::Status& status) const {

@@ -35,7 +35,14 @@ class ClientCall {
   grpc::CompletionQueue* queue() { return &queue_; }
 
   /// Waits for the operation that was started last; true if it went well.
-  bool Await();
+  bool Await() { return AwaitAny().ok; }
+
+  struct Done {
+    void* tag = nullptr;
+    bool ok = false;  ///< whether it went well
+  };
+  /// Waits for one of the operations that are under way.
+  Done AwaitAny();
 
   /// What the call came to, `status` being gRPC's word: Cancelled if our own token asked for it; a
   /// peer that gave up by itself is Unavailable.

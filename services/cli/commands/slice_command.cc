@@ -112,8 +112,9 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
   if (absl::Status ok = CheckOutputs(options.job, options.output); !ok.ok()) return Fail(ok);
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return Fail(settings.status());
-  auto models = ReadModels(options.job, *settings);
+  auto models = ReadModels(options.job);
   if (!models.ok()) return Fail(models.status());
+  if (absl::Status ok = PutOnBeds(options.job, *settings, *models); !ok.ok()) return Fail(ok);
   for (size_t i = 0; i < models->plates.size(); ++i) {
     absl::Status may = CheckWritable(options.job, options.output, i);
     if (!may.ok()) return Fail(may);

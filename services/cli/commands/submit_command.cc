@@ -110,20 +110,27 @@ absl::StatusOr<std::vector<StoredMesh>> UploadMeshes(const std::vector<MeshFile>
   return meshes;
 }
 
-/// Of plates whose last one cannot be printed, nobody wants the first ones alone.
-void CancelAll(const SubmitOptions& options, const std::vector<v1::Job>& jobs) {
-  JobsClient client(ClientOptions(options.server, nullptr));
-  for (const v1::Job& job : jobs)
-    if (!client.CancelJob(job.id()).ok())
-      fmt::print(stderr, "job {} may go on: it could not be cancelled\n", job.id());
+/// The farm puts the copies on beds, and makes all jobs or none.
+absl::StatusOr<std::vector<v1::Job>> CreatePlates(const SubmitOptions& options,
+                                                  std::vector<v1::CreateJobRequest> requests,
+                                                  JobsClient& client) {
+  v1::CreatePlatesRequest all;
+  all.set_validate_only(options.check);
+  for (v1::CreateJobRequest& request : requests) {
+    request.clear_validate_only();
+    *all.add_requests() = std::move(request);
+  }
+  auto made = client.CreatePlates(std::move(all));
+  if (!made.ok()) return made.status();
+  return std::vector<v1::Job>(made->jobs().begin(), made->jobs().end());
 }
 
-/// A job for each plate.
+/// A job, or with --plates one for each plate.
 absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsClient& client,
                                             ProgressBar& bar) {
   const auto settings = GivenJobSettings(options.job, options.output);
   if (!settings.ok()) return settings.status();
-  const auto models = ReadModels(options.job, *settings);
+  const auto models = ReadModels(options.job);
   if (!models.ok()) return models.status();
   for (size_t i = 0; i < models->plates.size(); ++i)
     if (absl::Status may = CheckWritable(options.job, options.output, i); !may.ok()) return may;
@@ -135,18 +142,13 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
   }
   const auto meshes = UploadMeshes(models->files, client, bar);
   if (!meshes.ok()) return meshes.status();
-  std::vector<v1::Job> jobs;
-  for (size_t i = 0; i < requests.size(); ++i) {
+  for (size_t i = 0; i < requests.size(); ++i)
     for (const SceneObject& object : models->plates[i].objects)
       slicefarm::ToProto(object, *meshes, requests[i].mutable_spec()->add_objects());
-    auto job = client.CreateJob(std::move(requests[i]));
-    if (!job.ok()) {
-      CancelAll(options, jobs);
-      return job.status();
-    }
-    jobs.push_back(*std::move(job));
-  }
-  return jobs;
+  if (options.job.plates) return CreatePlates(options, std::move(requests), client);
+  auto job = client.CreateJob(std::move(requests.front()));
+  if (!job.ok()) return job.status();
+  return std::vector<v1::Job>{*std::move(job)};
 }
 
 /// Ctrl-C while we wait for a job means that nobody wants it any more.

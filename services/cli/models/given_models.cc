@@ -15,7 +15,7 @@
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/placement/scene_plates.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -209,39 +209,48 @@ absl::StatusOr<std::vector<GivenPlate>> OnBeds(const std::vector<MeshFile>& file
                                                Process process) {
   const auto resolved = config::ResolvePlate(SettingsOf(plate, given), plate.objects, process);
   if (!resolved.ok()) return resolved.status();
-  auto beds = slicing::PutOnPlates(files, plate.objects, resolved->settings.slicing,
-                                   *slicing::MakeDirectMeshSource(), {});
-  if (!beds.ok()) return beds.status();
+  const auto places = slicing::MakeLocalArranging()->PutOnPlates(
+      {}, {files, ObjectsToPlace(plate.objects)}, resolved->settings.slicing);
+  if (!places.ok()) return places.status();
   std::vector<GivenPlate> plates;
-  for (std::vector<SceneObject>& objects : *beds) {
+  for (std::vector<SceneObject>& objects : OnPlates(plate.objects, *places)) {
     plates.push_back(plate);
     plates.back().objects = std::move(objects);
   }
   return plates;
 }
 
-absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options,
-                                          const std::vector<Setting>& given) {
+absl::StatusOr<GivenModels> ReadAllPlates(const JobOptions& options) {
   const auto numbers = PlatesToPrint(options);
   if (!numbers.ok()) return numbers.status();
   GivenModels all;
   for (const int number : *numbers) {
     auto one = PlateReader(options, number).Run();
     if (!one.ok()) return one.status();
-    auto beds = OnBeds(one->files, one->plates.front(), given, options.process);
-    if (!beds.ok()) return beds.status();
     all.files = std::move(one->files);
-    std::ranges::move(*beds, std::back_inserter(all.plates));
+    std::ranges::move(one->plates, std::back_inserter(all.plates));
   }
   return all;
 }
 
 }  // namespace
 
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
-                                       const std::vector<Setting>& given) {
-  if (options.plates) return ReadAllPlates(options, given);
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options) {
+  if (options.plates) return ReadAllPlates(options);
   return PlateReader(options, options.plate).Run();
+}
+
+absl::Status PutOnBeds(const JobOptions& options, const std::vector<Setting>& given,
+                       GivenModels& models) {
+  if (!options.plates) return absl::OkStatus();
+  std::vector<GivenPlate> all;
+  for (const GivenPlate& plate : models.plates) {
+    auto beds = OnBeds(models.files, plate, given, options.process);
+    if (!beds.ok()) return beds.status();
+    std::ranges::move(*beds, std::back_inserter(all));
+  }
+  models.plates = std::move(all);
+  return absl::OkStatus();
 }
 
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given) {

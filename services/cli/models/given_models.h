@@ -21,20 +21,21 @@ struct GivenPlate {
 /// one file.
 struct GivenModels {
   std::vector<MeshFile> files;
-  std::vector<GivenPlate> plates;  ///< one, unless --plates asks for all
+  std::vector<GivenPlate> plates;  ///< one, unless --plates asks for all of a project
 };
 
 /// Reads the models. The object of a file with one mesh is named for the file without its folders,
 /// as UTF-8 without control characters; a project's objects, parts, copies and settings are those
 /// of the plate that is chosen.
 ///
-/// With --plates: a project's plates; of other models, as many beds as it takes to arrange them.
-/// `given`: the job's settings, which have the bed.
 /// Errors: REQUEST_MALFORMED naming the option or the file, also for options that would move what a
-/// project has placed; MESH_TOO_LARGE; those of reading a project, of config::JobOfProject, and with
-/// --plates those of config::ResolvePlate and slicing::PutOnPlates.
-absl::StatusOr<GivenModels> ReadModels(const JobOptions& options,
-                                       const std::vector<Setting>& given);
+/// project has placed; MESH_TOO_LARGE; those of reading a project and of config::JobOfProject.
+absl::StatusOr<GivenModels> ReadModels(const JobOptions& options);
+
+/// With --plates: each plate as many as it takes beds to put its copies on. `given`: the job's
+/// settings, which have the bed. Errors: those of config::ResolvePlate and of arranging.
+absl::Status PutOnBeds(const JobOptions& options, const std::vector<Setting>& given,
+                       GivenModels& models);
 
 /// The settings of a plate's projects, then those given by hand.
 std::vector<Setting> SettingsOf(const GivenPlate& plate, const std::vector<Setting>& given);

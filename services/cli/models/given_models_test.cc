@@ -33,14 +33,14 @@ JobOptions WithModel() {
 TEST(ReadModels, MakesANameThatCanBePrinted) {
   JobOptions options;
   options.models = {TempFile("M\xfcll\ner \xc3\xa4.stl", "solid")};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->files[0].name, "given_models_M?ll?er \xc3\xa4.stl");
   EXPECT_EQ(models->plates[0].objects[0].name, models->files[0].name);
 }
 
 TEST(ReadModels, TakesTheNameWithoutFolders) {
-  const auto models = ReadModels(WithModel(), {});
+  const auto models = ReadModels(WithModel());
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 1);
   EXPECT_EQ(models->files[0].name, "given_models_cube.stl");
@@ -71,7 +71,7 @@ TEST(ReadModels, ReadsUnitsScaleRotationAndCenters) {
 }
 
 void ExpectRefused(const JobOptions& options, const std::string& says) {
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_FALSE(models.ok()) << says;
   EXPECT_EQ(DetailOf(models.status()).reason, Reason::kRequestMalformed);
   EXPECT_THAT(std::string(models.status().message()), HasSubstr(says));
@@ -120,7 +120,7 @@ TEST(ReadModels, ReadsAFileOnceHoweverOftenItIsNamed) {
   const std::string b = TempFile("b.stl", "solid b");
   JobOptions options;
   options.models = {a, b, a};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 2);
   EXPECT_EQ(models->files[1].bytes, "solid b");
@@ -139,7 +139,7 @@ TEST(ReadModels, CopiesAndSettingsAreOfTheModelThatTheyName) {
   options.copies = {"given_models_b.stl=3"};
   options.object_sets = {a + ":fill_density=40%", "given_models_a.stl:perimeters=4",
                          "given_models_b.stl:seam_position=rear"};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->plates[0].objects[0].instances.size(), 1);
   EXPECT_THAT(models->plates[0].objects[0].settings, ElementsAre(Setting{"fill_density", "40%"},
@@ -155,7 +155,7 @@ TEST(ReadModels, APathMayHoldTheSeparators) {
   options.models = {start, odd};
   options.copies = {odd + "=2"};
   options.object_sets = {odd + ":perimeters=4"};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->plates[0].objects[0].instances.size(), 1);
   EXPECT_TRUE(models->plates[0].objects[0].settings.empty());
@@ -179,7 +179,7 @@ JobOptions WithProject(const threemf::Files& files) {
 }
 
 TEST(ReadModels, TakesAProjectAsItIs) {
-  const auto models = ReadModels(WithProject(threemf::PrusaFiles()), {});
+  const auto models = ReadModels(WithProject(threemf::PrusaFiles()));
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->files.size(), 1);
   EXPECT_EQ(models->files[0].format, MeshFormat::k3mf);
@@ -202,7 +202,7 @@ TEST(ReadModels, AsksForOnePlateOfSeveral) {
   options.plate = 3;
   ExpectRefused(options, "no plate 3");
   for (options.plate = 1; options.plate <= 2; ++options.plate) {
-    const auto models = ReadModels(options, {});
+    const auto models = ReadModels(options);
     ASSERT_TRUE(models.ok()) << models.status();
     ASSERT_EQ(models->plates[0].objects.size(), 1);
     ASSERT_EQ(models->plates[0].objects[0].instances.size(), 1);
@@ -216,20 +216,23 @@ TEST(ReadModels, AsksForOnePlateOfSeveral) {
 TEST(ReadModels, AllPlatesAreAPlateEach) {
   JobOptions options = WithProject(threemf::BambuFiles());
   options.plates = true;
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_EQ(models->files.size(), 1);
   ASSERT_EQ(models->plates.size(), 2);
   for (const GivenPlate& plate : models->plates) EXPECT_EQ(plate.objects.size(), 1);
 }
 
-TEST(ReadModels, CopiesTakeAsManyPlatesAsNeeded) {
+TEST(PutOnBeds, CopiesTakeAsManyPlatesAsNeeded) {
   JobOptions options = WithProject(threemf::CubeFiles());  // of 10 mm
   options.plates = true;
   options.copies = {"given_models_plate.3mf=20"};
   const std::vector<Setting> bed = {{"bed_shape", "0x0,50x0,50x50,0x50"}};
-  const auto models = ReadModels(options, bed);
+  auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
+  ASSERT_EQ(models->plates.size(), 1);
+  const absl::Status put = PutOnBeds(options, bed, *models);
+  ASSERT_TRUE(put.ok()) << put;
   ASSERT_GE(models->plates.size(), 2);
   size_t copies = 0;
   for (const GivenPlate& plate : models->plates) copies += plate.objects[0].instances.size();
@@ -252,7 +255,7 @@ TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {
   options.rotate_z_deg = 90;
   ExpectRefused(options, "--arrange");
   options.arrange = true;
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_FALSE(models->plates[0].objects[0].instances[0].placed);
   EXPECT_NEAR(models->plates[0].objects[0].instances[0].to_plate(1, 0), 1, 1e-12);
@@ -267,14 +270,14 @@ TEST(ReadModels, DoesNotMoveWhatAProjectHasPlaced) {
 TEST(ReadModels, AProjectOfACadProgramIsPlacedLikeAnyModel) {
   JobOptions options = WithProject(threemf::CubeFiles());
   options.copies = {"given_models_plate.3mf=3"};
-  auto models = ReadModels(options, {});
+  auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->plates[0].objects[0].instances.size(), 3);
   EXPECT_FALSE(models->plates[0].objects[0].instances[2].placed);
   options.copies = {};
   options.scale = "2";
   options.centers = {"50,60", "80,60"};
-  models = ReadModels(options, {});
+  models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   ASSERT_EQ(models->plates[0].objects[0].instances.size(), 2);
   const Instance& second = models->plates[0].objects[0].instances[1];
@@ -286,7 +289,7 @@ TEST(ReadModels, AProjectOfACadProgramIsPlacedLikeAnyModel) {
 TEST(ReadModels, ObjectsOfAProjectCanBeNamed) {
   JobOptions options = WithProject(threemf::PrusaFiles());
   options.object_sets = {"Block:perimeters=5", "given_models_plate.3mf:fill_density=40%"};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
   EXPECT_THAT(models->plates[0].objects[0].settings, testing::Contains(Setting{"fill_density", "40%"}));
   EXPECT_THAT(models->plates[0].objects[1].settings,
@@ -296,7 +299,7 @@ TEST(ReadModels, ObjectsOfAProjectCanBeNamed) {
 TEST(ReadModels, DamagedProjectsAreNamed) {
   JobOptions options;
   options.models = {TempFile("bad.3mf", "PK\x03\x04 and nothing more")};
-  const auto models = ReadModels(options, {});
+  const auto models = ReadModels(options);
   EXPECT_EQ(DetailOf(models.status()).reason, Reason::kMeshTruncated);
   EXPECT_THAT(std::string(models.status().message()), HasSubstr("bad.3mf"));
 }

@@ -6,6 +6,7 @@
 
 #include "absl/status/status.h"
 #include "common/rpc/client/client_call.h"
+#include "common/rpc/client/duplex_call.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/replica_source.h"
 
@@ -47,6 +48,28 @@ absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
     const absl::Status answer = read(stream);
     return OutcomeOf(stage, options,
                      answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer)));
+  });
+}
+
+/// The same with a method that answers while it is written to: `begin()` drops what an earlier try
+/// left, `take(response)` takes an answer.
+template <typename Stub, typename Request, typename Response, typename Begin, typename Write,
+          typename Take>
+absl::Status DuplexOver(ReplicaSource& replicas, const RemoteOptions& options,
+                        const StageCall& call, std::string_view stage,
+                        Prepare<Stub, Request, Response> prepare, const Begin& begin,
+                        const Write& write, const Take& take) {
+  return replicas.Call(call.cancel, [&](const std::shared_ptr<grpc::Channel>& channel) {
+    begin();
+    absl::Status taken;
+    rpc::DuplexCall<Request, Response> stream(
+        {options.deadline, call.cancel, ChildSpan(call.trace, stage)},
+        [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); },
+        [&](const Response& response) { return taken = take(response); });
+    const absl::Status written = write(stream);
+    if (!written.ok() && stream.alive()) return stream.Abandon(written);
+    const absl::Status outcome = stream.Finish();
+    return taken.ok() ? OutcomeOf(stage, options, outcome) : BadAnswer(stage, taken);
   });
 }
 

@@ -103,10 +103,29 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
   return job;
 }
 
+absl::StatusOr<std::vector<PlatePlace>> RemoteArranging::PutOnPlates(
+    const StageCall& call, SliceInput input, const SlicingOptions& options) const {
+  std::vector<PlatePlace> places;
+  const absl::Status status = StreamOver(
+      replicas_, options_, call, kSlicing, &v1::Slicing::Stub::PrepareAsyncPutOnPlates,
+      [&](auto& stream) { return WriteFiles(stream, call, input, options); },
+      [&](auto& stream) { return ReadAll<v1::PlatePlace>(stream, &places); });
+  if (!status.ok()) return status;
+  size_t copies = 0;
+  for (const ObjectInput& object : input.objects) copies += object.copies.size();
+  if (places.size() != copies)
+    return BadAnswer(kSlicing, Malformed("places", "are not one for each copy"));
+  return places;
+}
+
 absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const SlicedOutlines& job,
                                              const PlanningOptions& options) const {
   JobPlan plan;
   bool ended = false;
+  const auto begin = [&] {
+    plan = {};
+    ended = false;
+  };
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::PlanRequest>(
         stream, PlanStart{call,
@@ -119,21 +138,18 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
                                         return ToProto(layer, request->mutable_layer());
                                       });
   };
-  const auto read = [&](auto& stream) {
-    plan = {};
-    ended = false;
-    return ReadEach<v1::PlanResponse>(stream, [&](const v1::PlanResponse& response) {
-      if (response.has_layer()) return Append(FromProto(response.layer()), &plan.layers);
-      if (response.has_addition()) return Append(FromProto(response.addition()), &plan.additions);
-      ended = response.has_end();
-      const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
-      if (!seams.ok()) return seams.status();
-      plan.seams = *seams;
-      return AllFromProto(response.end().copies(), "copies", &plan.copies);
-    });
+  const auto take = [&](const v1::PlanResponse& response) -> absl::Status {
+    if (response.has_layer()) return Append(FromProto(response.layer()), &plan.layers);
+    if (response.has_addition()) return Append(FromProto(response.addition()), &plan.additions);
+    ended = response.has_end();
+    const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
+    if (!seams.ok()) return seams.status();
+    plan.seams = *seams;
+    return AllFromProto(response.end().copies(), "copies", &plan.copies);
   };
-  const absl::Status status = StreamOver(replicas_, options_, call, kPlanning,
-                                         &v1::Planning::Stub::PrepareAsyncPlanJob, write, read);
+  const absl::Status status =
+      DuplexOver(replicas_, options_, call, kPlanning, &v1::Planning::Stub::PrepareAsyncPlanJob,
+                 begin, write, take);
   if (!status.ok()) return status;
   if (!ended || plan.layers.size() != job.layers.size() || plan.copies.size() != job.copies.size())
     return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/stage/plates.h"
 #include "common/stage/stages.h"
 #include "services/coordinator/remote/remote_call.h"
 #include "services/coordinator/remote/replica_source.h"
@@ -21,6 +22,20 @@ class RemoteSlicing : public SlicingStage {
   /// Keeps the bytes until the answer is there: another replica may need them.
   absl::StatusOr<SlicedJob> Slice(const StageCall& call, SliceInput input,
                                   const SlicingOptions& options) const override;
+
+ private:
+  ReplicaSource& replicas_;
+  const RemoteOptions options_;
+};
+
+/// The slicing service puts on plates as well.
+class RemoteArranging : public ArrangingStage {
+ public:
+  explicit RemoteArranging(ReplicaSource& replicas, const RemoteOptions& options = {})
+      : replicas_(replicas), options_(options) {}
+
+  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
+                                                      const SlicingOptions& options) const override;
 
  private:
   ReplicaSource& replicas_;

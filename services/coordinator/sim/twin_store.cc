@@ -38,6 +38,11 @@ absl::StatusOr<Created> TwinStore::Create(const NewJob& job, int64_t now_us) {
   return Both("Create", [&](JobStore& store) { return store.Create(job, now_us); });
 }
 
+absl::StatusOr<std::vector<Created>> TwinStore::CreateAll(const std::vector<NewJob>& jobs,
+                                                          int64_t now_us) {
+  return Both("CreateAll", [&](JobStore& store) { return store.CreateAll(jobs, now_us); });
+}
+
 absl::StatusOr<JobRecord> TwinStore::Get(const std::string& id) {
   return Both("Get", [&](JobStore& store) { return store.Get(id); });
 }

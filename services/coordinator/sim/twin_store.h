@@ -17,6 +17,8 @@ class TwinStore : public JobStore {
       : world_(world), first_(first), second_(std::move(second)) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
+                                                 int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,

@@ -27,11 +27,6 @@ absl::Status CheckRaft(const ObjectPlanOptions& object) {
                    {{"field", "raft_settings"}});
 }
 
-std::string NameOf(int32_t object, std::span<const std::string> names) {
-  const auto index = static_cast<size_t>(object);
-  return index < names.size() ? names[index] : fmt::format("object {}", object);
-}
-
 /// All rafts are printed with the first copy. If one were higher than that under a copy that is
 /// printed later, the head would meet it.
 absl::Status CheckRaftsAreAlike(const PlanningOptions& options, std::span<const PlacedCopy> copies,
@@ -84,12 +79,12 @@ absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<JobPlan> JobPlanner::Finish() {
+absl::StatusOr<JobPlan> JobPlanner::Finish(const CancelToken& cancel) {
   JobPlan plan;
   plan.layers = std::move(layers_);
   for (const PlacedCopy& copy : copies_) plan.copies.push_back({copy.object, copy.shift, 0});
   for (const auto& planner : planners_)
-    if (absl::Status ok = planner->Finish(plan); !ok.ok()) return ok;
+    if (absl::Status ok = planner->Finish(cancel, plan); !ok.ok()) return ok;
   return plan;
 }
 

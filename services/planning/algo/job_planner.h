@@ -21,6 +21,10 @@ namespace slicefarm::planning {
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
 ///
+/// A layer's plan is whole as soon as all planners have looked at it. What lies on the plate is not:
+/// a draft shield goes round all that is above it, and is as high as the job; the sequence of copies
+/// depends on their heights.
+///
 /// One thread; the plan depends on nothing but the arguments.
 class JobPlanner {
  public:
@@ -36,8 +40,8 @@ class JobPlanner {
   absl::Status Next(const SlicedLayer& layer);
 
   /// The plan of the layers so far. To be called once, after the last layer. Errors: those of the
-  /// planners.
-  absl::StatusOr<JobPlan> Finish();
+  /// planners; Cancelled.
+  absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});
 
  private:
   JobPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies,

@@ -17,7 +17,7 @@ class LocalPlanning : public PlanningStage {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
       if (absl::Status planned = planner->Next(layer); !planned.ok()) return planned;
     }
-    return planner->Finish();
+    return planner->Finish(call.cancel);
   }
 };
 

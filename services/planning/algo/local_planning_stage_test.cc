@@ -17,6 +17,23 @@ TEST(LocalPlanning, PlansEachLayer) {
   EXPECT_TRUE(plan->additions.empty());
 }
 
+// What lies on the plate is worked out after the last layer, and may take long.
+TEST(LocalPlanning, IsCancelledAfterTheLastLayer) {
+  const auto layers = LayersOrDie({"(0 0, 9 0, 9 9)"});
+  const std::vector<PlacedCopy> copies(4, {0, {}, {}});
+  PlanningOptions brims, raft;
+  brims.objects[0].brim = {.type = BrimType::kOuterOnly, .width_nm = FromMm(3)};
+  raft.objects[0].raft.heights.layers = 1;
+  raft.objects[0].raft_settings = {0};
+  for (const PlanningOptions& options : {brims, raft}) {
+    size_t polls = 0;
+    StageCall call;
+    call.cancel = CancelToken([&] { return ++polls > layers.size(); });
+    const auto plan = MakeLocalPlanning()->Plan(call, {layers, copies}, options);
+    EXPECT_TRUE(absl::IsCancelled(plan.status())) << plan.status();
+  }
+}
+
 TEST(LocalPlanning, IsCancelled) {
   const auto layers = LayersOrDie({"(0 0, 9 0, 9 9)"});
   StageCall call;

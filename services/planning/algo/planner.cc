@@ -1,6 +1,9 @@
 #include "services/planning/algo/planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace slicefarm::planning {
 
@@ -10,6 +13,11 @@ SectionPlan& PlanOf(int32_t object, LayerPlan& plan) {
   SectionPlan section;
   section.object = object;
   return *plan.sections.insert(place, std::move(section));
+}
+
+std::string NameOf(int32_t object, std::span<const std::string> names) {
+  const auto index = static_cast<size_t>(object);
+  return index < names.size() ? names[index] : fmt::format("object {}", object);
 }
 
 }  // namespace slicefarm::planning

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "absl/status/status.h"
+#include "common/base/cancel_token.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
 
@@ -15,14 +19,18 @@ class Planner {
   /// Looks at the next layer. `plan` is that layer's.
   virtual void Look(const SlicedLayer& layer, LayerPlan& plan) = 0;
 
-  /// After the last layer: adds what depends on more layers than one. `plan` has all layers.
-  virtual absl::Status Finish(JobPlan& plan) {
-    (void)plan;
+  /// After the last layer: adds what depends on more layers than one. `plan` has all layers. May take
+  /// long, and is Cancelled when `cancel` asks for it.
+  virtual absl::Status Finish(const CancelToken& cancel, JobPlan& plan) {
+    (void)cancel, (void)plan;
     return absl::OkStatus();
   }
 };
 
 /// The plan of an object's section in a layer; made if there is none.
 SectionPlan& PlanOf(int32_t object, LayerPlan& plan);
+
+/// What messages call an object. `names`: by object; may be fewer.
+std::string NameOf(int32_t object, std::span<const std::string> names);
 
 }  // namespace slicefarm::planning

@@ -2,14 +2,28 @@
 
 #include <utility>
 
+#include "common/base/error.h"
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
 #include "common/wire/plan_wire.h"
+#include "common/wire/repeated_wire.h"
 #include "common/wire/start_wire.h"
 #include "services/planning/algo/job_planner.h"
 
 namespace slicefarm::planning {
 namespace {
+
+template <typename Stream>
+absl::Status ReadLayers(JobPlanner& planner, const CancelToken& cancel, Stream& stream) {
+  int32_t next = 0;
+  return ReadEach<v1::PlanRequest>(stream, [&](const v1::PlanRequest& request) -> absl::Status {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+    const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
+    if (!layer.ok()) return layer.status();
+    if (layer->frame.index != next++) return Malformed("layer", "does not follow the one before");
+    return planner.Next(*layer);
+  });
+}
 
 template <typename Stream>
 absl::Status Answer(const JobPlan& plan, Stream& stream) {
@@ -25,12 +39,9 @@ absl::Status Answer(const JobPlan& plan, Stream& stream) {
   if (!status.ok()) return status;
   v1::PlanResponse end;
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
-  for (const Copy& copy : plan.copies) {
-    status = ToProto(copy, end.mutable_end()->add_copies());
-    if (!status.ok()) return status;
-  }
-  stream.Write(end);  // a client that is gone needs no error
-  return absl::OkStatus();
+  status = AllToProto(plan.copies, "copies", end.mutable_end()->mutable_copies());
+  if (status.ok()) stream.Write(end);  // a client that is gone needs no error
+  return status;
 }
 
 }  // namespace
@@ -49,19 +60,10 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  int32_t layers = 0;
-  absl::Status status = ReadEach<v1::PlanRequest>(
-      stream, [&](const v1::PlanRequest& request) -> absl::Status {
-        if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
-        if (!layer.ok()) return layer.status();
-        if (layer->frame.index != layers++)
-          return Malformed("layer", "does not follow the one before");
-        return planner->Next(*layer);
-      });
+  absl::Status status = ReadLayers(*planner, call.cancel, stream);
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
-  const absl::StatusOr<JobPlan> plan = planner->Finish();
+  const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
   if (!plan.ok()) return plan.status();
   return Answer(*plan, stream);
 }

@@ -6,9 +6,8 @@
 
 namespace slicefarm::planning {
 
-/// Translates slicefarm.v1.Planning to a JobPlanner and back. Layers are planned as they come, and
-/// none is kept; the plans, which are much smaller, are answered after the last layer, as callers
-/// write all before they read.
+/// Translates slicefarm.v1.Planning to a JobPlanner and back. Layers are planned as they come and
+/// their plans answered at once: what is kept is what the planners keep.
 class PlanningService final : public v1::Planning::Service {
  public:
   /// `gate` must outlive the service.

@@ -23,9 +23,6 @@
 namespace slicefarm::slicing {
 namespace {
 
-/// More triangles than this are not drawn as many times as there are copies.
-constexpr int64_t kMaxDrawnTriangles = 2'000'000;
-
 /// A part's sweep and what was found while it was cut.
 struct SweptPart {
   const PreparedPart* part = nullptr;
@@ -129,18 +126,12 @@ class SlicingRun {
   }
 
   absl::Status Draw() {
-    int64_t triangles = 0;
-    for (const PreparedObject& object : objects_)
-      for (const PreparedPart& part : object.parts)
-        triangles += part.report.triangles * std::ssize(object.shifts);
-    const bool all_copies = triangles <= kMaxDrawnTriangles;
     std::vector<SceneMesh> scene;
     for (const PreparedObject& object : objects_)
       for (const PreparedPart& part : object.parts) {
         if (part.input.role != PartRole::kSolid) continue;
         const bool solid = part.connected.closed && part.report.volume_mm3 > 0;
-        for (size_t copy = 0; copy < (all_copies ? object.shifts.size() : 1); ++copy)
-          scene.push_back({&part.connected.mesh, object.shifts[copy], solid});
+        scene.push_back({&part.connected.mesh, object.shifts, solid});
       }
     for (const ThumbnailSize& size : options_.thumbnails) {
       absl::StatusOr<Thumbnail> thumbnail = RenderThumbnail(scene, size, call_.cancel);

@@ -4,6 +4,7 @@
 
 #include "common/rpc/server/serve.h"
 #include "services/slicing/algo/local_slicing_stage.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"
 
@@ -22,15 +23,18 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   auto meshes = slicefarm::slicing::MakeMeshSource(sandbox);
-  if (!meshes.ok()) {
-    program.log().Error("cannot serve", {{"error", std::string(meshes.status().message())}});
+  auto meshes_to_arrange = slicefarm::slicing::MakeMeshSource(sandbox);
+  for (const absl::Status& status : {meshes.status(), meshes_to_arrange.status()}) {
+    if (status.ok()) continue;
+    program.log().Error("cannot serve", {{"error", std::string(status.message())}});
     return 1;
   }
   program.log().Info("how meshes are read",
                      {{"mesh_sandbox", std::string(MeshSandboxName(sandbox))}});
-  const auto stage = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
+  const auto slicing = slicefarm::slicing::MakeLocalSlicing(*std::move(meshes));
+  const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  slicefarm::slicing::SlicingService service(*stage, gate, threads);
+  slicefarm::slicing::SlicingService service(*slicing, *arranging, gate, threads);
   return program.Run(flags, {&service});
 }

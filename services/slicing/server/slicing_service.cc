@@ -8,15 +8,17 @@
 #include "common/wire/slicing_wire.h"
 
 namespace slicefarm::slicing {
+namespace {
 
-grpc::Status SlicingService::Slice(
-    grpc::ServerContext* context,
-    grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) {
-  Stream buffered(*stream);
-  return gate_.Run(*context, "Slice", [&](rpc::Call& call) { return SliceFiles(call, buffered); });
-}
+struct Request {
+  StageCall call;
+  SliceInput input;
+  SlicingOptions options;
+};
 
-absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
+/// What both methods are asked with.
+template <typename Stream>
+absl::StatusOr<Request> ReadRequest(rpc::Call& call, Stream& stream) {
   absl::StatusOr<SliceStart> start = ReadStart<v1::SliceRequest>(stream, call.cancel);
   if (!start.ok()) return start.status();
   call.job_id = start->call.job_id;
@@ -26,12 +28,45 @@ absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
   absl::StatusOr<SliceInput> input = start->files.Finish();
   if (!input.ok()) return input.status();
+  return Request{std::move(start->call), *std::move(input), std::move(start->options)};
+}
 
-  start->call.threads = threads_;
+}  // namespace
+
+grpc::Status SlicingService::Slice(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) {
+  Stream buffered(*stream);
+  return gate_.Run(*context, "Slice", [&](rpc::Call& call) { return SliceFiles(call, buffered); });
+}
+
+grpc::Status SlicingService::PutOnPlates(
+    grpc::ServerContext* context,
+    grpc::ServerReaderWriter<v1::PlatePlace, v1::SliceRequest>* stream) {
+  PlacesStream buffered(*stream);
+  return gate_.Run(*context, "PutOnPlates",
+                   [&](rpc::Call& call) { return ArrangeFiles(call, buffered); });
+}
+
+absl::Status SlicingService::SliceFiles(rpc::Call& call, Stream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream);
+  if (!request.ok()) return request.status();
+  request->call.threads = threads_;
   const absl::StatusOr<SlicedJob> job =
-      stage_.Slice(start->call, *std::move(input), start->options);
+      slicing_.Slice(request->call, std::move(request->input), request->options);
   if (!job.ok()) return job.status();
   return Answer(*job, stream);
+}
+
+absl::Status SlicingService::ArrangeFiles(rpc::Call& call, PlacesStream& stream) const {
+  absl::StatusOr<Request> request = ReadRequest(call, stream);
+  if (!request.ok()) return request.status();
+  const auto places =
+      arranging_.PutOnPlates(request->call, std::move(request->input), request->options);
+  if (!places.ok()) return places.status();
+  return WriteEach<v1::PlatePlace>(
+      stream, *places,
+      [](const PlatePlace& place, v1::PlatePlace* proto) { return ToProto(place, proto); });
 }
 
 absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {

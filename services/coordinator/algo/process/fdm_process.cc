@@ -12,6 +12,7 @@
 #include "common/base/stopwatch.h"
 #include "common/geometry/boolean.h"
 #include "common/stage/object_layers.h"
+#include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/pass_facts.h"
@@ -316,6 +317,9 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   });
   if (!plan.ok()) return plan.status();
   report.seams = plan->seams;
+  std::ranges::move(BedWarnings(plan->additions, settings.planning.bed, sliced->copies,
+                                sliced->object_names),
+                    std::back_inserter(report.warnings));
   auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
                                       std::move(input.settings_text), std::move(report));
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())

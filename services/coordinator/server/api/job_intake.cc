@@ -45,7 +45,7 @@ absl::StatusOr<ResolvedJob> JobIntake::Resolve(const Submission& submission) {
   return resolved;
 }
 
-absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+absl::StatusOr<NewJob> JobIntake::NewJobOf(Submission submission) {
   if (absl::Status ok = CheckRequestId(submission.request_id); !ok.ok()) return ok;
   NewJob job;
   job.refusal = disk_.CheckRoom();
@@ -70,9 +70,45 @@ absl::StatusOr<Created> JobIntake::Create(Submission submission) {
     job.settings_digest = resolved->settings_digest;
     job.action_digest = resolved->action_digest;
   }
-  auto created = jobs_.Create(job, now_us_());
-  full_queues_.Note(job.tenant, created.status(), job.max_open);
+  return job;
+}
+
+absl::StatusOr<Created> JobIntake::Create(Submission submission) {
+  const auto job = NewJobOf(std::move(submission));
+  if (!job.ok()) return job.status();
+  auto created = jobs_.Create(*job, now_us_());
+  full_queues_.Note(job->tenant, created.status(), job->max_open);
   return created;
+}
+
+absl::StatusOr<std::vector<Created>> JobIntake::CreateAll(std::vector<Submission> submissions) {
+  std::vector<NewJob> jobs;
+  for (Submission& submission : submissions) {
+    auto job = NewJobOf(std::move(submission));
+    if (!job.ok()) return job.status();
+    jobs.push_back(*std::move(job));
+  }
+  auto created = jobs_.CreateAll(jobs, now_us_());
+  if (!jobs.empty())
+    full_queues_.Note(jobs.front().tenant, created.status(), jobs.front().max_open);
+  return created;
+}
+
+absl::StatusOr<std::vector<JobRecord>> JobIntake::FindAll(
+    const std::string& tenant, const std::string& spec_digest,
+    const std::function<std::string(size_t)>& request_id) {
+  std::vector<JobRecord> found;
+  NewJob asked;
+  asked.tenant = tenant;
+  asked.spec_digest = spec_digest;
+  asked.refusal = absl::NotFoundError("nobody used this request_id");
+  while (true) {
+    asked.request_id = request_id(found.size());
+    auto earlier = jobs_.Create(asked, now_us_());
+    if (earlier.status() == asked.refusal) return found;
+    if (!earlier.ok()) return earlier.status();
+    found.push_back(std::move(earlier->job));
+  }
 }
 
 absl::Status JobIntake::CheckMeshes(const std::string& tenant, const ResolvedJob& job) {

@@ -49,6 +49,15 @@ class JobIntake {
   /// uploaded; PROCESS_UNAVAILABLE (FailedPrecondition) for a process whose jobs are not made here.
   absl::StatusOr<Created> Create(Submission submission);
 
+  /// Makes all jobs or none. Errors: the first one of Create's.
+  absl::StatusOr<std::vector<Created>> CreateAll(std::vector<Submission> submissions);
+
+  /// The jobs that an earlier call with these request ids made: `request_id(0)`, `request_id(1)`,
+  /// ..., up to the first one that nobody used. Errors: REQUEST_ID_REUSED.
+  absl::StatusOr<std::vector<JobRecord>> FindAll(
+      const std::string& tenant, const std::string& spec_digest,
+      const std::function<std::string(size_t)>& request_id);
+
   /// All of that but the keeping: the job that would be made, without an id.
   absl::StatusOr<ResolvedJob> Check(const Submission& submission);
 
@@ -56,6 +65,7 @@ class JobIntake {
   const std::string& build_id() const { return build_id_; }
 
  private:
+  absl::StatusOr<NewJob> NewJobOf(Submission submission);
   absl::StatusOr<ResolvedJob> Resolve(const Submission& submission);
   absl::Status CheckMeshes(const std::string& tenant, const ResolvedJob& job);
 

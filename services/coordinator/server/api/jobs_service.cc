@@ -16,6 +16,7 @@
 #include "services/coordinator/server/observe/job_traces.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/profile_settings.h"
 #include "services/coordinator/store/jobs/job_steps.h"
 
@@ -36,6 +37,42 @@ int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
     bytes += static_cast<int64_t>(echoed.ByteSizeLong());
   }
   return bytes;
+}
+
+absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
+  if (request.requests().empty()) return Malformed("requests", "there are none");
+  if (request.requests_size() > limits::kMaxBatchJobs)
+    return LimitError(Reason::kRequestTooLarge, "requests", limits::kMaxBatchJobs,
+                      request.requests_size());
+  for (int i = 0; i < request.requests_size(); ++i) {
+    const v1::CreateJobRequest& each = request.requests(i);
+    if (!each.request_id().empty() || each.validate_only())
+      return Within("requests", i,
+                    Malformed("request_id, validate_only", "are those of all plates"));
+    if (each.advise_orientations() && !request.validate_only())
+      return Within("requests", i, Malformed("advise_orientations", "is for validate_only"));
+  }
+  return absl::OkStatus();
+}
+
+/// Of a plate, from 0; empty: the call is not idempotent.
+std::string PlateRequestId(const std::string& request_id, size_t plate) {
+  return request_id.empty() ? "" : fmt::format("{}#{}", request_id, plate + 1);
+}
+
+absl::StatusOr<std::vector<v1::Job>> ToProtos(const absl::StatusOr<std::vector<JobRecord>>& jobs) {
+  if (!jobs.ok()) return jobs.status();
+  std::vector<v1::Job> protos;
+  for (const JobRecord& job : *jobs) protos.push_back(ToProto(job));
+  return protos;
+}
+
+/// Equal for equal specs in the same order.
+std::string SpecDigest(const v1::CreatePlatesRequest& request) {
+  std::string digests;
+  for (const v1::CreateJobRequest& each : request.requests())
+    digests += Sha256Hex(SpecBytes(each.spec()));
+  return Sha256Hex(digests);
 }
 
 absl::Status IsAQuote(const std::string& id) {
@@ -100,7 +137,9 @@ grpc::Status JobsService::CreateJob(grpc::ServerContext* context,
     const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
     if (!place.ok()) return rpc::ToGrpc(place.status());
     return preflights_.Run(*context, "CreateJob", [&](const rpc::Call& call) {
-      auto job = Validate(*caller, *request, call);
+      const auto submission = Read(*caller, *request);
+      if (!submission.ok()) return submission.status();
+      auto job = Validate(*submission, *request, call);
       if (job.ok()) *response = *std::move(job);
       return job.status();
     });
@@ -139,6 +178,82 @@ grpc::Status JobsService::BatchCreateJobs(grpc::ServerContext* context,
     }
   }
   return grpc::Status::OK;
+}
+
+grpc::Status JobsService::CreatePlates(grpc::ServerContext* context,
+                                       const v1::CreatePlatesRequest* request,
+                                       v1::CreatePlatesResponse* response) {
+  const auto caller = backend_.callers.Find(*context, {Scope::kSubmit});
+  if (!caller.ok()) return rpc::ToGrpc(caller.status());
+  const auto place = preflights_of_tenants_.Enter(caller->tenant, {});
+  if (!place.ok()) return rpc::ToGrpc(place.status());
+  return preflights_.Run(*context, "CreatePlates", [&](const rpc::Call& call) {
+    auto jobs = MakePlates(*caller, *request, call);
+    if (!jobs.ok()) return jobs.status();
+    for (v1::Job& job : *jobs) {
+      job.clear_spec();
+      job.clear_labels();  // the answer is one message
+      *response->add_jobs() = std::move(job);
+    }
+    return absl::OkStatus();
+  });
+}
+
+absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& caller,
+                                                             const v1::CreatePlatesRequest& request,
+                                                             const rpc::Call& call) {
+  if (absl::Status ok = CheckPlates(request); !ok.ok()) return ok;
+  const std::string digest = SpecDigest(request);
+  const auto request_id = [&](size_t plate) { return PlateRequestId(request.request_id(), plate); };
+  if (!request.validate_only() && !request.request_id().empty()) {
+    const auto earlier = backend_.intake.FindAll(caller.tenant, digest, request_id);
+    if (!earlier.ok() || !earlier->empty()) return ToProtos(earlier);
+  }
+  std::vector<v1::Job> checked;
+  std::vector<Submission> plates;
+  for (int i = 0; i < request.requests_size(); ++i) {
+    auto beds = ReadPlates(caller, request.requests(i), call);
+    if (!beds.ok()) return Within("requests", i, beds.status());
+    for (Submission& plate : *beds) {
+      plate.request_id = request_id(plates.size());
+      plate.spec_digest = digest;
+      plates.push_back(std::move(plate));
+      if (!request.validate_only()) continue;
+      auto job = Validate(plates.back(), request.requests(i), call);
+      if (!job.ok()) return Within("requests", i, job.status());
+      checked.push_back(*std::move(job));
+    }
+  }
+  if (request.validate_only()) return checked;
+  return ToProtos(CreateAll(std::move(plates)));
+}
+
+/// A submission for each bed that the request takes.
+absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(
+    const Caller& caller, const v1::CreateJobRequest& request, const rpc::Call& call) {
+  auto submission = Read(caller, request);
+  if (!submission.ok()) return submission.status();
+  submission->trace = call.trace;
+  StageCall stage_call;
+  stage_call.cancel = call.cancel;
+  stage_call.trace = call.trace;
+  return PlatesOf(stage_call, *submission,
+                  {backend_.intake, backend_.blobs, backend_.arranging, backend_.mesh_memory});
+}
+
+/// All, or none and why.
+absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates) {
+  if (const int64_t count = std::ssize(plates); count > limits::kMaxBatchJobs)
+    return LimitError(Reason::kRequestTooLarge, "plates", limits::kMaxBatchJobs, count);
+  auto created = backend_.intake.CreateAll(std::move(plates));
+  if (!created.ok()) return created.status();
+  std::vector<JobRecord> jobs;
+  for (Created& each : *created) {
+    if (each.fresh) backend_.log.Info("job accepted", FieldsOf(each.job));
+    jobs.push_back(std::move(each.job));
+  }
+  backend_.runner.Wake();
+  return jobs;
 }
 
 absl::StatusOr<JobRecord> JobsService::Create(const Caller& caller,
@@ -191,14 +306,12 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
   return submission;
 }
 
-absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
+absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
                                               const v1::CreateJobRequest& request,
                                               const rpc::Call& call) {
-  const auto submission = Read(caller, request);
-  if (!submission.ok()) return submission.status();
-  const auto resolved = backend_.intake.Check(*submission);
+  const auto resolved = backend_.intake.Check(submission);
   if (!resolved.ok()) return resolved.status();
-  const auto blobs = backend_.blobs.Of(caller.tenant);
+  const auto blobs = backend_.blobs.Of(submission.tenant);
   if (!blobs.ok()) return blobs.status();
   const auto room = RoomForMeshes(*resolved, **blobs, backend_.mesh_memory, call.cancel);
   if (!room.ok()) return room.status();
@@ -214,9 +327,9 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Caller& caller,
              backend_.slicing, backend_.planning);
   if (!found.ok()) return found.status();
   v1::Job job;
-  job.mutable_spec()->ParseFromString(submission->spec);
+  job.mutable_spec()->ParseFromString(submission.spec);
   *job.mutable_labels() = request.labels();
-  job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission->priority) + 1));
+  job.set_priority(static_cast<v1::JobPriority>(static_cast<int>(submission.priority) + 1));
   if (request.has_deadline()) *job.mutable_deadline() = request.deadline();
   job.set_settings_digest(resolved->settings_digest);
   job.set_build_id(backend_.intake.build_id());

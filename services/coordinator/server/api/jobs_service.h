@@ -6,6 +6,7 @@
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/call_queue.h"
 #include "common/rpc/observe/json_log.h"
+#include "common/stage/plates.h"
 #include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/api/callers.h"
@@ -33,6 +34,7 @@ struct JobsBackend {
   WebhookStore& webhooks;
   const WebhookPolicy& webhook_policy;
   const SlicingStage& slicing;    ///< for preflights
+  const ArrangingStage& arranging;
   const PlanningStage& planning;  ///< for preflights
   ByteBudget& mesh_memory;
   Rates rates;
@@ -57,6 +59,8 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
   grpc::Status BatchCreateJobs(grpc::ServerContext* context,
                                const v1::BatchCreateJobsRequest* request,
                                v1::BatchCreateJobsResponse* response) override;
+  grpc::Status CreatePlates(grpc::ServerContext* context, const v1::CreatePlatesRequest* request,
+                            v1::CreatePlatesResponse* response) override;
   grpc::Status GetJob(grpc::ServerContext* context, const v1::GetJobRequest* request,
                       v1::Job* response) override;
   grpc::Status ListJobs(grpc::ServerContext* context, const v1::ListJobsRequest* request,
@@ -81,8 +85,15 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                                    const TraceContext& trace);
   absl::StatusOr<rpc::Admission::Ticket> AdmitWatch(const grpc::ServerContext& context,
                                                     const v1::WatchJobRequest& request);
-  absl::StatusOr<v1::Job> Validate(const Caller& caller, const v1::CreateJobRequest& request,
-                                   const rpc::Call& call);
+  absl::StatusOr<v1::Job> Validate(const Submission& submission,
+                                   const v1::CreateJobRequest& request, const rpc::Call& call);
+  absl::StatusOr<std::vector<v1::Job>> MakePlates(const Caller& caller,
+                                                  const v1::CreatePlatesRequest& request,
+                                                  const rpc::Call& call);
+  absl::StatusOr<std::vector<Submission>> ReadPlates(const Caller& caller,
+                                                     const v1::CreateJobRequest& request,
+                                                     const rpc::Call& call);
+  absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
                                                          v1::Artifact artifact);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);

@@ -43,7 +43,7 @@ class ServedCoordinatorTest : public testing::Test {
 
   void Serve(const CoordinatorOptions& options) {
     auto coordinator =
-        Coordinator::Open(options, {slicing_, planning_, motion_}, dispatcher_,
+        Coordinator::Open(options, {slicing_, arranging_, planning_, motion_}, dispatcher_,
                           rpc::JsonLog("test"));
     ASSERT_TRUE(coordinator.ok()) << coordinator.status();
     coordinator_ = *std::move(coordinator);
@@ -72,6 +72,7 @@ class ServedCoordinatorTest : public testing::Test {
 
   TempDirectory directory_;
   FakeSlicing slicing_;
+  FakeArranging arranging_;
   FakePlanning planning_;
   FakeMotion motion_;
   std::shared_ptr<FakeRanges> ranges_ = std::make_shared<FakeRanges>();

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/stage/plates.h"
 #include "common/stage/task.h"
 
 namespace slicefarm::coordinator {
@@ -81,6 +82,30 @@ class FakeSlicing : public SlicingStage {
   mutable std::atomic<int> runs_ = 0;
   mutable std::mutex mutex_;
   mutable std::vector<TraceContext> traces_;
+};
+
+/// Puts each copy without a place on a plate of its own. A mesh with a `!` is refused, as when it is
+/// sliced.
+class FakeArranging : public ArrangingStage {
+ public:
+  absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
+                                                      const SlicingOptions&) const override {
+    if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
+    ++runs_;
+    for (const MeshFile& file : input.files)
+      if (file.bytes.find('!') != std::string::npos)
+        return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshMalformed, "a bad mesh");
+    std::vector<PlatePlace> places;
+    int32_t plates = 0;
+    for (const ObjectInput& object : input.objects)
+      for (const CopyInput& copy : object.copies)
+        places.push_back({copy.place == CopyInput::Place::kAnywhere ? plates++ : 0, {FromMm(50), 0}});
+    return places;
+  }
+  int runs() const { return runs_; }
+
+ private:
+  mutable std::atomic<int> runs_ = 0;
 };
 
 /// Plans nothing but the copies that there are.

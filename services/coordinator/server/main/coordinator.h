@@ -41,6 +41,7 @@ struct CoordinatorOptions {
 /// coordinator.
 struct JobStages {
   const SlicingStage& slicing;
+  const ArrangingStage& arranging;
   const PlanningStage& planning;
   const MotionStage& motion;
   const ExposureStage* exposure = nullptr;  ///< null: no jobs of lasers are made

@@ -515,7 +515,7 @@ TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
   options.stores.state_dir = directory_.path();
   const auto second =
-      Coordinator::Open(options, {slicing_, planning_, motion_}, dispatcher_,
+      Coordinator::Open(options, {slicing_, arranging_, planning_, motion_}, dispatcher_,
                         rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
 }

@@ -56,6 +56,7 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     exposure.emplace(*exposure_pool);
   }
   const RemoteSlicing slicing(slicing_pool);
+  const RemoteArranging arranging(slicing_pool);
   const RemotePlanning planning(planning_pool);
   const RemoteMotion motion(motion_pool);
   std::optional<SplitStages> split;
@@ -109,8 +110,9 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
       .metrics = &program.metrics().registry()};
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
   auto coordinator =
-      Coordinator::Open(std::move(options), {slicing, planning, motion, exposure ? &*exposure : nullptr}, dispatcher,
-                        program.log());
+      Coordinator::Open(std::move(options),
+                        {slicing, arranging, planning, motion, exposure ? &*exposure : nullptr},
+                        dispatcher, program.log());
   if (!coordinator.ok()) {
     program.log().Error("cannot open the state",
                         {{"error", std::string(coordinator.status().message())}});

@@ -89,6 +89,15 @@ absl::StatusOr<Created> MeteredJobStore::Create(const NewJob& job, int64_t now_u
   return created;
 }
 
+absl::StatusOr<std::vector<Created>> MeteredJobStore::CreateAll(const std::vector<NewJob>& jobs,
+                                                                int64_t now_us) {
+  auto all = Timed("create_all", [&] { return store().CreateAll(jobs, now_us); });
+  if (!all.ok()) return all;
+  for (const Created& created : *all)
+    if (created.fresh) submitted_.Increment();
+  return all;
+}
+
 absl::StatusOr<std::optional<JobRecord>> MeteredJobStore::Claim(const std::string& owner,
                                                                 int64_t now_us, int64_t until_us,
                                                                 const std::set<std::string>& busy,

@@ -30,6 +30,8 @@ class MeteredJobStore : public ForwardingJobStore {
   MeteredJobStore(JobStore& store, prometheus::Registry& registry);
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
+                                                 int64_t now_us) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
                                                  int64_t until_us,
                                                  const std::set<std::string>& busy = {},

@@ -19,6 +19,10 @@ class ForwardingJobStore : public JobStore {
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override {
     return store_.Create(job, now_us);
   }
+  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
+                                                 int64_t now_us) override {
+    return store_.CreateAll(jobs, now_us);
+  }
   absl::StatusOr<JobRecord> Get(const std::string& id) override { return store_.Get(id); }
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override {
     return store_.List(query);

@@ -197,6 +197,47 @@ TEST_P(JobStoreTest, RequestIdIsNotForAnotherJob) {
   EXPECT_EQ(DetailOf(store_->Create(other, 2).status()).reason, Reason::kRequestIdReused);
 }
 
+TEST_P(JobStoreTest, MakesAllJobsOrNone) {
+  std::vector<NewJob> jobs = {JobOf("a"), JobOf("b"), JobOf("c")};
+  jobs[2].request_id = "taken";
+  NewJob other = JobOf("other");
+  other.request_id = "taken";
+  ASSERT_TRUE(store_->Create(other, 1).ok());
+  EXPECT_EQ(DetailOf(store_->CreateAll(jobs, 2).status()).reason, Reason::kRequestIdReused);
+  jobs[2].request_id = "r";
+  jobs[2].refusal = absl::NotFoundError("no mesh");
+  EXPECT_TRUE(absl::IsNotFound(store_->CreateAll(jobs, 2).status()));
+  jobs[2].refusal = absl::OkStatus();
+  for (NewJob& job : jobs) job.max_open = 3;
+  EXPECT_EQ(DetailOf(store_->CreateAll(jobs, 2).status()).reason, Reason::kQueueFull)
+      << "with the one that there is they are four";
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("a").status()));
+  for (NewJob& job : jobs) job.max_open = 4;
+  const auto all = store_->CreateAll(jobs, 3);
+  ASSERT_TRUE(all.ok()) << all.status();
+  ASSERT_THAT(*all, SizeIs(3));
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(all->at(i).fresh);
+    EXPECT_EQ(all->at(i).job, *store_->Get(jobs[i].id));
+  }
+  EXPECT_LT(all->at(0).job.number, all->at(1).job.number);
+}
+
+TEST_P(JobStoreTest, AllJobsOfARepeatedCallAreThoseOfTheFirst) {
+  std::vector<NewJob> jobs = {JobOf("a"), JobOf("b")};
+  for (NewJob& job : jobs) job.request_id = "r" + job.id;
+  ASSERT_TRUE(store_->CreateAll(jobs, 1).ok());
+  std::vector<NewJob> again = jobs;
+  for (NewJob& job : again) job.id += "'";
+  const auto all = store_->CreateAll(again, 2);
+  ASSERT_TRUE(all.ok()) << all.status();
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_FALSE(all->at(i).fresh);
+    EXPECT_EQ(all->at(i).job.id, jobs[i].id);
+  }
+  EXPECT_THAT(*store_->CreateAll({}, 3), IsEmpty());
+}
+
 TEST_P(JobStoreTest, RequestIdIsForgottenAfterItsTime) {
   NewJob first = JobOf("a");
   first.request_id = "r";

@@ -66,9 +66,9 @@ MemoryJobStore::Entry* MemoryJobStore::FindHeld(const Lease& lease) {
   return held ? entry : nullptr;
 }
 
-/// QUEUE_FULL if the tenant may have no further job.
-absl::Status MemoryJobStore::CheckQueue(const NewJob& job) const {
-  int64_t open = 0;
+/// QUEUE_FULL if the tenant may have no further job, with `before` that are about to be made.
+absl::Status MemoryJobStore::CheckQueue(const NewJob& job, int64_t before) const {
+  int64_t open = before;
   for (const auto& [number, entry] : jobs_.entries_) {
     if (entry.job.tenant == job.tenant && !IsTerminal(entry.job.state)) ++open;
   }
@@ -76,15 +76,41 @@ absl::Status MemoryJobStore::CheckQueue(const NewJob& job) const {
 }
 
 absl::StatusOr<Created> MemoryJobStore::Create(const NewJob& job, int64_t now_us) {
+  auto all = CreateAll({job}, now_us);
+  if (!all.ok()) return all.status();
+  return std::move(all->front());
+}
+
+absl::StatusOr<std::vector<Created>> MemoryJobStore::CreateAll(const std::vector<NewJob>& jobs,
+                                                               int64_t now_us) {
   Lock lock(jobs_.mutex_);
-  const std::pair request_key(job.tenant, job.request_id);
-  if (const auto earlier = jobs_.requests_.find(request_key); earlier != jobs_.requests_.end()) {
-    if (earlier->second.spec_digest != job.spec_digest) return RequestIdReused(job.request_id);
-    return Created{Find(earlier->second.job_id)->job, /*fresh=*/false};
+  std::vector<std::optional<Created>> earlier;
+  int64_t fresh = 0;
+  for (const NewJob& job : jobs) {
+    auto found = FindEarlier(job);
+    if (!found.ok()) return found.status();
+    earlier.push_back(*std::move(found));
+    if (earlier.back()) continue;
+    if (!job.refusal.ok()) return job.refusal;
+    if (absl::Status ok = CheckQueue(job, fresh++); !ok.ok()) return ok;
   }
-  if (!job.refusal.ok()) return job.refusal;
-  if (absl::Status ok = CheckQueue(job); !ok.ok()) return ok;
-  if (!job.request_id.empty()) jobs_.requests_[request_key] = {job.id, job.spec_digest, now_us};
+  std::vector<Created> all;
+  for (size_t i = 0; i < jobs.size(); ++i)
+    all.push_back(earlier[i] ? *std::move(earlier[i]) : Insert(jobs[i], now_us));
+  return all;
+}
+
+/// The job that an earlier call with the same request id made, if there was one.
+absl::StatusOr<std::optional<Created>> MemoryJobStore::FindEarlier(const NewJob& job) {
+  const auto earlier = jobs_.requests_.find({job.tenant, job.request_id});
+  if (earlier == jobs_.requests_.end()) return std::nullopt;
+  if (earlier->second.spec_digest != job.spec_digest) return RequestIdReused(job.request_id);
+  return Created{Find(earlier->second.job_id)->job, /*fresh=*/false};
+}
+
+Created MemoryJobStore::Insert(const NewJob& job, int64_t now_us) {
+  if (!job.request_id.empty())
+    jobs_.requests_[{job.tenant, job.request_id}] = {job.id, job.spec_digest, now_us};
   JobRecord record;
   record.number = ++jobs_.last_number_;
   record.id = job.id;
@@ -102,7 +128,7 @@ absl::StatusOr<Created> MemoryJobStore::Create(const NewJob& job, int64_t now_us
   Entry& entry = jobs_.entries_[record.number];
   entry.inputs = job.inputs;
   WriteStep(entry, std::move(record), now_us);
-  return Created{entry.job, /*fresh=*/true};
+  return {entry.job, /*fresh=*/true};
 }
 
 absl::StatusOr<JobRecord> MemoryJobStore::Get(const std::string& id) {

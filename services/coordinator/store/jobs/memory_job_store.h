@@ -53,6 +53,8 @@ class MemoryJobStore : public JobStore {
   explicit MemoryJobStore(MemoryJobs& jobs) : jobs_(jobs) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
+                                                 int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,
@@ -85,7 +87,9 @@ class MemoryJobStore : public JobStore {
 
   Entry* Find(const std::string& id);
   Entry* FindHeld(const Lease& lease);
-  absl::Status CheckQueue(const NewJob& job) const;
+  absl::Status CheckQueue(const NewJob& job, int64_t before) const;
+  absl::StatusOr<std::optional<Created>> FindEarlier(const NewJob& job);
+  Created Insert(const NewJob& job, int64_t now_us);
   std::vector<std::string> Tenants(int64_t now_us) const;
   JobRecord* Claimable(const std::string& tenant, int64_t now_us, const std::set<std::string>& busy,
                        Priority at_least);

@@ -223,6 +223,20 @@ absl::StatusOr<Created> SqlJobStore::Create(const NewJob& job, int64_t now_us) {
                                 [&](SqlConnection& db) { return CreateIn(db, job, now_us); });
 }
 
+absl::StatusOr<std::vector<Created>> SqlJobStore::CreateAll(const std::vector<NewJob>& jobs,
+                                                            int64_t now_us) {
+  using All = std::vector<Created>;
+  return InTransaction<All>(*database_, [&](SqlConnection& db) -> absl::StatusOr<All> {
+    All all;
+    for (const NewJob& job : jobs) {
+      absl::StatusOr<Created> created = CreateIn(db, job, now_us);
+      if (!created.ok()) return created.status();
+      all.push_back(*std::move(created));
+    }
+    return all;
+  });
+}
+
 absl::StatusOr<JobRecord> SqlJobStore::Get(const std::string& id) {
   const auto session = database_->Read();
   if (!session.ok()) return session.status();

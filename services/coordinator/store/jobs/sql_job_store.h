@@ -14,6 +14,8 @@ class SqlJobStore : public JobStore {
   explicit SqlJobStore(std::shared_ptr<SqlDatabase> database) : database_(std::move(database)) {}
 
   absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) override;
+  absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
+                                                 int64_t now_us) override;
   absl::StatusOr<JobRecord> Get(const std::string& id) override;
   absl::StatusOr<std::vector<JobRecord>> List(const ListQuery& query) override;
   absl::StatusOr<std::optional<JobRecord>> Claim(const std::string& owner, int64_t now_us,

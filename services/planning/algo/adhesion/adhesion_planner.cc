@@ -140,7 +140,8 @@ MultiPolygon AdhesionPlanner::NotCarried(const ObjectPlanOptions& group) const {
   return Cleared(United(others));
 }
 
-std::vector<AdhesionPlanner::PlacedLayer> AdhesionPlanner::PlaceRafts() const {
+absl::StatusOr<std::vector<AdhesionPlanner::PlacedLayer>> AdhesionPlanner::PlaceRafts(
+    const CancelToken& cancel) const {
   std::vector<PlacedLayer> placed;
   std::vector<const ObjectPlanOptions*> groups;
   for (const auto& [object, seen] : seen_) {
@@ -148,6 +149,7 @@ std::vector<AdhesionPlanner::PlacedLayer> AdhesionPlanner::PlaceRafts() const {
     const bool known = std::ranges::any_of(
         groups, [&](const ObjectPlanOptions* group) { return SharesRaft(*group, own); });
     if (!HasRaft(object) || known) continue;
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     groups.push_back(&own);
     const MultiPolygon others = NotCarried(own);
     const size_t before = placed.size();
@@ -164,11 +166,12 @@ std::vector<AdhesionPlanner::PlacedLayer> AdhesionPlanner::PlaceRafts() const {
   return placed;
 }
 
-std::vector<Region> AdhesionPlanner::PlaceBrims(std::span<const PlacedLayer> rafts,
-                                                const MultiPolygon& shield) const {
+absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(
+    std::span<const PlacedLayer> rafts, const MultiPolygon& shield,
+    const CancelToken& cancel) const {
   if (std::ranges::none_of(copies_,
                            [this](const PlacedCopy& copy) { return HasBrim(copy.object); }))
-    return {};
+    return std::vector<Region>();
   std::vector<BrimObject> objects;
   std::vector<int32_t> rows;
   for (const PlacedCopy& copy : copies_) {
@@ -182,9 +185,10 @@ std::vector<Region> AdhesionPlanner::PlaceBrims(std::span<const PlacedLayer> raf
     if (raft.layer.print_z_nm == raft.layer.height_nm) objects.push_back({raft.layer.region, {}});
   if (!shield.empty()) objects.push_back({shield, {}});
 
-  std::vector<MultiPolygon> brims = BrimRegions(objects, bed_);
+  absl::StatusOr<std::vector<MultiPolygon>> brims = BrimRegions(objects, bed_, cancel);
+  if (!brims.ok()) return brims.status();
   std::map<int32_t, MultiPolygon> by_row;
-  for (size_t i = 0; i < rows.size(); ++i) Append(std::move(brims[i]), by_row[rows[i]]);
+  for (size_t i = 0; i < rows.size(); ++i) Append(std::move((*brims)[i]), by_row[rows[i]]);
   std::vector<Region> regions;
   for (const auto& [row, pieces] : by_row)
     if (!pieces.empty()) regions.push_back({Role::kBrim, row, 0, Joined(pieces)});
@@ -237,9 +241,11 @@ absl::Status AdhesionPlanner::AddSkirt(std::vector<Path> loops, JobPlan& plan) c
   return absl::OkStatus();
 }
 
-absl::Status AdhesionPlanner::Finish(JobPlan& plan) {
+absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
   if (!wanted_) return absl::OkStatus();
-  std::vector<PlacedLayer> rafts = PlaceRafts();
+  absl::StatusOr<std::vector<PlacedLayer>> placed = PlaceRafts(cancel);
+  if (!placed.ok()) return placed.status();
+  std::vector<PlacedLayer> rafts = *std::move(placed);
   for (const PlacedLayer& raft : rafts)
     if (!layer_at_.contains(raft.layer.print_z_nm))
       return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
@@ -251,15 +257,16 @@ absl::Status AdhesionPlanner::Finish(JobPlan& plan) {
   const bool shields = skirt.draft_shield != DraftShield::kDisabled;
   std::vector<Path> loops;
   if (shields) loops = SkirtLoops(fenced, {}, skirt);
-  std::vector<Region> brims = PlaceBrims(rafts, ShieldKeepOut(loops, skirt));
+  auto brims = PlaceBrims(rafts, ShieldKeepOut(loops, skirt), cancel);
+  if (!brims.ok()) return brims.status();
   if (!shields) {
     MultiPolygon outside;
-    for (const Region& brim : brims) Append(brim.outlines, outside);
+    for (const Region& brim : *brims) Append(brim.outlines, outside);
     loops = SkirtLoops(fenced, outside, skirt);
   }
   if (absl::Status ok = AddSkirt(WithinBed(std::move(loops), bed_), plan); !ok.ok()) return ok;
-  if (!brims.empty())
-    plan.additions.push_back({0, first_height_nm_, std::move(brims), {}});
+  if (!brims->empty())
+    plan.additions.push_back({0, first_height_nm_, *std::move(brims), {}});
   AddRafts(std::move(rafts), plan);
   std::ranges::stable_sort(plan.additions, {}, &PlateAddition::layer);
   return absl::OkStatus();

@@ -29,14 +29,14 @@ namespace slicefarm::planning {
 /// What is kept of the layers: each object's first outlines; of objects beside a raft what covers
 /// its height, united; the convex hulls of what the skirt goes round.
 /// Errors: REQUEST_MALFORMED if no layer ends at the top of a raft's layer; REQUEST_TOO_LARGE for a
-/// skirt of more than 20 million points on all layers.
+/// skirt of more than 20 million points on all layers; Cancelled, polled for each raft and brim.
 class AdhesionPlanner : public Planner {
  public:
   /// `options` and `copies` must outlive this. Every copy's object has options.
   AdhesionPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies);
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(JobPlan& plan) override;
+  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
 
  private:
   /// What is known of one object, in its own coordinates.
@@ -57,11 +57,12 @@ class AdhesionPlanner : public Planner {
   Coord HighestRaft() const;
   void LookAt(const SlicedLayer& layer, const ObjectSection& section);
 
-  std::vector<PlacedLayer> PlaceRafts() const;
+  absl::StatusOr<std::vector<PlacedLayer>> PlaceRafts(const CancelToken& cancel) const;
   MultiPolygon Carried(const ObjectPlanOptions& group) const;
   MultiPolygon NotCarried(const ObjectPlanOptions& group) const;
-  std::vector<Region> PlaceBrims(std::span<const PlacedLayer> rafts,
-                                 const MultiPolygon& shield) const;
+  absl::StatusOr<std::vector<Region>> PlaceBrims(std::span<const PlacedLayer> rafts,
+                                                 const MultiPolygon& shield,
+                                                 const CancelToken& cancel) const;
   /// All that the skirt goes round but for brims.
   MultiPolygon Fenced(std::span<const PlacedLayer> rafts) const;
 

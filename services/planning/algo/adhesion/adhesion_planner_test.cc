@@ -51,7 +51,7 @@ absl::StatusOr<JobPlan> Plan(const PlanningOptions& options, const std::vector<P
   for (const SlicedLayer& layer : layers) planner.Look(layer, layer_plan);
   EXPECT_EQ(layer_plan, LayerPlan{});
   JobPlan plan;
-  if (absl::Status ok = planner.Finish(plan); !ok.ok()) return ok;
+  if (absl::Status ok = planner.Finish({}, plan); !ok.ok()) return ok;
   return plan;
 }
 

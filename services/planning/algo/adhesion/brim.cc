@@ -184,17 +184,23 @@ MultiPolygon Finished(MultiPolygon brim, const std::vector<Work>& works, Coord l
 
 }  // namespace
 
-std::vector<MultiPolygon> BrimRegions(std::span<const BrimObject> objects, const Polygon& bed) {
+absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
+                                                      const Polygon& bed,
+                                                      const CancelToken& cancel) {
   std::vector<Work> works(objects.size());
   for (size_t i = 0; i < objects.size(); ++i) {
     works[i].keep_out = Offset(objects[i].outlines, Separation(objects[i].options), kRound);
     works[i].keep_out_box = Bounds(works[i].keep_out);
   }
   for (size_t i = 0; i < objects.size(); ++i) {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     works[i].brim = Candidate(objects, works, i, bed);
     works[i].brim_box = Bounds(works[i].brim);
   }
-  for (size_t i = 0; i < objects.size(); ++i) GiveWay(works, i, objects[i].options.line_width_nm);
+  for (size_t i = 0; i < objects.size(); ++i) {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+    GiveWay(works, i, objects[i].options.line_width_nm);
+  }
   std::vector<MultiPolygon> regions;
   for (size_t i = 0; i < objects.size(); ++i)
     regions.push_back(Finished(works[i].brim, works, objects[i].options.line_width_nm));

@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "common/model/adhesion_options.h"
 
@@ -28,12 +30,15 @@ struct BrimObject {
 /// - Nothing lies outside of `bed`; an empty one is no limit.
 ///
 /// Shapes: objects may touch or overlap. Units: nm, in plate coordinates; distances are exact to
-/// 0.008 mm, joins round. Errors: none; negative width or separation count as 0.
+/// 0.008 mm, joins round. Negative width or separation count as 0.
+/// Errors: Cancelled, polled once an object.
 /// Cost: O(n log n) an object and its neighbours.
 /// Source: measured, PrusaSlicer 2.5.0, box, frame, and frame with a pin in it: the brim starts at
 /// brim_separation from the compensated outline, floor(width / spacing) lines, the outermost
 /// printed first; outer_only gives a pin in the frame's hole nothing, inner_only and
 /// outer_and_inner give it its ring; no brim with a raft. Here the region is as wide as asked.
-std::vector<MultiPolygon> BrimRegions(std::span<const BrimObject> objects, const Polygon& bed);
+absl::StatusOr<std::vector<MultiPolygon>> BrimRegions(std::span<const BrimObject> objects,
+                                                      const Polygon& bed,
+                                                      const CancelToken& cancel = {});
 
 }  // namespace slicefarm::planning

@@ -26,13 +26,23 @@ BrimOptions Outer(double width_mm, double separation_mm = 0) {
   return Options(BrimType::kOuterOnly, width_mm, separation_mm);
 }
 std::vector<MultiPolygon> Brims(const std::vector<BrimObject>& objects, const Polygon& bed = {}) {
-  return BrimRegions(objects, bed);
+  auto regions = BrimRegions(objects, bed);
+  EXPECT_TRUE(regions.ok()) << regions.status();
+  return *std::move(regions);
 }
 
 const char kBox[] = "(0 0, 20 0, 20 20, 0 20)";
 const char kFrame[] = "(0 0, 40 0, 40 40, 0 40) (5 5, 35 5, 35 35, 5 35)";
 const char kNest[] =
     "(0 0, 40 0, 40 40, 0 40) (5 5, 35 5, 35 35, 5 35) ; (16 16, 24 16, 24 24, 16 24)";
+
+TEST(BrimRegions, AreCancelledWhileTheyAreWorkedOut) {
+  const std::vector<BrimObject> objects(3, {P(kBox), Outer(4)});
+  int polls = 0;
+  const CancelToken token([&] { return ++polls > 4; });
+  EXPECT_TRUE(absl::IsCancelled(BrimRegions(objects, {}, token).status()));
+  EXPECT_EQ(polls, 5);
+}
 
 struct Case {
   std::string name;

@@ -32,25 +32,24 @@ absl::Status SequencePlanner::CheckLayers() const {
                     limits::kMaxLayerPrograms, layers);
 }
 
-std::string SequencePlanner::NameOf(size_t copy) const {
+std::string SequencePlanner::NameOfCopy(size_t copy) const {
   const int32_t object = copies_[copy].object;
   const auto same = [&](const PlacedCopy& other) { return other.object == object; };
-  const auto number = static_cast<size_t>(object);
-  std::string name = number < object_names_.size() ? object_names_[number]
-                                                   : fmt::format("object {}", object);
+  std::string name = NameOf(object, object_names_);
   if (std::ranges::count_if(copies_, same) == 1) return name;
   return fmt::format("{} (copy {})", name,
                      std::ranges::count_if(copies_.first(copy + 1), same));
 }
 
-absl::Status SequencePlanner::Finish(JobPlan& plan) {
+absl::Status SequencePlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
+  if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
   if (absl::Status ok = CheckLayers(); !ok.ok()) return ok;
   std::vector<SequenceItem> items;
   std::vector<size_t> copy_of;  // by item
   for (size_t i = 0; i < copies_.size(); ++i) {
     const auto printed = printed_.find(copies_[i].object);
     if (printed == printed_.end()) continue;
-    items.push_back({copies_[i].footprint, printed->second.top_nm, NameOf(i)});
+    items.push_back({copies_[i].footprint, printed->second.top_nm, NameOfCopy(i)});
     copy_of.push_back(i);
   }
   const auto order = PrintSequence(items, {.clearance_radius_nm = options_.clearance_radius_nm,

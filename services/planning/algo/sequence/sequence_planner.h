@@ -16,7 +16,7 @@ namespace slicefarm::planning {
 /// in the first pass: brims and skirts of all copies lie before anything stands.
 /// Errors of Finish: those of PrintSequence, with the objects' names and which copies they are;
 /// REQUEST_TOO_LARGE if the copies have more than kMaxLayerPrograms layers together.
-/// Cost: that of PrintSequence. Memory: O(objects).
+/// Cost: that of PrintSequence, too little to be cancelled. Memory: O(objects).
 class SequencePlanner : public Planner {
  public:
   /// All must outlive this. `object_names`: by object; may be fewer.
@@ -25,7 +25,7 @@ class SequencePlanner : public Planner {
       : options_(options), copies_(copies), object_names_(object_names) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(JobPlan& plan) override;
+  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
 
  private:
   struct Printed {
@@ -34,7 +34,7 @@ class SequencePlanner : public Planner {
   };
 
   absl::Status CheckLayers() const;
-  std::string NameOf(size_t copy) const;
+  std::string NameOfCopy(size_t copy) const;
 
   const SequencePlanOptions& options_;
   const std::span<const PlacedCopy> copies_;

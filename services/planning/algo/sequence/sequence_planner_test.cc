@@ -38,7 +38,7 @@ absl::StatusOr<std::vector<int32_t>> PassesOf(const std::vector<SlicedLayer>& la
   for (const SlicedLayer& layer : layers) planner.Look(layer, unused);
   JobPlan plan;
   for (const PlacedCopy& copy : copies) plan.copies.push_back({copy.object, copy.shift, 0});
-  if (absl::Status status = planner.Finish(plan); !status.ok()) return status;
+  if (absl::Status status = planner.Finish({}, plan); !status.ok()) return status;
   std::vector<int32_t> passes;
   for (const Copy& copy : plan.copies) passes.push_back(copy.pass);
   return passes;

@@ -122,6 +122,19 @@ class DepthBuffer {
     }
   }
 
+  /// Puts another buffer's samples here, its first one at `left`, `top`, and nearer by `depth`.
+  void Stamp(const DepthBuffer& other, int32_t left, int32_t top, float depth) {
+    const int32_t from = std::max(-left, 0), to = std::min(width_ - left, other.width_);
+    for (int32_t y = std::max(-top, 0); y < std::min(height_ - top, other.height_); ++y) {
+      for (int32_t x = from; x < to; ++x) {
+        const size_t at = static_cast<size_t>(y) * other.width_ + x;
+        if (other.depth_[at] != kNothing)
+          Put(static_cast<size_t>(y + top) * width_ + left + x, other.depth_[at] + depth,
+              other.shade_[at]);
+      }
+    }
+  }
+
   /// The mean of fine x fine samples; what no face covers is transparent.
   Rgba Pixel(int32_t x, int32_t y, int32_t fine) const {
     int32_t covered = 0, shade = 0;
@@ -166,10 +179,19 @@ class DepthBuffer {
 Frame FitFrame(std::span<const SceneMesh> scene, int32_t width, int32_t height) {
   Vector low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
   for (const SceneMesh& object : scene) {
+    if (object.centers.empty()) continue;
+    const Vector first = ToView({}, object.centers.front());
+    Vector least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};  // at the first center
     for (const Vertex& vertex : object.mesh->vertices) {
-      const Vector view = ToView(vertex, object.center);
-      low.x = std::min(low.x, view.x), low.y = std::min(low.y, view.y);
-      high.x = std::max(high.x, view.x), high.y = std::max(high.y, view.y);
+      const Vector view = ToView(vertex, object.centers.front());
+      least.x = std::min(least.x, view.x), least.y = std::min(least.y, view.y);
+      most.x = std::max(most.x, view.x), most.y = std::max(most.y, view.y);
+    }
+    for (const Point center : object.centers) {
+      const Vector here = ToView({}, center);
+      const double x = here.x - first.x, y = here.y - first.y;
+      low.x = std::min(low.x, least.x + x), low.y = std::min(low.y, least.y + y);
+      high.x = std::max(high.x, most.x + x), high.y = std::max(high.y, most.y + y);
     }
   }
   const double margin = 1 + 2 * kMarginOfSize;
@@ -179,18 +201,55 @@ Frame FitFrame(std::span<const SceneMesh> scene, int32_t width, int32_t height) 
   return {scale, (low.x + high.x - width / scale) / 2, (low.y + high.y + height / scale) / 2};
 }
 
-absl::Status DrawObject(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
-                        const CancelToken& cancel) {
+/// The vertices in the buffer, with the object at a place.
+std::vector<Vector> CornersOf(const IndexedMesh& mesh, Point center, const Frame& frame) {
   std::vector<Vector> corners;
-  corners.reserve(object.mesh->vertices.size());
-  for (const Vertex& vertex : object.mesh->vertices)
-    corners.push_back(frame.ToBuffer(ToView(vertex, object.center)));
+  corners.reserve(mesh.vertices.size());
+  for (const Vertex& vertex : mesh.vertices)
+    corners.push_back(frame.ToBuffer(ToView(vertex, center)));
+  return corners;
+}
+
+absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector>& corners,
+                        DepthBuffer& buffer, const CancelToken& cancel) {
   size_t count = 0;
   for (const auto& t : object.mesh->triangles) {
     if (++count % kTrianglesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
     buffer.Draw(corners[t[0]], corners[t[1]], corners[t[2]], !object.solid);
   }
   return absl::OkStatus();
+}
+
+/// Draws the copies of an object: the first one into a buffer of its own, which is stamped.
+absl::Status StampCopies(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
+                         const CancelToken& cancel) {
+  std::vector<Vector> corners = CornersOf(*object.mesh, object.centers.front(), frame);
+  Vector low{HUGE_VAL, HUGE_VAL, 0}, high{0, 0, 0};
+  for (const Vector& corner : corners) {
+    low.x = std::min(low.x, std::floor(corner.x)), low.y = std::min(low.y, std::floor(corner.y));
+    high.x = std::max(high.x, corner.x), high.y = std::max(high.y, corner.y);
+  }
+  if (corners.empty()) return absl::OkStatus();
+  for (Vector& corner : corners) corner.x -= low.x, corner.y -= low.y;
+  DepthBuffer stamp(static_cast<int32_t>(high.x - low.x) + 1,
+                    static_cast<int32_t>(high.y - low.y) + 1);
+  if (absl::Status status = DrawFacets(object, corners, stamp, cancel); !status.ok()) return status;
+  const Vector first = frame.ToBuffer(ToView({}, object.centers.front()));
+  for (const Point center : object.centers) {
+    if (cancel.Cancelled()) return cancel.Check();
+    const Vector here = frame.ToBuffer(ToView({}, center));
+    buffer.Stamp(stamp, static_cast<int32_t>(std::lround(low.x + here.x - first.x)),
+                 static_cast<int32_t>(std::lround(low.y + here.y - first.y)),
+                 static_cast<float>(here.z - first.z));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status DrawObject(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
+                        const CancelToken& cancel) {
+  if (object.centers.empty()) return absl::OkStatus();
+  if (object.centers.size() > 1) return StampCopies(object, frame, buffer, cancel);
+  return DrawFacets(object, CornersOf(*object.mesh, object.centers.front(), frame), buffer, cancel);
 }
 
 absl::Status SizeError(const ThumbnailSize& size) {

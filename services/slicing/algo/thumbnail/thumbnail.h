@@ -10,10 +10,10 @@
 
 namespace slicefarm::slicing {
 
-/// A mesh in a picture, moved to `center`.
+/// A mesh in a picture, once at each of `centers`.
 struct SceneMesh {
   const IndexedMesh* mesh = nullptr;
-  Point center;
+  std::span<const Point> centers;
   bool solid = false;  ///< closed and the right side out: faces that look away need not be drawn
 };
 
@@ -23,8 +23,9 @@ struct SceneMesh {
 ///
 /// Every pixel is the mean of several samples of a depth buffer; of faces at the same depth the
 /// brightest shows, so the order of the triangles plays no part. The same bytes for the same input
-/// on every machine: no sine, no threads. Errors: SETTING_OUT_OF_RANGE for a size outside [1,
-/// 2048]; Cancelled. Cost: O(triangles + samples).
+/// on every machine: no sine, no threads. A mesh is drawn once and stamped at its other places, to a
+/// whole sample. Errors: SETTING_OUT_OF_RANGE for a size outside [1, 2048]; Cancelled. Cost:
+/// O(triangles + samples of all copies).
 absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
                                           const ThumbnailSize& size,
                                           const CancelToken& cancel);

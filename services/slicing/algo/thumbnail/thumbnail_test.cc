@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cmath>
 #include <vector>
 
 #include "common/base/error.h"
@@ -13,6 +14,8 @@
 
 namespace slicefarm::slicing {
 namespace {
+
+const std::vector<Point> kHere = {{}};
 
 std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
   png_image image{};
@@ -38,7 +41,7 @@ double CoveredShare(const std::vector<Rgba>& pixels) {
 
 TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
-  const std::vector<Rgba> pixels = Pixels(Render({{&cube, {}, true}}, {100, 100}));
+  const std::vector<Rgba> pixels = Pixels(Render({{&cube, kHere, true}}, {100, 100}));
   // A regular hexagon as high as the picture less its margin: 3 sqrt(3) / 8 of the square.
   EXPECT_NEAR(CoveredShare(pixels), 0.6495 / (1.08 * 1.08), 0.01);
   EXPECT_EQ(pixels[0], (Rgba{0, 0, 0, 0}));
@@ -51,25 +54,26 @@ TEST(RenderThumbnail, ShowsACubeAsAHexagonOfThreeShades) {
 
 TEST(RenderThumbnail, SolidObjectsLookTheSameWithoutTheirBacks) {
   const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}));
-  const std::vector<Rgba> solid = Pixels(Render({{&torus, {}, true}}, {64, 64}));
-  const std::vector<Rgba> open = Pixels(Render({{&torus, {}, false}}, {64, 64}));
+  const std::vector<Rgba> solid = Pixels(Render({{&torus, kHere, true}}, {64, 64}));
+  const std::vector<Rgba> open = Pixels(Render({{&torus, kHere, false}}, {64, 64}));
   EXPECT_NEAR(CoveredShare(solid), CoveredShare(open), 0.002);
 }
 
 TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
   const RawMesh raw = Joined(TorusMesh({}), BoxMesh({0, 0, 0}, {25, 25, 25}));
   const IndexedMesh mesh = *PlaceMesh(raw), shuffled = *PlaceMesh(Shuffled(raw, 5));
-  const SceneMesh object{&mesh, {}, false};
+  const SceneMesh object{&mesh, kHere, false};
   IndexedMesh reordered = mesh;
   std::reverse(reordered.triangles.begin(), reordered.triangles.end());
-  EXPECT_EQ(Render({object}, {300, 300}).data, Render({{&reordered, {}, false}}, {300, 300}).data);
-  EXPECT_NEAR(CoveredShare(Pixels(Render({{&shuffled, {}, false}}, {300, 300}))),
+  EXPECT_EQ(Render({object}, {300, 300}).data, Render({{&reordered, kHere, false}}, {300, 300}).data);
+  EXPECT_NEAR(CoveredShare(Pixels(Render({{&shuffled, kHere, false}}, {300, 300}))),
               CoveredShare(Pixels(Render({object}, {300, 300}))), 1e-4);
 }
 
 TEST(RenderThumbnail, FitsAllObjectsIn) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
-  const std::vector<SceneMesh> scene = {{&cube, {}, true}, {&cube, {100 * kNmPerMm, 0}, true}};
+  const std::vector<Point> there = {{100 * kNmPerMm, 0}};
+  const std::vector<SceneMesh> scene = {{&cube, kHere, true}, {&cube, there, true}};
   const std::vector<Rgba> pixels = Pixels(Render(scene, {60, 40}));
   bool left = false, right = false;
   for (size_t at = 0; at < pixels.size(); ++at) {
@@ -82,15 +86,33 @@ TEST(RenderThumbnail, FitsAllObjectsIn) {
 
 TEST(RenderThumbnail, ShowsTheSameAsQoi) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
-  const Thumbnail png = Render({{&cube, {}, true}}, {40, 30});
-  const Thumbnail qoi = Render({{&cube, {}, true}}, {40, 30, PictureFormat::kQoi});
+  const Thumbnail png = Render({{&cube, kHere, true}}, {40, 30});
+  const Thumbnail qoi = Render({{&cube, kHere, true}}, {40, 30, PictureFormat::kQoi});
   EXPECT_EQ(qoi.format, PictureFormat::kQoi);
   EXPECT_EQ(qoi.data, EncodeQoi(Pixels(png), 40, 30));
 }
 
+// A stamp lies up to half a sample beside its place: seen at the edges alone.
+TEST(RenderThumbnail, CopiesLookLikeObjectsOfTheirOwn) {
+  const IndexedMesh torus = *PlaceMesh(TorusMesh({.around = 90, .sides = 60}));
+  const auto mm = [](double x, double y) { return Point{FromMm(x), FromMm(y)}; };
+  // Two apart, and one that hides some of another.
+  const std::vector<Point> places = {mm(0, 0), mm(70.3, 11.1), mm(14.7, -9.2)};
+  std::vector<SceneMesh> alone;
+  for (const Point& place : places) alone.push_back({&torus, {&place, 1}, true});
+  const std::vector<Rgba> want = Pixels(Render(alone, {200, 150}));
+  const std::vector<Rgba> got = Pixels(Render({{&torus, places, true}}, {200, 150}));
+  EXPECT_NEAR(CoveredShare(got), CoveredShare(want), 0.002);
+  double off = 0;
+  for (size_t i = 0; i < want.size(); ++i)
+    for (size_t c = 0; c < 4; ++c) off += std::abs(got[i][c] - want[i][c]);
+  EXPECT_LT(off / static_cast<double>(want.size()), 4);
+  EXPECT_NE(got, Pixels(Render({alone[0]}, {200, 150})));
+}
+
 TEST(RenderThumbnail, RefusesSenselessSizes) {
   const IndexedMesh cube = *PlaceMesh(BoxMesh({0, 0, 0}, {10, 10, 10}));
-  const SceneMesh object{&cube, {}, true};
+  const SceneMesh object{&cube, kHere, true};
   for (const ThumbnailSize& size : {ThumbnailSize{0, 10}, {10, -1}, {2049, 10}}) {
     const auto thumbnail = RenderThumbnail({&object, 1}, size, {});
     EXPECT_EQ(DetailOf(thumbnail.status()).reason, Reason::kSettingOutOfRange);

@@ -1,4 +1,4 @@
-#include "services/slicing/algo/placement/scene_plates.h"
+#include "services/slicing/algo/placement/local_arranging_stage.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,11 +30,15 @@ SceneObject Copies(const std::string& name, int32_t file, int count) {
   return ObjectOfFile(name, file, {}, count);
 }
 
-auto Put(const std::vector<double>& sides, const std::vector<SceneObject>& objects) {
-  return PutOnPlates(Boxes(sides), objects, SmallBed(), *MakeDirectMeshSource(), {});
+absl::StatusOr<std::vector<std::vector<SceneObject>>> Put(
+    const std::vector<double>& sides, const std::vector<SceneObject>& objects) {
+  const auto places =
+      MakeLocalArranging()->PutOnPlates({}, {Boxes(sides), ObjectsToPlace(objects)}, SmallBed());
+  if (!places.ok()) return places.status();
+  return OnPlates(objects, *places);
 }
 
-TEST(PutOnPlates, TakesAsManyPlatesAsNeededAndLosesNothing) {
+TEST(LocalArranging, TakesAsManyPlatesAsNeededAndLosesNothing) {
   const auto plates = Put({40, 30}, {Copies("a", 0, 7), Copies("b", 1, 2)});
   ASSERT_TRUE(plates.ok()) << plates.status();
   EXPECT_GE(plates->size(), 2u);
@@ -54,14 +58,14 @@ TEST(PutOnPlates, TakesAsManyPlatesAsNeededAndLosesNothing) {
   EXPECT_EQ(copies, 9u);
 }
 
-TEST(PutOnPlates, OnePlateIsEnoughForFew) {
+TEST(LocalArranging, OnePlateIsEnoughForFew) {
   const auto plates = Put({40}, {Copies("a", 0, 4)});
   ASSERT_TRUE(plates.ok()) << plates.status();
   ASSERT_EQ(plates->size(), 1u);
   EXPECT_EQ(plates->at(0)[0].instances.size(), 4u);
 }
 
-TEST(PutOnPlates, WhatHasAPlaceKeepsIt) {
+TEST(LocalArranging, WhatHasAPlaceKeepsIt) {
   SceneObject standing = Copies("a", 0, 1);
   standing.instances[0].placed = true;
   standing.instances[0].to_plate(0, 3) = standing.instances[0].to_plate(1, 3) = 50;
@@ -72,13 +76,23 @@ TEST(PutOnPlates, WhatHasAPlaceKeepsIt) {
   EXPECT_EQ(plates->at(1).at(0).name, "b");
 }
 
-TEST(PutOnPlates, NamesWhatIsTooLarge) {
+TEST(LocalArranging, NamesWhatIsTooLarge) {
   const absl::Status status = Put({40, 120}, {Copies("a", 0, 1), Copies("slab", 1, 2)}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
   EXPECT_THAT(std::string(status.message()), HasSubstr("\"slab\""));
 }
 
-TEST(PutOnPlates, ErrorsOfFilesArePassedOn) {
+TEST(LocalArranging, IsCancelled) {
+  StageCall call;
+  call.cancel = CancelToken([] { return true; });
+  const std::vector<SceneObject> objects = {Copies("a", 0, 7)};
+  EXPECT_TRUE(absl::IsCancelled(
+      MakeLocalArranging()
+          ->PutOnPlates(call, {Boxes({40}), ObjectsToPlace(objects)}, SmallBed())
+          .status()));
+}
+
+TEST(LocalArranging, ErrorsOfFilesArePassedOn) {
   EXPECT_EQ(DetailOf(Put({}, {Copies("a", 0, 1)}).status()).reason, Reason::kRequestMalformed);
 }
 
