@@ -95,6 +95,8 @@ std::vector<SettingSpec> Speeds() {
       RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
                     "Speed of the layers of rafts that carry the part; 0: max_print_speed",
                     SpeedOf<Feature::kSupportInterface>()),
+      Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
+            SpeedOf<Feature::kIroning>()),
       FirstLayerSpeed(),
       {.key = "max_print_speed",
        .unit = "mm/s",

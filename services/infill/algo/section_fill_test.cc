@@ -35,7 +35,7 @@ absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
                                         const ObjectLayers& objects,
                                         std::span<const InfillOptions> regions) {
   auto none = RegionFields::Read(regions, {});
-  return FillSection(std::move(walled), on_bed, objects, regions, *none);
+  return FillSection(std::move(walled), on_bed, objects, {}, regions, *none);
 }
 
 std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
@@ -131,7 +131,7 @@ TEST(FillSection, AFieldTakesThePlaceOfTheDensity) {
   }
   const auto fills = [&](const std::vector<InfillOptions>& regions) {
     auto read = RegionFields::Read(regions, layers);
-    return *FillSection(Halves(5), false, objects, regions, *read);
+    return *FillSection(Halves(5), false, objects, {}, regions, *read);
   };
   EXPECT_EQ(fills(plain), fills(fields)) << "one density for a layer is the pattern's";
   EXPECT_EQ(FeaturesOf(fills(dense), 0), std::set{Feature::kSolidInfill});

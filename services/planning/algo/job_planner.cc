@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
+#include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
@@ -63,6 +64,8 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   if (options.sequence.complete_objects)
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
+  if (!options.infill.empty())
+    planners_.push_back(std::make_unique<InfillPlanner>(options, object_names));
 }
 
 absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
@@ -76,16 +79,17 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
   return JobPlanner(options, copies, object_names);
 }
 
-absl::StatusOr<LayerPlan> JobPlanner::Next(const SlicedLayer& layer) {
+absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
     if (absl::Status ok = CheckObject(section.object, *options_); !ok.ok()) return ok;
-  LayerPlan plan;
+  LayerPlan& plan = layers_.emplace_back();
   for (const auto& planner : planners_) planner->Look(layer, plan);
-  return plan;
+  return absl::OkStatus();
 }
 
 absl::StatusOr<JobPlan> JobPlanner::Finish() {
   JobPlan plan;
+  plan.layers = std::move(layers_);
   for (const PlacedCopy& copy : copies_) plan.copies.push_back({copy.object, copy.shift, 0});
   for (const auto& planner : planners_)
     if (absl::Status ok = planner->Finish(plan); !ok.ok()) return ok;

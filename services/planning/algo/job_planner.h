@@ -12,14 +12,15 @@
 
 namespace slicefarm::planning {
 
-/// Plans a job layer by layer, bottom up, so that layers can stream in and plans out. What is kept
-/// is what the planners keep, which is no more than a few layers each. The planners, in the order in
-/// which they look at a layer:
+/// Plans a job layer by layer, bottom up, so that layers can stream in. What is kept of them is what
+/// the planners keep: no more than a few layers each, but for infill that hangs from above. The
+/// planners, in the order in which they look at a layer:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
+///   5 infill   lines and places of sparse infill that depend on many layers (infill/infill_planner.h)
 ///
 /// One thread; the plan depends on nothing but the arguments.
 class JobPlanner {
@@ -33,10 +34,9 @@ class JobPlanner {
                                          std::span<const std::string> object_names = {});
 
   /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
-  absl::StatusOr<LayerPlan> Next(const SlicedLayer& layer);
+  absl::Status Next(const SlicedLayer& layer);
 
-  /// Everything but the layers' plans. To be called once, after the last layer. Errors: those of the
-  /// planners.
+  /// The plan of all layers that Next was given. To be called once. Errors: those of the planners.
   absl::StatusOr<JobPlan> Finish();
 
  private:
@@ -46,6 +46,7 @@ class JobPlanner {
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;
   std::vector<std::unique_ptr<Planner>> planners_;
+  std::vector<LayerPlan> layers_;
 };
 
 }  // namespace slicefarm::planning

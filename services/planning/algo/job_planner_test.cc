@@ -17,13 +17,14 @@ TEST(JobPlanner, EachPlannerAddsToTheSameSections) {
   ASSERT_TRUE(planner.ok());
   const auto layers = LayersOrDie({kSquare, kSquare});
   ASSERT_TRUE(planner->Next(layers[0]).ok());
-  const auto plan = planner->Next(layers[1]);
-  ASSERT_TRUE(plan.ok());
-  ASSERT_EQ(plan->sections.size(), 1u);
-  EXPECT_EQ(plan->sections[0].seams.size(), 1u);
-  EXPECT_EQ(plan->entry, copies[0].shift + plan->sections[0].entry);
+  ASSERT_TRUE(planner->Next(layers[1]).ok());
   const auto job = planner->Finish();
   ASSERT_TRUE(job.ok());
+  ASSERT_EQ(job->layers.size(), 2u);
+  const LayerPlan& plan = job->layers[1];
+  ASSERT_EQ(plan.sections.size(), 1u);
+  EXPECT_EQ(plan.sections[0].seams.size(), 1u);
+  EXPECT_EQ(plan.entry, copies[0].shift + plan.sections[0].entry);
   EXPECT_EQ(job->copies, (std::vector<Copy>{{0, copies[0].shift, 0}}));
 }
 
@@ -108,7 +109,7 @@ TEST(JobPlanner, RefusesObjectsWithoutOptions) {
   SlicedLayer layer;
   for (const int32_t object : {1, kPlate}) {
     layer.sections = {SectionOrDie(object, 0, kSquare)};
-    EXPECT_EQ(DetailOf(planner->Next(layer).status()).reason, Reason::kRequestMalformed);
+    EXPECT_EQ(DetailOf(planner->Next(layer)).reason, Reason::kRequestMalformed);
   }
 }
 

@@ -13,17 +13,11 @@ class LocalPlanning : public PlanningStage {
                                const PlanningOptions& options) const override {
     absl::StatusOr<JobPlanner> planner = JobPlanner::Make(options, job.copies, job.object_names);
     if (!planner.ok()) return planner.status();
-    std::vector<LayerPlan> layers;
-    layers.reserve(job.layers.size());
     for (const SlicedLayer& layer : job.layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-      absl::StatusOr<LayerPlan> plan = planner->Next(layer);
-      if (!plan.ok()) return plan.status();
-      layers.push_back(*std::move(plan));
+      if (absl::Status ok = planner->Next(layer); !ok.ok()) return ok;
     }
-    absl::StatusOr<JobPlan> plan = planner->Finish();
-    if (plan.ok()) plan->layers = std::move(layers);
-    return plan;
+    return planner->Finish();
   }
 };
 

@@ -15,7 +15,7 @@ class Planner {
   /// Looks at the next layer. `plan` is that layer's.
   virtual void Look(const SlicedLayer& layer, LayerPlan& plan) = 0;
 
-  /// After the last layer: adds what depends on more layers than one. `plan` has no layers.
+  /// After the last layer: adds what depends on more layers than one.
   virtual absl::Status Finish(JobPlan& plan) {
     (void)plan;
     return absl::OkStatus();

@@ -25,7 +25,7 @@ absl::Status Answer(const JobPlan& plan, Stream& stream) {
       });
   if (!status.ok()) return status;
   v1::PlanResponse end;
-  end.mutable_end();
+  end.mutable_end()->mutable_notes()->Assign(plan.notes.begin(), plan.notes.end());
   for (const Copy& copy : plan.copies) {
     status = ToProto(copy, end.mutable_end()->add_copies());
     if (!status.ok()) return status;
@@ -50,22 +50,21 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  std::vector<LayerPlan> plans;
+  int32_t planned = 0;
   absl::Status status = ReadEach<v1::PlanRequest>(
       stream, [&](const v1::PlanRequest& request) -> absl::Status {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
         const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
         if (!layer.ok()) return layer.status();
-        if (layer->frame.index != std::ssize(plans)) {
+        if (layer->frame.index != planned++) {
           return Malformed("layer", "does not follow the one before");
         }
-        return Append(planner->Next(*layer), &plans);
+        return planner->Next(*layer);
       });
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
-  absl::StatusOr<JobPlan> plan = planner->Finish();
+  const absl::StatusOr<JobPlan> plan = planner->Finish();
   if (!plan.ok()) return plan.status();
-  plan->layers = std::move(plans);
   return Answer(*plan, stream);
 }
 

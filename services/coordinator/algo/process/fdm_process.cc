@@ -294,10 +294,12 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
 
   auto plan = Timed(report.stage_times.planning_s, [&] {
     const ScopedSpan span(call.spans, "planning");
-    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names},
-                          settings.planning);
+    PlanningOptions options = settings.planning;
+    options.infill = InfillPlansOf(settings);
+    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names}, options);
   });
   if (!plan.ok()) return plan.status();
+  report.notes = std::move(plan->notes);
   auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
                                       std::move(input.settings_text), std::move(report));
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())
