@@ -26,12 +26,16 @@ bool IsInside(const MultiPolygon& region, Point p) {
   });
 }
 
-/// How far from a the way to b first meets an edge of the region, beyond what lies on the edge at
-/// either end. None: it does not.
-std::optional<double> FirstCrossing(const MultiPolygon& region, Point a, Point b) {
+/// A stretch of a line, by the distances of its ends from the line's first point.
+struct Stretch {
+  double from_nm = 0;
+  double to_nm = 0;
+};
+
+/// What of the line from a to b lies inside. What is on the edge at either end counts as that end.
+std::vector<Stretch> InsideStretches(const MultiPolygon& region, Point a, Point b) {
   const double length = Distance(a, b);
-  double first = length - kOnEdgeNm;
-  bool found = false;
+  std::vector<double> cuts = {0, length};
   ForEachRing(region, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point c = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -39,12 +43,22 @@ std::optional<double> FirstCrossing(const MultiPolygon& region, Point a, Point b
       if (turn == 0) continue;
       const double along = Cross(c - a, d - c) / turn * length;
       const double aside = Cross(c - a, b - a) / turn;
-      if (aside < 0 || aside > 1 || along <= kOnEdgeNm || along >= first) continue;
-      first = along;
-      found = true;
+      if (0 <= aside && aside <= 1 && kOnEdgeNm < along && along < length - kOnEdgeNm)
+        cuts.push_back(along);
     }
   });
-  return found ? std::optional(first) : std::nullopt;
+  std::ranges::sort(cuts);
+  std::vector<Stretch> inside;
+  for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i + 1] - cuts[i] <= kOnEdgeNm) continue;
+    if (!IsInside(region, Towards(a, b, (cuts[i] + cuts[i + 1]) / 2))) continue;
+    if (!inside.empty() && cuts[i] - inside.back().to_nm <= kOnEdgeNm) {
+      inside.back().to_nm = cuts[i + 1];
+    } else {
+      inside.push_back({cuts[i], cuts[i + 1]});
+    }
+  }
+  return inside;
 }
 
 }  // namespace
@@ -154,17 +168,16 @@ void Branches::Straighten(double step_nm) {
 }
 
 void Branches::DropIdleNodes() {
-  const auto children = Children();
+  auto children = Children();
   std::vector<char> kept(nodes_.size(), 1);
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    const int32_t parent = nodes_[i].parent;
-    if (parent < 0 || children[i].size() != 1) continue;
-    BranchNode& child = nodes_[static_cast<size_t>(children[i][0])];
-    if (DistanceToSegment(nodes_[i].at, nodes_[static_cast<size_t>(parent)].at, child.at) > kIdleNm)
-      continue;
-    // The next one up the branch is looked at with this one still in its place: as nodes go one by
-    // one, no line moves by more than twice the tolerance.
-    child.parent = parent;
+    if (nodes_[i].parent < 0 || children[i].size() != 1) continue;
+    const auto parent = static_cast<size_t>(nodes_[i].parent);
+    const int32_t outer = children[i][0];
+    BranchNode& child = nodes_[static_cast<size_t>(outer)];
+    if (DistanceToSegment(nodes_[i].at, nodes_[parent].at, child.at) > kIdleNm) continue;
+    child.parent = nodes_[i].parent;
+    std::ranges::replace(children[parent], static_cast<int32_t>(i), outer);
     kept[i] = 0;
   }
   Keep(kept);
@@ -185,34 +198,47 @@ void Branches::Keep(const std::vector<char>& kept) {
 
 void Branches::Refit(const MultiPolygon& region) {
   const size_t count = nodes_.size();
-  std::vector<char> kept(count, 1);
-  std::vector<double> to_edge(count);
+  std::vector<char> kept(count, 0);
+  std::vector<BranchNode> old = nodes_;
+  // Each edge leaves what of it lies inside: next to its inner end, next to its outer one, or a
+  // piece between two places on the region's edge.
   for (size_t i = 0; i < count; ++i) {
-    const auto edge = NearestOnEdge(region, nodes_[i].at);
-    to_edge[i] = edge.has_value() ? edge->distance_nm : std::numeric_limits<double>::infinity();
-    kept[i] = edge.has_value() && (to_edge[i] <= kOnEdgeNm || IsInside(region, nodes_[i].at));
-  }
-  for (size_t i = 0; i < count; ++i) {
-    if (!kept[i]) continue;
-    const Point at = nodes_[i].at;
-    std::optional<Point> root;
-    if (nodes_[i].parent < 0) {
-      if (to_edge[i] > kOnEdgeNm) root = NearestOnEdge(region, at)->at;
-    } else {
-      const auto parent = static_cast<size_t>(nodes_[i].parent);
-      const auto crossing = FirstCrossing(region, at, nodes_[parent].at);
-      if (crossing.has_value()) {
-        root = Towards(at, nodes_[parent].at, *crossing);
-      } else if (!kept[parent]) {
-        nodes_[i].parent = -1;  // it lies on the edge itself
+    if (old[i].parent < 0) continue;
+    const auto parent = static_cast<size_t>(old[i].parent);
+    const Point inner = old[parent].at, outer = old[i].at;
+    const double length = Distance(inner, outer);
+    nodes_[i].parent = -1;
+    for (const Stretch& stretch : InsideStretches(region, inner, outer)) {
+      const bool from_inner = stretch.from_nm <= 0, to_outer = stretch.to_nm >= length;
+      auto base = static_cast<int32_t>(parent);
+      if (from_inner) {
+        kept[parent] = 1;
+      } else {
+        base = static_cast<int32_t>(nodes_.size());
+        nodes_.push_back({Towards(inner, outer, stretch.from_nm), -1});
+      }
+      if (to_outer) {
+        kept[i] = 1;
+        nodes_[i].parent = base;
+      } else {
+        nodes_.push_back({Towards(inner, outer, stretch.to_nm), base});
       }
     }
-    if (!root.has_value()) continue;
-    nodes_[i].parent = static_cast<int32_t>(nodes_.size());
-    nodes_.push_back({*root, -1});
-    kept.push_back(1);
   }
+  kept.resize(nodes_.size(), 1);
   Keep(kept);
+  TieRoots(region);
+}
+
+void Branches::TieRoots(const MultiPolygon& region) {
+  const size_t count = nodes_.size();
+  for (size_t i = 0; i < count; ++i) {
+    if (nodes_[i].parent >= 0) continue;
+    const auto edge = NearestOnEdge(region, nodes_[i].at);
+    if (!edge.has_value() || edge->distance_nm <= kOnEdgeNm) continue;
+    nodes_[i].parent = static_cast<int32_t>(nodes_.size());
+    nodes_.push_back({edge->at, -1});
+  }
 }
 
 std::vector<Polyline> Branches::Lines(double beyond_nm) const {

@@ -54,6 +54,7 @@ class Branches {
 
  private:
   std::vector<std::vector<int32_t>> Children() const;
+  void TieRoots(const MultiPolygon& region);
   void CutTips(double step_nm);
   void Straighten(double step_nm);
   void DropIdleNodes();

@@ -39,7 +39,7 @@ double ReachOf(const ObjectStack& stack) {
   for (const StackLayer& layer : stack) {
     reach = std::max(reach, layer.z_nm);
     ForEachRing(layer.whole, [&](const Polygon& ring) {
-      for (const Point p : ring) reach = std::max(reach, std::llround(std::ceil(Norm(p))));
+      for (const Point p : ring) reach = std::max(reach, static_cast<Coord>(std::ceil(Norm(p))));
     });
   }
   return static_cast<double>(reach);

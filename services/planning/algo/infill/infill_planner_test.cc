@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/geometry/measure.h"
 #include "services/planning/algo/layers_test.h"
 
 namespace slicefarm::planning {
@@ -54,11 +55,13 @@ TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
   for (SlicedLayer& layer : raised) layer.sections[0].z_nm = layer.frame.print_z_nm;
   const JobPlan support = PlanFor(Options(FillPattern::kSupportCubic), raised);
   const JobPlan adaptive = PlanFor(Options(FillPattern::kAdaptiveCubic), raised);
-  const auto count = [](const JobPlan& plan, size_t layer) {
-    return plan.layers[layer].infill[0].lines.size();
+  const auto length = [](const JobPlan& plan, size_t layer) {
+    double sum = 0;
+    for (const Polyline& line : plan.layers[layer].infill[0].lines) sum += Length(line);
+    return sum;
   };
-  EXPECT_GT(count(support, 190), 1.5 * static_cast<double>(count(support, 20)));
-  EXPECT_GT(count(adaptive, 20), count(support, 20));
+  EXPECT_GT(length(support, 190), 1.5 * length(support, 20));
+  EXPECT_GT(length(adaptive, 20), 1.5 * length(support, 20));
 }
 
 TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
@@ -70,7 +73,7 @@ TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
       << plan.notes[0];
   EXPECT_EQ(plan.layers[5].infill[0].pattern, FillPattern::kCubic);
   options.goal = FillGoal::kTime;
-  options.density = 0.05;
+  options.density = 0.08;
   const JobPlan airy = PlanFor(options, Block());
   EXPECT_EQ(airy.layers[5].infill[0].pattern, FillPattern::kLightning);
   EXPECT_FALSE(airy.layers[kLayers - 4].infill[0].lines.empty());

@@ -87,7 +87,8 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
             const bool inside = Inside(p, sample.areas[i - 1]);
             const auto edge = NearestOnEdge(sample.areas[i - 1], p);
             const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i - 1]));
-            if (inside) EXPECT_LE(nearest, 2 * kStackHeight + 50'000) << i;
+            if (!inside) continue;
+            EXPECT_LE(nearest, 2 * kStackHeight + 50'000) << i;
           }
         }
       }
