@@ -305,8 +305,8 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
   const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
   if (!planned || infill.density_field.empty()) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("density_field: fill_pattern = {} is laid out over the whole part, and "
-                               "cannot follow a field",
+                   fmt::format("density_field: fill_pattern = {} is laid out over the whole part, "
+                               "and cannot follow a field",
                                infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
                    {{"setting", "density_field"}});
 }
@@ -315,8 +315,8 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
 std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
   int32_t& every = settings.infill[0].every_layers;
   const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
-  const auto most = static_cast<int32_t>(
-      std::max<Coord>(1, FromMm(settings.motion.nozzle_diameter_mm) / std::max<Coord>(1, height_nm)));
+  const Coord nozzle_nm = FromMm(settings.motion.nozzle_diameter_mm);
+  const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
   if (every <= most) return std::nullopt;
   const int32_t asked = std::exchange(every, most);
   return fmt::format("infill_every_layers = {}: {} is what layer_height and nozzle_diameter allow",

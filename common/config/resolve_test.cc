@@ -537,7 +537,8 @@ TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
 
 TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   const InfillOptions automatic =
-      ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}})).settings.infill[0];
+      ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}}))
+          .settings.infill[0];
   EXPECT_TRUE(automatic.choose_pattern);
   EXPECT_EQ(automatic.goal, FillGoal::kTime);
   const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
@@ -570,7 +571,9 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
 
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
   const ResolvedSettings resolved = ResolveOrDie(
-      Settings({{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
+      Settings({{"infill_every_layers", "5"},
+                {"layer_height", "0.15"},
+                {"nozzle_diameter", "0.4"}}));
   EXPECT_EQ(resolved.settings.infill[0].every_layers, 2);
   EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
                                               "nozzle_diameter allow"));
@@ -579,7 +582,8 @@ TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {
   for (const char* pattern : {"auto", "adaptivecubic", "supportcubic", "lightning"}) {
     const auto refused = Resolve(
-        Settings({{"fill_pattern", pattern}, {"density_field", R"({"kind":"constant","density":0.3})"}}));
+        Settings({{"fill_pattern", pattern},
+                  {"density_field", R"({"kind":"constant","density":0.3})"}}));
     EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingOutOfRange) << pattern;
   }
 }

@@ -114,7 +114,8 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
-       .doc = "Pattern of the sparse infill; auto: by density, the part's thickness and infill_goal",
+       .doc = "Pattern of the sparse infill; auto: by density, the part's thickness and "
+              "infill_goal",
        .choices = SparsePatterns(),
        .field = {SetPattern, GetPattern}},
       {.key = "infill_goal",
@@ -139,10 +140,11 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Direction of the infill's lines; solid layers turn by a right angle each",
        .field = Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].angle_rad; })},
       AnglesByLayer("fill_angle_template",
-                    "Direction of the sparse infill's lines by layer, in place of fill_angle: 0,90 or "
-                    "45#2,0 for angles, +30 for turns from layer to layer",
+                    "Direction of the sparse infill's lines by layer, in place of fill_angle: 0,90 "
+                    "or 45#2,0 for angles, +30 for turns from layer to layer",
                     Bind([](auto& s) -> auto& { return s.infill[0].angle_template; })),
-      AnglesByLayer("solid_fill_angle_template", "The same for solid infill; bridges have their own",
+      AnglesByLayer("solid_fill_angle_template",
+                    "The same for solid infill; bridges have their own direction",
                     Bind([](auto& s) -> auto& { return s.infill[0].solid_angle_template; })),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
@@ -200,8 +202,8 @@ std::vector<SettingSpec> InfillSettings() {
        .min = 1,
        .max = 100,
        .standard = "1",
-       .doc = "Prints the sparse infill of that many layers at once, where all of them have it, as far "
-              "as the nozzle's diameter allows",
+       .doc = "Prints the sparse infill of that many layers at once, where all of them have it, "
+              "as far as the nozzle's diameter allows",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].every_layers; })},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,

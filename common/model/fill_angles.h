@@ -29,7 +29,8 @@ inline constexpr int kMaxAngleSteps = 1000;
 /// As ParseFillAngles reads it; equal items in a row are one.
 std::string PrintFillAngles(const std::vector<AngleStep>& steps);
 
-/// In degrees, [0, 360), of an object's own layer. REQUIRES: steps are not empty, layer >= 0. Cost: O(steps).
+/// In degrees, [0, 360), of an object's own layer. REQUIRES: steps are not empty, layer >= 0.
+/// Cost: O(steps).
 double FillAngleAt(const std::vector<AngleStep>& steps, double base_degrees, int32_t layer);
 
 }  // namespace slicefarm

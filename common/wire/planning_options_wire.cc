@@ -181,7 +181,8 @@ v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {
 }
 
 absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& proto) {
-  absl::Status status = CheckCount("top_solid_layers", proto.top_solid_layers(), limits::kMaxLayers);
+  absl::Status status =
+      CheckCount("top_solid_layers", proto.top_solid_layers(), limits::kMaxLayers);
   status.Update(
       CheckCount("bottom_solid_layers", proto.bottom_solid_layers(), limits::kMaxLayers));
   status.Update(CheckPositive({{"width_nm", proto.width_nm()}}));

@@ -159,8 +159,8 @@ std::string QualityRows(const FillTotals& all, double asked) {
   const infill::PropertyBounds heat =
       infill::ConductivityBounds(std::min(1.0, got), kPlasticWmK, kAirWmK);
   return fmt::format(
-      "density_asked {:.5f}\ndensity_got {:.5f}\ncovered {:.5f}\ntravel_mm {:.1f}\nisotropy {:.4f}\n"
-      "locality {:.3f}\nstiffness_least {:.5f}\nstiffness_most {:.5f}\n"
+      "density_asked {:.5f}\ndensity_got {:.5f}\ncovered {:.5f}\ntravel_mm {:.1f}\n"
+      "isotropy {:.4f}\nlocality {:.3f}\nstiffness_least {:.5f}\nstiffness_most {:.5f}\n"
       "conductivity_least_w_mk {:.5f}\nconductivity_most_w_mk {:.5f}\n",
       asked, got, Ratio(quality.covered, all.area_mm2), quality.travel_mm,
       Ratio(quality.isotropy, all.length_mm), quality.locality, stiffness.least, stiffness.most,
@@ -176,7 +176,7 @@ ExitCode Fill(const FillOptions& options) {
   }
   if (info->planned) {
     return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                          fmt::format("{} is laid out over all layers of a part: see slicefarm slice",
+                          fmt::format("{} is laid out over all layers of a part, by slicefarm slice",
                                       info->name)));
   }
   const std::optional<double> density = ReadDensity(options.density);
@@ -247,8 +247,8 @@ void AddFill(CLI::App& app, CommandContext& context) {
       "A path: number of points, x and y of each; one a line.\n"
       "Prints rows over all outlines: `components` are pieces of the region half a width inside,\n"
       "`density_by_length` is length times width by area, links and anchors at their full width.\n"
-      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is alike in all\n"
-      "directions, 0 has one; `locality` is the greatest |p - q|^2 / path between them, in widths;\n"
+      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is alike in\n"
+      "all directions, 0 has one; `locality` is the greatest |p - q|^2 / path between, in widths;\n"
       "stiffness is a share of the material's, conductivity is for PLA (0.2 W/mK) in air (0.026).\n"
       "Example:\n"
       "  slicefarm fill outlines -o paths --pattern gyroid --density 20%");

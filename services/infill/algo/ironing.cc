@@ -26,8 +26,8 @@ absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningF
   FillGroup group{.keep_order = true, .paths = {}};
   for (SerpentinePath& line :
        Serpentine(*lines, {.monotonic = true,
-                           .max_link_nm = kMaxLinkSpacings * spacing,
-                           .min_length_nm = static_cast<double>(fill.width_nm)})) {
+                          .max_link_nm = kMaxLinkSpacings * spacing,
+                          .min_length_nm = static_cast<double>(fill.width_nm)})) {
     Path& path = group.paths.emplace_back();
     path.feature = Feature::kIroning;
     path.reversible = false;

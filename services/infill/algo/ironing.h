@@ -7,7 +7,7 @@
 namespace slicefarm::infill {
 
 struct IroningFill {
-  double angle_rad = 0;  ///< of the lines that are ironed: ironing runs the same way
+  double angle_rad = 0;      ///< of the lines that are ironed: ironing runs the same way
   Coord width_nm = 450'000;  ///< of the beads that are ironed
   Coord height_nm = 200'000;
   IroningOptions ironing;

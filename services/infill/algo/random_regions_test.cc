@@ -37,7 +37,8 @@ MultiPolygon RandomRegion(std::mt19937& random) {
 /// For patterns that planning lays out.
 std::vector<Polyline> RandomLines(std::mt19937& random) {
   std::vector<Polyline> lines;
-  const auto at = [&] { return Point{FromMm(Uniform(random, -50, 50)), FromMm(Uniform(random, -50, 50))}; };
+  const auto coord = [&] { return FromMm(Uniform(random, -50, 50)); };
+  const auto at = [&] { return Point{coord(), coord()}; };
   for (int i = 0; i < 40; ++i) lines.push_back({at(), at(), at()});
   return lines;
 }

@@ -76,7 +76,9 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
 
 /// What is decided of a region's sparse infill; null: nothing.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t object, int32_t row) {
-  const auto place = [](const PlannedInfill& plan) { return std::pair(plan.object, plan.settings); };
+  const auto place = [](const PlannedInfill& plan) {
+    return std::pair(plan.object, plan.settings);
+  };
   const auto found = std::ranges::lower_bound(plans, std::pair(object, row), {}, place);
   return found == plans.end() || place(*found) != std::pair(object, row) ? nullptr : &*found;
 }

@@ -39,7 +39,8 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
 
   const absl::StatusOr<std::vector<FilledLayer>> filled =
-      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans, start->options);
+      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans,
+                  start->options);
   if (!filled.ok()) return filled.status();
   return WriteEach<v1::FilledLayer>(
       stream, *filled,

@@ -24,9 +24,7 @@ TEST(PlannedLines, AreCutToTheRegion) {
   EXPECT_EQ((*pieces)[1].to.ring, 0);
 }
 
-TEST(PlannedLines, NothingPlannedIsNothing) {
-  EXPECT_TRUE(PlannedLines(SampleBox(), {})->empty());
-}
+TEST(PlannedLines, NothingPlannedIsNothing) { EXPECT_TRUE(PlannedLines(SampleBox(), {})->empty()); }
 
 }  // namespace
 }  // namespace slicefarm::infill

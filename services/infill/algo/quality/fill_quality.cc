@@ -31,8 +31,7 @@ double VolumeMm3(const Path& path, Coord height_nm) {
 double CoveredMm2(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm) {
   std::map<Coord, std::vector<Polyline>> lines;  // by width
   for (const Path& path : paths) {
-    Polyline& line =
-        lines[*std::ranges::max_element(path.widths_nm)].emplace_back(path.points);
+    Polyline& line = lines[*std::ranges::max_element(path.widths_nm)].emplace_back(path.points);
     if (path.closed) line.push_back(line.front());
   }
   MultiPolygon covered;
@@ -51,7 +50,8 @@ double TravelMm(std::span<const Path> paths) {
     double nearest = -1;
     for (size_t i = 0; i < paths.size(); ++i) {
       if (done[i]) continue;
-      const double to_start = Distance(at, StartOf(paths[i])), to_end = Distance(at, EndOf(paths[i]));
+      const double to_start = Distance(at, StartOf(paths[i])),
+                   to_end = Distance(at, EndOf(paths[i]));
       if (const double way = std::min(to_start, to_end); nearest < 0 || way < nearest) {
         nearest = way;
         best = i;
@@ -138,8 +138,7 @@ FillQuality QualityOf(const MultiPolygon& region, std::span<const Path> paths, C
 PropertyBounds StiffnessBounds(double density) { return {density * density, density}; }
 
 PropertyBounds ConductivityBounds(double density, double material, double air) {
-  return {1 / (density / material + (1 - density) / air),
-          density * material + (1 - density) * air};
+  return {1 / (density / material + (1 - density) / air), density * material + (1 - density) * air};
 }
 
 }  // namespace slicefarm::infill

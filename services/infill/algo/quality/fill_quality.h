@@ -37,12 +37,13 @@ struct PropertyBounds {
   double most = 0;
 };
 
-/// Young's modulus, as a share of the material's. Most: walls that are stretched (Voigt), rho. Least:
-/// walls that bend in a cell open on all sides (L. J. Gibson, M. F. Ashby, "Cellular solids"), rho^2.
+/// Young's modulus, as a share of the material's. Most: walls that are stretched (Voigt), rho.
+/// Least: walls that bend in a cell open on all sides (L. J. Gibson, M. F. Ashby, "Cellular
+/// solids"), rho^2.
 PropertyBounds StiffnessBounds(double density);
 
-/// Conductivity of a material in air, in their unit. Most: side by side; least: one behind the other.
-/// REQUIRES: both conductivities are above 0.
+/// Conductivity of a material in air, in their unit. Most: side by side; least: one behind the
+/// other. REQUIRES: both conductivities are above 0.
 PropertyBounds ConductivityBounds(double density, double material, double air);
 
 }  // namespace slicefarm::infill

@@ -21,9 +21,8 @@ Point Towards(Point a, Point b, double way) {
 }
 
 bool IsInside(const MultiPolygon& region, Point p) {
-  return std::ranges::any_of(region, [&](const PolygonWithHoles& island) {
-    return Locate(p, island) != Side::kOutside;
-  });
+  return std::ranges::any_of(
+      region, [&](const PolygonWithHoles& island) { return Locate(p, island) != Side::kOutside; });
 }
 
 /// A stretch of a line, by the distances of its ends from the line's first point.
@@ -160,9 +159,8 @@ void Branches::Straighten(double step_nm) {
     for (const int32_t child : children[i]) sum = sum + nodes_[static_cast<size_t>(child)].at;
     const auto count = static_cast<Coord>(children[i].size() + 1);
     const Point middle{sum.x / count, sum.y / count};
-    moved[i].at = Distance(nodes_[i].at, middle) <= step_nm
-                      ? middle
-                      : Towards(nodes_[i].at, middle, step_nm);
+    moved[i].at =
+        Distance(nodes_[i].at, middle) <= step_nm ? middle : Towards(nodes_[i].at, middle, step_nm);
   }
   nodes_ = std::move(moved);
 }
@@ -250,7 +248,7 @@ std::vector<Polyline> Branches::Lines(double beyond_nm) const {
     const auto& of = children[static_cast<size_t>(order[k])];
     order.insert(order.end(), of.begin(), of.end());
   }
-  std::vector<double> reach(nodes_.size());       // of the longest way outwards
+  std::vector<double> reach(nodes_.size());      // of the longest way outwards
   std::vector<int32_t> next(nodes_.size(), -1);  // on it
   for (size_t k = order.size(); k-- > 0;) {
     const auto i = static_cast<size_t>(order[k]);

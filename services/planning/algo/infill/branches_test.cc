@@ -10,7 +10,8 @@ namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
 const MultiPolygon& Square() {
-  static const MultiPolygon& square = *new MultiPolygon(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
+  static const MultiPolygon& square =
+      *new MultiPolygon(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
   return square;
 }
 
@@ -30,7 +31,7 @@ TEST(NearestOnEdge, IsTheNearestPlace) {
 TEST(Branches, GrowFromTheEdgeOrFromATree) {
   Branches branches;
   EXPECT_EQ(branches.GrowTo(Mm(8, 10), Square()), Mm(0, 10));
-  EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));  // a fork
+  EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));   // a fork
   EXPECT_EQ(branches.GrowTo(Mm(10, 10), Square()), Mm(8, 10));  // the tip goes on
   EXPECT_EQ(branches.GrowTo(Mm(10, 2), Square()), Mm(10, 0));
   EXPECT_NEAR(LengthOf(branches), 10 + 2 + 2, 1e-6);

@@ -22,7 +22,8 @@ PatternChoice ForTime(double density) {
 PatternChoice ForStrength(double density) {
   if (density < kFirm)
     return {FillPattern::kCubic, "planes in three directions that brace each other"};
-  return {FillPattern::kGyroid, "as stiff in all directions, and so dense that lines must not cross"};
+  return {FillPattern::kGyroid,
+          "as stiff in all directions, and so dense that lines must not cross"};
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace slicefarm::planning {
 /// What the choice of a pattern looks at.
 struct PartShape {
   double height_mm = 0;  ///< of the region
-  double width_mm = 0;   ///< 4 area / perimeter, over all layers: a disc's diameter, twice a thin wall's
+  double width_mm =
+      0;  ///< 4 area / perimeter, over all layers: a disc's diameter, twice a thin wall's
 };
 
 PartShape ShapeOf(const ObjectStack& stack);

@@ -20,8 +20,7 @@ constexpr double kStepShare = 0.5;
 
 size_t CubicOctree::CellHash::operator()(const Cell& cell) const {
   uint64_t hash = 0;
-  for (const int32_t i : cell)
-    hash = (hash ^ static_cast<uint32_t>(i)) * 0x9E3779B97F4A7C15ULL;
+  for (const int32_t i : cell) hash = (hash ^ static_cast<uint32_t>(i)) * 0x9E3779B97F4A7C15ULL;
   return static_cast<size_t>(hash ^ (hash >> 32));
 }
 
@@ -86,8 +85,7 @@ void CubicOctree::AddLine(int family, int64_t plane, double z_nm,
   if (std::abs(v) >= reach_) return;
   const double half = std::sqrt(reach_ * reach_ - v * v);
   // At u along the line the other two numbers are mean - u / sqrt 2 and mean + u / sqrt 2.
-  const double mean =
-      -(std::sqrt(3.0) * z_nm + static_cast<double>(plane) * distance_) / 2;
+  const double mean = -(std::sqrt(3.0) * z_nm + static_cast<double>(plane) * distance_) / 2;
   std::vector<double> cuts = {-half, half};
   if (level > 1) {
     for (const double side : {-1.0, 1.0}) {

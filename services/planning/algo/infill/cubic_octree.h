@@ -10,11 +10,11 @@
 
 namespace slicefarm::planning {
 
-/// The planes of cubic infill (cubes that stand on a corner, services/infill/algo/patterns), thinned
-/// out away from given points: an octree of cubes, each with the three planes through its middle.
-/// A cube is divided if a point lies in the ball around it. So planes lie `pitch` apart (in the sense
-/// of the pattern's density law) next to points, and at double the distance each time that the
-/// distance to the points doubles.
+/// The planes of cubic infill (cubes that stand on a corner, services/infill/algo/patterns),
+/// thinned out away from given points: an octree of cubes, each with the three planes through its
+/// middle. A cube is divided if a point lies in the ball around it. So planes lie `pitch` apart (in
+/// the sense of the pattern's density law) next to points, and at double the distance each time
+/// that the distance to the points doubles.
 class CubicOctree {
  public:
   /// `pitch_nm`: length of lines per area is 1 / pitch where the tree is full. `angle_rad`: of the
@@ -45,9 +45,9 @@ class CubicOctree {
   double reach_;
   double step_;
   std::array<LineFrame, 3> frames_;
-  int levels_ = 0;             ///< of the smallest cubes; 0 is the whole
+  int levels_ = 0;              ///< of the smallest cubes; 0 is the whole
   std::vector<Cells> divided_;  ///< cubes by level, those of level 0 left out
-  Cells seen_;                 ///< steps in which there was a point
+  Cells seen_;                  ///< steps in which there was a point
 };
 
 }  // namespace slicefarm::planning

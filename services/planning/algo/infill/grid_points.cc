@@ -9,9 +9,7 @@ namespace slicefarm::planning {
 namespace {
 
 /// The first multiple of `step` that is not below `at`, in steps.
-Coord StepsUp(Coord at, Coord step) {
-  return at >= 0 ? (at + step - 1) / step : -(-at / step);
-}
+Coord StepsUp(Coord at, Coord step) { return at >= 0 ? (at + step - 1) / step : -(-at / step); }
 
 }  // namespace
 
@@ -33,8 +31,8 @@ std::vector<Point> GridPoints(const MultiPolygon& region, Coord step_nm) {
     std::ranges::sort(crossings);
     for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
       const auto first = static_cast<Coord>(std::ceil(crossings[i]));
-      for (Coord x = StepsUp(first, step_nm) * step_nm;
-           static_cast<double>(x) < crossings[i + 1]; x += step_nm)
+      for (Coord x = StepsUp(first, step_nm) * step_nm; static_cast<double>(x) < crossings[i + 1];
+           x += step_nm)
         points.push_back({x, row * step_nm});
     }
   }

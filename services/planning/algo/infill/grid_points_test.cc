@@ -12,7 +12,8 @@ namespace slicefarm::planning {
 namespace {
 
 TEST(GridPoints, AreThoseOfTheGridInside) {
-  const auto points = GridPoints(MakePolygonsOrDie("(-1.5 -0.5, 2.5 -0.5, 2.5 1.5, -1.5 1.5)"), kNmPerMm);
+  const auto points =
+      GridPoints(MakePolygonsOrDie("(-1.5 -0.5, 2.5 -0.5, 2.5 1.5, -1.5 1.5)"), kNmPerMm);
   EXPECT_EQ(points.size(), 4u * 2u);
   EXPECT_EQ(points.front(), (Point{-kNmPerMm, 0}));
   EXPECT_EQ(points.back(), (Point{2 * kNmPerMm, kNmPerMm}));

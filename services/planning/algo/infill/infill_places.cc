@@ -20,8 +20,8 @@ void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const Multi
     if (!needed.empty()) needed = Intersection(needed, areas[i]);
     const MultiPolygon roof = Opened(roofs[i], least_nm);
     if (!roof.empty()) needed = Union(needed, roof);
-    places[i].left_out = Union(
-        places[i].left_out, Difference(FastOffset(areas[i], margin_nm), needed));
+    places[i].left_out =
+        Union(places[i].left_out, Difference(FastOffset(areas[i], margin_nm), needed));
   }
 }
 
@@ -38,8 +38,7 @@ void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas
     }
     if (shared.empty()) continue;
     const size_t last = first + count - 1;
-    for (size_t i = first; i < last; ++i)
-      places[i].left_out = Union(places[i].left_out, shared);
+    for (size_t i = first; i < last; ++i) places[i].left_out = Union(places[i].left_out, shared);
     places[last].combined = shared;
     places[last].combined_height_nm = height_nm;
   }

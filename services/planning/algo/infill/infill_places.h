@@ -21,8 +21,8 @@ struct InfillPlaces {
 void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const MultiPolygon> roofs,
                       Coord least_nm, Coord margin_nm, std::span<InfillPlaces> places);
 
-/// infill_every_layers: stretches of so many layers, from the second layer up, in which the last one
-/// prints what all of them share, and the others leave it out.
+/// infill_every_layers: stretches of so many layers, from the second layer up, in which the last
+/// one prints what all of them share, and the others leave it out.
 void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
                    int32_t every_layers, std::span<InfillPlaces> places);
 

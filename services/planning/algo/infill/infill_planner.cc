@@ -71,8 +71,8 @@ struct SparsePlaces {
 
 SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack) {
   SparsePlaces places;
-  places.areas = SparseAreas(
-      stack, {options.walls_nm, options.top_solid_layers, options.bottom_solid_layers});
+  places.areas =
+      SparseAreas(stack, {options.walls_nm, options.top_solid_layers, options.bottom_solid_layers});
   places.roofs = RoofsOf(places.areas);
   return places;
 }
@@ -81,9 +81,9 @@ LinesByLayer LinesOf(FillPattern pattern, const InfillPlanOptions& options,
                      const ObjectStack& stack, const SparsePlaces& places) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
-  return LightningLines(stack, places.areas, places.roofs,
-                        {.radius_nm = PitchOf(options, stack),
-                         .beyond_nm = static_cast<double>(options.width_nm)});
+  return LightningLines(
+      stack, places.areas, places.roofs,
+      {.radius_nm = PitchOf(options, stack), .beyond_nm = static_cast<double>(options.width_nm)});
 }
 
 }  // namespace
@@ -120,21 +120,21 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, JobPlan&
     pattern = choice.pattern;
     const auto object = static_cast<size_t>(key.first);
     plan.notes.push_back(fmt::format(
-        "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on average): {}",
+        "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on "
+        "average): {}",
         InfoOf(pattern).name,
         object < object_names_.size() ? object_names_[object] : fmt::format("object {}", object),
         100 * options.density, shape.height_mm, shape.width_mm, choice.reason));
   }
-  const bool looks_at_places = pattern == FillPattern::kLightning || options.only_where_needed ||
-                               options.every_layers > 1;
+  const bool looks_at_places =
+      pattern == FillPattern::kLightning || options.only_where_needed || options.every_layers > 1;
   const SparsePlaces sparse = looks_at_places ? PlacesOf(options, stack) : SparsePlaces{};
   LinesByLayer lines = LinesOf(pattern, options, stack, sparse);
   std::vector<InfillPlaces> places(stack.size());
   if (options.only_where_needed)
     LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.width_nm,
                      options.walls_nm + options.width_nm, places);
-  if (options.every_layers > 1)
-    CombineLayers(stack, sparse.areas, options.every_layers, places);
+  if (options.every_layers > 1) CombineLayers(stack, sparse.areas, options.every_layers, places);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
     plan.layers[static_cast<size_t>(stack[i].job_layer)].infill.push_back(

@@ -38,7 +38,7 @@ class InfillPlanner : public Planner {
 
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;
-  std::map<int32_t, ObjectStack> stacks_;  ///< by object; `region` is not filled in
+  std::map<int32_t, ObjectStack> stacks_;                  ///< by object; `region` is not filled in
   std::map<Key, std::map<size_t, MultiPolygon>> regions_;  ///< by place in the object's stack
 };
 

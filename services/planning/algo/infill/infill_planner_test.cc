@@ -22,7 +22,8 @@ JobPlan PlanFor(const InfillPlanOptions& infill, const std::vector<SlicedLayer>&
 }
 
 std::vector<SlicedLayer> Block() {
-  auto layers = LayersOrDie(std::vector<std::string_view>(kLayers, "(-15 -15, 15 -15, 15 15, -15 15)"));
+  auto layers =
+      LayersOrDie(std::vector<std::string_view>(kLayers, "(-15 -15, 15 -15, 15 15, -15 15)"));
   for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;
   return layers;
 }
@@ -50,7 +51,8 @@ TEST(InfillPlanner, GivesLinesForPatternsOfTheWholeJob) {
 }
 
 TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
-  const auto layers = LayersOrDie(std::vector<std::string_view>(200, "(-15 -15, 15 -15, 15 15, -15 15)"));
+  const auto layers =
+      LayersOrDie(std::vector<std::string_view>(200, "(-15 -15, 15 -15, 15 15, -15 15)"));
   auto raised = layers;
   for (SlicedLayer& layer : raised) layer.sections[0].z_nm = layer.frame.print_z_nm;
   const JobPlan support = PlanFor(Options(FillPattern::kSupportCubic), raised);
@@ -69,7 +71,8 @@ TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
   options.choose_pattern = true;
   const JobPlan plan = PlanFor(options, Block());
   ASSERT_EQ(plan.notes.size(), 1u);
-  EXPECT_EQ(plan.notes[0].rfind("fill_pattern = auto: cubic for block (20 % dense, 8.0 mm high", 0), 0u)
+  EXPECT_EQ(plan.notes[0].rfind("fill_pattern = auto: cubic for block (20 % dense, 8.0 mm high", 0),
+            0u)
       << plan.notes[0];
   EXPECT_EQ(plan.layers[5].infill[0].pattern, FillPattern::kCubic);
   options.goal = FillGoal::kTime;

@@ -27,9 +27,9 @@ TEST(SurfacePoints, LieOnSidesTopsAndBottoms) {
   EXPECT_EQ(counts.at(100'000), 60);  // the edge, each mm
   EXPECT_EQ(counts.at(300'000), 60);
   EXPECT_EQ(counts.at(500'000), 40);
-  EXPECT_GE(counts.at(0), 60 + 19 * 9);        // the bottom: edge and grid
-  EXPECT_GE(counts.at(400'000), 40 + 9 * 9);   // the step
-  EXPECT_GE(counts.at(800'000), 40 + 9 * 9);   // the top
+  EXPECT_GE(counts.at(0), 60 + 19 * 9);       // the bottom: edge and grid
+  EXPECT_GE(counts.at(400'000), 40 + 9 * 9);  // the step
+  EXPECT_GE(counts.at(800'000), 40 + 9 * 9);  // the top
   EXPECT_FALSE(counts.contains(200'000));
 }
 
