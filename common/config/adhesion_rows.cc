@@ -22,11 +22,17 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.top_solid_layers = infill.bottom_solid_layers = 0;
   infill.density = density;
   infill.pattern = FillPattern::kAlignedRectilinear;
+  infill.choose_pattern = false;
   infill.solid_pattern = infill.top_pattern = infill.bottom_pattern = FillPattern::kRectilinear;
   infill.angle_rad = angle_rad;
+  infill.angle_template.clear();
+  infill.solid_angle_template.clear();
   infill.solid_below_area_mm2 = 0;
   infill.solid_every_layers = 0;
   infill.bridge_angle_rad = 0;
+  infill.every_layers = 1;
+  infill.only_where_needed = false;
+  infill.ironing = {};
   infill.density_field.clear();
   infill.stress_field.clear();
   infill.field_halo_layers = 0;

@@ -19,9 +19,6 @@ constexpr KnownKey kSwitches[] = {
     // These change the part or whether it prints at all.
     {"fuzzy_skin", kNotYet, "none", true, true},
     {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true},
-    {"infill_every_layers", kNotYet, "1", true, true},
-    {"infill_only_where_needed", kNotYet, "0", true, true},
-    {"ironing", kNotYet, "0", true, true},
     {"post_process", "scripts are never run", "", true, true},
     {"printer_technology", kResin, "FFF", true, true},
     {"single_extruder_multi_material", kNotYet, "0", true, true},
@@ -33,7 +30,6 @@ constexpr KnownKey kSwitches[] = {
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"automatic_infill_combination", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},
-    {"bridge_flow_ratio", kNotYet, "1", true},
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
     {"ensure_vertical_shell_thickness", "skins are always as thick as asked for", "enabled", true},
@@ -91,7 +87,7 @@ constexpr Group kGroups[] = {
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
      "filament_unload_time filament_unloading_* fuzzy_skin_* gcode_resolution "
      "high_current_on_filament_swap idle_temperature "
-     "interlocking_* ironing_* max_layer_height "
+     "interlocking_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
      "over_bridge_speed parking_pos_retraction pause_print_gcode "
      "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "

@@ -53,6 +53,8 @@ constexpr OrcaRow kRows[] = {
     {"top_surface_pattern", "top_fill_pattern", OrcaValue::kChoice},
     {"bottom_surface_pattern", "bottom_fill_pattern", OrcaValue::kChoice},
     {"infill_direction", "fill_angle"},
+    {"sparse_infill_rotate_template", "fill_angle_template"},
+    {"solid_infill_rotate_template", "solid_fill_angle_template"},
     {"infill_wall_overlap", "infill_overlap", OrcaValue::kPercent},
     {"infill_anchor", "infill_anchor"},
     {"infill_anchor_max", "infill_anchor_max"},

@@ -300,6 +300,29 @@ absl::Status TakeDensityField(JobSettings& settings) {
   return absl::OkStatus();
 }
 
+/// Lines that planning lays out do not follow a field.
+absl::Status CheckPlannedPattern(const InfillOptions& infill) {
+  const bool planned = infill.choose_pattern || InfoOf(infill.pattern).planned;
+  if (!planned || infill.density_field.empty()) return absl::OkStatus();
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("density_field: fill_pattern = {} is laid out over the whole part, "
+                               "and cannot follow a field",
+                               infill.choose_pattern ? "auto" : InfoOf(infill.pattern).name),
+                   {{"setting", "density_field"}});
+}
+
+/// Beads are not higher than the nozzle is wide. Returns what to say of it.
+std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
+  int32_t& every = settings.infill[0].every_layers;
+  const Coord height_nm = settings.slicing.objects[0].layer_height_nm;
+  const Coord nozzle_nm = FromMm(settings.motion.nozzle_diameter_mm);
+  const auto most = static_cast<int32_t>(std::max<Coord>(1, nozzle_nm / height_nm));
+  if (every <= most) return std::nullopt;
+  const int32_t asked = std::exchange(every, most);
+  return fmt::format("infill_every_layers = {}: {} is what layer_height and nozzle_diameter allow",
+                     asked, most);
+}
+
 }  // namespace
 
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process process) {
@@ -327,6 +350,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
     if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
+    if (absl::Status ok = CheckPlannedPattern(result.settings.infill[0]); !ok.ok()) return ok;
+    if (auto note = TakeEveryLayers(result.settings)) result.no_effect.push_back(*std::move(note));
   }
   for (std::string& note : UnmetNeeds(draft, result.settings)) {
     result.no_effect.push_back(std::move(note));
@@ -339,10 +364,10 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
 
 namespace {
 
-/// Few jobs have fields: those that have none do not say so.
-bool IsField(const SettingSpec& spec) {
+/// Few jobs have fields, or angles by layer: those that have none do not say so.
+bool IsRare(const SettingSpec& spec) {
   return spec.kind == Kind::kDensityField || spec.kind == Kind::kStressField ||
-         spec.kind == Kind::kMaterialField;
+         spec.kind == Kind::kMaterialField || spec.kind == Kind::kAngles;
 }
 
 }  // namespace
@@ -352,7 +377,7 @@ std::string EffectiveText(const JobSettings& settings, const ToldSettings& told)
   for (const SettingSpec& spec : SettingsTable(settings.process)) {
     if (spec.field.get == nullptr) continue;
     std::string value = PrintValue(spec, spec.field.get(settings));
-    if (IsField(spec) && value.empty()) continue;
+    if (IsRare(spec) && value.empty()) continue;
     all[std::string(spec.key)] = std::move(value);
   }
   std::string text;

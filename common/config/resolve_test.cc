@@ -110,8 +110,8 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
   EXPECT_FALSE(m.limits.emit_to_gcode);
   // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt, support
-  // and its interface 60.
-  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60));
+  // and its interface 60, ironing 15.
+  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15));
   EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
@@ -410,7 +410,7 @@ TEST(Resolve, ReportsUnknownKeysOfAProfile) {
 TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
   for (const auto& [key, value] : Pairs{{"support_material", "1"},
                                         {"spiral_vase", "1"},
-                                        {"ironing", "1"},
+                                        {"fuzzy_skin", "external"},
                                         {"post_process", "/bin/rm"}}) {
     for (const Source source : {Source::kProfile, Source::kRequest}) {
       const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, source));
@@ -457,13 +457,10 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
   const ResolvedSettings resolved = ResolveOrDie(Settings(
-      {{"fill_pattern", "lightning"}, {"gcode_flavor", "reprap"}},
-      Source::kProfile));
-  EXPECT_EQ(resolved.settings.infill[0].pattern, FillPattern::kGrid);
+      {{"gcode_flavor", "reprap"}}, Source::kProfile));
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
-              ElementsAre("fill_pattern = lightning: not supported yet: grid is used",
-                          "gcode_flavor = reprap: not supported yet: marlin2 is used"));
+              ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 }
 
@@ -534,6 +531,64 @@ TEST(Resolve, AnchorsAreSharesOfTheInfillsWidth) {
           .settings.infill[0];
   EXPECT_EQ(given.anchor_nm, FromMm(1.5));
   EXPECT_EQ(given.anchor_max_nm, 10 * given.sparse_width_nm);
+}
+
+TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
+  const InfillOptions automatic =
+      ResolveOrDie(Settings({{"fill_pattern", "auto"}, {"infill_goal", "time"}}))
+          .settings.infill[0];
+  EXPECT_TRUE(automatic.choose_pattern);
+  EXPECT_EQ(automatic.goal, FillGoal::kTime);
+  const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
+                                                        {"fill_angle_template", "0, 45,+30"},
+                                                        {"solid_fill_angle_template", "90"},
+                                                        {"infill_every_layers", "2"},
+                                                        {"infill_only_where_needed", "1"},
+                                                        {"bridge_flow_ratio", "0.9"},
+                                                        {"ironing", "1"},
+                                                        {"ironing_type", "solid"},
+                                                        {"ironing_flowrate", "20%"},
+                                                        {"ironing_spacing", "0.2"},
+                                                        {"ironing_speed", "22"}}));
+  const InfillOptions& infill = given.settings.infill[0];
+  EXPECT_FALSE(infill.choose_pattern);
+  EXPECT_EQ(infill.pattern, FillPattern::kLightning);
+  EXPECT_EQ(infill.angle_template, "0,45,+30");
+  EXPECT_EQ(infill.solid_angle_template, "90");
+  EXPECT_EQ(infill.every_layers, 2);
+  EXPECT_TRUE(infill.only_where_needed);
+  EXPECT_EQ(infill.bridge_flow, 0.9);
+  EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
+  EXPECT_EQ(given.settings.motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)], 22);
+  EXPECT_THAT(given.no_effect, IsEmpty());
+  // What is read back from the effective text is the same.
+  EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
+  EXPECT_THAT(ResolveOrDie(Settings({{"fill_pattern", "auto"}})).effective_text,
+              HasSubstr("\nfill_pattern = auto\n"));
+}
+
+TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
+  const ResolvedSettings resolved = ResolveOrDie(
+      Settings({{"infill_every_layers", "5"},
+                {"layer_height", "0.15"},
+                {"nozzle_diameter", "0.4"}}));
+  EXPECT_EQ(resolved.settings.infill[0].every_layers, 2);
+  EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
+                                              "nozzle_diameter allow"));
+}
+
+TEST(Resolve, LinesOfTheWholePartFollowNoField) {
+  for (const char* pattern : {"auto", "adaptivecubic", "supportcubic", "lightning"}) {
+    const auto refused = Resolve(
+        Settings({{"fill_pattern", pattern},
+                  {"density_field", R"({"kind":"constant","density":0.3})"}}));
+    EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingOutOfRange) << pattern;
+  }
+}
+
+TEST(Resolve, RefusesAnglesThatAreNone) {
+  const auto refused = Resolve(Settings({{"fill_angle_template", "0,x"}}));
+  EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
 }
 
 TEST(Resolve, MakesPngOfAProfilesOtherPictures) {

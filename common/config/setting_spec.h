@@ -28,6 +28,7 @@ enum class Kind {
   kDensityField,
   kStressField,
   kMaterialField,
+  kAngles,  ///< angles by layer (common/model/fill_angles.h); empty: none
 };
 
 /// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`

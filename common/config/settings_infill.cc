@@ -5,15 +5,64 @@
 namespace slicefarm::config {
 namespace {
 
-constexpr std::string_view kAsGrid = "not supported yet: grid is used";
+/// The value of fill_pattern = auto, which is no pattern.
+constexpr int kAutoPattern = kFillPatternCount;
 
 std::vector<Choice> SparsePatterns() {
   std::vector<Choice> choices;
   for (const FillPatternInfo& info : kFillPatterns)
     if (info.sparse) choices.push_back({info.name, static_cast<int>(info.pattern)});
-  for (const std::string_view name : {"adaptivecubic", "supportcubic", "lightning"})
-    choices.push_back({name, static_cast<int>(FillPattern::kGrid), kAsGrid});
+  choices.push_back({"auto", kAutoPattern});
   return choices;
+}
+
+void SetPattern(JobSettings& settings, const Value& value) {
+  InfillOptions& infill = settings.infill[0];
+  infill.choose_pattern = value.number == kAutoPattern;
+  infill.pattern = infill.choose_pattern ? InfillOptions{}.pattern
+                                         : static_cast<FillPattern>(std::lround(value.number));
+}
+
+Value GetPattern(const JobSettings& settings) {
+  const InfillOptions& infill = settings.infill[0];
+  return {.number = infill.choose_pattern ? kAutoPattern : static_cast<double>(infill.pattern)};
+}
+
+SettingSpec AnglesByLayer(std::string_view key, std::string_view of, Field field) {
+  return {.key = key, .kind = Kind::kAngles, .standard = "", .doc = of, .field = field};
+}
+
+std::vector<SettingSpec> IroningSettings() {
+  return {
+      {.key = "ironing",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Smooths surfaces by going over them once more with little plastic",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.enabled; })},
+      {.key = "ironing_type",
+       .kind = Kind::kChoice,
+       .standard = "top",
+       .doc = "What is ironed: all top surfaces, those of the last layer, or all solid infill",
+       .choices = {{"top", static_cast<int>(IroningType::kTop)},
+                   {"topmost", static_cast<int>(IroningType::kTopmost)},
+                   {"solid", static_cast<int>(IroningType::kSolid)}},
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.type; })},
+      {.key = "ironing_flowrate",
+       .kind = Kind::kPercent,
+       .unit = "%",
+       .min = 0,
+       .max = 100,
+       .standard = "15%",
+       .doc = "Plastic of ironing, of what would fill the layer",
+       .field = Bind<Scale::kPercent>([](auto& s) -> auto& { return s.infill[0].ironing.flow; })},
+      {.key = "ironing_spacing",
+       .unit = "mm",
+       .min = 0.01,
+       .max = 10,
+       .standard = "0.1",
+       .doc = "Distance of the lines of ironing",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].ironing.spacing_nm; })},
+  };
 }
 
 SettingSpec SolidFill(std::string_view key, std::string_view doc, Field field) {
@@ -45,7 +94,7 @@ SettingSpec MinThickness(std::string_view key, std::string_view doc) {
 }  // namespace
 
 std::vector<SettingSpec> InfillSettings() {
-  return {
+  std::vector<SettingSpec> settings = {
       SolidLayers("top_solid_layers", "Number of solid layers under a top surface",
                   Bind([](auto& s) -> auto& { return s.infill[0].top_solid_layers; })),
       SolidLayers("bottom_solid_layers", "Number of solid layers over a bottom surface",
@@ -65,9 +114,18 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "fill_pattern",
        .kind = Kind::kChoice,
        .standard = "grid",
-       .doc = "Pattern of the sparse infill",
+       .doc = "Pattern of the sparse infill; auto: by density, the part's thickness and "
+              "infill_goal",
        .choices = SparsePatterns(),
-       .field = Bind([](auto& s) -> auto& { return s.infill[0].pattern; })},
+       .field = {SetPattern, GetPattern}},
+      {.key = "infill_goal",
+       .kind = Kind::kChoice,
+       .standard = "strength",
+       .doc = "What the pattern that fill_pattern = auto chooses is to be good for",
+       .choices = {{"strength", static_cast<int>(FillGoal::kStrength)},
+                   {"time", static_cast<int>(FillGoal::kTime)},
+                   {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].goal; })},
       SolidFill("solid_fill_pattern", "Pattern of the solid infill inside a part",
                 Bind([](auto& s) -> auto& { return s.infill[0].solid_pattern; })),
       SolidFill("top_fill_pattern", "Pattern of top surfaces",
@@ -81,6 +139,13 @@ std::vector<SettingSpec> InfillSettings() {
        .standard = "45",
        .doc = "Direction of the infill's lines; solid layers turn by a right angle each",
        .field = Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].angle_rad; })},
+      AnglesByLayer("fill_angle_template",
+                    "Direction of the sparse infill's lines by layer, in place of fill_angle: 0,90 "
+                    "or 45#2,0 for angles, +30 for turns from layer to layer",
+                    Bind([](auto& s) -> auto& { return s.infill[0].angle_template; })),
+      AnglesByLayer("solid_fill_angle_template",
+                    "The same for solid infill; bridges have their own direction",
+                    Bind([](auto& s) -> auto& { return s.infill[0].solid_angle_template; })),
       {.key = "infill_overlap",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
@@ -126,6 +191,25 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Direction of bridges' lines; 0: for each bridge the one in which it is borne best",
        .field =
            Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.infill[0].bridge_angle_rad; })},
+      {.key = "bridge_flow_ratio",
+       .min = 0.1,
+       .max = 2,
+       .standard = "1",
+       .doc = "Plastic of bridges' lines, of what lines of their width and layer have",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].bridge_flow; })},
+      {.key = "infill_every_layers",
+       .kind = Kind::kInteger,
+       .min = 1,
+       .max = 100,
+       .standard = "1",
+       .doc = "Prints the sparse infill of that many layers at once, where all of them have it, "
+              "as far as the nozzle's diameter allows",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].every_layers; })},
+      {.key = "infill_only_where_needed",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Leaves out sparse infill that has no top surface above it",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].only_where_needed; })},
       {.key = "solid_infill_below_area",
        .unit = "mm2",
        .min = 0,
@@ -150,6 +234,8 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Prints the infill before the walls",
        .field = Bind([](auto& s) -> auto& { return s.ordering.infill_first; })},
   };
+  for (SettingSpec& ironing : IroningSettings()) settings.push_back(std::move(ironing));
+  return settings;
 }
 
 }  // namespace slicefarm::config

@@ -129,6 +129,8 @@ std::vector<SettingSpec> Speeds() {
       RelativeSpeed("support_material_interface_speed", "100%", "support_material_speed",
                     "Speed of the layers of rafts that carry the part; 0: max_print_speed",
                     SpeedOf<Feature::kSupportInterface>()),
+      Speed("ironing_speed", "15", "Speed of ironing; 0: max_print_speed",
+            SpeedOf<Feature::kIroning>()),
       LayerSpeed<&MotionOptions::first_layer_speed_mm_s, &MotionOptions::first_layer_speed_ratio>(
           "first_layer_speed",
           "Speed of all beads of the first layer; as a percentage, of what each has above"),

@@ -12,6 +12,7 @@
 #include "common/config/settings_sections.h"
 #include "common/base/error.h"
 #include "common/model/fields/field_text.h"
+#include "common/model/fill_angles.h"
 #include "common/model/limits.h"
 #include "common/base/text.h"
 
@@ -174,6 +175,8 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseField<StressField>(spec, text, ParseStressField, PrintStressField);
     case Kind::kMaterialField:
       return ParseField<MaterialField>(spec, text, ParseMaterialField, PrintMaterialField);
+    case Kind::kAngles:
+      return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
     default:
       return ParseQuantity(spec, FirstItem(spec, text));
   }
@@ -204,6 +207,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kDensityField:
     case Kind::kStressField:
     case Kind::kMaterialField:
+    case Kind::kAngles:
       return value.text;
     case Kind::kChoice: {
       const auto meant =
@@ -249,6 +253,8 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kStressField:
     case Kind::kMaterialField:
       return "a field as JSON on one line";
+    case Kind::kAngles:
+      return "angles by layer, as 0,90 or +30 or 45#2";
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? spec.percent_of : spec.relative_to);

@@ -239,7 +239,7 @@ TEST(KnownKeys, SayWhy) {
 TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("support_material"), "0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material"), "1"));
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("ironing"), "0.0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("overhangs"), "0.0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("wipe"), "0,0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("wipe"), "0,1"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));

@@ -32,6 +32,9 @@ enum class FillPattern : uint8_t {
   kFermat,
   kHilbertQuadtree,
   kPeanoQuadtree,
+  kAdaptiveCubic,
+  kSupportCubic,
+  kLightning,
 };
 
 /// How a pattern fills a solid region.
@@ -51,6 +54,7 @@ struct FillPatternInfo {
   SolidWay solid = SolidWay::kNone;
   std::string_view doc;
   bool has_law = true;  ///< the length of its lines follows from the density alone, exactly
+  bool planned = false;  ///< its lines are laid out over the whole job, by services/planning
 };
 
 inline constexpr FillPatternInfo kFillPatterns[] = {
@@ -99,6 +103,12 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
      false},
     {FillPattern::kPeanoQuadtree, "peanoquadtree", true, SolidWay::kAlongEdge, "Peano's curve in the same way",
      false},
+    {FillPattern::kAdaptiveCubic, "adaptivecubic", true, SolidWay::kNone,
+     "Cubic, of cubes that double their size with the distance to the surface", false, true},
+    {FillPattern::kSupportCubic, "supportcubic", true, SolidWay::kNone,
+     "Cubic, of cubes that double their size with the distance to top surfaces", false, true},
+    {FillPattern::kLightning, "lightning", true, SolidWay::kNone,
+     "Trees that grow from the walls to where a top surface needs something under it", false, true},
 };
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/point.h"
+#include "common/geometry/polygon.h"
+#include "common/model/fill_patterns.h"
 #include "common/model/path.h"
 #include "common/model/region.h"
 
@@ -28,11 +29,26 @@ struct SectionPlan {
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
 
+/// What is decided for the sparse infill of one region of an object's section, in the object's own
+/// coordinates.
+struct PlannedInfill {
+  int32_t object = 0;
+  int32_t settings = 0;  ///< row of the job's tables of region settings
+  FillPattern pattern = FillPattern::kGrid;
+  std::vector<Polyline> lines;  ///< of patterns that planning lays out; they may reach beyond
+  MultiPolygon left_out;        ///< no sparse infill here
+  MultiPolygon combined;        ///< here it is printed as high as `combined_height_nm`
+  Coord combined_height_nm = 0;
+
+  friend bool operator==(const PlannedInfill&, const PlannedInfill&) = default;
+};
+
 /// What is decided for a layer before the fan-out, so that layers are independent afterwards.
 struct LayerPlan {
   Point entry;                        ///< start the layer near here, in plate coordinates
   std::vector<SectionPlan> sections;  ///< by ascending object
   std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
+  std::vector<PlannedInfill> infill;  ///< by ascending object, then row; none: nothing is decided
 
   friend bool operator==(const LayerPlan&, const LayerPlan&) = default;
 };
@@ -68,6 +84,7 @@ struct JobPlan {
   std::vector<PlateAddition> additions;  ///< by ascending layer
   std::vector<Copy> copies;              ///< as in SlicedJob::copies
   SeamQuality seams;
+  std::vector<std::string> notes;        ///< for the job's report: what was chosen, and why
 
   friend bool operator==(const JobPlan&, const JobPlan&) = default;
 };

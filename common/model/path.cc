@@ -8,7 +8,7 @@ std::string_view FeatureName(Feature feature) {
   static constexpr std::array<std::string_view, kFeatureCount> kNames = {
       "External perimeter", "Perimeter",       "Overhang perimeter", "Gap fill",
       "Internal infill",    "Solid infill",    "Top solid infill",   "Bridge infill",
-      "Skirt/Brim",         "Support material", "Support material interface"};
+      "Skirt/Brim",         "Support material", "Support material interface", "Ironing"};
   return kNames[static_cast<size_t>(feature)];
 }
 

@@ -22,8 +22,9 @@ enum class Feature : uint8_t {
   kSkirt,
   kSupport,
   kSupportInterface,
+  kIroning,
 };
-inline constexpr int kFeatureCount = 11;
+inline constexpr int kFeatureCount = 12;
 
 /// "External perimeter", "Perimeter", ... as PrusaSlicer's previewers read them.
 std::string_view FeatureName(Feature feature);

@@ -41,6 +41,7 @@ TEST(FeatureName, IsWhatPreviewersRead) {
   EXPECT_EQ(FeatureName(Feature::kTopSolidInfill), "Top solid infill");
   EXPECT_EQ(FeatureName(Feature::kSupport), "Support material");
   EXPECT_EQ(FeatureName(Feature::kSupportInterface), "Support material interface");
+  EXPECT_EQ(FeatureName(Feature::kIroning), "Ironing");
 }
 
 }  // namespace

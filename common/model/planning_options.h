@@ -5,6 +5,7 @@
 
 #include "common/geometry/polygon.h"
 #include "common/model/adhesion_options.h"
+#include "common/model/infill_options.h"
 
 namespace slicefarm {
 
@@ -37,11 +38,29 @@ struct SequencePlanOptions {
   friend bool operator==(const SequencePlanOptions&, const SequencePlanOptions&) = default;
 };
 
+/// What planning is told of the sparse infill of a region.
+struct InfillPlanOptions {
+  FillPattern pattern = FillPattern::kGrid;
+  bool choose_pattern = false;
+  FillGoal goal = FillGoal::kStrength;
+  double density = 0.2;
+  double angle_rad = 0;
+  Coord width_nm = 450'000;
+  Coord walls_nm = 0;  ///< how thick the walls are about which it lies
+  int32_t top_solid_layers = 0;
+  int32_t bottom_solid_layers = 0;
+  int32_t every_layers = 1;
+  bool only_where_needed = false;
+
+  friend bool operator==(const InfillPlanOptions&, const InfillPlanOptions&) = default;
+};
+
 struct PlanningOptions {
   std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
   SequencePlanOptions sequence;
   SkirtOptions skirt;
   int32_t skirt_settings = 0;  ///< row of the job's tables of region settings
+  std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
   Polygon bed;                 ///< bed_shape: nothing is added outside of it; empty: no limit
 
   friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;

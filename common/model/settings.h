@@ -33,6 +33,9 @@ struct JobSettings {
 /// How many of an object's own layers on each side a layer's result depends on.
 int32_t HaloLayers(const JobSettings& settings);
 
+/// What planning is told of the infill of each region; empty if it has nothing to decide.
+std::vector<InfillPlanOptions> InfillPlansOf(const JobSettings& settings);
+
 /// Of those, how many the walls depend on.
 int32_t BeadingHaloLayers(const JobSettings& settings);
 

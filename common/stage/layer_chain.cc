@@ -42,7 +42,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
   if (!walled.ok()) return walled.status();
   NoteWarnings(*walled, result.warnings);
   auto filled = Timed(result.times.infill_s, [&] {
-    return infill_.Fill(call, *std::move(walled), neighbourhood, settings.infill);
+    return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
   });
   if (!filled.ok()) return filled.status();
   auto ordered = Timed(result.times.ordering_s, [&] {

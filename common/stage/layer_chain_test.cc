@@ -31,6 +31,7 @@ struct Beading : BeadingStage {
 struct Infill : InfillStage {
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer> walled,
                                                 const Neighbourhood& hood,
+                                                std::span<const LayerPlan>,
                                                 std::span<const InfillOptions>) const override {
     seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "infill");

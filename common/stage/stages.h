@@ -163,10 +163,10 @@ class BeadingStage {
 class InfillStage {
  public:
   virtual ~InfillStage() = default;
-  /// `walled`: the layers of neighbourhood.range.
+  /// `walled` and `plans`: of the layers of neighbourhood.range; of a plan, its `infill`.
   virtual absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const InfillOptions> regions) const = 0;
+      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const = 0;
 };
 
 class OrderingStage {

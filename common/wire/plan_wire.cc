@@ -1,10 +1,12 @@
 #include "common/wire/plan_wire.h"
 
+#include <span>
 #include <string>
 #include <utility>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
 #include "common/wire/path_wire.h"
 #include "common/wire/region_wire.h"
@@ -16,6 +18,38 @@ namespace {
 absl::Status CheckObject(int32_t object) {
   if (0 <= object && object < limits::kMaxObjects) return absl::OkStatus();
   return Malformed("object", "is not the index of an object");
+}
+
+/// Whether plans ascend by what `key` says of each, so that none comes twice.
+template <class Plans, class Key>
+bool Ascend(const Plans& plans, Key key) {
+  for (size_t i = 1; i < plans.size(); ++i)
+    if (!(key(plans[i - 1]) < key(plans[i]))) return false;
+  return true;
+}
+
+absl::Status PackLines(std::span<const Polyline> lines, v1::PlannedInfill* proto) {
+  for (const Polyline& line : lines) {
+    if (absl::Status ok = PackPoints(line, proto->mutable_lines_xy_nm()); !ok.ok()) return ok;
+    proto->add_line_sizes(static_cast<uint32_t>(line.size()));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<Polyline>> UnpackLines(const v1::PlannedInfill& proto) {
+  const auto points = UnpackPoints(proto.lines_xy_nm(), "lines_xy_nm");
+  if (!points.ok()) return points.status();
+  std::vector<Polyline> lines;
+  size_t begin = 0;
+  for (const uint32_t size : proto.line_sizes()) {
+    if (size < 2 || size > points->size() - begin)
+      return Malformed("line_sizes", "do not add up to lines_xy_nm");
+    const auto first = points->begin() + static_cast<std::ptrdiff_t>(begin);
+    lines.emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
+    begin += size;
+  }
+  if (begin != points->size()) return Malformed("line_sizes", "do not add up to lines_xy_nm");
+  return lines;
 }
 
 bool IsWholeUm(Point shift) { return shift.x % 1000 == 0 && shift.y % 1000 == 0; }
@@ -73,25 +107,64 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   return SectionPlan{proto.object(), FromProto(proto.entry()), *std::move(seams)};
 }
 
+absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
+  proto->set_object(plan.object);
+  proto->set_settings(plan.settings);
+  proto->set_pattern(EnumToProto<v1::FillPattern>(plan.pattern));
+  proto->set_combined_height_nm(plan.combined_height_nm);
+  absl::Status status = PackLines(plan.lines, proto);
+  status.Update(ToProto(plan.left_out, proto->mutable_left_out()));
+  status.Update(ToProto(plan.combined, proto->mutable_combined()));
+  return status;
+}
+
+absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.settings() < 0 || proto.settings() >= limits::kMaxRegionSettings)
+    return Malformed("settings", "is no row of a table of region settings");
+  if (proto.combined_height_nm() < 0 || proto.combined_height_nm() > limits::kMaxCoord)
+    return Malformed("combined_height_nm", "is out of range");
+  const auto pattern = EnumFromProto<FillPattern>(proto.pattern(), kFillPatternCount, "pattern");
+  if (!pattern.ok()) return pattern.status();
+  auto lines = UnpackLines(proto);
+  if (!lines.ok()) return lines.status();
+  auto left_out = FromProto(proto.left_out());
+  if (!left_out.ok()) return Within("left_out", left_out.status());
+  auto combined = FromProto(proto.combined());
+  if (!combined.ok()) return Within("combined", combined.status());
+  return PlannedInfill{proto.object(),        proto.settings(),      *pattern,
+                       *std::move(lines),     *std::move(left_out),  *std::move(combined),
+                       proto.combined_height_nm()};
+}
+
+absl::Status CheckOrder(std::span<const PlannedInfill> plans) {
+  const auto place = [](const PlannedInfill& plan) {
+    return std::pair(plan.object, plan.settings);
+  };
+  if (Ascend(plans, place)) return absl::OkStatus();
+  return Malformed("infill", "its objects and their rows do not ascend");
+}
+
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
   if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
   absl::Status status = AllToProto(plan.sections, "sections", proto->mutable_sections());
   if (!status.ok()) return status;
-  return AllToProto(plan.paths, "paths", proto->mutable_paths());
+  status = AllToProto(plan.paths, "paths", proto->mutable_paths());
+  if (!status.ok()) return status;
+  return AllToProto(plan.infill, "infill", proto->mutable_infill());
 }
 
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
-  LayerPlan plan{FromProto(proto.entry()), {}, {}};
+  LayerPlan plan{FromProto(proto.entry()), {}, {}, {}};
   absl::Status status = AllFromProto(proto.sections(), "sections", &plan.sections);
   status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
+  status.Update(AllFromProto(proto.infill(), "infill", &plan.infill));
   if (!status.ok()) return status;
-  for (size_t i = 1; i < plan.sections.size(); ++i) {
-    if (plan.sections[i - 1].object >= plan.sections[i].object) {
-      return Malformed("sections", "their objects do not ascend");
-    }
-  }
+  if (!Ascend(plan.sections, [](const SectionPlan& section) { return section.object; }))
+    return Malformed("sections", "their objects do not ascend");
+  if (absl::Status ok = CheckOrder(plan.infill); !ok.ok()) return ok;
   return plan;
 }
 

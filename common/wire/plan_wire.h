@@ -28,6 +28,11 @@ absl::StatusOr<PlacedCopy> FromProto(const v1::PlacedCopy& proto);
 absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto);
 absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto);
 
+absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto);
+absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto);
+/// Errors: REQUEST_MALFORMED unless they ascend by object, then row.
+absl::Status CheckOrder(std::span<const PlannedInfill> plans);
+
 absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto);
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto);
 

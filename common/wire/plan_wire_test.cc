@@ -44,12 +44,26 @@ SectionPlan DistinctSection(int32_t of) {
   return plan;
 }
 
+PlannedInfill DistinctInfill(int32_t of) {
+  PlannedInfill plan;
+  auto& [object, settings, pattern, lines, left_out, combined, combined_height] = plan;
+  object = of;
+  settings = 2;
+  pattern = FillPattern::kLightning;
+  lines = {{{1, 2}, {-3, 4}}, {{5, 6}, {7, 8}, {-9, 10}}};
+  left_out = MakePolygonsOrDie("(0 0, 9 0, 9 9)");
+  combined = MakePolygonsOrDie("(1 1, 8 1, 8 8)");
+  combined_height = 600'000;
+  return plan;
+}
+
 LayerPlan DistinctLayer() {
   LayerPlan plan;
-  auto& [entry, sections, paths] = plan;
+  auto& [entry, sections, paths, infill] = plan;
   entry = {-1, 2};
   sections = {DistinctSection(3), DistinctSection(5)};
   paths = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
+  infill = {DistinctInfill(3), DistinctInfill(4)};
   return plan;
 }
 
@@ -104,6 +118,7 @@ TEST(PlanWire, Returns) {
   ExpectReturns<v1::Copy>(DistinctCopy());
   ExpectReturns<v1::PlacedCopy>(DistinctPlaced());
   ExpectReturns<v1::SectionPlan>(DistinctSection(1));
+  ExpectReturns<v1::PlannedInfill>(DistinctInfill(1));
   ExpectReturns<v1::LayerPlan>(DistinctLayer());
   ExpectReturns<v1::PlateAddition>(DistinctAddition());
   EXPECT_EQ(*FromProto(ToProto(DistinctName())), DistinctName());

@@ -166,6 +166,46 @@ absl::StatusOr<ObjectPlanOptions> ObjectFromProto(const v1::ObjectPlanOptions& p
                            {proto.raft_settings().begin(), proto.raft_settings().end()}};
 }
 
+v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {
+  v1::InfillPlanOptions proto;
+  proto.set_pattern(EnumToProto<v1::FillPattern>(options.pattern));
+  proto.set_choose_pattern(options.choose_pattern);
+  proto.set_goal(EnumToProto<v1::FillGoal>(options.goal));
+  proto.set_density(options.density);
+  proto.set_angle_rad(options.angle_rad);
+  proto.set_width_nm(options.width_nm);
+  proto.set_walls_nm(options.walls_nm);
+  proto.set_top_solid_layers(options.top_solid_layers);
+  proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  proto.set_every_layers(options.every_layers);
+  proto.set_only_where_needed(options.only_where_needed);
+  return proto;
+}
+
+absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& proto) {
+  absl::Status status =
+      CheckCount("top_solid_layers", proto.top_solid_layers(), limits::kMaxLayers);
+  status.Update(
+      CheckCount("bottom_solid_layers", proto.bottom_solid_layers(), limits::kMaxLayers));
+  status.Update(CheckPositive({{"width_nm", proto.width_nm()}}));
+  status.Update(CheckNotNegative({{"walls_nm", proto.walls_nm()}}));
+  if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
+  if (!(0 <= proto.density() && proto.density() <= 1))
+    status.Update(Malformed("density", "is not in [0, 1]"));
+  if (!status.ok()) return status;
+  return InfillPlanOptions{.pattern = Known<FillPattern>(proto.pattern()),
+                           .choose_pattern = proto.choose_pattern(),
+                           .goal = Known<FillGoal>(proto.goal()),
+                           .density = proto.density(),
+                           .angle_rad = proto.angle_rad(),
+                           .width_nm = proto.width_nm(),
+                           .walls_nm = proto.walls_nm(),
+                           .top_solid_layers = proto.top_solid_layers(),
+                           .bottom_solid_layers = proto.bottom_solid_layers(),
+                           .every_layers = proto.every_layers(),
+                           .only_where_needed = proto.only_where_needed()};
+}
+
 }  // namespace
 
 v1::RaftHeights ToProto(const RaftHeights& heights) {
@@ -190,6 +230,7 @@ absl::StatusOr<RaftHeights> FromProto(const v1::RaftHeights& proto) {
 absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto) {
   for (const ObjectPlanOptions& object : options.objects)
     *proto->add_objects() = ToProto(object);
+  for (const InfillPlanOptions& infill : options.infill) *proto->add_infill() = ToProto(infill);
   v1::SequencePlanOptions& sequence = *proto->mutable_sequence();
   sequence.set_complete_objects(options.sequence.complete_objects);
   sequence.set_clearance_radius_nm(options.sequence.clearance_radius_nm);
@@ -202,6 +243,7 @@ absl::Status ToProto(const PlanningOptions& options, v1::PlanningOptions* proto)
 
 absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
   absl::Status status = CheckRows(proto.objects_size(), "objects");
+  if (proto.infill_size() > 0) status.Update(CheckRows(proto.infill_size(), "infill"));
   status.Update(CheckComplete(proto));
   const v1::SequencePlanOptions& sequence = proto.sequence();
   status.Update(CheckNotNegative({{"clearance_radius_nm", sequence.clearance_radius_nm()},
@@ -220,6 +262,11 @@ absl::StatusOr<PlanningOptions> FromProto(const v1::PlanningOptions& proto) {
   absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
   if (!bed.ok()) return bed.status();
   if (!bed->empty() && bed->size() < 3) return Malformed("bed_xy_nm", "has fewer than 3 points");
+  for (int i = 0; i < proto.infill_size(); ++i) {
+    const auto infill = InfillFromProto(proto.infill(i));
+    if (!infill.ok()) return Within("infill", i, infill.status());
+    options.infill.push_back(*infill);
+  }
   options.sequence = {sequence.complete_objects(), sequence.clearance_radius_nm(),
                       sequence.clearance_height_nm()};
   options.skirt = *skirt;

@@ -24,6 +24,10 @@ static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kAra
 static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
 static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
 static_assert(v1::FillPattern_MAX == kFillPatternCount);
+static_assert(v1::FILL_GOAL_STRENGTH == static_cast<int>(FillGoal::kStrength) + 1);
+static_assert(v1::FILL_GOAL_FLEXIBILITY == static_cast<int>(FillGoal::kFlexibility) + 1);
+static_assert(v1::IRONING_TYPE_TOP == static_cast<int>(IroningType::kTop) + 1);
+static_assert(v1::IRONING_TYPE_SOLID == static_cast<int>(IroningType::kSolid) + 1);
 static_assert(v1::PROCESS_LASER == static_cast<int>(Process::kLaser) + 1);
 static_assert(v1::Process_MAX == kProcessCount);
 
@@ -118,6 +122,10 @@ absl::Status Check(const v1::InfillOptions& proto) {
       {{"anchor_nm", proto.anchor_nm()}, {"anchor_max_nm", proto.anchor_max_nm()}}));
   if (proto.solid_every_layers() < 0)
     status.Update(Malformed("solid_every_layers", "is negative"));
+  if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
+  if (!(proto.bridge_flow() > 0)) status.Update(Malformed("bridge_flow", "is not above 0"));
+  if (proto.ironing().flow() < 0) status.Update(Malformed("ironing.flow", "is negative"));
+  status.Update(CheckPositive({{"ironing.spacing_nm", proto.ironing().spacing_nm()}}));
   return status;
 }
 
@@ -273,6 +281,18 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_density_field(options.density_field);
   proto.set_stress_field(options.stress_field);
   proto.set_field_halo_layers(options.field_halo_layers);
+  proto.set_choose_pattern(options.choose_pattern);
+  proto.set_goal(EnumToProto<v1::FillGoal>(options.goal));
+  proto.set_angle_template(options.angle_template);
+  proto.set_solid_angle_template(options.solid_angle_template);
+  proto.set_bridge_flow(options.bridge_flow);
+  proto.set_every_layers(options.every_layers);
+  proto.set_only_where_needed(options.only_where_needed);
+  v1::IroningOptions& ironing = *proto.mutable_ironing();
+  ironing.set_enabled(options.ironing.enabled);
+  ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
+  ironing.set_flow(options.ironing.flow);
+  ironing.set_spacing_nm(options.ironing.spacing_nm);
   return proto;
 }
 
@@ -300,6 +320,15 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.density_field = proto.density_field();
   options.stress_field = proto.stress_field();
   options.field_halo_layers = proto.field_halo_layers();
+  options.choose_pattern = proto.choose_pattern();
+  options.goal = Known<FillGoal>(proto.goal());
+  options.angle_template = proto.angle_template();
+  options.solid_angle_template = proto.solid_angle_template();
+  options.bridge_flow = proto.bridge_flow();
+  options.every_layers = proto.every_layers();
+  options.only_where_needed = proto.only_where_needed();
+  options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
+                     proto.ironing().flow(), proto.ironing().spacing_nm()};
   return options;
 }
 

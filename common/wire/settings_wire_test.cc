@@ -110,9 +110,28 @@ RaftOptions DistinctRaftOptions() {
   return options;
 }
 
+InfillPlanOptions DistinctInfillPlan() {
+  InfillPlanOptions options;
+  auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
+         every_layers, only_where_needed] = options;
+  pattern = FillPattern::kSupportCubic;
+  choose_pattern = true;
+  goal = FillGoal::kFlexibility;
+  density = 0.125;
+  angle = -0.25;
+  width = 150;
+  walls = 151;
+  top_layers = 152;
+  bottom_layers = 153;
+  every_layers = 154;
+  only_where_needed = true;
+  return options;
+}
+
 PlanningOptions DistinctPlanning() {
   PlanningOptions options;
-  auto& [objects, sequence, skirt, skirt_settings, bed] = options;
+  auto& [objects, sequence, skirt, skirt_settings, infill, bed] = options;
+  infill = {DistinctInfillPlan()};
   auto& [complete_objects, clearance_radius, clearance_height] = sequence;
   complete_objects = true;
   clearance_radius = 151;
@@ -160,11 +179,23 @@ BeadingOptions DistinctBeading() {
 
 InfillOptions DistinctInfill() {
   InfillOptions options;
-  auto& [top_layers, bottom_layers, density, pattern, solid_pattern, top_pattern, bottom_pattern,
-         angle, sparse_width, solid_width, top_width, first_layer_width, overlap,
-         solid_below_area, anchor, anchor_max, solid_every_layers, bridge_angle, density_field,
-         stress_field, field_halo_layers] =
-      options;
+  auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
+         top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
+         solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
+         solid_every_layers, bridge_angle, bridge_flow, every_layers, only_where_needed, ironing,
+         density_field, stress_field, field_halo_layers] = options;
+  choose_pattern = true;
+  goal = FillGoal::kTime;
+  angle_template = "0,45";
+  solid_angle_template = "+30";
+  bridge_flow = 0.9;
+  every_layers = 321;
+  only_where_needed = true;
+  auto& [iron, iron_type, iron_flow, iron_spacing] = ironing;
+  iron = true;
+  iron_type = IroningType::kTopmost;
+  iron_flow = 0.2;
+  iron_spacing = 322;
   top_layers = 301;
   bottom_layers = 302;
   density = 0.303;
@@ -391,6 +422,19 @@ constexpr char kDistinct[] = R"pb(
     }
     skirt_settings: 644
     bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
+    infill {
+      pattern: FILL_PATTERN_SUPPORT_CUBIC
+      choose_pattern: true
+      goal: FILL_GOAL_FLEXIBILITY
+      density: 0.125
+      angle_rad: -0.25
+      width_nm: 150
+      walls_nm: 151
+      top_solid_layers: 152
+      bottom_solid_layers: 153
+      every_layers: 154
+      only_where_needed: true
+    }
   }
   beading {
     perimeters: 201
@@ -434,6 +478,14 @@ constexpr char kDistinct[] = R"pb(
     density_field: "density"
     stress_field: "stress"
     field_halo_layers: 320
+    choose_pattern: true
+    goal: FILL_GOAL_TIME
+    angle_template: "0,45"
+    solid_angle_template: "+30"
+    bridge_flow: 0.9
+    every_layers: 321
+    only_where_needed: true
+    ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {
     infill_first: true

@@ -124,6 +124,7 @@ class CannedStages : public BeadingStage,
   }
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall&, std::vector<WalledLayer>,
                                                 const Neighbourhood& n,
+                                                std::span<const LayerPlan>,
                                                 std::span<const InfillOptions>) const override {
     return Part(job_.filled, n.range);
   }

@@ -16,11 +16,11 @@ while [[ ${1:-} == --* ]]; do
 done
 patterns=("$@")
 if [[ ${#patterns[@]} == 0 ]]; then
-  # As the settings list them, but for those for which another pattern stands in.
+  # As the settings list them, but for auto, which is none.
   mapfile -t patterns < <(build/bin/slicefarm settings fill_pattern --json |
     python3 -c 'import json, sys
 range = next(s["range"] for s in json.load(sys.stdin) if s["key"] == "fill_pattern")
-print(range.removeprefix("one of ").replace(", ", "\n"))')
+print(range.removeprefix("one of ").removesuffix(", auto").replace(", ", "\n"))')
 fi
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT

@@ -1,7 +1,8 @@
 #!/bin/bash
 # Draws a layer of every pattern of sparse infill into services/infill/gallery/NAME.png, and prints the table of
-# services/infill/README.md: density got, paths, travel and CPU time on the box of tests/bench/infill.sh.
-#   tests/bench/infill_gallery.sh
+# services/infill/README.md: density got, paths, travel, and CPU time on the box of tests/bench/infill.sh; how fast the lines are
+# printed on average, by the print's own estimate, and the pictures are of a box of 40 x 40 x 8 mm, 3.2 mm up.
+#   tests/bench/infill_gallery.sh [PATTERN...]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 out=$(mktemp -d)
@@ -9,12 +10,16 @@ trap 'rm -rf "$out"' EXIT
 gallery=services/infill/gallery
 mkdir -p "$gallery"
 python3 tests/bench/infill_box.py box 40 8 >"$out/box.stl"
-tests/bench/infill.sh >"$out/table"
-echo "| pattern | | density got, % | paths | travel, mm | CPU, s |"
-echo "|---|---|---|---|---|---|"
+tests/bench/infill.sh "$@" >"$out/table"
+echo "| pattern | | density got, % | paths | travel, mm | mm/s | CPU, s |"
+echo "|---|---|---|---|---|---|---|"
 tail -n +2 "$out/table" | while read -r pattern _ got paths _ _ travel _ cpu; do
-  build/bin/slicefarm slice "$out/box.stl" -q -o "$out/box.gcode" --config tests/corpus/config/peers.ini --set perimeters=1 \
-    --set top_solid_layers=0 --set bottom_solid_layers=0 --set fill_pattern="$pattern" </dev/null
+  build/bin/slicefarm slice "$out/box.stl" -q -o "$out/box.gcode" --report "$out/report.json" \
+    --config tests/corpus/config/peers.ini --set perimeters=1 --set top_solid_layers=0 --set bottom_solid_layers=0 \
+    --set fill_pattern="$pattern" </dev/null
+  speed=$(python3 -c 'import json, sys
+infill = json.load(open(sys.argv[1]))["features"]["Internal infill"]
+print(round(infill["length_mm"] / infill["time_s"]))' "$out/report.json")
   build/bin/slicefarm render "$out/box.gcode" --layer 16 --size 160 -o "$gallery/$pattern.png" </dev/null
-  echo "| \`$pattern\` | ![]($(basename "$gallery")/$pattern.png) | $got | $paths | $travel | $cpu |"
+  echo "| \`$pattern\` | ![]($(basename "$gallery")/$pattern.png) | $got | $paths | $travel | $speed | $cpu |"
 done

@@ -106,7 +106,8 @@ class Stages {
     const LayerRange range{0, static_cast<int32_t>(plate.layers.size())};
     auto walled = beading_->Bead({}, {range, plate.layers}, settings.beading);
     EXPECT_TRUE(walled.ok()) << walled.status();
-    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers}, settings.infill);
+    auto filled = infill_->Fill({}, *std::move(walled), {range, plate.layers},
+                                plan->layers, settings.infill);
     EXPECT_TRUE(filled.ok()) << filled.status();
     auto ordered =
         ordering_->Order({}, *std::move(filled), plan->layers, plan->copies, settings.ordering);

@@ -75,7 +75,10 @@ void AddLayer(int32_t index, Sample* sample) {
                                        {Role::kPart, 1, 0, Islands()}};
   sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
   sample->filled.push_back({frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}}}});
-  sample->plans.push_back({{1, 2}, {{0, {3, 4}, {{5, index}}}, {2, {6, 7}, {}}}, {skirt}});
+  sample->plans.push_back({{1, 2},
+                           {{0, {3, 4}, {{5, index}}}, {2, {6, 7}, {}}},
+                           {skirt},
+                           {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
   sample->ordered.push_back({frame,
                              {{kPlate, 0, kHeightNm, {skirt}},
                               {0, index, kHeightNm, {wall, line, line}}},
@@ -251,8 +254,10 @@ absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(const StageCall& call
 absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(const StageCall& call,
                                                           std::vector<WalledLayer> walled,
                                                           const Neighbourhood& neighbourhood,
+                                                          std::span<const LayerPlan> plans,
                                                           std::span<const InfillOptions> regions) const {
   Note(neighbourhood, &fakes_);
+  fakes_.infill_plans.assign(plans.begin(), plans.end());
   fakes_.walled = std::move(walled);
   fakes_.infill_options.assign(regions.begin(), regions.end());
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;

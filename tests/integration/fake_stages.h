@@ -32,6 +32,7 @@ struct FakeStages {
   std::vector<BeadingOptions> beading_options;
   std::vector<WalledLayer> walled;
   std::vector<InfillOptions> infill_options;
+  std::vector<LayerPlan> infill_plans;
   std::vector<FilledLayer> filled;
   std::vector<LayerPlan> plans;
   std::vector<Copy> copies;
@@ -115,6 +116,7 @@ class FakeInfill : public InfillStage {
   absl::StatusOr<std::vector<FilledLayer>> Fill(const StageCall& call,
                                                 std::vector<WalledLayer> walled,
                                                 const Neighbourhood& neighbourhood,
+                                                std::span<const LayerPlan> plans,
                                                 std::span<const InfillOptions> regions)
       const override;
 

@@ -98,9 +98,9 @@ TEST_F(LocalAndRemote, EachStageGivesTheSame) {
   ASSERT_TRUE(walled.ok()) << walled.status();
   EXPECT_EQ(*remote_.beading.Bead(call_, all, settings_.beading), *walled);
 
-  const auto filled = infill_->Fill(call_, *walled, all, settings_.infill);
+  const auto filled = infill_->Fill(call_, *walled, all, task_.plans, settings_.infill);
   ASSERT_TRUE(filled.ok()) << filled.status();
-  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, settings_.infill), *filled);
+  EXPECT_EQ(*remote_.infill.Fill(call_, *walled, all, task_.plans, settings_.infill), *filled);
 
   const auto order = [&](const OrderingStage& stage) {
     return stage.Order(call_, *filled, plan_.layers, plan_.copies, settings_.ordering);

@@ -22,6 +22,7 @@
 #include "services/cli/console.h"
 #include "services/cli/fill_files.h"
 #include "services/cli/files.h"
+#include "services/infill/algo/quality/fill_quality.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
 
@@ -32,6 +33,9 @@ namespace fs = std::filesystem;
 
 /// Beads this low have square sides, so that their width is what they fill.
 constexpr Coord kFlatNm = 1;
+/// What conductivity is told for: PLA, and air.
+constexpr double kPlasticWmK = 0.2;
+constexpr double kAirWmK = 0.026;
 
 struct FillOptions {
   std::string outlines;
@@ -42,6 +46,7 @@ struct FillOptions {
   double angle_degrees = 45;
   double z_mm = 0.1;
   int layer = 0;
+  bool quality = false;
 };
 
 /// What the rows tell, over all outlines.
@@ -53,6 +58,7 @@ struct FillTotals {
   double longest_mm = 0;
   double area_mm2 = 0;
   double seconds = 0;
+  infill::FillQuality quality;  ///< shares summed by area, isotropy by length
 };
 
 /// `20%` or `0.2` as a share of 1.
@@ -74,7 +80,7 @@ const FillPatternInfo* FindPattern(const std::string& name) {
 std::string PatternNames() {
   std::string names;
   for (const FillPatternInfo& info : kFillPatterns)
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
+    if (!info.planned) names += (names.empty() ? "" : ", ") + std::string(info.name);
   return names;
 }
 
@@ -111,6 +117,17 @@ absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPatte
                                       .anchor_max_nm = 50 * kNmPerMm});
 }
 
+void AddQuality(const MultiPolygon& islands, const std::vector<Path>& paths,
+                const FillOptions& options, infill::FillQuality& all) {
+  const auto one = infill::QualityOf(islands, paths, kFlatNm, FromMm(options.width_mm));
+  const double area = Area(islands) / kNmPerMm / kNmPerMm;
+  all.got += one.got * area;
+  all.covered += one.covered * area;
+  all.travel_mm += one.travel_mm;
+  all.isotropy += one.isotropy * one.length_mm;
+  all.locality = std::max(all.locality, one.locality);
+}
+
 absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern pattern,
                       double density, const FillOptions& options, FillTotals& totals) {
   const auto islands = ReadOutlines(from);
@@ -128,11 +145,27 @@ absl::Status FillFile(const fs::path& from, const fs::path& to, FillPattern patt
     totals.length_mm += length;
     totals.longest_mm = std::max(totals.longest_mm, length);
   }
+  if (options.quality) AddQuality(*islands, *paths, options, totals.quality);
   return WriteFile(to.string(), PrintFill(*paths));
 }
 
 /// 0 of nothing.
 double Ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+std::string QualityRows(const FillTotals& all, double asked) {
+  const infill::FillQuality& quality = all.quality;
+  const double got = Ratio(quality.got, all.area_mm2);
+  const infill::PropertyBounds stiffness = infill::StiffnessBounds(std::min(1.0, got));
+  const infill::PropertyBounds heat =
+      infill::ConductivityBounds(std::min(1.0, got), kPlasticWmK, kAirWmK);
+  return fmt::format(
+      "density_asked {:.5f}\ndensity_got {:.5f}\ncovered {:.5f}\ntravel_mm {:.1f}\n"
+      "isotropy {:.4f}\nlocality {:.3f}\nstiffness_least {:.5f}\nstiffness_most {:.5f}\n"
+      "conductivity_least_w_mk {:.5f}\nconductivity_most_w_mk {:.5f}\n",
+      asked, got, Ratio(quality.covered, all.area_mm2), quality.travel_mm,
+      Ratio(quality.isotropy, all.length_mm), quality.locality, stiffness.least, stiffness.most,
+      heat.least, heat.most);
+}
 
 ExitCode Fill(const FillOptions& options) {
   const FillPatternInfo* info = FindPattern(options.pattern);
@@ -140,6 +173,11 @@ ExitCode Fill(const FillOptions& options) {
     return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                           fmt::format("no pattern is named {}; there are: {}", options.pattern,
                                       PatternNames())));
+  }
+  if (info->planned) {
+    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                          fmt::format("{} is laid out over all layers of a part, by slicefarm slice",
+                                      info->name)));
   }
   const std::optional<double> density = ReadDensity(options.density);
   if (!density) {
@@ -164,6 +202,7 @@ ExitCode Fill(const FillOptions& options) {
                     Ratio(static_cast<double>(all.paths), static_cast<double>(all.components)),
                     all.length_mm, all.longest_mm, all.area_mm2,
                     Ratio(all.length_mm * options.width_mm, all.area_mm2), all.seconds));
+  if (options.quality) Print(QualityRows(all, *density));
   return ExitCode::kOk;
 }
 
@@ -201,11 +240,16 @@ void AddFill(CLI::App& app, CommandContext& context) {
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
+  command->add_flag("--quality", options->quality,
+                    "Also: plastic, coverage, travel, isotropy and locality, and what they bound");
   command->footer(
       "An outline: two numbers (not used), then rings: number of points, x and y of each.\n"
       "A path: number of points, x and y of each; one a line.\n"
       "Prints rows over all outlines: `components` are pieces of the region half a width inside,\n"
       "`density_by_length` is length times width by area, links and anchors at their full width.\n"
+      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is alike in\n"
+      "all directions, 0 has one; `locality` is the greatest |p - q|^2 / path between, in widths;\n"
+      "stiffness is a share of the material's, conductivity is for PLA (0.2 W/mK) in air (0.026).\n"
       "Example:\n"
       "  slicefarm fill outlines -o paths --pattern gyroid --density 20%");
   command->callback([options, &context] { context.run = [options] { return Fill(*options); }; });

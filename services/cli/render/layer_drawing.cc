@@ -29,7 +29,7 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
     {"Internal infill", {0.69, 0.19, 0.16}},    {"Solid infill", {0.59, 0.33, 0.80}},
     {"Top solid infill", {0.94, 0.25, 0.25}},   {"Bridge infill", {0.30, 0.50, 0.73}},
     {"Skirt/Brim", {0.00, 0.53, 0.43}},         {"Skirt", {0.00, 0.53, 0.43}},
-    {"Support material", {0.20, 0.75, 0.20}},
+    {"Support material", {0.20, 0.75, 0.20}},   {"Ironing", {1.00, 0.55, 0.41}},
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 

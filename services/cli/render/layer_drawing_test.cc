@@ -145,7 +145,7 @@ TEST(FeatureColour, TellsFeaturesApart) {
   const char* const kFeatures[] = {"External perimeter", "Perimeter",       "Overhang perimeter",
                                    "Gap fill",           "Internal infill", "Solid infill",
                                    "Top solid infill",   "Bridge infill",   "Skirt/Brim",
-                                   "Support material",   "Something else"};
+                                   "Support material",   "Ironing",         "Something else"};
   for (const char* a : kFeatures) {
     for (const char* b : kFeatures) {
       const Colour x = FeatureColour(a);

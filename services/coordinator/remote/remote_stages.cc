@@ -145,6 +145,7 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
     const absl::StatusOr<SeamQuality> seams = FromProto(response.end().seams());
     if (!seams.ok()) return seams.status();
     plan.seams = *seams;
+    plan.notes.assign(response.end().notes().begin(), response.end().notes().end());
     return AllFromProto(response.end().copies(), "copies", &plan.copies);
   };
   const absl::Status status =
@@ -178,7 +179,7 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
 
 absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
     const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-    std::span<const InfillOptions> regions) const {
+    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
   std::vector<FilledLayer> filled;
   const auto write = [&](auto& stream) {
     absl::Status status = WriteStart<v1::FillRequest>(
@@ -189,10 +190,14 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
           return ToProto(layer, request->mutable_neighbour());
         });
     if (!status.ok()) return status;
-    return WriteEach<v1::FillRequest>(stream, walled,
-                                      [](const WalledLayer& layer, v1::FillRequest* request) {
-                                        return ToProto(layer, request->mutable_layer());
-                                      });
+    auto plan = plans.begin();
+    return WriteEach<v1::FillRequest>(
+        stream, walled, [&](const WalledLayer& layer, v1::FillRequest* request) {
+          absl::Status put = AllToProto((plan++)->infill, "infill",
+                                        request->mutable_layer()->mutable_infill());
+          put.Update(ToProto(layer, request->mutable_layer()->mutable_layer()));
+          return put;
+        });
   };
   const absl::Status status =
       StreamOver(replicas_, options_, call, kInfill, &v1::Infill::Stub::PrepareAsyncFillLayers,
@@ -213,6 +218,7 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
     return WriteEach<v1::OrderRequest>(
         stream, layers, [&](const FilledLayer& layer, v1::OrderRequest* request) {
           absl::Status status = ToProto(*plan++, request->mutable_layer()->mutable_plan());
+          request->mutable_layer()->mutable_plan()->clear_infill();  // it is done
           status.Update(ToProto(layer, request->mutable_layer()->mutable_layer()));
           return status;
         });

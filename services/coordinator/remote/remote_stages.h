@@ -76,7 +76,7 @@ class RemoteInfill : public InfillStage {
 
   absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const InfillOptions> regions) const override;
+      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override;
 
  private:
   ReplicaSource& replicas_;

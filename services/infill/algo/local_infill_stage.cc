@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/error.h"
 #include "common/model/region_check.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/section_fill.h"
@@ -19,24 +20,32 @@ absl::Status CheckAreas(const WalledLayer& layer, size_t rows) {
   return absl::OkStatus();
 }
 
+absl::Status NoPlans() {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   "the plans are not one for each layer", {{"field", "plans"}});
+}
+
 class LocalInfill : public InfillStage {
  public:
   absl::StatusOr<std::vector<FilledLayer>> Fill(
       const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
-      std::span<const InfillOptions> regions) const override {
+      std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const override {
+    if (plans.size() != walled.size()) return NoPlans();
     const ObjectLayers objects(neighbourhood.layers);
     auto fields = RegionFields::Read(regions, neighbourhood.layers);
     if (!fields.ok()) return fields.status();
     std::vector<FilledLayer> layers;
     layers.reserve(walled.size());
-    for (WalledLayer& layer : walled) {
+    for (size_t i = 0; i < walled.size(); ++i) {
+      WalledLayer& layer = walled[i];
+      const LayerPlan& plan = plans[i];
       if (absl::Status ok = CheckAreas(layer, regions.size()); !ok.ok()) return ok;
       FilledLayer& filled = layers.emplace_back();
       filled.frame = layer.frame;
       for (WalledSection& section : layer.sections) {
         if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
-        auto result = FillSection(std::move(section), layer.frame.index == 0, objects, regions,
-                                  *fields);
+        auto result = FillSection(std::move(section), layer.frame.index == 0, objects,
+                                  plan.infill, regions, *fields);
         if (!result.ok()) return result.status();
         filled.sections.push_back(*std::move(result));
       }

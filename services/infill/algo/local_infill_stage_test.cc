@@ -55,8 +55,9 @@ absl::StatusOr<std::vector<FilledLayer>> Fill(const std::vector<SlicedLayer>& la
   const LayerRange seen = range.Grown(halo, count);
   StageCall call;
   call.cancel = std::move(cancel);
+  const std::vector<LayerPlan> plans(static_cast<size_t>(range.size()));
   return MakeLocalInfill()->Fill(call, Walled(layers, range),
-                                 {range, std::span(layers).subspan(seen.first, seen.size())},
+                                 {range, std::span(layers).subspan(seen.first, seen.size())}, plans,
                                  std::span(&options, 1));
 }
 
@@ -118,7 +119,7 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
     const auto walled = Walled(slab, {first, first + 1});
     const InfillOptions options;
     const auto filled = MakeLocalInfill()->Fill({}, walled, {{first, first + 1}, numbered},
-                                                std::span(&options, 1));
+                                                std::vector<LayerPlan>(1), std::span(&options, 1));
     ASSERT_TRUE(filled.ok()) << filled.status();
     Coord left = INT64_MAX, right = INT64_MIN;
     for (const FillGroup& group : (*filled)[0].sections[0].islands[0].fills) {

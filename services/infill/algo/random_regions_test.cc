@@ -34,6 +34,15 @@ MultiPolygon RandomRegion(std::mt19937& random) {
   return region;
 }
 
+/// For patterns that planning lays out.
+std::vector<Polyline> RandomLines(std::mt19937& random) {
+  std::vector<Polyline> lines;
+  const auto coord = [&] { return FromMm(Uniform(random, -50, 50)); };
+  const auto at = [&] { return Point{coord(), coord()}; };
+  for (int i = 0; i < 40; ++i) lines.push_back({at(), at(), at()});
+  return lines;
+}
+
 TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
   const uint64_t count = FromEnvironment("SLICEFARM_FILL_REGIONS", 40);
   const uint64_t seed = FromEnvironment("SLICEFARM_FILL_SEED", 1);
@@ -42,6 +51,8 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
       SCOPED_TRACE(std::string(info.name) + " seed " + std::to_string(i));
       std::mt19937 random(static_cast<uint32_t>(i));
       const MultiPolygon region = RandomRegion(random);
+      const std::vector<Polyline> planned =
+          info.planned ? RandomLines(random) : std::vector<Polyline>{};
       const SparseFill sparse{.pattern = info.pattern,
                               .density = Uniform(random, 0.05, 0.9),
                               .angle_rad = Uniform(random, 0, 3),
@@ -49,7 +60,8 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
                               .z_nm = FromMm(Uniform(random, 0, 50)),
                               .overlap_nm = 157'500,
                               .anchor_nm = 2'700'000,
-                              .anchor_max_nm = 50'000'000};
+                              .anchor_max_nm = 50'000'000,
+                              .planned = planned};
       if (info.sparse) {
         const auto paths = FillSparse(region, sparse);
         ASSERT_TRUE(paths.ok());

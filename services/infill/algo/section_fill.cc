@@ -1,12 +1,17 @@
 #include "services/infill/algo/section_fill.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "common/geometry/boolean.h"
 #include "common/model/bead_section.h"
+#include "common/model/fill_angles.h"
+#include "services/infill/algo/ironing.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/solid.h"
@@ -69,12 +74,57 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
   return status;
 }
 
+/// What is decided of a region's sparse infill; null: nothing.
+const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t object, int32_t row) {
+  const auto place = [](const PlannedInfill& plan) {
+    return std::pair(plan.object, plan.settings);
+  };
+  const auto found = std::ranges::lower_bound(plans, std::pair(object, row), {}, place);
+  return found == plans.end() || place(*found) != std::pair(object, row) ? nullptr : &*found;
+}
+
+/// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.
+void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& paths) {
+  if (share == 1 && from_nm == to_nm) return;
+  const double height_mm = ToMm(static_cast<double>(to_nm));
+  for (Path& path : paths)
+    for (Coord& width : path.widths_nm)
+      width = WidthToFill(FromMm(share * SectionMm2(width, from_nm) / height_mm), to_nm);
+}
+
+/// Which way lines run in a layer.
+struct FillAngles {
+  double sparse_rad = 0;
+  double solid_rad = 0;
+  bool sparse_planned = false;  ///< by a template, which says all that turns
+  bool solid_planned = false;
+};
+
+/// The angle that a template names for a layer; none: there is no template.
+std::optional<double> PlannedAngle(const std::string& angles, double base_rad, int32_t layer) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto steps = ParseFillAngles(angles);
+  if (!steps.ok()) return std::nullopt;
+  return FillAngleAt(*steps, base_rad / kDegree, layer) * kDegree;
+}
+
+FillAngles AnglesOf(const InfillOptions& options, int32_t layer) {
+  const auto sparse = PlannedAngle(options.angle_template, options.angle_rad, layer);
+  const auto solid = PlannedAngle(options.solid_angle_template, options.angle_rad, layer);
+  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad),
+          sparse.has_value(), solid.has_value()};
+}
+
 /// Fills the areas of one region's settings in a section.
 class RegionFill {
  public:
-  /// `view` and `options` must outlive this.
-  RegionFill(const SectionView& view, const InfillOptions& options)
-      : view_(view), options_(options), cover_(CoverOf(view, options)) {}
+  /// `view`, `options` and `plan` must outlive this. `plan` may be null.
+  RegionFill(const SectionView& view, const InfillOptions& options, const PlannedInfill* plan)
+      : view_(view),
+        options_(options),
+        plan_(plan),
+        cover_(CoverOf(view, options)),
+        angles_(AnglesOf(options, view.layer)) {}
 
   /// `field`: what the region's fields say about the layer; null: there are none.
   absl::Status Fill(const FillArea& fill_area, const LayerField* field,
@@ -93,6 +143,7 @@ class RegionFill {
       status =
           AppendSolid(skins.solid, Feature::kSolidInfill, inner, options_.solid_width_nm, fills);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
+    if (status.ok() && options_.ironing.enabled) status = AppendIroning(skins, fills);
     return status;
   }
 
@@ -115,10 +166,11 @@ class RegionFill {
            view_.layer % options_.solid_every_layers == 0;
   }
 
-  /// Solid lines turn by a right angle from layer to layer, but for patterns that do not.
+  /// Solid lines turn by a right angle from layer to layer, but for patterns that do not and
+  /// for templates, which say what turns.
   double SolidAngle(FillPattern pattern) const {
-    const bool turns = !IsAligned(pattern) && view_.layer % 2 != 0;
-    return options_.angle_rad + (turns ? std::numbers::pi / 2 : 0);
+    const bool turns = !angles_.solid_planned && !IsAligned(pattern) && view_.layer % 2 != 0;
+    return angles_.solid_rad + (turns ? std::numbers::pi / 2 : 0);
   }
 
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
@@ -131,16 +183,35 @@ class RegionFill {
     return absl::OkStatus();
   }
 
+  /// What lies open after this layer: the last one of the object, if only that is to be ironed.
+  absl::Status AppendIroning(const Skins& skins, std::vector<FillGroup>& fills) const {
+    const IroningType type = options_.ironing.type;
+    if (type == IroningType::kTopmost && view_.OutlineAt(view_.layer + 1) != nullptr)
+      return absl::OkStatus();
+    MultiPolygon ironed = skins.top;
+    if (type == IroningType::kSolid) ironed = Union(ironed, skins.solid);
+    auto group = IronedLines(ironed, {.angle_rad = SolidAngle(options_.top_pattern),
+                                      .width_nm = Width(options_.top_width_nm),
+                                      .height_nm = view_.height_nm,
+                                      .ironing = options_.ironing});
+    if (!group.ok()) return group.status();
+    if (!group->paths.empty()) fills.push_back(*std::move(group));
+    return absl::OkStatus();
+  }
+
   /// Each bridge in the direction in which it is borne best.
   absl::Status AppendBridges(const MultiPolygon& regions, std::vector<FillGroup>& fills) const {
     const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
     for (const PolygonWithHoles& region : regions) {
       const auto angle = BridgeDirection(region, below);
+      const size_t first = fills.size();
       const absl::Status status =
           AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
                             angle.value_or(SolidAngle(options_.bottom_pattern)),
                             options_.solid_width_nm, fills);
       if (!status.ok()) return status;
+      for (FillGroup& group : std::span(fills).subspan(first))
+        ScaleSections(options_.bridge_flow, view_.height_nm, view_.height_nm, group.paths);
     }
     return absl::OkStatus();
   }
@@ -173,18 +244,35 @@ class RegionFill {
                             std::vector<FillGroup>& fills) const {
     const bool plain =
         field == nullptr || (field->directions == nullptr && IsPlain(*field->density, *field));
-    auto paths = FillSparse(region, {.pattern = options_.pattern,
-                                     .density = PlainDensity(field),
-                                     .angle_rad = options_.angle_rad,
-                                     .layer = view_.layer,
-                                     .z_nm = view_.z_nm,
-                                     .width_nm = Width(options_.sparse_width_nm),
-                                     .height_nm = view_.height_nm,
-                                     .overlap_nm = options_.overlap_nm,
-                                     .anchor_nm = options_.anchor_nm,
-                                     .anchor_max_nm = options_.anchor_max_nm,
-                                     .field = plain ? nullptr : field});
+    SparseFill fill{.pattern = plan_ == nullptr ? options_.pattern : plan_->pattern,
+                    .density = PlainDensity(field),
+                    .angle_rad = angles_.sparse_rad,
+                    .layer = angles_.sparse_planned ? 0 : view_.layer,
+                    .z_nm = view_.z_nm,
+                    .width_nm = Width(options_.sparse_width_nm),
+                    .height_nm = view_.height_nm,
+                    .overlap_nm = options_.overlap_nm,
+                    .anchor_nm = options_.anchor_nm,
+                    .anchor_max_nm = options_.anchor_max_nm,
+                    .field = plain ? nullptr : field};
+    if (plan_ == nullptr) return AppendSparsePart(region, fill, fills);
+    fill.planned = plan_->lines;
+    const MultiPolygon filled = Difference(region, plan_->left_out);
+    if (plan_->combined.empty()) return AppendSparsePart(filled, fill, fills);
+    const absl::Status status =
+        AppendSparsePart(Difference(filled, plan_->combined), fill, fills);
+    if (!status.ok()) return status;
+    fill.height_nm = plan_->combined_height_nm;
+    return AppendSparsePart(Intersection(filled, plan_->combined), fill, fills);
+  }
+
+  /// Beads of another height than the layer's are as wide as their plastic would be in the layer.
+  absl::Status AppendSparsePart(const MultiPolygon& region, const SparseFill& fill,
+                                std::vector<FillGroup>& fills) const {
+    auto paths = FillSparse(region, fill);
     if (!paths.ok()) return paths.status();
+    if (fill.height_nm != view_.height_nm)
+      ScaleSections(1, fill.height_nm, view_.height_nm, *paths);
     if (!paths->empty()) fills.push_back({false, *std::move(paths)});
     return absl::OkStatus();
   }
@@ -195,7 +283,9 @@ class RegionFill {
 
   const SectionView& view_;
   const InfillOptions& options_;
+  const PlannedInfill* plan_;
   const Cover cover_;
+  const FillAngles angles_;
 };
 
 /// Says of each path whose it is.
@@ -213,6 +303,7 @@ void Sign(const FillArea& area, std::span<FillGroup> fills) {
 
 absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           const ObjectLayers& objects,
+                                          std::span<const PlannedInfill> plans,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
   SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
@@ -228,7 +319,10 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
     for (const FillArea& area : island.fill_areas) {
       const InfillOptions& options = regions[static_cast<size_t>(area.settings)];
       if (absl::Status ok = CheckWidths(view, options); !ok.ok()) return ok;
-      const auto filler = fillers.try_emplace(area.settings, view, options).first;
+      const auto filler =
+          fillers
+              .try_emplace(area.settings, view, options, PlanOf(plans, view.object, area.settings))
+              .first;
       const size_t first = result.fills.size();
       const auto field = fields.Of(area.settings, walled.object, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/geometry/text_format.h"
+#include "common/model/bead_section.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -35,7 +36,7 @@ absl::StatusOr<FilledSection> FillPlain(WalledSection walled, bool on_bed,
                                         const ObjectLayers& objects,
                                         std::span<const InfillOptions> regions) {
   auto none = RegionFields::Read(regions, {});
-  return FillSection(std::move(walled), on_bed, objects, regions, *none);
+  return FillSection(std::move(walled), on_bed, objects, {}, regions, *none);
 }
 
 std::set<Feature> FeaturesOf(const FilledSection& section, int32_t row) {
@@ -131,7 +132,7 @@ TEST(FillSection, AFieldTakesThePlaceOfTheDensity) {
   }
   const auto fills = [&](const std::vector<InfillOptions>& regions) {
     auto read = RegionFields::Read(regions, layers);
-    return *FillSection(Halves(5), false, objects, regions, *read);
+    return *FillSection(Halves(5), false, objects, {}, regions, *read);
   };
   EXPECT_EQ(fills(plain), fills(fields)) << "one density for a layer is the pattern's";
   EXPECT_EQ(FeaturesOf(fills(dense), 0), std::set{Feature::kSolidInfill});
@@ -147,6 +148,135 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
   const auto filled = FillPlain({kPlate, 0, 300'000, {island}}, true, objects, regions);
   ASSERT_TRUE(filled.ok()) << filled.status();
   EXPECT_EQ(FeaturesOf(*filled, 0), std::set{Feature::kSupport});
+}
+
+/// What one row fills of layer 5, all of the square.
+std::vector<Path> PathsOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
+                          int32_t layer = 5) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  const std::vector<InfillOptions> regions = {options};
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  auto none = RegionFields::Read(regions, {});
+  const auto filled =
+      FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, *none);
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  std::vector<Path> paths;
+  for (const FillGroup& group : filled->islands[0].fills)
+    paths.insert(paths.end(), group.paths.begin(), group.paths.end());
+  return paths;
+}
+
+InfillOptions Thin() {
+  InfillOptions options;
+  options.top_solid_layers = options.bottom_solid_layers = 1;
+  return options;
+}
+
+double VolumeOf(const std::vector<Path>& paths, Feature feature, Coord height = 200'000) {
+  double volume = 0;
+  for (const Path& path : paths) {
+    if (path.feature != feature) continue;
+    for (size_t i = 1; i < path.points.size(); ++i)
+      volume += ToMm(Distance(path.points[i - 1], path.points[i])) *
+                SectionMm2((path.WidthAt(i - 1) + path.WidthAt(i)) / 2, height);
+  }
+  return volume;
+}
+
+TEST(FillSection, FollowsWhatIsPlanned) {
+  InfillOptions options = Thin();
+  options.pattern = FillPattern::kLightning;
+  PlannedInfill plan{.pattern = FillPattern::kLightning,
+                     .lines = {{{FromMm(0), FromMm(10)}, {FromMm(8), FromMm(10)}}}};
+  const std::vector<Path> paths = PathsOf(options, std::span(&plan, 1));
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(EndOf(paths[0]), (Point{FromMm(8), FromMm(10)}));
+  EXPECT_TRUE(PathsOf(options, {}).empty());
+  plan.settings = 1;  // of another region
+  EXPECT_TRUE(PathsOf(options, std::span(&plan, 1)).empty());
+}
+
+TEST(FillSection, LeavesOutWhatIsPlannedSo) {
+  const PlannedInfill plan{.left_out = P("(0 0, 10 0, 10 20, 0 20)")};
+  for (const Path& path : PathsOf(Thin(), std::span(&plan, 1)))
+    for (const Point p : path.points) EXPECT_GE(p.x, FromMm(10));
+}
+
+// What two layers share is printed in one, with the plastic of both.
+TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
+  PlannedInfill plan{.combined = P("(0 0, 20 0, 20 20, 0 20)"), .combined_height_nm = 400'000};
+  const double once = VolumeOf(PathsOf(Thin(), {}), Feature::kInternalInfill);
+  const double twice =
+      VolumeOf(PathsOf(Thin(), std::span(&plan, 1)), Feature::kInternalInfill);
+  EXPECT_NEAR(twice / once, 2, 0.1);
+}
+
+TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
+  InfillOptions options = Thin();
+  options.pattern = FillPattern::kRectilinear;
+  options.anchor_nm = options.anchor_max_nm = 0;
+  options.angle_template = "0,90#2";
+  for (const int32_t layer : {3, 4, 5}) {
+    const bool across = layer % 3 != 0;
+    for (const Path& path : PathsOf(options, {}, layer)) {
+      const Point way = EndOf(path) - StartOf(path);
+      EXPECT_EQ(across ? way.x : way.y, 0) << layer;
+    }
+  }
+  options.solid_angle_template = "0";
+  options.density = 1;
+  for (const int32_t layer : {3, 4})
+    for (const Path& path : PathsOf(options, {}, layer)) {
+      const Point way = path.points[1] - path.points[0];
+      EXPECT_EQ(way.y, 0) << layer;
+    }
+}
+
+TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
+  InfillOptions options = Thin();
+  options.ironing.enabled = true;
+  const auto irons = [&](IroningType type, int32_t layer) {
+    options.ironing.type = type;
+    return VolumeOf(PathsOf(options, {}, layer), Feature::kIroning) > 0;
+  };
+  using enum IroningType;
+  EXPECT_TRUE(irons(kTop, 9));
+  EXPECT_TRUE(irons(kTopmost, 9));
+  EXPECT_TRUE(irons(kSolid, 9));
+  for (const IroningType type : {kTop, kTopmost, kSolid}) EXPECT_FALSE(irons(type, 5));
+  EXPECT_FALSE(irons(kTop, 0));
+  EXPECT_TRUE(irons(kSolid, 0));
+}
+
+TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
+  // Two pillars, and a slab on them.
+  auto layers = Prism();
+  for (int i = 0; i < 5; ++i)
+    layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
+        P("(0 0, 5 0, 5 20, 0 20) ; (15 0, 20 0, 20 20, 15 20)");
+  const ObjectLayers objects(layers);
+  WalledIsland island;
+  island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  const auto plastic = [&](double flow) {
+    InfillOptions options = Thin();
+    options.bridge_flow = flow;
+    const std::vector<InfillOptions> regions = {options};
+    const auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
+    std::vector<Path> paths;
+    for (const FillGroup& group : filled->islands[0].fills)
+      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
+    return std::pair(VolumeOf(paths, Feature::kBridgeInfill),
+                     VolumeOf(paths, Feature::kInternalInfill));
+  };
+  const auto [bridge, sparse] = plastic(1);
+  ASSERT_GT(bridge, 0);
+  for (const double flow : {0.3, 0.8, 1.2}) {
+    const auto [thin, other] = plastic(flow);
+    EXPECT_NEAR(thin / bridge, flow, 0.01) << flow;
+    EXPECT_EQ(other, sparse);
+  }
 }
 
 }  // namespace

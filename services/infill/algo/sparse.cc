@@ -46,7 +46,8 @@ double LengthOf(const std::vector<Piece>& pieces) {
 /// and a little more, less that of the pieces.
 double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const SparseFill& fill,
                   double pitch, const FieldPieces& filled) {
-  if (fill.field == nullptr) return ((1 + kMostExcess) * Area(region) - Area(area)) / pitch;
+  if (fill.field == nullptr && !InfoOf(fill.pattern).planned)
+    return ((1 + kMostExcess) * Area(region) - Area(area)) / pitch;
   if (filled.in_cells) return kMostExcessInside * LengthOf(filled.pieces);
   const double whole = Area(area);
   return whole <= 0 ? 0 : ((1 + kMostExcess) * Area(region) / whole - 1) * LengthOf(filled.pieces);
@@ -61,7 +62,8 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = FastOffset(region, -inset);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
-  const auto filled = PiecesOf(fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing});
+  const auto filled = PiecesOf(
+      fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, fill.planned});
   if (!filled.ok()) return filled.status();
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.

@@ -5,6 +5,8 @@
 
 #include "common/wire/layer_wire.h"
 #include "common/wire/message_stream.h"
+#include "common/wire/plan_wire.h"
+#include "common/wire/repeated_wire.h"
 #include "common/wire/start_wire.h"
 
 namespace slicefarm::infill {
@@ -23,9 +25,13 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   call.layers = start->range;
   std::vector<SlicedLayer> neighbours;
   std::vector<WalledLayer> walled;
+  std::vector<LayerPlan> plans;
   absl::Status status = ReadEach<v1::FillRequest>(stream, [&](const v1::FillRequest& request) {
-    return request.has_neighbour() ? AppendNext(FromProto(request.neighbour()), &neighbours)
-                                   : AppendNext(FromProto(request.layer()), &walled);
+    if (request.has_neighbour()) return AppendNext(FromProto(request.neighbour()), &neighbours);
+    absl::Status taken = AppendNext(FromProto(request.layer().layer()), &walled);
+    taken.Update(AllFromProto(request.layer().infill(), "infill", &plans.emplace_back().infill));
+    taken.Update(CheckOrder(plans.back().infill));
+    return taken;
   });
   status.Update(call.cancel.Check());
   status.Update(CheckNeighbourhood(neighbours, start->range));
@@ -33,7 +39,8 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   if (!status.ok()) return status;
 
   const absl::StatusOr<std::vector<FilledLayer>> filled =
-      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, start->options);
+      stage_.Fill(start->call, std::move(walled), {start->range, neighbours}, plans,
+                  start->options);
   if (!filled.ok()) return filled.status();
   return WriteEach<v1::FilledLayer>(
       stream, *filled,

@@ -80,6 +80,18 @@ WallOrder OrderOf(const FilledIsland& island, const OrderingOptions& options) {
   return options.walls[static_cast<size_t>(island.walls.front().settings)];
 }
 
+/// Ironing goes over what is printed, so it comes after all else.
+std::vector<FillBlock> TakeIroning(std::vector<FillBlock>& blocks) {
+  std::vector<FillBlock> ironing;
+  const auto is_rest = [](const FillBlock& block) {
+    return block.paths.front()->feature != Feature::kIroning;
+  };
+  const auto rest_end = std::stable_partition(blocks.begin(), blocks.end(), is_rest);
+  std::move(rest_end, blocks.end(), std::back_inserter(ironing));
+  blocks.erase(rest_end, blocks.end());
+  return ironing;
+}
+
 void PrintIsland(FilledIsland& island, std::optional<Point> next, const OrderingOptions& options,
                  std::span<const Point> seams, Route& route, WorkBudget& budget) {
   const WallOrder order = OrderOf(island, options);
@@ -94,16 +106,19 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
     }
   }
   std::vector<FillBlock> fills = BlocksOf(island.fills);
+  std::vector<FillBlock> ironing = TakeIroning(fills);
   if (options.infill_first) {
     PrintFills(std::move(fills), {}, route, budget);
     PrintWalls(walls, rules, route, budget);
     PrintFills(std::move(gaps), next, route, budget);
+    PrintFills(std::move(ironing), next, route, budget);
     return;
   }
   PrintWalls(walls, rules, route, budget);
   // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
   std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
   PrintFills(std::move(fills), next, route, budget);
+  PrintFills(std::move(ironing), next, route, budget);
 }
 
 }  // namespace

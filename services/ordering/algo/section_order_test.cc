@@ -150,6 +150,24 @@ TEST(OrderSection, InfillFirst) {
                           Feature::kExternalPerimeter, Feature::kGapFill));
 }
 
+TEST(OrderSection, IroningComesLast) {
+  for (const bool infill_first : {false, true}) {
+    FilledSection section = Section();
+    section.islands.resize(1);
+    FillGroup ironing{.keep_order = true, .paths = {}};
+    for (const double dy : {15.0, 15.1, 15.2})
+      ironing.paths.push_back(Line(Feature::kIroning, Mm(102, 10 + dy), Mm(115, 10 + dy)));
+    section.islands[0].fills.insert(section.islands[0].fills.begin(), ironing);
+    OrderingOptions options;
+    options.infill_first = infill_first;
+    const std::vector<Path> ordered = Order(section, options);
+    const std::vector<Feature> features = FeaturesOf(ordered);
+    EXPECT_EQ(features.back(), Feature::kIroning);
+    EXPECT_EQ(std::ranges::count(features, Feature::kIroning), 1);
+    EXPECT_EQ(ordered.back().points, ironing.paths.back().points);
+  }
+}
+
 TEST(OrderSection, MonotonicLinesStayTogetherAndInOrder) {
   const std::vector<Path> ordered = Order(Section());
   for (size_t i = 0; i + 2 < ordered.size(); ++i) {

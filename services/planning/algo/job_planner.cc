@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
+#include "services/planning/algo/infill/infill_planner.h"
 #include "services/planning/algo/seams/seam_planner.h"
 #include "services/planning/algo/sequence/sequence_planner.h"
 #include "services/planning/algo/travel/travel_planner.h"
@@ -58,6 +59,8 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   if (options.sequence.complete_objects)
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
+  if (!options.infill.empty())
+    planners_.push_back(std::make_unique<InfillPlanner>(options, object_names));
 }
 
 absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,

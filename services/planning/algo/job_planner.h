@@ -12,14 +12,15 @@
 
 namespace slicefarm::planning {
 
-/// Plans a job layer by layer, bottom up, so that layers can stream in. What is kept is what the
-/// planners keep: no outlines of more than a few layers, but places for seams on each of them. The planners, in the order in
-/// which they look at a layer:
+/// Plans a job layer by layer, bottom up, so that layers can stream in. What is kept of them is what
+/// the planners keep: no more than a few layers each, but for infill that hangs from above. The
+/// planners, in the order in which they look at a layer:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
+///   5 infill   lines and places of sparse infill that depend on many layers (infill/infill_planner.h)
 ///
 /// A layer's plan is whole as soon as all planners have looked at it. What lies on the plate is not:
 /// a draft shield goes round all that is above it, and is as high as the job; the sequence of copies

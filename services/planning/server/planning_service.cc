@@ -39,6 +39,7 @@ absl::Status Answer(const JobPlan& plan, Stream& stream) {
   if (!status.ok()) return status;
   v1::PlanResponse end;
   *end.mutable_end()->mutable_seams() = ToProto(plan.seams);
+  end.mutable_end()->mutable_notes()->Assign(plan.notes.begin(), plan.notes.end());
   status = AllToProto(plan.copies, "copies", end.mutable_end()->mutable_copies());
   if (status.ok()) stream.Write(end);  // a client that is gone needs no error
   return status;

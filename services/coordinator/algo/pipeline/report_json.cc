@@ -143,6 +143,7 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   }
   json["stage_times_s"] = ToJson(report.stage_times);
   json["warnings"] = report.warnings;
+  json["notes"] = report.notes;
   json["settings_without_effect"] = context.settings_without_effect;
   json["settings_digest"] = context.settings_digest;
   json["build_id"] = context.build_id;

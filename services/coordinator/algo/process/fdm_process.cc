@@ -312,14 +312,16 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
 
   auto plan = Timed(report.stage_times.planning_s, [&] {
     const ScopedSpan span(call.spans, "planning");
-    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names},
-                          settings.planning);
+    PlanningOptions options = settings.planning;
+    options.infill = InfillPlansOf(settings);
+    return planning_.Plan(call, {sliced->layers, sliced->copies, sliced->object_names}, options);
   });
   if (!plan.ok()) return plan.status();
   report.seams = plan->seams;
   std::ranges::move(BedWarnings(plan->additions, settings.planning.bed, sliced->copies,
                                 sliced->object_names),
                     std::back_inserter(report.warnings));
+  report.notes = std::move(plan->notes);
   auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
                                       std::move(input.settings_text), std::move(report));
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())

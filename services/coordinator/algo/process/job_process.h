@@ -36,6 +36,7 @@ struct JobReport {
   std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
+  std::vector<std::string> notes;     ///< what planning chose, and why
 };
 
 struct JobOutput {

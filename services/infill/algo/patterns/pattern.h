@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -16,6 +17,7 @@ struct PatternPlace {
   double pitch_nm = 0;  ///< the law: length of lines per area is 1 / pitch, over a period in z
   double angle_rad = 0;
   Coord spacing_nm = 0;  ///< of beads that lie side by side
+  std::span<const Polyline> planned = {};  ///< the lines of patterns that planning lays out
 };
 
 /// What is left of a pattern inside a region. Every pattern has this form; registry.h names them.

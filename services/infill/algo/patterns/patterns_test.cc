@@ -50,6 +50,21 @@ double WeightedLengthIn(const Path& path, const Box& box) {
   return sum;
 }
 
+/// What a planner may hand to a layer: lines that cross, lines that end inside, forks.
+std::span<const Polyline> SamplePlan() {
+  static const auto& lines = *new std::vector<Polyline>([] {
+    std::vector<Polyline> made;
+    const Coord far = FromMm(60);
+    for (Coord at = -far; at <= far; at += FromMm(3.7)) {
+      made.push_back({{-far, at}, {far, at + FromMm(9)}});
+      made.push_back({{at, -far}, {at + FromMm(2), FromMm(3)}, {at - FromMm(5), FromMm(7)}});
+      made.push_back({{at + FromMm(2), FromMm(3)}, {at + FromMm(9), FromMm(5)}});
+    }
+    return made;
+  }());
+  return lines;
+}
+
 SparseFill Fill(FillPattern pattern, double density) {
   return {.pattern = pattern,
           .density = density,
@@ -58,7 +73,8 @@ SparseFill Fill(FillPattern pattern, double density) {
           .height_nm = kHeight,
           .overlap_nm = 157'500,
           .anchor_nm = 2'700'000,
-          .anchor_max_nm = 50'000'000};
+          .anchor_max_nm = 50'000'000,
+          .planned = SamplePlan()};
 }
 
 std::string NameOf(const testing::TestParamInfo<FillPattern>& info) {
@@ -152,6 +168,7 @@ TEST_P(Patterns, AreTheSameEachTime) {
 
 // A pattern at an angle is the pattern, turned: so is its length.
 TEST_P(Patterns, TurnWithTheAngle) {
+  if (InfoOf(GetParam()).planned) GTEST_SKIP() << "it is turned where it is planned";
   const MultiPolygon box = P("(-20 -15, 20 -15, 20 15, -20 15)");
   const MultiPolygon turned = P("(15 -20, 15 20, -15 20, -15 -20)");
   const auto length = [&](const MultiPolygon& region, double angle) {
@@ -167,6 +184,7 @@ TEST_P(Patterns, TurnWithTheAngle) {
 }
 
 TEST_P(Patterns, TooManyLinesAreRefused) {
+  if (InfoOf(GetParam()).planned) GTEST_SKIP() << "there are as many as are planned";
   const MultiPolygon huge = P("(0 0, 2000 0, 2000 2000, 0 2000)");
   SparseFill fill = Fill(GetParam(), 0.8);
   fill.width_nm = 50'000;

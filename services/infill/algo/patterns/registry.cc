@@ -7,6 +7,7 @@
 #include "services/infill/algo/patterns/crossing_lines.h"
 #include "services/infill/algo/patterns/honeycomb.h"
 #include "services/infill/algo/patterns/honeycomb_3d.h"
+#include "services/infill/algo/patterns/planned_lines.h"
 #include "services/infill/algo/patterns/rectilinear.h"
 #include "services/infill/algo/patterns/spirals.h"
 #include "services/infill/algo/patterns/surfaces.h"
@@ -45,6 +46,9 @@ constexpr Row kRows[] = {
     {FillPattern::kFermat, Fermat},
     {FillPattern::kHilbertQuadtree, HilbertQuadtree},
     {FillPattern::kPeanoQuadtree, PeanoQuadtree},
+    {FillPattern::kAdaptiveCubic, PlannedLines},
+    {FillPattern::kSupportCubic, PlannedLines},
+    {FillPattern::kLightning, PlannedLines},
 };
 
 constexpr bool InOrder() {

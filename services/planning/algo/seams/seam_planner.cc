@@ -73,8 +73,9 @@ void SeamPlanner::Count(const std::vector<Ring>& rings, const std::vector<int32_
   }
 }
 
-absl::Status SeamPlanner::Finish(JobPlan& plan) {
+absl::Status SeamPlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
   for (auto& [object, seams] : objects_) {
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     seams.occupancy.Build();
     const SeamPosition position = PositionOf(object);
     const std::vector<int32_t> chosen =

@@ -24,7 +24,7 @@ class SeamPlanner : public Planner {
   explicit SeamPlanner(const PlanningOptions& options) : options_(options) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(JobPlan& plan) override;
+  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
 
  private:
   /// A ring of the object, as a node of its forest.

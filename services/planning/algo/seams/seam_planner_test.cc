@@ -21,7 +21,7 @@ JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPos
   SeamPlanner planner(options);
   JobPlan plan;
   for (const SlicedLayer& layer : layers) planner.Look(layer, plan.layers.emplace_back());
-  EXPECT_TRUE(planner.Finish(plan).ok());
+  EXPECT_TRUE(planner.Finish({}, plan).ok());
   return plan;
 }
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "services/infill/algo/patterns/pattern.h"
+
+namespace slicefarm::infill {
+
+/// What lies inside the region of the lines that planning has laid out for the layer (adaptive and
+/// support cubic, lightning: services/planning/algo/infill). They have no other pitch or angle.
+MakePattern PlannedLines;
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,89 @@
+#include "services/planning/algo/infill/branches.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::planning {
+namespace {
+
+Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
+const MultiPolygon& Square() {
+  static const MultiPolygon& square =
+      *new MultiPolygon(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
+  return square;
+}
+
+double LengthOf(const Branches& branches) {
+  double length = 0;
+  for (const Polyline& line : branches.Lines(0)) length += Length(line);
+  return ToMm(length);
+}
+
+TEST(NearestOnEdge, IsTheNearestPlace) {
+  const auto nearest = NearestOnEdge(Square(), Mm(3, 10));
+  EXPECT_EQ(nearest->at, Mm(0, 10));
+  EXPECT_EQ(nearest->distance_nm, 3e6);
+  EXPECT_FALSE(NearestOnEdge({}, Mm(3, 10)).has_value());
+}
+
+TEST(Branches, GrowFromTheEdgeOrFromATree) {
+  Branches branches;
+  EXPECT_EQ(branches.GrowTo(Mm(8, 10), Square()), Mm(0, 10));
+  EXPECT_EQ(branches.GrowTo(Mm(6, 12), Square()), Mm(6, 10));   // a fork
+  EXPECT_EQ(branches.GrowTo(Mm(10, 10), Square()), Mm(8, 10));  // the tip goes on
+  EXPECT_EQ(branches.GrowTo(Mm(10, 2), Square()), Mm(10, 0));
+  EXPECT_NEAR(LengthOf(branches), 10 + 2 + 2, 1e-6);
+  const auto lines = branches.Lines(500'000);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].front(), Mm(-0.5, 10));
+  EXPECT_EQ(lines[0].back(), Mm(10, 10));
+}
+
+TEST(Branches, ShrinkOnTheWayDown) {
+  Branches branches;
+  branches.GrowTo(Mm(5, 10), Square());
+  branches.Descend(1e6);
+  EXPECT_NEAR(LengthOf(branches), 4, 1e-6);
+  for (int i = 0; i < 4; ++i) branches.Descend(1e6);
+  EXPECT_TRUE(branches.nodes().empty());
+}
+
+TEST(Branches, AForkOutlivesItsTwigs) {
+  Branches branches;
+  branches.GrowTo(Mm(9, 10), Square());
+  branches.GrowTo(Mm(5, 11.5), Square());
+  branches.Descend(2e6);
+  EXPECT_NEAR(LengthOf(branches), 7, 1e-3);
+}
+
+TEST(Branches, BendsStraighten) {
+  Branches branches;
+  branches.GrowTo(Mm(4, 10), Square());
+  branches.GrowTo(Mm(6.5, 12.5), Square());
+  branches.GrowTo(Mm(10, 12.5), Square());
+  const double before = LengthOf(branches);
+  branches.Descend(0.2e6);
+  EXPECT_LT(LengthOf(branches), before - 0.2);
+}
+
+TEST(Branches, AreTiedToAnotherRegion) {
+  Branches branches;
+  branches.GrowTo(Mm(8, 10), Square());
+  Branches wider = branches;
+  wider.Refit(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)"));
+  EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has gone away
+  Branches narrower = branches;
+  narrower.Refit(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)"));
+  EXPECT_NEAR(LengthOf(narrower), 3, 1e-6);
+  Branches across = branches;
+  across.Refit(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)"));
+  EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole lies in the way
+  Branches gone = branches;
+  gone.Refit({});
+  EXPECT_TRUE(gone.nodes().empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,47 @@
+#include "services/planning/algo/infill/infill_places.h"
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// What of a region is at least `width_nm` wide.
+MultiPolygon Opened(const MultiPolygon& region, Coord width_nm) {
+  return FastOffset(FastOffset(region, -width_nm / 2), width_nm / 2);
+}
+
+}  // namespace
+
+void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const MultiPolygon> roofs,
+                      Coord least_nm, Coord margin_nm, std::span<InfillPlaces> places) {
+  MultiPolygon needed;
+  for (size_t i = areas.size(); i-- > 0;) {
+    if (!needed.empty()) needed = Intersection(needed, areas[i]);
+    const MultiPolygon roof = Opened(roofs[i], least_nm);
+    if (!roof.empty()) needed = Union(needed, roof);
+    places[i].left_out =
+        Union(places[i].left_out, Difference(FastOffset(areas[i], margin_nm), needed));
+  }
+}
+
+void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
+                   int32_t every_layers, std::span<InfillPlaces> places) {
+  const auto count = static_cast<size_t>(every_layers);
+  // The first layer lies on the bed, where nothing may be missing.
+  for (size_t first = 1; first + count <= stack.size(); first += count) {
+    MultiPolygon shared = areas[first];
+    Coord height_nm = 0;
+    for (size_t i = first; i < first + count; ++i) {
+      if (areas[i] != areas[first]) shared = Intersection(shared, areas[i]);
+      height_nm += stack[i].height_nm;
+    }
+    if (shared.empty()) continue;
+    const size_t last = first + count - 1;
+    for (size_t i = first; i < last; ++i) places[i].left_out = Union(places[i].left_out, shared);
+    places[last].combined = shared;
+    places[last].combined_height_nm = height_nm;
+  }
+}
+
+}  // namespace slicefarm::planning

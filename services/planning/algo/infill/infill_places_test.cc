@@ -1,0 +1,70 @@
+#include "services/planning/algo/infill/infill_places.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "services/planning/algo/infill/sparse_areas.h"
+#include "services/planning/algo/infill/stacks_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
+
+// A tunnel of 4 mm through a block: above it infill stands on solid infill, below it carries some.
+TEST(LeaveOutUnneeded, OnlyWhatCarriesSomethingIsLeft) {
+  const ObjectStack stack = StackOf(30, [](int i) {
+    return MakePolygonsOrDie(i < 20 ? "(0 0, 30 0, 30 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
+  });
+  const auto areas = SparseAreas(stack, {1'000'000, 2, 2});
+  const auto roofs = RoofsOf(areas);
+  std::vector<InfillPlaces> places(stack.size());
+  LeaveOutUnneeded(areas, roofs, 900'000, 500'000, places);
+  // Everything has a top above it here.
+  for (size_t i = 0; i < stack.size(); ++i)
+    EXPECT_NEAR(Mm2(Intersection(areas[i], places[i].left_out)), 0, 1e-6) << i;
+}
+
+TEST(LeaveOutUnneeded, ConesThatWidenUpwardsNeedLittleNearTheBed) {
+  // A wedge that opens upwards: what lies right of the narrow foot hangs over the bed.
+  const ObjectStack stack = StackOf(40, [](int i) {
+    const Coord right = FromMm(10 + 0.2 * i);
+    return MultiPolygon{{{{0, 0}, {right, 0}, {right, FromMm(10)}, {0, FromMm(10)}}, {}}};
+  });
+  const auto areas = SparseAreas(stack, {1'000'000, 2, 2});
+  std::vector<MultiPolygon> roofs(stack.size());
+  roofs[20] = MakePolygonsOrDie("(2 2, 5 2, 5 5, 2 5) ; (6 6, 6.3 6, 6.3 8, 6 8)");
+  std::vector<InfillPlaces> places(stack.size());
+  LeaveOutUnneeded(areas, roofs, 900'000, 500'000, places);
+  EXPECT_NEAR(Mm2(Difference(areas[21], places[21].left_out)), 0, 1e-6);
+  for (const size_t i : {20u, 10u, 5u})  // the sliver needs nothing
+    EXPECT_NEAR(Mm2(Difference(areas[i], places[i].left_out)), 9, 1e-3) << i;
+}
+
+TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
+  const ObjectStack stack = StackOf(12, [](int i) {
+    return MakePolygonsOrDie(i < 6 ? "(0 0, 20 0, 20 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
+  });
+  const auto areas = SparseAreas(stack, {1'000'000, 1, 1});
+  std::vector<InfillPlaces> places(stack.size());
+  CombineLayers(stack, areas, 3, places);
+  // Stretches: 1-3, 4-6, 7-9; layers 10 and 11 are too few for another one.
+  for (const size_t i : {0u, 10u, 11u}) {
+    EXPECT_TRUE(places[i].left_out.empty()) << i;
+    EXPECT_TRUE(places[i].combined.empty()) << i;
+  }
+  for (const size_t i : {3u, 6u, 9u}) {
+    EXPECT_TRUE(places[i].left_out.empty()) << i;
+    EXPECT_EQ(places[i].combined_height_nm, 3 * kStackHeight) << i;
+    EXPECT_EQ(places[i - 1].left_out, places[i].combined);
+    EXPECT_EQ(places[i - 2].left_out, places[i].combined);
+    for (const size_t k : {i, i - 1, i - 2})
+      EXPECT_TRUE(Difference(places[i].combined, areas[k]).empty());
+  }
+  EXPECT_NEAR(Mm2(places[3].combined), 18 * 8, 1e-6);
+  EXPECT_NEAR(Mm2(places[6].combined), 8 * 8, 1e-6);
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,147 @@
+#include "services/planning/algo/infill/infill_planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/model/bead_section.h"
+#include "services/planning/algo/infill/choose_pattern.h"
+#include "services/planning/algo/infill/cubic_octree.h"
+#include "services/planning/algo/infill/lightning.h"
+#include "services/planning/algo/infill/sparse_areas.h"
+#include "services/planning/algo/infill/surface_points.h"
+
+namespace slicefarm::planning {
+namespace {
+
+using LinesByLayer = std::vector<std::vector<Polyline>>;
+
+/// Solid infill narrower than this many beads needs nothing under it: it rests on both sides.
+constexpr Coord kBridgedWidths = 2;
+
+bool NeedsPlan(const InfillPlanOptions& options) {
+  return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
+         options.only_where_needed;
+}
+
+/// The distance of lines that the density asks for, in layers of the usual height.
+double PitchOf(const InfillPlanOptions& options, const ObjectStack& stack) {
+  Coord height_nm = 0;
+  for (const StackLayer& layer : stack) height_nm = std::max(height_nm, layer.height_nm);
+  return static_cast<double>(Spacing(options.width_nm, height_nm)) / options.density;
+}
+
+double ReachOf(const ObjectStack& stack) {
+  Coord reach = 0;
+  for (const StackLayer& layer : stack) {
+    reach = std::max(reach, layer.z_nm);
+    ForEachRing(layer.whole, [&](const Polygon& ring) {
+      for (const Point p : ring) reach = std::max(reach, static_cast<Coord>(std::ceil(Norm(p))));
+    });
+  }
+  return static_cast<double>(reach);
+}
+
+LinesByLayer OctreeLines(FillPattern pattern, const InfillPlanOptions& options,
+                         const ObjectStack& stack) {
+  CubicOctree tree(PitchOf(options, stack), options.angle_rad, ReachOf(stack));
+  const auto step = static_cast<Coord>(tree.StepNm());
+  const auto add = [&](Point place, Coord z_nm) { tree.Add(place, z_nm); };
+  if (pattern == FillPattern::kSupportCubic) {
+    ForEachTopPoint(stack, step, add);
+  } else {
+    ForEachSurfacePoint(stack, step, add);
+  }
+  LinesByLayer lines;
+  for (const StackLayer& layer : stack)
+    lines.push_back(layer.region.empty()
+                        ? std::vector<Polyline>{}
+                        : tree.LinesAt(static_cast<double>(layer.z_nm - layer.height_nm / 2)));
+  return lines;
+}
+
+/// What is worked out once for all that asks where the sparse infill lies.
+struct SparsePlaces {
+  std::vector<MultiPolygon> areas;
+  std::vector<MultiPolygon> roofs;
+};
+
+SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack) {
+  SparsePlaces places;
+  places.areas =
+      SparseAreas(stack, {options.walls_nm, options.top_solid_layers, options.bottom_solid_layers});
+  places.roofs = RoofsOf(places.areas);
+  return places;
+}
+
+LinesByLayer LinesOf(FillPattern pattern, const InfillPlanOptions& options,
+                     const ObjectStack& stack, const SparsePlaces& places) {
+  if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
+  if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
+  return LightningLines(
+      stack, places.areas, places.roofs,
+      {.radius_nm = PitchOf(options, stack), .beyond_nm = static_cast<double>(options.width_nm)});
+}
+
+}  // namespace
+
+void InfillPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
+  (void)plan;
+  for (const ObjectSection& section : layer.sections) {
+    if (section.object == kPlate) continue;
+    ObjectStack& stack = stacks_[section.object];
+    for (const Region& region : section.regions) {
+      const auto row = static_cast<size_t>(region.settings);
+      if (row < options_.infill.size() && NeedsPlan(options_.infill[row]))
+        regions_[{section.object, region.settings}][stack.size()] = region.outlines;
+    }
+    stack.push_back({layer.frame.index, section.z_nm, section.height_nm, OutlineOf(section), {}});
+  }
+}
+
+absl::Status InfillPlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
+  for (const auto& [key, regions] : regions_) {
+    ObjectStack stack = stacks_[key.first];
+    for (const auto& [place, outlines] : regions) stack[place].region = outlines;
+    if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
+    FinishRow(key, stack, plan);
+  }
+  return absl::OkStatus();
+}
+
+void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, JobPlan& plan) const {
+  const InfillPlanOptions& options = options_.infill[static_cast<size_t>(key.second)];
+  FillPattern pattern = options.pattern;
+  if (options.choose_pattern) {
+    const PartShape shape = ShapeOf(stack);
+    PatternChoice choice = ChoosePattern(options, shape);
+    pattern = choice.pattern;
+    const auto object = static_cast<size_t>(key.first);
+    plan.notes.push_back(fmt::format(
+        "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on "
+        "average): {}",
+        InfoOf(pattern).name,
+        object < object_names_.size() ? object_names_[object] : fmt::format("object {}", object),
+        100 * options.density, shape.height_mm, shape.width_mm, choice.reason));
+  }
+  const bool looks_at_places =
+      pattern == FillPattern::kLightning || options.only_where_needed || options.every_layers > 1;
+  const SparsePlaces sparse = looks_at_places ? PlacesOf(options, stack) : SparsePlaces{};
+  LinesByLayer lines = LinesOf(pattern, options, stack, sparse);
+  std::vector<InfillPlaces> places(stack.size());
+  if (options.only_where_needed)
+    LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.width_nm,
+                     options.walls_nm + options.width_nm, places);
+  if (options.every_layers > 1) CombineLayers(stack, sparse.areas, options.every_layers, places);
+  for (size_t i = 0; i < stack.size(); ++i) {
+    if (stack[i].region.empty()) continue;
+    plan.layers[static_cast<size_t>(stack[i].job_layer)].infill.push_back(
+        {key.first, key.second, pattern, std::move(lines[i]), std::move(places[i].left_out),
+         std::move(places[i].combined), places[i].combined_height_nm});
+  }
+}
+
+}  // namespace slicefarm::planning

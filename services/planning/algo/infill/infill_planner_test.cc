@@ -1,0 +1,102 @@
+#include "services/planning/algo/infill/infill_planner.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/measure.h"
+#include "services/planning/algo/layers_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+constexpr int kLayers = 40;
+
+JobPlan PlanFor(const InfillPlanOptions& infill, const std::vector<SlicedLayer>& layers) {
+  PlanningOptions options;
+  options.infill = {infill};
+  const std::vector<std::string> names = {"block"};
+  InfillPlanner planner(options, names);
+  JobPlan plan;
+  for (const SlicedLayer& layer : layers) planner.Look(layer, plan.layers.emplace_back());
+  EXPECT_TRUE(planner.Finish({}, plan).ok());
+  return plan;
+}
+
+std::vector<SlicedLayer> Block() {
+  auto layers =
+      LayersOrDie(std::vector<std::string_view>(kLayers, "(-15 -15, 15 -15, 15 15, -15 15)"));
+  for (SlicedLayer& layer : layers) layer.sections[0].z_nm = layer.frame.print_z_nm;
+  return layers;
+}
+
+InfillPlanOptions Options(FillPattern pattern) {
+  return {.pattern = pattern, .walls_nm = 900'000, .top_solid_layers = 3, .bottom_solid_layers = 3};
+}
+
+TEST(InfillPlanner, NothingAskedForIsNothingPlanned) {
+  for (const LayerPlan& layer : PlanFor(Options(FillPattern::kGyroid), Block()).layers)
+    EXPECT_TRUE(layer.infill.empty());
+}
+
+TEST(InfillPlanner, GivesLinesForPatternsOfTheWholeJob) {
+  for (const FillPattern pattern :
+       {FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic, FillPattern::kLightning}) {
+    const JobPlan plan = PlanFor(Options(pattern), Block());
+    for (const LayerPlan& layer : plan.layers) {
+      ASSERT_EQ(layer.infill.size(), 1u);
+      EXPECT_EQ(layer.infill[0].pattern, pattern);
+    }
+    EXPECT_FALSE(plan.layers[kLayers - 4].infill[0].lines.empty()) << InfoOf(pattern).name;
+    EXPECT_TRUE(plan.notes.empty());
+  }
+}
+
+TEST(InfillPlanner, SupportCubicIsDenserBelowTops) {
+  const auto layers =
+      LayersOrDie(std::vector<std::string_view>(200, "(-15 -15, 15 -15, 15 15, -15 15)"));
+  auto raised = layers;
+  for (SlicedLayer& layer : raised) layer.sections[0].z_nm = layer.frame.print_z_nm;
+  const JobPlan support = PlanFor(Options(FillPattern::kSupportCubic), raised);
+  const JobPlan adaptive = PlanFor(Options(FillPattern::kAdaptiveCubic), raised);
+  const auto length = [](const JobPlan& plan, size_t layer) {
+    double sum = 0;
+    for (const Polyline& line : plan.layers[layer].infill[0].lines) sum += Length(line);
+    return sum;
+  };
+  EXPECT_GT(length(support, 190), 1.5 * length(support, 20));
+  EXPECT_GT(length(adaptive, 20), 1.5 * length(support, 20));
+}
+
+TEST(InfillPlanner, SaysWhatItChoseAndWhy) {
+  InfillPlanOptions options = Options(FillPattern::kGrid);
+  options.choose_pattern = true;
+  const JobPlan plan = PlanFor(options, Block());
+  ASSERT_EQ(plan.notes.size(), 1u);
+  EXPECT_EQ(plan.notes[0].rfind("fill_pattern = auto: cubic for block (20 % dense, 8.0 mm high", 0),
+            0u)
+      << plan.notes[0];
+  EXPECT_EQ(plan.layers[5].infill[0].pattern, FillPattern::kCubic);
+  options.goal = FillGoal::kTime;
+  options.density = 0.08;
+  const JobPlan airy = PlanFor(options, Block());
+  EXPECT_EQ(airy.layers[5].infill[0].pattern, FillPattern::kLightning);
+  EXPECT_FALSE(airy.layers[kLayers - 4].infill[0].lines.empty());
+}
+
+TEST(InfillPlanner, GivesPlacesForLayersThatArePrintedAtOnce) {
+  InfillPlanOptions options = Options(FillPattern::kGrid);
+  options.every_layers = 2;
+  const JobPlan plan = PlanFor(options, Block());
+  EXPECT_EQ(plan.layers[5].infill[0].left_out, plan.layers[6].infill[0].combined);
+  EXPECT_EQ(plan.layers[6].infill[0].combined_height_nm, 400'000);
+  EXPECT_FALSE(plan.layers[6].infill[0].combined.empty());
+}
+
+TEST(InfillPlanner, NoDensityNoLines) {
+  InfillPlanOptions options = Options(FillPattern::kLightning);
+  options.density = 0;
+  for (const LayerPlan& layer : PlanFor(options, Block()).layers)
+    EXPECT_TRUE(layer.infill[0].lines.empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

@@ -1,0 +1,64 @@
+#include "services/planning/algo/infill/lightning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/geometry/measure.h"
+#include "services/planning/algo/infill/branches.h"
+#include "services/planning/algo/infill/grid_points.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// A place that has to be carried, and how far it is from what carries it.
+struct Burden {
+  Point at;
+  double distance_nm = 0;
+};
+
+std::vector<Burden> BurdensOf(const MultiPolygon& roof, const MultiPolygon& area,
+                              const Branches& branches, double radius_nm) {
+  const double step = std::max(radius_nm / 2, std::sqrt(Area(roof) / kMaxRoofPoints));
+  std::vector<Burden> burdens;
+  for (const Point p : GridPoints(roof, std::max<Coord>(1, std::llround(step)))) {
+    const auto edge = NearestOnEdge(area, p);
+    const auto tree = branches.NearestTo(p);
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    burdens.push_back({p, std::min(edge.has_value() ? edge->distance_nm : kFar,
+                                   tree.has_value() ? tree->first.distance_nm : kFar)});
+  }
+  return burdens;
+}
+
+void Carry(std::vector<Burden> burdens, const MultiPolygon& area, double radius_nm,
+           Branches& branches) {
+  while (!burdens.empty()) {
+    const Burden farthest = *std::ranges::max_element(burdens, {}, &Burden::distance_nm);
+    if (farthest.distance_nm <= radius_nm) return;
+    const Point from = branches.GrowTo(farthest.at, area);
+    for (Burden& burden : burdens)
+      burden.distance_nm =
+          std::min(burden.distance_nm, DistanceToSegment(burden.at, from, farthest.at));
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
+                                                  std::span<const MultiPolygon> areas,
+                                                  std::span<const MultiPolygon> roofs,
+                                                  const LightningRules& rules) {
+  std::vector<std::vector<Polyline>> lines(stack.size());
+  Branches branches;
+  for (size_t i = stack.size(); i-- > 0;) {
+    if (i + 1 < stack.size()) branches.Descend(static_cast<double>(stack[i + 1].height_nm));
+    branches.Refit(areas[i]);
+    Carry(BurdensOf(roofs[i], areas[i], branches, rules.radius_nm), areas[i], rules.radius_nm,
+          branches);
+    lines[i] = branches.Lines(rules.beyond_nm);
+  }
+  return lines;
+}
+
+}  // namespace slicefarm::planning

@@ -1,0 +1,52 @@
+#include "services/planning/algo/infill/sparse_areas.h"
+
+#include <utility>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+
+namespace slicefarm::planning {
+namespace {
+
+/// What is left of `area` below (or above) `count` layers. In a prism all layers are equal.
+MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, size_t layer, int32_t step,
+                     int32_t count) {
+  const MultiPolygon* nearer = &stack[layer].whole;
+  for (int32_t i = 1; i <= count && !area.empty(); ++i) {
+    const int64_t other = static_cast<int64_t>(layer) + static_cast<int64_t>(i) * step;
+    if (other < 0 || other >= std::ssize(stack)) return {};
+    const MultiPolygon& whole = stack[static_cast<size_t>(other)].whole;
+    if (whole != *nearer) area = Intersection(area, whole);
+    nearer = &whole;
+  }
+  return area;
+}
+
+}  // namespace
+
+std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, const SkinRules& rules) {
+  std::vector<MultiPolygon> areas;
+  areas.reserve(stack.size());
+  for (size_t i = 0; i < stack.size(); ++i) {
+    MultiPolygon area = FastOffset(stack[i].region, -rules.walls_nm);
+    area = Covered(std::move(area), stack, i, 1, rules.top_solid_layers);
+    areas.push_back(Covered(std::move(area), stack, i, -1, rules.bottom_solid_layers));
+  }
+  return areas;
+}
+
+std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas) {
+  std::vector<MultiPolygon> roofs;
+  roofs.reserve(areas.size());
+  for (size_t i = 0; i < areas.size(); ++i) {
+    if (i + 1 == areas.size()) {
+      roofs.push_back(areas[i]);
+    } else {
+      roofs.push_back(areas[i] == areas[i + 1] ? MultiPolygon{}
+                                               : Difference(areas[i], areas[i + 1]));
+    }
+  }
+  return roofs;
+}
+
+}  // namespace slicefarm::planning

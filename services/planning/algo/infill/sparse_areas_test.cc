@@ -1,0 +1,37 @@
+#include "services/planning/algo/infill/sparse_areas.h"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/measure.h"
+#include "services/planning/algo/infill/stacks_test.h"
+
+namespace slicefarm::planning {
+namespace {
+
+double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
+
+TEST(SparseAreas, LieInsideOfWallsAndSkins) {
+  // A plate of 20 mm with a tower of 10 mm on half of it.
+  const ObjectStack stack = StackOf(20, [](int i) {
+    return MakePolygonsOrDie(i < 10 ? "(0 0, 20 0, 20 10, 0 10)" : "(0 0, 10 0, 10 10, 0 10)");
+  });
+  const auto areas = SparseAreas(stack, {1'000'000, 3, 2});
+  for (const int i : {0, 1, 17, 18, 19}) EXPECT_TRUE(areas[static_cast<size_t>(i)].empty()) << i;
+  for (const int i : {2, 6}) EXPECT_NEAR(Mm2(areas[static_cast<size_t>(i)]), 18 * 8, 1e-6) << i;
+  for (const int i : {7, 9}) EXPECT_NEAR(Mm2(areas[static_cast<size_t>(i)]), 9 * 8, 1e-6) << i;
+  for (const int i : {10, 16}) EXPECT_NEAR(Mm2(areas[static_cast<size_t>(i)]), 8 * 8, 1e-6) << i;
+  const auto roofs = RoofsOf(areas);
+  for (const int i : {0, 2, 5, 10, 15}) EXPECT_TRUE(roofs[static_cast<size_t>(i)].empty()) << i;
+  EXPECT_NEAR(Mm2(roofs[6]), 9 * 8, 1e-6);
+  EXPECT_NEAR(Mm2(roofs[16]), 8 * 8, 1e-6);
+}
+
+TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
+  const auto areas = SparseAreas(Prism(3, "(0 0, 20 0, 20 10, 0 10)"), {1'000'000, 0, 0});
+  for (const MultiPolygon& area : areas) EXPECT_NEAR(Mm2(area), 18 * 8, 1e-6);
+  EXPECT_TRUE(SparseAreas({}, {}).empty());
+}
+
+}  // namespace
+}  // namespace slicefarm::planning

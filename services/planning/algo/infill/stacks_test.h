@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "common/geometry/text_format.h"
+#include "services/planning/algo/infill/object_stack.h"
+
+namespace slicefarm::planning {
+
+inline constexpr Coord kStackHeight = 200'000;
+
+/// So many layers, each with one region: what `outline` says of it.
+inline ObjectStack StackOf(int count, const std::function<MultiPolygon(int)>& outline) {
+  ObjectStack stack;
+  for (int i = 0; i < count; ++i) {
+    const MultiPolygon whole = outline(i);
+    stack.push_back({i, (i + 1) * kStackHeight, kStackHeight, whole, whole});
+  }
+  return stack;
+}
+
+inline ObjectStack Prism(int count, std::string_view text) {
+  return StackOf(count, [&](int) { return MakePolygonsOrDie(text); });
+}
+
+}  // namespace slicefarm::planning
