@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -15,8 +16,10 @@
 namespace slicefarm::bench {
 namespace {
 
-/// Of the raster that areas are measured on: no divisor of the hatch distance.
-constexpr Coord kStepNm = 17'000;
+/// Of the raster that areas are measured on: no divisor of the hatch distance, as lines lie on a
+/// raster, too; and points at most of it.
+constexpr Coord kLeastStepNm = 17'011;
+constexpr double kMostPoints = 2e6;
 /// Rings side by side touch; a spot this much narrower does not count that as twice.
 constexpr Coord kTouchNm = 2'000;
 
@@ -34,6 +37,13 @@ MultiPolygon InNm(MultiPolygon islands, int decimals) {
     for (Polygon& hole : island.holes) apply(hole);
   }
   return islands;
+}
+
+Coord StepFor(const MultiPolygon& region) {
+  const Box box = Bounds(region);
+  const double area =
+      static_cast<double>(box.max.x - box.min.x) * static_cast<double>(box.max.y - box.min.y);
+  return std::max<Coord>(kLeastStepNm, std::llround(std::sqrt(area / kMostPoints)));
 }
 
 struct Coverage {
@@ -62,7 +72,8 @@ absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptio
   const Coord reach = options.spot_nm / 2;
   const MultiPolygon reachable =
       OffsetTwice(region, -reach, reach, {.join = Join::kRound, .arc_tolerance_nm = 100});
-  exposure::MeltedRaster all(region, kStepNm), open(reachable, kStepNm), twice(region, kStepNm);
+  const Coord step = StepFor(region);
+  exposure::MeltedRaster all(region, step), open(reachable, step), twice(region, step);
   group.ForEachLine([&](std::span<const Point> line) {
     all.Add(line, options.spot_nm);
     open.Add(line, options.spot_nm);
