@@ -119,6 +119,7 @@ constexpr std::string_view kOfRegions[] = {
     "perimeter_speed",
     "perimeters",
     "polygon_delay",
+    "ring_corners",
     "ring_overlap",
     "scan_overlap",
     "scan_strategy",

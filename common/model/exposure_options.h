@@ -22,6 +22,7 @@ enum class DecomposeMethod : uint8_t {
   kBian,         ///< Bian et al. 2005: good shapes, by visibility and angles
   kOptimal,      ///< fewest pieces without new points (Greene); slow
   kApproximate,  ///< at most four times as many (Hertel and Mehlhorn); fast
+  kYMonotone,    ///< y-monotone parts, each cut into convex ones (Hertel and Mehlhorn); fast
 };
 
 /// Which piece, stripe or island comes after which.
@@ -99,6 +100,7 @@ struct ExposureOptions {
   Coord overlap_nm = 100'000;         ///< of neighbouring stripes or islands
   Coord ring_overlap_nm = 0;          ///< of neighbouring pieces' outermost rings
   bool link_rings = true;             ///< rings of a piece without switching off between them
+  bool fill_corners = true;  ///< rings reach into corners that a round spot leaves open
 
   Coord spot_nm = 80'000;               ///< width of what a line melts
   Coord beam_compensation_nm = 40'000;  ///< from the outline to the first contour

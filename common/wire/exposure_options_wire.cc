@@ -18,8 +18,7 @@ constexpr int32_t kMaxCount = 1'000;  ///< of contours, and of layers that skins
 
 static_assert(v1::SCAN_STRATEGY_RINGS == static_cast<int>(ScanStrategy::kRings) + 1);
 static_assert(v1::SCAN_STRATEGY_HATCH == static_cast<int>(ScanStrategy::kHatch) + 1);
-static_assert(v1::DECOMPOSE_METHOD_APPROXIMATE ==
-              static_cast<int>(DecomposeMethod::kApproximate) + 1);
+static_assert(v1::DECOMPOSE_METHOD_Y_MONOTONE == static_cast<int>(DecomposeMethod::kYMonotone) + 1);
 static_assert(v1::JUMP_ORDER_FARTHEST == static_cast<int>(JumpOrder::kFarthest) + 1);
 static_assert(v1::OUTPUT_FORMAT_DXF == static_cast<int>(OutputFormat::kDxf) + 1);
 
@@ -138,6 +137,7 @@ v1::ExposureOptions ToProto(const ExposureOptions& options) {
   proto.set_overlap_nm(options.overlap_nm);
   proto.set_ring_overlap_nm(options.ring_overlap_nm);
   proto.set_link_rings(options.link_rings);
+  proto.set_fill_corners(options.fill_corners);
   proto.set_spot_nm(options.spot_nm);
   proto.set_beam_compensation_nm(options.beam_compensation_nm);
   proto.set_contours(options.contours);
@@ -169,6 +169,7 @@ ExposureOptions OptionsOf(const v1::ExposureOptions& proto) {
   options.overlap_nm = proto.overlap_nm();
   options.ring_overlap_nm = proto.ring_overlap_nm();
   options.link_rings = proto.link_rings();
+  options.fill_corners = proto.fill_corners();
   options.spot_nm = proto.spot_nm();
   options.beam_compensation_nm = proto.beam_compensation_nm();
   options.contours = proto.contours();

@@ -81,11 +81,11 @@ ExposureStyle DistinctStyle(int n) {
 ExposureOptions DistinctOptions() {
   ExposureOptions options;
   auto& [strategy, decompose, jump_order, hatch_distance, hatch_angle, rotation, alternate,
-         minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings, spot,
-         compensation, contours, contour_distance, hatch_offset, contours_first, thin_walls,
+         minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings, fill_corners,
+         spot, compensation, contours, contour_distance, hatch_offset, contours_first, thin_walls,
          upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] = options;
   strategy = ScanStrategy::kIslands;
-  decompose = DecomposeMethod::kApproximate;
+  decompose = DecomposeMethod::kYMonotone;
   jump_order = JumpOrder::kFarthest;
   hatch_distance = 1'001;
   hatch_angle = -2.5;
@@ -97,6 +97,7 @@ ExposureOptions DistinctOptions() {
   overlap = 8;
   ring_overlap = 9;
   link_rings = false;
+  fill_corners = false;
   spot = 11;
   compensation = 12;
   contours = 13;

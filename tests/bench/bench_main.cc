@@ -30,6 +30,10 @@ constexpr std::array kBenchmarks = {
               slicefarm::bench::BenchWalls},
     Benchmark{"exposure", "DIR_OF_POLYGONS", "laser vectors of a lattice; convex pieces beside CGAL's",
               slicefarm::bench::BenchExposure},
+    Benchmark{"lattice", "", "1,000 layers of a million laser vectors, a range at a time; minutes",
+              [](const std::string&) { return slicefarm::bench::BenchLattice(); }},
+    Benchmark{"rings", "DIR_OF_POLYGONS", "how much of outlines a laser's rings cover, and how often",
+              slicefarm::bench::BenchRings},
 };
 
 }  // namespace

@@ -12,5 +12,7 @@ int BenchHopWithTls(const std::string& certs);
 int BenchMesh();
 int BenchWalls(const std::string& outlines);
 int BenchExposure(const std::string& polygons);
+int BenchLattice();
+int BenchRings(const std::string& outlines);
 
 }  // namespace slicefarm::bench

@@ -2,41 +2,32 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "services/cli/files.h"
-#include "services/cli/poly_files.h"
 #include "services/exposure/algo/decompose/decompose.h"
 #include "services/exposure/algo/decompose/piece_quality.h"
 #include "services/exposure/algo/expose_layer.h"
 #include "services/exposure/algo/writers/writers.h"
 #include "tests/bench/benchmarks.h"
+#include "tests/bench/lattice.h"
+#include "tests/bench/polygon_folder.h"
+#include "tests/bench/thread_seconds.h"
 
 namespace slicefarm::bench {
 namespace {
 
-namespace fs = std::filesystem;
 using exposure::ConvexPieces;
 using exposure::DecomposeOptions;
 
 constexpr int kRounds = 5;
 /// CGAL's optimal partition takes minutes beyond.
 constexpr size_t kMaxOptimalPoints = 150;
-constexpr int kLatticeCells = 22;  ///< of 2 mm a side
+constexpr int kLatticeCells = 22;
 constexpr int kLatticeLayers = 100;
-
-/// CPU time of the thread: what else the machine does counts for less.
-double Now() {
-  timespec now = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Timed {
   absl::StatusOr<ConvexPieces> pieces;
@@ -49,9 +40,9 @@ Timed Decomposed(const MultiPolygon& islands, DecomposeMethod method) {
   const DecomposeOptions options = {.method = method,
                                     .merge_nm = std::numeric_limits<double>::infinity()};
   for (int round = 0; round < kRounds; ++round) {
-    const double start = Now();
+    const double start = ThreadSeconds();
     timed.pieces = exposure::Decompose(islands, options);
-    timed.seconds = std::min(timed.seconds, Now() - start);
+    timed.seconds = std::min(timed.seconds, ThreadSeconds() - start);
     if (timed.seconds > 0.5) break;
   }
   return timed;
@@ -69,54 +60,26 @@ std::string Cell(const Timed& timed) {
 }
 
 int BenchPolygons(const std::string& directory) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  const std::vector<PolygonFile> files = PolygonsIn(directory);
   if (files.empty()) {
     std::fprintf(stderr, "no polygons in %s\n", directory.c_str());
     return 1;
   }
-  std::sort(files.begin(), files.end());
   std::printf(
-      "polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate\n");
-  for (const fs::path& path : files) {
-    const auto text = cli::ReadFile(path.string(), 64 << 20);
-    const auto file = text.ok() ? cli::ParsePoly(*text) : text.status();
-    if (!file.ok()) continue;
-    const size_t points = PointCount(file->islands);
-    const Timed bian = Decomposed(file->islands, DecomposeMethod::kBian);
-    std::printf("%s | %zu | %lld | %s | %s | %s\n", path.stem().c_str(), points,
+      "polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate | ymonotone\n");
+  for (const PolygonFile& file : files) {
+    const size_t points = PointCount(file.poly.islands);
+    const Timed bian = Decomposed(file.poly.islands, DecomposeMethod::kBian);
+    std::printf("%s | %zu | %lld | %s | %s | %s | %s\n", file.name.c_str(), points,
                 bian.pieces.ok() ? static_cast<long long>(bian.pieces->counts.reflex) : -1,
                 Cell(bian).c_str(),
                 points > kMaxOptimalPoints
                     ? "-"
-                    : Cell(Decomposed(file->islands, DecomposeMethod::kOptimal)).c_str(),
-                Cell(Decomposed(file->islands, DecomposeMethod::kApproximate)).c_str());
+                    : Cell(Decomposed(file.poly.islands, DecomposeMethod::kOptimal)).c_str(),
+                Cell(Decomposed(file.poly.islands, DecomposeMethod::kApproximate)).c_str(),
+                Cell(Decomposed(file.poly.islands, DecomposeMethod::kYMonotone)).c_str());
   }
   return 0;
-}
-
-/// A section through a lattice of round bars: discs of a size that changes with the height.
-SlicedLayer LatticeLayer(int32_t index) {
-  ObjectSection section;
-  section.layer = index;
-  section.layer_count = kLatticeLayers;
-  section.height_nm = 50'000;
-  const double radius = (0.45 + 0.25 * std::sin(0.3 * index)) * kNmPerMm;
-  MultiPolygon discs;
-  for (int row = 0; row < kLatticeCells; ++row) {
-    for (int column = 0; column < kLatticeCells; ++column) {
-      Polygon disc;
-      for (int i = 0; i < 32; ++i) {
-        disc.push_back({2 * kNmPerMm * column + std::llround(radius * std::cos(i * 0.19634954)),
-                        2 * kNmPerMm * row + std::llround(radius * std::sin(i * 0.19634954))});
-      }
-      discs.push_back({std::move(disc), {}});
-    }
-  }
-  section.regions.push_back({.outlines = std::move(discs)});
-  return {{index, (index + 1) * Coord{50'000}, 50'000}, {std::move(section)}};
 }
 
 /// Vectors a second of one core: of the whole layer, and of its hatch or rings alone.
@@ -136,19 +99,19 @@ void BenchStrategy(const char* name, ScanStrategy strategy, bool inside_only) {
   facts.regions = regions;
   facts.output.format = OutputFormat::kCliBinary;
   for (int32_t index = 0; index < kLatticeLayers; ++index) {
-    const std::vector<SlicedLayer> layers = {LatticeLayer(index)};
+    const std::vector<SlicedLayer> layers = {LatticeLayer(index, kLatticeLayers, kLatticeCells)};
     const ObjectLayers objects(layers);
-    const double start = Now();
+    const double start = ThreadSeconds();
     const auto layer = exposure::ExposeLayer(layers[0], objects, regions, copies, {});
-    seconds += Now() - start;
+    seconds += ThreadSeconds() - start;
     if (!layer.ok()) {
       std::printf("%s failed: %s\n", name, std::string(layer.status().message()).c_str());
       return;
     }
     vectors += exposure::ReportOf(*layer, regions).Total().vectors;
-    const double write_start = Now();
+    const double write_start = ThreadSeconds();
     megabytes += 1e-6 * static_cast<double>(exposure::LayerText(*layer, facts).size());
-    write_seconds += Now() - write_start;
+    write_seconds += ThreadSeconds() - write_start;
   }
   const char* part = inside_only ? "inside" : "layer";
   std::printf("%s_%s_vectors %lld\n%s_%s_million_vectors_per_s %.2f\n%s_%s_cli_mb_per_s %.0f\n",

@@ -28,7 +28,8 @@ constexpr int64_t kMaxPolyBytes = 64 << 20;
 const std::map<std::string, DecomposeMethod> kMethods = {
     {"bian", DecomposeMethod::kBian},
     {"optimal", DecomposeMethod::kOptimal},
-    {"approximate", DecomposeMethod::kApproximate}};
+    {"approximate", DecomposeMethod::kApproximate},
+    {"ymonotone", DecomposeMethod::kYMonotone}};
 
 int DigitsOf(Coord scale) {
   int digits = 0;
@@ -88,8 +89,8 @@ void AddDecompose(CLI::App& app, CommandContext& context) {
   command
       ->add_option("--method", options->method,
                    "bian: good shapes, by visibility and angles; optimal: fewest pieces, slow; "
-                   "approximate: fast")
-      ->check(CLI::IsMember({"bian", "optimal", "approximate"}))
+                   "approximate: fast; ymonotone: fast, of parts that are monotone in y")
+      ->check(CLI::IsMember(kMethods))
       ->capture_default_str()
       ->type_name("NAME");
   command->footer(

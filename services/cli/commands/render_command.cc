@@ -75,8 +75,8 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->check(CLI::IsMember({"png", "svg"}));
   command
       ->add_option("--color,--by", options->colour_by,
-                   "What the colours tell: feature (the default), width, speed, flow, order, or energy: "
-                   "how often a place is passed over")
+                   "What the colours tell: feature (the default), width, speed, flow, order, or "
+                   "energy: J/mm2 where a CLI file's labels say power and speed, else passes")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
                                           {"width", ColourBy::kWidth},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "absl/strings/numbers.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
+#include "services/cli/render/line_style.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -27,8 +29,8 @@ absl::Status Malformed(const std::string& what) {
 /// Takes what a file says, and keeps the layer that is wanted.
 class LayerKeeper {
  public:
-  LayerKeeper(int index, double unit_mm, double width_mm)
-      : unit_mm_(unit_mm), width_mm_(width_mm) {
+  LayerKeeper(int index, double unit_mm, double width_mm, std::map<int, LineStyle> styles)
+      : unit_mm_(unit_mm), width_mm_(width_mm), styles_(std::move(styles)) {
     layer_.index = index;
   }
 
@@ -43,9 +45,9 @@ class LayerKeeper {
   }
 
   /// `xy`: of all points, in units.
-  void Polyline(const std::vector<double>& xy) { Add("contour", xy, 0, xy.size()); }
-  void Hatches(const std::vector<double>& xy) {
-    for (size_t i = 0; i + 4 <= xy.size(); i += 4) Add("hatch", xy, i, i + 4);
+  void Polyline(int id, const std::vector<double>& xy) { Add("contour", id, xy, 0, xy.size()); }
+  void Hatches(int id, const std::vector<double>& xy) {
+    for (size_t i = 0; i + 4 <= xy.size(); i += 4) Add("hatch", id, xy, i, i + 4);
   }
 
   absl::StatusOr<GcodeLayer> Take() && {
@@ -56,11 +58,15 @@ class LayerKeeper {
   }
 
  private:
-  void Add(const char* feature, const std::vector<double>& xy, size_t from, size_t to) {
+  void Add(const char* feature, int id, const std::vector<double>& xy, size_t from, size_t to) {
     if (layer_.layer_count != layer_.index + 1 || to < from + 4) return;
     BeadRun run;
     run.feature = feature;
     run.width_mm = width_mm_;
+    if (const auto style = styles_.find(id); style != styles_.end()) {
+      run.speed_mm_s = style->second.speed_mm_s;
+      run.energy_j_mm = style->second.EnergyJPerMm();
+    }
     for (size_t i = from; i + 2 <= to; i += 2)
       run.points.push_back({xy[i] * unit_mm_, xy[i + 1] * unit_mm_});
     if (!layer_.beads.empty())
@@ -70,9 +76,13 @@ class LayerKeeper {
 
   const double unit_mm_;
   const double width_mm_;
+  const std::map<int, LineStyle> styles_;
   double last_z_mm_ = 0;
   GcodeLayer layer_;
 };
+
+/// A line's id; -1: none that a label could have.
+int IdOf(double number) { return number >= 0 && number < 1e9 ? static_cast<int>(number) : -1; }
 
 /// `a,b,c` as numbers; none if one is no number.
 std::optional<std::vector<double>> NumbersOf(std::string_view text) {
@@ -103,7 +113,8 @@ absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKe
     return Malformed(fmt::format("$${} has not the {} items that it says", name, count));
   const std::vector<double> xy(numbers->begin() + static_cast<std::ptrdiff_t>(header),
                                numbers->end());
-  name == "HATCHES" ? keeper.Hatches(xy) : keeper.Polyline(xy);
+  const int id = IdOf(numbers->front());
+  name == "HATCHES" ? keeper.Hatches(id, xy) : keeper.Polyline(id, xy);
   return absl::OkStatus();
 }
 
@@ -143,21 +154,26 @@ class BinaryReader {
   size_t at_ = 0;
 };
 
-/// `heads` whole numbers, the last of which is a count of items of `each` coordinates. Short ones
-/// are 16-bit integers, long ones 32-bit integers and floats.
+struct LineItems {
+  int id = 0;
+  std::vector<double> xy;
+};
+
+/// `heads` whole numbers, the first of which is an id and the last a count of items of `each`
+/// coordinates. Short ones are 16-bit integers, long ones 32-bit integers and floats.
 template <class Head, class Coordinate>
-std::optional<std::vector<double>> Items(BinaryReader& reader, int heads, size_t each) {
-  std::optional<double> count;
-  for (int i = 0; i < heads; ++i) {
-    count = reader.Next<Head>();
-    if (!count) return std::nullopt;
-  }
+std::optional<LineItems> Items(BinaryReader& reader, int heads, size_t each) {
+  const std::optional<double> id = reader.Next<Head>();
+  std::optional<double> count = id;
+  for (int i = 1; i < heads && count; ++i) count = reader.Next<Head>();
+  if (!count) return std::nullopt;
   const double numbers = *count * static_cast<double>(each);
   if (numbers < 0 || numbers * sizeof(Coordinate) > static_cast<double>(reader.left()))
     return std::nullopt;
-  std::vector<double> xy;
-  while (static_cast<double>(xy.size()) < numbers) xy.push_back(*reader.Next<Coordinate>());
-  return xy;
+  LineItems items{IdOf(*id), {}};
+  while (static_cast<double>(items.xy.size()) < numbers)
+    items.xy.push_back(*reader.Next<Coordinate>());
+  return items;
 }
 
 absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
@@ -178,10 +194,10 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
     const bool is_short = command == 129 || command == 131;
     const int heads = hatches ? 2 : 3;
     const size_t each = hatches ? 4 : 2;
-    const auto xy = is_short ? Items<uint16_t, uint16_t>(reader, heads, each)
-                             : Items<int32_t, float>(reader, heads, each);
-    if (!xy) return Malformed(fmt::format("it ends within the command at byte {}", at));
-    hatches ? keeper.Hatches(*xy) : keeper.Polyline(*xy);
+    const auto items = is_short ? Items<uint16_t, uint16_t>(reader, heads, each)
+                                : Items<int32_t, float>(reader, heads, each);
+    if (!items) return Malformed(fmt::format("it ends within the command at byte {}", at));
+    hatches ? keeper.Hatches(items->id, items->xy) : keeper.Polyline(items->id, items->xy);
   }
   return absl::OkStatus();
 }
@@ -203,7 +219,7 @@ absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, doubl
     if (!absl::SimpleAtod(absl::string_view(number.data(), number.size()), &unit_mm)) unit_mm = 0;
   }
   if (!(unit_mm > 0)) return Malformed("its header has no $$UNITS");
-  LayerKeeper keeper(index, unit_mm, width_mm);
+  LayerKeeper keeper(index, unit_mm, width_mm, StylesOf(header));
   const std::string_view body = bytes.substr(end + kHeaderEnd.size());
   const bool binary = header.find("$$BINARY") != std::string_view::npos;
   const absl::Status read = binary ? ReadBinary(body, keeper) : ReadAscii(body, keeper);

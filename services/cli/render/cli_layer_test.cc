@@ -43,6 +43,20 @@ TEST(ReadCliLayer, ReadsContoursAndHatchesInOrder) {
   EXPECT_EQ(ReadCliLayer(Ascii(kTwoLayers), 0, 0.1)->beads[0].points.size(), 3u);
 }
 
+TEST(ReadCliLayer, LabelsTellSpeedAndEnergy) {
+  const std::string file =
+      "$$HEADERSTART\n$$ASCII\n$$UNITS/0.01\n$$LABEL/1,contour 100 W 400 mm/s\n"
+      "$$LABEL/2,hatch 300 W 600 mm/s\n$$HEADEREND\n"
+      "$$LAYER/10\n$$POLYLINE/1,2,2,0,0,100,0\n$$HATCHES/2,1,0,1,100,1\n$$HATCHES/3,1,0,1,9,1\n";
+  const auto layer = ReadCliLayer(file, 0, 0.1);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  ASSERT_EQ(layer->beads.size(), 3u);
+  EXPECT_EQ(layer->beads[0].speed_mm_s, 400);
+  EXPECT_DOUBLE_EQ(layer->beads[0].energy_j_mm, 0.25);
+  EXPECT_DOUBLE_EQ(layer->beads[1].energy_j_mm, 0.5);
+  EXPECT_EQ(layer->beads[2].energy_j_mm, 0);  // no label
+}
+
 TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
   const std::string header = "$$HEADERSTART$$BINARY$$UNITS/0.5\n$$HEADEREND";
   std::string body = Bytes<uint16_t>(127) + Bytes(2.F);

@@ -1,17 +1,24 @@
 #pragma once
 
-#include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "services/cli/render/layer_drawing.h"
 
 namespace slicefarm::cli {
 
-/// How often each pixel of the part's picture is passed over by the runs of a layer, each with its
-/// width: 1 where lines lie side by side, 2 where they overlap. With one speed and power that is
-/// the energy, in units of one pass. Row by row from the top. Up to kMostPasses are told apart.
-/// Empty if there is no room for it. Cost: O(pixels + moves).
+/// How much each pixel of the part's picture gets from the runs of a layer, each with its width.
+struct ExposureMap {
+  std::string_view unit = "passes";
+  std::vector<double> values;  ///< row by row from the top; empty if there is no room for it
+
+  double Most() const;
+};
+
+/// In J/mm2 if the energy of all runs is known; else how often each pixel is passed over: 1 where
+/// lines lie side by side, 2 where they overlap. Of runs of one energy up to kMostPasses are told
+/// apart. Cost: O(pixels) for each energy, and O(moves).
 inline constexpr double kMostPasses = 15;
-std::vector<double> ExposureMap(const GcodeLayer& layer, const Layout& layout);
+ExposureMap MapExposure(const GcodeLayer& layer, const Layout& layout);
 
 }  // namespace slicefarm::cli

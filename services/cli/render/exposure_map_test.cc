@@ -13,40 +13,59 @@ BeadRun Line(PointMm from, PointMm to, double width_mm = 1) {
   return run;
 }
 
-double At(const std::vector<double>& map, const Layout& layout, PointMm p) {
+double At(const ExposureMap& map, const Layout& layout, PointMm p) {
   const PointMm pixel = layout.ToPixel(p);
-  return map.at(static_cast<size_t>(pixel.y) * static_cast<size_t>(layout.part_width_px) +
+  return map.values.at(static_cast<size_t>(pixel.y) * static_cast<size_t>(layout.part_width_px) +
                 static_cast<size_t>(pixel.x));
 }
 
 // Lines of 1 mm that cross: one pass along each, two where they meet, none beside.
-TEST(ExposureMap, CountsPasses) {
+TEST(MapExposure, CountsPasses) {
   GcodeLayer layer;
   layer.beads = {Line({0, 10}, {20, 10}), Line({10, 0}, {10, 20})};
   const Layout layout = LayOut(layer, {});
-  const std::vector<double> map = ExposureMap(layer, layout);
+  const ExposureMap map = MapExposure(layer, layout);
   EXPECT_DOUBLE_EQ(At(map, layout, {3, 10}), 1);
   EXPECT_DOUBLE_EQ(At(map, layout, {10, 3}), 1);
   EXPECT_DOUBLE_EQ(At(map, layout, {10, 10}), 2);
   EXPECT_DOUBLE_EQ(At(map, layout, {3, 3}), 0);
+  EXPECT_EQ(map.unit, "passes");
+}
+
+// Two lines of other energies: each gives its own, by its width, and both where they meet.
+TEST(MapExposure, InJoulesWhereTheyAreKnown) {
+  GcodeLayer layer;
+  layer.beads = {Line({0, 10}, {20, 10}, 2), Line({10, 0}, {10, 20}, 2)};
+  layer.beads[0].energy_j_mm = 0.5;
+  layer.beads[1].energy_j_mm = 0.2;
+  const Layout layout = LayOut(layer, {});
+  const ExposureMap map = MapExposure(layer, layout);
+  EXPECT_EQ(map.unit, "J/mm2");
+  EXPECT_DOUBLE_EQ(At(map, layout, {3, 10}), 0.25);
+  EXPECT_DOUBLE_EQ(At(map, layout, {10, 3}), 0.1);
+  EXPECT_DOUBLE_EQ(At(map, layout, {10, 10}), 0.35);
+  EXPECT_DOUBLE_EQ(map.Most(), 0.35);
+  // The energy of one is not known: passes of both.
+  layer.beads[1].energy_j_mm = 0;
+  EXPECT_EQ(MapExposure(layer, layout).unit, "passes");
 }
 
 // The sum over all pixels is length by width.
-TEST(ExposureMap, SumsUpToTheAreaOfAllPasses) {
+TEST(MapExposure, SumsUpToTheAreaOfAllPasses) {
   GcodeLayer layer;
   for (int i = 0; i < 5; ++i)
     layer.beads.push_back(Line({0, i * 1.0}, {30, i * 1.0}, 1.5));
   const Layout layout = LayOut(layer, {});
   double sum = 0;
-  for (const double passes : ExposureMap(layer, layout)) sum += passes;
+  for (const double passes : MapExposure(layer, layout).values) sum += passes;
   EXPECT_NEAR(sum / (layout.px_per_mm * layout.px_per_mm) / (5 * 30 * 1.5), 1, 0.01);
 }
 
-TEST(ExposureMap, StopsCountingAtItsMost) {
+TEST(MapExposure, StopsCountingAtItsMost) {
   GcodeLayer layer;
   for (int i = 0; i < 40; ++i) layer.beads.push_back(Line({0, 0}, {20, 0}));
   const Layout layout = LayOut(layer, {});
-  EXPECT_DOUBLE_EQ(At(ExposureMap(layer, layout), layout, {10, 0}), kMostPasses);
+  EXPECT_DOUBLE_EQ(At(MapExposure(layer, layout), layout, {10, 0}), kMostPasses);
 }
 
 }  // namespace

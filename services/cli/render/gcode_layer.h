@@ -22,6 +22,7 @@ struct BeadRun {
   std::vector<PointMm> points;  ///< at least two
   double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
   double flow_mm3_s = 0;        ///< at that speed
+  double energy_j_mm = 0;       ///< of a laser, on a mm of way; 0: not known
 };
 
 /// One layer of a G-code file, as its moves and comments tell.

@@ -118,13 +118,14 @@ class Painter {
   }
 
   void PaintEnergy() {
-    const std::vector<double> map = ExposureMap(layer_, layout_);
-    for (const double passes : map) most_passes_ = std::max(most_passes_, passes);
+    const ExposureMap map = MapExposure(layer_, layout_);
+    most_exposure_ = map.Most();
+    exposure_unit_ = map.unit;
     size_t pixel = 0;
-    for (int y = 0; y < layout_.height_px && !map.empty(); ++y) {
+    for (int y = 0; y < layout_.height_px && !map.values.empty(); ++y) {
       for (int x = 0; x < layout_.part_width_px; ++x, ++pixel) {
-        if (map[pixel] == 0) continue;
-        Use(ScaleColour(map[pixel] / most_passes_));
+        if (map.values[pixel] == 0) continue;
+        Use(ScaleColour(map.values[pixel] / most_exposure_));
         cairo_rectangle(cairo_, x, y, 1, 1);
         cairo_fill(cairo_);
       }
@@ -193,7 +194,7 @@ class Painter {
         y = PaintSteps(x, y, "Number of the line", 1, static_cast<double>(layer_.beads.size()));
         break;
       case ColourBy::kEnergy:
-        y = PaintSteps(x, y, "Passes", 0, most_passes_);
+        y = PaintSteps(x, y, fmt::format("Exposure, {}", exposure_unit_), 0, most_exposure_);
         break;
       default:
         y = PaintSteps(x, y, fmt::format("{} of the beads, {}", quantity_.name, quantity_.unit),
@@ -252,7 +253,8 @@ class Painter {
   const Layout& layout_;
   Quantity quantity_;
   Range range_;
-  double most_passes_ = 0;
+  double most_exposure_ = 0;
+  std::string_view exposure_unit_;
 };
 
 }  // namespace

@@ -60,6 +60,8 @@ void Farm::Arrived(int worker, const Flight& flight, const RangeOfWork& range) {
   if (!node.process.up()) {
     return Settle(flight, Delay(), absl::UnavailableError("connection refused"));
   }
+  if (!can(worker).Has(range.work.process))
+    world_.Violated("w{} gets work {} of a process that it does not run", worker, range.work.id);
   node.flights.push_back(flight);
   const int64_t slowness = world_.scenario.workers[worker].slowness;
   const int64_t work_us = range.work.layer_us * (range.last - range.first) * slowness;

@@ -33,6 +33,7 @@ class Farm {
 
   int workers() const { return static_cast<int>(nodes_.size()); }
   int slots(int worker) const { return world_.scenario.workers[worker].slots; }
+  ProcessSet can(int worker) const { return world_.scenario.workers[worker].can; }
 
   /// Has a range made.
   void Call(int coordinator, int worker, const RangeOfWork& range, Reply reply);

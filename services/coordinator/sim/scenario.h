@@ -31,6 +31,7 @@ struct Variant {
   bool answers_mixed = false;        ///< workers answer with the layers of another range
   bool every_answer_counts = false;  ///< of a range, not only the first
   bool failures_untold = false;      ///< FanOut is not told that a range failed
+  bool processes_untold = false;     ///< FanOut is not told what a worker can run
   bool busy_untold = false;          ///< claims do not say what their coordinator works on
   bool cancels_unread = false;       ///< who claims a job does not look whether it is to end
   bool deadlines_unread = false;     ///< nor by when
@@ -57,6 +58,7 @@ struct CoordinatorPlan {
 struct WorkerPlan {
   int slots = 1;
   int slowness = 1;
+  ProcessSet can = ProcessSet::All();  ///< whose tasks it runs
 };
 
 enum class Fault {

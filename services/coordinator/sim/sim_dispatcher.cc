@@ -78,7 +78,8 @@ FanOut::JobId SimDispatcher::Execute(const Work& work, const std::string& build,
     job.ranges.push_back({first, last});
     first = last;
   }
-  const FanOut::JobId id = fan_out_->Add(static_cast<int32_t>(job.ranges.size()));
+  const FanOut::JobId id =
+      fan_out_->Add(static_cast<int32_t>(job.ranges.size()), {}, work.process);
   jobs_.emplace(id, std::move(job));
   WorkNews();
   return id;
@@ -103,10 +104,12 @@ void SimDispatcher::Serve(Slot& slot) {
   if (slot.left || slot.busy || slot.waiting || jobs_.empty()) return;
   int64_t wait_us = kReadyWaitUs + RestUs(1);
   if (farm_.Reachable(coordinator_, slot.worker)) {
-    if (const auto grant = fan_out_->Take(slot.runner, world_.events.now_s())) {
+    const bool untold = world_.variant.processes_untold;
+    const ProcessSet can = untold ? ProcessSet::All() : farm_.can(slot.worker);
+    if (const auto grant = fan_out_->Take(slot.runner, world_.events.now_s(), can)) {
       return Begin(slot, *grant);
     }
-    if (fan_out_->AnyQueued()) world_.Violated("c{}: a slot finds nothing to do", coordinator_);
+    if (fan_out_->AnyQueued(can)) world_.Violated("c{}: a slot finds nothing to do", coordinator_);
     wait_us = kHedgePollUs;
   }
   slot.waiting = true;

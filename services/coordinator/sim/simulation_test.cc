@@ -78,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AnswersMixed", {.answers_mixed = true}, "a wrong result"},
         Case{"EveryAnswerCounts", {.every_answer_counts = true}, "layers are done"},
         Case{"FailuresUntold", {.failures_untold = true}, "does not end"},
+        Case{"ProcessesUntold", {.processes_untold = true}, "that it does not run"},
         Case{"BusyUntold", {.busy_untold = true}, "twice"},
         Case{"CancelsUnread", {.cancels_unread = true}, "after it was to be cancelled"},
         Case{"DeadlinesUnread", {.deadlines_unread = true}, "after its deadline"},

@@ -121,6 +121,7 @@ Json ToJson(const RunReport& run) {
   json["mode"] = run.open_loop() ? "open" : "closed";
   json["scenario"] = run.scenario;
   json["mix"] = run.mix;
+  json["process"] = run.process;
   json["same"] = run.same;
   json["retry"] = run.retry;
   json["seed"] = run.seed;

@@ -29,6 +29,7 @@ RunReport Sample() {
   report.scenario = "submit";
   report.server = "127.0.0.1:1";
   report.mix = "tiny";
+  report.process = "laser";
   report.intended_rps = 10;
   report.seconds = 10;
   report.deadline_s = 2;
@@ -107,7 +108,7 @@ TEST(ReportJson, HasWhatGhzHasNot) {
   }
   EXPECT_EQ(json["percentiles"]["max"], 100 * kMs);
   EXPECT_EQ(json["steps"]["CreateJob"]["max"], 5 * kMs);
-  for (const char* key : {"seed", "scenario", "mix", "same", "retry", "resource_exhausted",
+  for (const char* key : {"seed", "scenario", "mix", "process", "same", "retry", "resource_exhausted",
                           "retries", "events", "cached_jobs", "start_lag", "details_left_out"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }

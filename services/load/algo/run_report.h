@@ -13,6 +13,7 @@ struct RunReport {
   std::string server;
   std::string build_id;  ///< of the generator
   std::string mix;
+  std::string process = {};  ///< of the jobs: "fdm", "laser" or "both"
   bool same = false;        ///< one part for all requests, which the server's cache may answer
   bool retry = false;       ///< refused calls came again when the server said so
   double intended_rps = 0;  ///< 0: closed loop

@@ -20,6 +20,13 @@ const std::map<std::string, ScenarioKind>& Scenarios() {
   return scenarios;
 }
 
+const std::map<std::string, JobProcesses>& Processes() {
+  static const std::map<std::string, JobProcesses> processes = {{"fdm", JobProcesses::kFdm},
+                                                                {"laser", JobProcesses::kLaser},
+                                                                {"both", JobProcesses::kBoth}};
+  return processes;
+}
+
 void AddWhat(CLI::App& app, LoadFlags* flags) {
   app.add_option("--server", flags->server, "The coordinator")
       ->envname("SLICEFARM_SERVER")
@@ -34,6 +41,9 @@ void AddWhat(CLI::App& app, LoadFlags* flags) {
       ->capture_default_str();
   app.add_option("--mix", flags->mix, "Parts: mixed is 80 % tiny, 18 % medium, 2 % huge")
       ->check(CLI::IsMember({"tiny", "medium", "huge", "mixed"}))
+      ->capture_default_str();
+  app.add_option("--process", flags->process, "Of the jobs; both: by turns")
+      ->check(CLI::IsMember(Processes()))
       ->capture_default_str();
   app.add_flag("--same", flags->same, "The same part each time: the server's cache may answer");
   app.add_option("--watchers", flags->watchers, "Watchers of each job, for --scenario watch")
@@ -88,7 +98,8 @@ void AddLoadFlags(CLI::App& app, LoadFlags* flags) {
 ScenarioOptions LoadFlags::scenario_options() const {
   return {.kind = Scenarios().at(scenario),
           .parts = {.mix = MixFromName(mix).value(), .same = same, .seed = seed},
-          .watchers = watchers};
+          .watchers = watchers,
+          .processes = Processes().at(process)};
 }
 
 std::vector<RunOptions> LoadFlags::runs() const {

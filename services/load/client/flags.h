@@ -17,6 +17,7 @@ struct LoadFlags {
   rpc::ClientSecurity security;
   std::string scenario = "print";
   std::string mix = "tiny";
+  std::string process = "fdm";
   bool same = false;
   bool retry = false;
   std::vector<double> rates;

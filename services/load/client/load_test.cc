@@ -116,6 +116,15 @@ TEST_F(LoadTest, PrintUploadsCreatesWatchesAndDownloads) {
   }
 }
 
+TEST_F(LoadTest, JobsOfBothProcessesByTurns) {
+  RunIt({.kind = ScenarioKind::kSubmit, .processes = JobProcesses::kBoth}, Rate(100, 0.3));
+  ASSERT_GE(fake_.created.size(), 4u);
+  const auto lasers = std::count_if(
+      fake_.created.begin(), fake_.created.end(),
+      [](const auto& request) { return request.spec().process() == v1::PROCESS_LASER; });
+  EXPECT_EQ(lasers, static_cast<int64_t>(fake_.created.size() / 2));
+}
+
 TEST_F(LoadTest, TheSamePartIsUploadedOnce) {
   const RunRecord record =
       RunIt({.kind = ScenarioKind::kPrint, .parts = {.same = true}}, Rate(100, 0.2));

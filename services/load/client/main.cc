@@ -64,6 +64,7 @@ RunReport RunOnce(const LoadFlags& flags, const RunOptions& options, Scenario& s
   report.server = flags.server;
   report.build_id = BuildId();
   report.mix = flags.mix;
+  report.process = flags.process;
   report.same = flags.same;
   report.connections = flags.needed_connections();
   report.seed = flags.seed;
@@ -79,7 +80,8 @@ absl::Status PutOnLoad(const LoadFlags& flags) {
   absl::Status prepared = scenario->Prepare(
       {.deadline = std::chrono::system_clock::now() + std::chrono::minutes(1), .log = &before});
   if (!prepared.ok()) return prepared;
-  fmt::print("{} {}, seed {}\n{}", flags.scenario, flags.mix, flags.seed, TableHeader());
+  fmt::print("{} {} {}, seed {}\n{}", flags.scenario, flags.process, flags.mix, flags.seed,
+             TableHeader());
   std::vector<RunReport> reports;
   for (const RunOptions& run : flags.runs()) {
     reports.push_back(RunOnce(flags, run, *scenario));

@@ -40,7 +40,7 @@ class PrintRequest : public std::enable_shared_from_this<PrintRequest> {
 
  private:
   void Create() {
-    const auto request = JobOf(order_.request_id, order_.part->sha256);
+    const auto request = JobOf(order_.request_id, order_.part->sha256, order_.process);
     order_.part.reset();  // megabytes, and the job may be long
     calls_.CreateJob(request, context_, [self = shared_from_this()](absl::StatusOr<v1::Job> job) {
       if (!job.ok()) return self->End(job.status(), "CreateJob");
@@ -89,9 +89,11 @@ class PrintRequest : public std::enable_shared_from_this<PrintRequest> {
 
 }  // namespace
 
-v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mesh_sha256) {
+v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mesh_sha256,
+                           v1::Process process) {
   v1::CreateJobRequest request;
   request.set_request_id(request_id);
+  request.mutable_spec()->set_process(process);
   v1::Object& object = *request.mutable_spec()->add_objects();
   object.set_mesh_sha256(mesh_sha256);
   object.set_name("load.stl");

@@ -12,12 +12,14 @@ namespace slicefarm::load {
 struct PrintOrder {
   PartPtr part;
   std::string request_id;
+  v1::Process process = v1::PROCESS_FDM;
   int watchers = 1;      ///< streams that follow the job to its end
   bool download = true;  ///< the G-code, at the end
 };
 
 /// A job of one object, without settings.
-v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mesh_sha256);
+v1::CreateJobRequest JobOf(const std::string& request_id, const std::string& mesh_sha256,
+                           v1::Process process);
 
 /// Upload, create, watch, download: each when the one before went well. A job that fails is an
 /// error of the request. `done` is told the first error.

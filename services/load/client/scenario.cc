@@ -20,14 +20,26 @@ absl::Status Await(const Start& start) {
   return status.get();
 }
 
-/// Request ids and the like that no other request of this run has.
+/// What jobs have of their own.
+struct JobNote {
+  std::string request_id;  ///< that no other request of this run has
+  v1::Process process = v1::PROCESS_FDM;
+};
+
 class Numbering {
  public:
-  explicit Numbering(uint64_t seed) : seed_(seed) {}
-  std::string NextRequestId() { return RequestId(seed_, next_++); }
+  explicit Numbering(const ScenarioOptions& options)
+      : seed_(options.parts.seed), processes_(options.processes) {}
+
+  JobNote Next() {
+    const bool laser = processes_ == JobProcesses::kLaser ||
+                       (processes_ == JobProcesses::kBoth && next_ % 2 == 1);
+    return {RequestId(seed_, next_++), laser ? v1::PROCESS_LASER : v1::PROCESS_FDM};
+  }
 
  private:
   const uint64_t seed_;
+  const JobProcesses processes_;
   uint64_t next_ = 0;
 };
 
@@ -38,13 +50,15 @@ class PrintScenario final : public Scenario {
       : watchers_(options.kind == ScenarioKind::kWatch ? options.watchers : 1),
         download_(options.kind == ScenarioKind::kPrint),
         farm_(farm),
-        ids_(options.parts.seed),
+        numbers_(options),
         parts_(options.parts) {}
 
   /// Parts that are always the same are printed once before, so that their results are there.
   absl::Status Prepare(const CallContext& context) override {
     for (const PartPtr& part : parts_.SameParts()) {
-      const PrintOrder order = {.part = part, .request_id = ids_.NextRequestId()};
+      const JobNote note = numbers_.Next();
+      const PrintOrder order = {
+          .part = part, .request_id = note.request_id, .process = note.process};
       absl::Status status =
           Await([&](Done done) { StartPrint(farm_, order, context, std::move(done)); });
       if (!status.ok()) return status;
@@ -53,9 +67,11 @@ class PrintScenario final : public Scenario {
   }
 
   void Start(const CallContext& context, Done done) override {
+    const JobNote note = numbers_.Next();
     StartPrint(farm_,
                {.part = parts_.Take(),
-                .request_id = ids_.NextRequestId(),
+                .request_id = note.request_id,
+                .process = note.process,
                 .watchers = watchers_,
                 .download = download_},
                context, std::move(done));
@@ -65,7 +81,7 @@ class PrintScenario final : public Scenario {
   const int watchers_;
   const bool download_;
   Farm& farm_;
-  Numbering ids_;
+  Numbering numbers_;
   PartSupply parts_;
 };
 
@@ -74,7 +90,7 @@ class SubmitScenario final : public Scenario {
   SubmitScenario(const ScenarioOptions& options, Farm& farm)
       : same_(options.parts.same),
         farm_(farm),
-        ids_(options.parts.seed),
+        numbers_(options),
         scales_(options.parts.seed),
         part_(NewPart(PickSize(options.parts.mix, options.parts.seed, 0), options.parts.seed)) {}
 
@@ -87,7 +103,8 @@ class SubmitScenario final : public Scenario {
   }
 
   void Start(const CallContext& context, Done done) override {
-    v1::CreateJobRequest request = JobOf(ids_.NextRequestId(), part_->sha256);
+    const JobNote note = numbers_.Next();
+    v1::CreateJobRequest request = JobOf(note.request_id, part_->sha256, note.process);
     // Of one mesh, and yet other work each time.
     if (!same_) {
       request.mutable_spec()->mutable_objects(0)->mutable_placement()->add_scale(
@@ -101,7 +118,7 @@ class SubmitScenario final : public Scenario {
  private:
   const bool same_;
   Farm& farm_;
-  Numbering ids_;
+  Numbering numbers_;
   SeededRandom scales_;
   const PartPtr part_;
 };
@@ -109,7 +126,7 @@ class SubmitScenario final : public Scenario {
 class GetScenario final : public Scenario {
  public:
   GetScenario(const ScenarioOptions& options, Farm& farm)
-      : farm_(farm), ids_(options.parts.seed), options_(options) {}
+      : farm_(farm), numbers_(options), options_(options) {}
 
   /// Some jobs that have ended, so that nothing but the requests keeps the server busy.
   absl::Status Prepare(const CallContext& context) override {
@@ -131,14 +148,16 @@ class GetScenario final : public Scenario {
 
  private:
   absl::Status AddJob(const PartPtr& part, const CallContext& context) {
-    const std::string request_id = ids_.NextRequestId();
+    const JobNote note = numbers_.Next();
     absl::Status status = Await([&](Done done) {
-      StartPrint(farm_, {.part = part, .request_id = request_id}, context, std::move(done));
+      StartPrint(farm_,
+                 {.part = part, .request_id = note.request_id, .process = note.process}, context,
+                 std::move(done));
     });
     if (!status.ok()) return status;
     // The same request again brings the same job, and so its name.
     return Await([&](const Done& done) {
-      farm_.Next().CreateJob(JobOf(request_id, part->sha256), context,
+      farm_.Next().CreateJob(JobOf(note.request_id, part->sha256, note.process), context,
                              [this, done](const absl::StatusOr<v1::Job>& job) {
                                if (job.ok()) jobs_.push_back(job->id());
                                done(OutcomeOf(job.status(), "CreateJob"));
@@ -147,7 +166,7 @@ class GetScenario final : public Scenario {
   }
 
   Farm& farm_;
-  Numbering ids_;
+  Numbering numbers_;
   const ScenarioOptions options_;
   std::vector<std::string> jobs_;
   size_t next_ = 0;

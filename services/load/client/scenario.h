@@ -17,10 +17,18 @@ enum class ScenarioKind {
   kWatch,   ///< upload a part, create its job, watch it to its end many times at once
 };
 
+/// Of which process the jobs are.
+enum class JobProcesses {
+  kFdm,
+  kLaser,
+  kBoth,  ///< by turns
+};
+
 struct ScenarioOptions {
   ScenarioKind kind = ScenarioKind::kPrint;
   PartSupplyOptions parts = {};
   int watchers = 1;  ///< of each job, for kWatch
+  JobProcesses processes = JobProcesses::kFdm;
 };
 
 /// A kind of request. Outlives its requests.

@@ -17,6 +17,7 @@ namespace slicefarm::exposure {
 namespace {
 
 using Traits = CGAL::Partition_traits_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
+using CgalPolygon = Traits::Polygon_2;
 
 constexpr double kAreaTolerance = 1e-12;  ///< areas are rounded to doubles
 
@@ -36,6 +37,20 @@ bool AreRight(const std::vector<Polygon>& pieces, const Polygon& whole) {
   return std::abs(area - expected) <= kAreaTolerance * expected;
 }
 
+/// A y-monotone part meets each horizontal line once at most, but need not be convex: each is cut
+/// once more.
+std::list<CgalPolygon> ConvexPartsOfMonotoneOnes(const CgalPolygon& whole) {
+  const Traits traits;
+  std::list<CgalPolygon> monotone, parts;
+  CGAL::y_monotone_partition_2(whole.vertices_begin(), whole.vertices_end(),
+                               std::back_inserter(monotone), traits);
+  for (const CgalPolygon& part : monotone) {
+    CGAL::approx_convex_partition_2(part.vertices_begin(), part.vertices_end(),
+                                    std::back_inserter(parts), traits);
+  }
+  return parts;
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method) {
@@ -44,20 +59,22 @@ absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, Decom
     return LimitError(Reason::kRequestTooLarge, "corners of an outline to divide optimally",
                       kMaxOptimalCorners, std::ssize(polygon));
   }
-  CGAL::Polygon_2<Traits> whole;
+  CgalPolygon whole;
   for (const Point p : polygon)
     whole.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
-  std::list<Traits::Polygon_2> parts;
+  std::list<CgalPolygon> parts;
   const Traits traits;
   if (optimal) {
     CGAL::optimal_convex_partition_2(whole.vertices_begin(), whole.vertices_end(),
                                      std::back_inserter(parts), traits);
+  } else if (method == DecomposeMethod::kYMonotone) {
+    parts = ConvexPartsOfMonotoneOnes(whole);
   } else {
     CGAL::approx_convex_partition_2(whole.vertices_begin(), whole.vertices_end(),
                                     std::back_inserter(parts), traits);
   }
   std::vector<Polygon> pieces;
-  for (const Traits::Polygon_2& part : parts) {
+  for (const CgalPolygon& part : parts) {
     Polygon piece;
     for (const auto& p : part.container())
       piece.push_back({static_cast<Coord>(p.x()), static_cast<Coord>(p.y())});

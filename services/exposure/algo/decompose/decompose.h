@@ -31,8 +31,8 @@ struct ConvexPieces {
 ///
 /// kBian: Bian et al. 2005 with these rules: for a reflex corner, among the corners that it sees
 /// within the extensions of its edges, those that are reflex, then those where the cut makes no
-/// angle below 30 degrees; one on the extension of an edge first, then by the paper's weight; if
-/// there is none, the place where the bisector meets the border. A cut from a hole to another ring
+/// angle below 30 degrees; the nearest on the extension of an edge first, then by the paper's
+/// weight; if there is none, the place where the bisector meets the border. A cut from a hole to another ring
 /// is that hole's bridge.
 ///
 /// The others are CGAL's, after the holes were cut open by the same rules; what they return is
@@ -42,7 +42,7 @@ struct ConvexPieces {
 /// Errors:  Cancelled, polled once a cut; REQUEST_MALFORMED for rings that cross themselves or each
 ///          other; REQUEST_TOO_LARGE for kOptimal with over 300 corners in one piece.
 /// Cost:    kBian: O(n) a reflex corner and the candidates' tests; kOptimal O(n^4) at worst;
-///          kApproximate O(n log n).
+///          kApproximate and kYMonotone O(n log n).
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,
                                        const CancelToken& cancel = {});
 

@@ -203,8 +203,8 @@ TEST(Decompose, CgalsPartitionsPassTheSameTests) {
   std::mt19937 random(21);
   for (int i = 0; i < 150; ++i) {
     const MultiPolygon islands = RandomIsland(random, {}, 30);
-    for (const DecomposeMethod method :
-         {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate}) {
+    for (const DecomposeMethod method : {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate,
+                                         DecomposeMethod::kYMonotone}) {
       const auto result = Decompose(islands, {.method = method});
       if (!result.ok()) {  // CGAL 5.5 makes mistakes; they must be noticed
         EXPECT_EQ(DetailOf(result.status()).reason, Reason::kInternal) << result.status();

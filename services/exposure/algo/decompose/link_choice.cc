@@ -71,7 +71,7 @@ void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVecto
   Candidate candidate{.turns = turns, .at = at, .index = index};
   const double here_a = -CosineOf(in_, at), here_b = CosineOf(out_, at);
   const double there_a = -CosineOf(in, back), there_b = CosineOf(out, back);
-  candidate.weight = std::abs(here_a - here_b) + std::abs(there_a - there_b);
+  if (turns) candidate.weight = std::abs(here_a - here_b) + std::abs(there_a - there_b);
   candidate.cosine = std::max({here_a, here_b, there_a, there_b});
   if (CrossSign(in, out) < 0) {
     const bool both = CrossSign(in, back) >= 0 && CrossSign(out, back) >= 0;

@@ -25,8 +25,9 @@ struct Link {
 ///   1. reflex ones that have P in their own region A, as one cut does for both;
 ///   2. other reflex ones;
 ///   3. convex ones at which the cut makes no angle below 30 degrees;
-/// among these, those on the extension of an edge at P (rings have a turn less there), then those
-/// of least weight |cos a - cos b|, a and b the cut's angles with the edges, summed over both ends.
+/// among these, those on the extension of an edge at P (rings have a turn less there), the nearest
+/// first, then those of least weight |cos a - cos b|, a and b the cut's angles with the edges,
+/// summed over both ends.
 /// A cut to a reflex corner that makes an angle below 1 degree counts as none: along a wall that is
 /// straight but for rounding it would part off slivers.
 /// If there is none, the cut runs along the bisector of A to the border.
@@ -48,7 +49,7 @@ class LinkChoice {
   struct Candidate {
     int rank = 0;
     bool turns = true;  ///< is not on the extension of an edge at P
-    double weight = 0;
+    double weight = 0;  ///< of those that turn
     double cosine = 0;
     ExactVector at;
     CornerIndex index;

@@ -2,20 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
+
+#include "services/exposure/algo/scan/corner_spurs.h"
 
 namespace slicefarm::exposure {
 namespace {
-
-PlaneVector operator-(PlaneVector a, PlaneVector b) { return {a.x - b.x, a.y - b.y}; }
-double Cross(PlaneVector a, PlaneVector b) { return a.x * b.y - a.y * b.x; }
-double Dot(PlaneVector a, PlaneVector b) { return a.x * b.x + a.y * b.y; }
-double Norm(PlaneVector a) { return std::sqrt(Dot(a, a)); }
 
 /// Lines closer to parallel than this have no corner.
 constexpr double kParallel = 1e-12;
 
 Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.y)}; }
+
+/// Rounded to nm, with the first point again at the end. Less than 4 points: no ring.
+Polyline ClosedLine(const ConvexRing& ring) {
+  Polyline line;
+  for (const PlaneVector p : ring)
+    if (const Point q = Rounded(p); line.empty() || q != line.back()) line.push_back(q);
+  while (line.size() > 1 && line.back() == line.front()) line.pop_back();
+  if (!line.empty()) line.push_back(line.front());
+  return line;
+}
 
 }  // namespace
 
@@ -124,6 +133,7 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   ConvexInsets insets(piece, scale);
   // Up to where the rings melt: what lies deeper has not been reached yet.
   double reached = fill.first_nm - fill.pitch_nm / 2;
+  ConvexRing gap;  // where a ring ends to melt, around the next one
   for (int64_t k = 0;; ++k) {
     ConvexInsets before = insets;
     const double distance = fill.first_nm + static_cast<double>(k) * fill.pitch_nm;
@@ -132,14 +142,11 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
       insets = std::move(before);
       break;
     }
-    Polyline line;
-    for (const PlaneVector p : ring)
-      if (const Point q = Rounded(p); line.empty() || q != line.back()) line.push_back(q);
-    while (line.size() > 1 && line.back() == line.front()) line.pop_back();
+    Polyline line = ClosedLine(fill.corners && k > 0 ? WithSpurs(ring, gap, fill.spurs) : ring);
     reached = distance + fill.pitch_nm / 2;
-    if (line.size() < 3) break;
-    line.push_back(line.front());
+    if (line.size() < 4) break;
     rings.push_back(std::move(line));
+    if (fill.corners) gap = insets.At(reached);
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;

@@ -3,15 +3,10 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "services/exposure/algo/scan/convex_ring.h"
+#include "services/exposure/algo/scan/corner_spurs.h"
 
 namespace slicefarm::exposure {
-
-/// A place in nm, not rounded yet.
-struct PlaneVector {
-  double x = 0;
-  double y = 0;
-};
-using ConvexRing = std::vector<PlaneVector>;
 
 /// Insets of a convex polygon by moving its edges. Edges that vanish stay so in deeper ones, so
 /// distances must not decrease from call to call. Cost: O(n) a call.
@@ -47,6 +42,8 @@ struct RingFill {
   double first_nm = 0;  ///< from the border to the first ring
   /// Narrower leftovers in the middle stay empty, as a share of the pitch.
   double least_spine = 0.25;
+  bool corners = false;  ///< rings reach into the corners that the ones around them leave open
+  SpurFill spurs = {};
 };
 
 /// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is

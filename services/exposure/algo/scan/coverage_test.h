@@ -77,11 +77,16 @@ class MeltedRaster {
       return std::pair(clamp((low - spot_nm / 2 - origin) / step_),
                        clamp((high + spot_nm / 2 - origin) / step_ + 1));
     };
-    const auto [c0, c1] = cells(std::min(a.x, b.x), std::max(a.x, b.x), box_.min.x, columns_);
     const auto [r0, r1] = cells(std::min(a.y, b.y), std::max(a.y, b.y), box_.min.y, rows_);
     const double ex = static_cast<double>(b.x - a.x), ey = static_cast<double>(b.y - a.y);
     const double length2 = ex * ex + ey * ey, reach = static_cast<double>(spot_nm) / 2 + 2;
     for (size_t row = r0; row <= r1; ++row) {
+      // Only the part of the edge that lies within reach of the row.
+      const double up = Y(row) - static_cast<double>(a.y);
+      const double t0 = ey != 0 ? std::clamp((up - std::copysign(reach, ey)) / ey, 0.0, 1.0) : 0;
+      const double t1 = ey != 0 ? std::clamp((up + std::copysign(reach, ey)) / ey, 0.0, 1.0) : 1;
+      const Coord x0 = a.x + std::llround(t0 * ex), x1 = a.x + std::llround(t1 * ex);
+      const auto [c0, c1] = cells(std::min(x0, x1), std::max(x0, x1), box_.min.x, columns_);
       for (size_t column = c0; column <= c1; ++column) {
         const double px = X(column) - static_cast<double>(a.x),
                      py = Y(row) - static_cast<double>(a.y);

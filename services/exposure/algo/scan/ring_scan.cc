@@ -22,12 +22,20 @@ void StartNear(Point from, Polyline& ring) {
   ring.push_back(ring.front());
 }
 
+SpurFill SpursOf(const ExposureOptions& options) {
+  return {.spot_nm = static_cast<double>(options.spot_nm),
+          .least_nm = static_cast<double>(options.minimum_vector_nm)};
+}
+
 /// The lines of one piece, in order.
 std::vector<Polyline> PieceLines(const Polygon& piece, double scale,
                                  const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
-  std::vector<Polyline> rings = ConvexRings(piece, scale, {.pitch_nm = pitch, .first_nm = first});
+  std::vector<Polyline> rings = ConvexRings(piece, scale, {.pitch_nm = pitch,
+                                                           .first_nm = first,
+                                                           .corners = options.fill_corners,
+                                                           .spurs = SpursOf(options)});
   if (options.strategy == ScanStrategy::kRings) std::reverse(rings.begin(), rings.end());
   std::erase_if(rings, [&](const Polyline& ring) {
     return Length(ring) < static_cast<double>(options.minimum_vector_nm);

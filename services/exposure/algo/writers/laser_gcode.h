@@ -11,8 +11,13 @@ namespace slicefarm::exposure {
 /// Absolute mm. Each layer starts with its height as Z and power 0, switches the laser on (M4:
 /// power that follows the speed; M3: constant) and off at its end (M5). Ways without exposure are
 /// G0 with S0, so that no power is left on in a travel whatever the machine's mode; skywriting runs
-/// are G1 with S0. S is power / full_power_w * full_power_s. Delays are the scanner's, not the
-/// file's; focus and frequency have no words and stand in the header's comments.
+/// are G1 with S0. S is power / full_power_w * full_power_s.
+///
+/// Focus: the head goes up by it, so Z is the layer's height and the style's focus_mm. Delays: G4
+/// with the laser off, after jumps, at the ends of lines without skywriting and at their corners;
+/// in seconds for grbl, in whole ms for Marlin, rounded up. The speed of jumps is F of Marlin's G0;
+/// grbl knows but its own. There are no words for frequency and points: they stand in the header's
+/// comments alone.
 std::string LaserGcodeHeader(const FileFacts& facts);
 std::string LaserGcodeLayer(const ExposedLayer& layer, const FileFacts& facts);
 std::string LaserGcodeFooter(const FileFacts& facts);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -28,7 +29,7 @@ class Machine {
   }
 
   std::vector<Exposure> exposures;
-  std::vector<double> heights;
+  std::vector<double> heights, waits;
   bool on = false, ended = false;
   bool constant_power = false;
 
@@ -41,7 +42,7 @@ class Machine {
     char group = 0;
     for (std::string word; stream >> word;) {
       const char letter = word[0];
-      ASSERT_TRUE(std::string("GMXYZFSI").find(letter) != std::string::npos) << line;
+      ASSERT_TRUE(std::string("GMXYZFSIP").find(letter) != std::string::npos) << line;
       ASSERT_FALSE(ended) << line;
       const double value = word.size() > 1 ? std::stod(word.substr(1)) : 0;
       if (letter == 'G' || letter == 'M') {
@@ -60,8 +61,9 @@ class Machine {
     if (*command == 21) return void(metric_ = true);
     if (*command == 90) return void(absolute_ = true);
     if (*command == 94) return;
-    ASSERT_TRUE(*command == 0 || *command == 1) << line;
+    ASSERT_TRUE(*command == 0 || *command == 1 || *command == 4) << line;
     ASSERT_TRUE(metric_ && absolute_) << line;
+    if (*command == 4) return Wait(words, line);
     if (words.contains('S')) power_ = words.at('S');
     if (words.contains('F')) feed_ = words.at('F');
     ASSERT_TRUE(*command != 0 || power_ == 0) << line;
@@ -76,6 +78,12 @@ class Machine {
       if (power_ > 0) exposures.push_back({x_, y_, x, y, feed_, power_});
     }
     x_ = x, y_ = y;
+  }
+
+  /// A laser that is on while the head stands still burns a hole; M4 has it off then.
+  void Wait(const std::map<char, double>& words, const std::string& line) {
+    ASSERT_TRUE(!on || !constant_power || power_ == 0) << line;
+    waits.push_back(words.at('P'));
   }
 
   void Switch(int command, const std::map<char, double>& words, const std::string& line) {
@@ -126,6 +134,62 @@ TEST(LaserGcode, ConstantPowerIsM3) {
   const std::string text = LayerText(SampleLayers()[0], facts);
   EXPECT_NE(text.find("M3 S0\n"), std::string::npos);
   EXPECT_EQ(text.find("M4"), std::string::npos);
+}
+
+/// A hatch of two lines and a triangle: 3 jumps and ends of lines, 2 corners.
+std::string WithDelays(OutputFormat format, bool dynamic_power, Coord run_nm, Machine& machine) {
+  std::vector<ExposureOptions> regions(1);
+  regions[0].jump = {.speed_mm_s = 2000, .delay_us = 250, .mark_delay_us = 1500,
+                     .polygon_delay_us = 40};
+  FileFacts facts = SampleFacts(format);
+  facts.regions = regions;
+  facts.output.dynamic_power = dynamic_power;
+  ExposedLayer layer = SampleLayers()[0];
+  layer.groups[0] = {};
+  layer.groups[0].kind = ExposureKind::kContour;
+  layer.groups[0].AddLine(Polyline{{0, 0}, {10'000'000, 0}, {10'000'000, 5'000'000}, {0, 0}});
+  layer.groups[1].run_nm = run_nm;
+  layer.groups.resize(2);
+  layer.visits = {{0, 0, {}}};
+  const std::string text = LayerText(layer, facts);
+  machine.Run("G21\nG90\n" + text);
+  return text;
+}
+
+TEST(LaserGcode, DelaysAreDwells) {
+  for (const bool dynamic_power : {true, false}) {
+    Machine grbl, marlin;
+    WithDelays(OutputFormat::kGrbl, dynamic_power, 0, grbl);
+    const double jump = 0.00025, mark = 0.0015, corner = 0.00004;
+    EXPECT_EQ(grbl.waits, (std::vector<double>{jump, corner, corner, mark, jump, mark, jump, mark}));
+    WithDelays(OutputFormat::kMarlin, dynamic_power, 0, marlin);  // whole ms
+    EXPECT_EQ(marlin.waits, (std::vector<double>{1, 1, 1, 2, 1, 2, 1, 2}));
+    EXPECT_EQ(grbl.exposures.size(), 5u);
+  }
+}
+
+TEST(LaserGcode, SkywritingNeedsNoMarkDelay) {
+  Machine machine;
+  WithDelays(OutputFormat::kGrbl, true, 500'000, machine);
+  EXPECT_EQ(std::count(machine.waits.begin(), machine.waits.end(), 0.0015), 1);  // the contour
+}
+
+TEST(LaserGcode, MarlinIsToldTheSpeedOfJumps) {
+  Machine machine;
+  EXPECT_NE(WithDelays(OutputFormat::kMarlin, true, 0, machine).find("F120000"), std::string::npos);
+  EXPECT_EQ(WithDelays(OutputFormat::kGrbl, true, 0, machine).find("F120000"), std::string::npos);
+}
+
+TEST(LaserGcode, FocusRaisesTheHead) {
+  std::vector<ExposureOptions> regions(2);
+  regions[0].styles[1].focus_mm = 1.5;
+  regions[1].styles[4].focus_mm = -0.25;
+  FileFacts facts = SampleFacts(OutputFormat::kGrbl);
+  facts.regions = regions;
+  Machine machine;
+  machine.Run("G21\nG90\n" + LayerText(SampleLayers()[0], facts));
+  // Contours and hatch of a copy, a thin wall, and another copy.
+  EXPECT_EQ(machine.heights, (std::vector<double>{0.05, 1.55, -0.2, 0.05, 1.55}));
 }
 
 TEST(LaserGcode, SkywritingRunsWithoutPower) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+namespace slicefarm::exposure {
+
+/// A place in nm, not rounded yet.
+struct PlaneVector {
+  double x = 0;
+  double y = 0;
+
+  friend PlaneVector operator-(PlaneVector a, PlaneVector b) { return {a.x - b.x, a.y - b.y}; }
+};
+inline double Cross(PlaneVector a, PlaneVector b) { return a.x * b.y - a.y * b.x; }
+inline double Dot(PlaneVector a, PlaneVector b) { return a.x * b.x + a.y * b.y; }
+inline double Norm(PlaneVector a) { return std::sqrt(Dot(a, a)); }
+
+using ConvexRing = std::vector<PlaneVector>;
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/model/layer.h"
+
+namespace slicefarm::bench {
+
+/// Layer `index` of `layers` of a lattice of `cells` by `cells` round bars, one every 2 mm: discs
+/// of 32 corners whose size changes with the height.
+SlicedLayer LatticeLayer(int32_t index, int32_t layers, int cells);
+
+}  // namespace slicefarm::bench

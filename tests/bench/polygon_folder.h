@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "services/cli/poly_files.h"
+
+namespace slicefarm::bench {
+
+struct PolygonFile {
+  std::string name;  ///< without its ending
+  cli::PolyFile poly;
+};
+
+/// The polygons of a directory by their files' names; those that cannot be read are left out.
+std::vector<PolygonFile> PolygonsIn(const std::string& directory);
+
+}  // namespace slicefarm::bench

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "services/cli/poly_files.h"
+#include "services/exposure/algo/scan/coverage_test.h"
+#include "services/exposure/algo/scan/ring_scan.h"
+#include "services/exposure/algo/scan/scan_pieces.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/polygon_folder.h"
+
+namespace slicefarm::bench {
+namespace {
+
+/// Of the raster that areas are measured on: no divisor of the hatch distance, as lines lie on a
+/// raster, too; and points at most of it.
+constexpr Coord kLeastStepNm = 17'011;
+constexpr double kMostPoints = 2e6;
+/// Rings side by side touch; a spot this much narrower does not count that as twice.
+constexpr Coord kTouchNm = 2'000;
+
+/// Coordinates of a file in mm.
+MultiPolygon InNm(MultiPolygon islands, int decimals) {
+  double nm = kNmPerMm;
+  for (int i = 0; i < decimals; ++i) nm /= 10;
+  const auto apply = [nm](Polygon& ring) {
+    for (Point& p : ring) {
+      p = {std::llround(static_cast<double>(p.x) * nm), std::llround(static_cast<double>(p.y) * nm)};
+    }
+  };
+  for (PolygonWithHoles& island : islands) {
+    apply(island.outer);
+    for (Polygon& hole : island.holes) apply(hole);
+  }
+  return islands;
+}
+
+Coord StepFor(const MultiPolygon& region) {
+  const Box box = Bounds(region);
+  const double area =
+      static_cast<double>(box.max.x - box.min.x) * static_cast<double>(box.max.y - box.min.y);
+  return std::max<Coord>(kLeastStepNm, std::llround(std::sqrt(area / kMostPoints)));
+}
+
+struct Coverage {
+  double of_area = 0;       ///< share of the outline that is melted
+  double of_reachable = 0;  ///< of what a spot can melt that stays within the outline
+  double twice = 0;         ///< share that two pieces melt
+  double cut_width_nm = 0;  ///< the same as a strip along all cuts
+};
+
+/// All cuts' lengths.
+double CutLength(const MultiPolygon& region, const ExposureOptions& options) {
+  const auto pieces = exposure::ScanPieces(region, options.decompose, {});
+  if (!pieces.ok()) return 0;
+  double length = 0;
+  for (const Polygon& piece : pieces->pieces)
+    length += Perimeter(piece) / static_cast<double>(pieces->scale);
+  ForEachRing(region, [&](const Polygon& ring) { length -= Perimeter(ring); });
+  return length / 2;
+}
+
+absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptions& options) {
+  ExposureGroup group;
+  CutCounts counts;
+  const absl::Status status = exposure::ScanByRings(region, options, {}, {}, group, counts);
+  if (!status.ok()) return status;
+  const Coord reach = options.spot_nm / 2;
+  const MultiPolygon reachable =
+      OffsetTwice(region, -reach, reach, {.join = Join::kRound, .arc_tolerance_nm = 100});
+  const Coord step = StepFor(region);
+  exposure::MeltedRaster all(region, step), open(reachable, step), twice(region, step);
+  group.ForEachLine([&](std::span<const Point> line) {
+    all.Add(line, options.spot_nm);
+    open.Add(line, options.spot_nm);
+    twice.Add(line, options.spot_nm - kTouchNm);
+  });
+  Coverage coverage{all.Share(1), open.Share(1), twice.Share(2), 0};
+  const double cuts = CutLength(region, options);
+  if (cuts > 0) coverage.cut_width_nm = coverage.twice * Area(region) / cuts;
+  return coverage;
+}
+
+/// The least share and the mean one by area.
+class Shares {
+ public:
+  void Add(double share, double area) {
+    least_ = std::min(least_, share);
+    sum_ += share * area;
+    area_ += area;
+    below_ += share < 0.995 ? 1 : 0;
+  }
+  void Print(const char* name) const {
+    std::printf("%s_mean %.5f\n%s_least %.5f\n%s_below_995 %d\n", name, sum_ / area_, name, least_,
+                name, below_);
+  }
+
+ private:
+  double least_ = 1, sum_ = 0, area_ = 0;
+  int below_ = 0;
+};
+
+}  // namespace
+
+int BenchRings(const std::string& outlines) {
+  ExposureOptions options;
+  options.strategy = ScanStrategy::kRings;
+  for (const bool fill : {false, true}) {
+    options.fill_corners = fill;
+    Shares of_area, of_reachable;
+    double widest = 0;
+    for (const PolygonFile& file : PolygonsIn(outlines)) {
+      const MultiPolygon region = InNm(file.poly.islands, file.poly.decimals);
+      const auto coverage = Covered(region, options);
+      if (!coverage.ok()) {
+        std::printf("%s failed: %s\n", file.name.c_str(),
+                    std::string(coverage.status().message()).c_str());
+        continue;
+      }
+      of_area.Add(coverage->of_area, Area(region));
+      of_reachable.Add(coverage->of_reachable, Area(region));
+      widest = std::max(widest, coverage->cut_width_nm);
+      std::printf("%s | %.5f | %.5f | %.5f | %.3f\n", file.name.c_str(), coverage->of_area,
+                  coverage->of_reachable, coverage->twice, coverage->cut_width_nm / 1000);
+    }
+    std::printf("fill_corners %d\n", fill ? 1 : 0);
+    of_area.Print("area");
+    of_reachable.Print("reachable");
+    std::printf("twice_along_cuts_um_most %.3f\n", widest / 1000);
+  }
+  return 0;
+}
+
+}  // namespace slicefarm::bench
