@@ -10,7 +10,7 @@ struct IroningFill {
   double angle_rad = 0;      ///< of the lines that are ironed: ironing runs the same way
   Coord width_nm = 450'000;  ///< of the beads that are ironed
   Coord height_nm = 200'000;
-  IroningOptions ironing;
+  IroningOptions ironing = {};
 };
 
 /// Lines that go over a printed region once more, close together, with `flow` of the plastic that

@@ -257,7 +257,8 @@ class RegionFill {
                     .field = plain ? nullptr : field};
     if (plan_ == nullptr) return AppendSparsePart(region, fill, fills);
     fill.planned = plan_->lines;
-    const MultiPolygon filled = Difference(region, plan_->left_out);
+    const MultiPolygon filled =
+        plan_->left_out.empty() ? region : Difference(region, plan_->left_out);
     if (plan_->combined.empty()) return AppendSparsePart(filled, fill, fills);
     const absl::Status status =
         AppendSparsePart(Difference(filled, plan_->combined), fill, fills);

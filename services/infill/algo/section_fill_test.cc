@@ -188,8 +188,9 @@ double VolumeOf(const std::vector<Path>& paths, Feature feature, Coord height = 
 TEST(FillSection, FollowsWhatIsPlanned) {
   InfillOptions options = Thin();
   options.pattern = FillPattern::kLightning;
-  PlannedInfill plan{.pattern = FillPattern::kLightning,
-                     .lines = {{{FromMm(0), FromMm(10)}, {FromMm(8), FromMm(10)}}}};
+  PlannedInfill plan;
+  plan.pattern = FillPattern::kLightning;
+  plan.lines = {{{FromMm(0), FromMm(10)}, {FromMm(8), FromMm(10)}}};
   const std::vector<Path> paths = PathsOf(options, std::span(&plan, 1));
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_EQ(EndOf(paths[0]), (Point{FromMm(8), FromMm(10)}));
@@ -199,14 +200,17 @@ TEST(FillSection, FollowsWhatIsPlanned) {
 }
 
 TEST(FillSection, LeavesOutWhatIsPlannedSo) {
-  const PlannedInfill plan{.left_out = P("(0 0, 10 0, 10 20, 0 20)")};
+  PlannedInfill plan;
+  plan.left_out = P("(0 0, 10 0, 10 20, 0 20)");
   for (const Path& path : PathsOf(Thin(), std::span(&plan, 1)))
     for (const Point p : path.points) EXPECT_GE(p.x, FromMm(10));
 }
 
 // What two layers share is printed in one, with the plastic of both.
 TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
-  PlannedInfill plan{.combined = P("(0 0, 20 0, 20 20, 0 20)"), .combined_height_nm = 400'000};
+  PlannedInfill plan;
+  plan.combined = P("(0 0, 20 0, 20 20, 0 20)");
+  plan.combined_height_nm = 400'000;
   const double once = VolumeOf(PathsOf(Thin(), {}), Feature::kInternalInfill);
   const double twice =
       VolumeOf(PathsOf(Thin(), std::span(&plan, 1)), Feature::kInternalInfill);
