@@ -62,18 +62,19 @@ bool PlanHere(int32_t layers, int islands) {
   auto planner = planning::JobPlanner::Make(options, copies);
   if (!planner.ok()) return false;
   double cpu_s = 0;
-  std::vector<LayerPlan> plans;
   for (int32_t i = 0; i < layers; ++i) {
     const SlicedLayer layer = LayerOf(i, islands);
     const double before = CpuSeconds();
-    auto plan = planner->Next(layer);
+    if (!planner->Next(layer).ok()) return false;
     cpu_s += CpuSeconds() - before;
-    if (!plan.ok()) return false;
-    plans.push_back(*std::move(plan));
   }
+  const double before = CpuSeconds();
+  const auto plan = planner->Finish();
+  cpu_s += CpuSeconds() - before;
+  if (!plan.ok() || std::ssize(plan->layers) != layers) return false;
   std::printf("here_layers %d\nhere_islands %d\nhere_cpu_s %.2f\nhere_peak_mb %.0f\n", layers,
               islands, cpu_s, PeakMb("self"));
-  return planner->Finish().ok();
+  return true;
 }
 
 /// By slicefarm-planning; the answers are counted and dropped.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
-#include <utility>
 
 #include "common/base/error.h"
 #include "services/planning/algo/adhesion/adhesion_planner.h"
@@ -59,7 +59,7 @@ JobPlanner::JobPlanner(const PlanningOptions& options, std::span<const PlacedCop
   if (options.sequence.complete_objects)
     planners_.push_back(std::make_unique<SequencePlanner>(options.sequence, copies, object_names));
   planners_.push_back(std::make_unique<AdhesionPlanner>(options, copies));
-  if (!options.infill.empty())
+  if (InfillPlanner::IsNeeded(options))
     planners_.push_back(std::make_unique<InfillPlanner>(options, object_names));
 }
 
@@ -77,17 +77,21 @@ absl::StatusOr<JobPlanner> JobPlanner::Make(const PlanningOptions& options,
 absl::Status JobPlanner::Next(const SlicedLayer& layer) {
   for (const ObjectSection& section : layer.sections)
     if (absl::Status ok = CheckObject(section.object, *options_); !ok.ok()) return ok;
-  LayerPlan& plan = layers_.emplace_back();
+  LayerPlan& plan = layers_.Add();
   for (const auto& planner : planners_) planner->Look(layer, plan);
+  settled_ = layers_.end();
+  for (const auto& planner : planners_) settled_ = std::min(settled_, planner->Settle(layers_));
   return absl::OkStatus();
 }
 
+std::vector<LayerPlan> JobPlanner::TakeSettled() { return layers_.TakeBelow(settled_); }
+
 absl::StatusOr<JobPlan> JobPlanner::Finish(const CancelToken& cancel) {
   JobPlan plan;
-  plan.layers = std::move(layers_);
   for (const PlacedCopy& copy : copies_) plan.copies.push_back({copy.object, copy.shift, 0});
   for (const auto& planner : planners_)
-    if (absl::Status ok = planner->Finish(cancel, plan); !ok.ok()) return ok;
+    if (absl::Status ok = planner->Finish(cancel, layers_, plan); !ok.ok()) return ok;
+  plan.layers = layers_.TakeBelow(layers_.end());
   return plan;
 }
 

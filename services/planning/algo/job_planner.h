@@ -12,9 +12,10 @@
 
 namespace slicefarm::planning {
 
-/// Plans a job layer by layer, bottom up, so that layers can stream in. What is kept of them is what
-/// the planners keep: no more than a few layers each, but for infill that hangs from above. The
-/// planners, in the order in which they look at a layer:
+/// Plans a job layer by layer, bottom up, so that layers can stream in, and their plans out as soon
+/// as they are settled. What is kept is what the planners keep: a few layers each, but for places of
+/// seams (a bounded number) and for infill that hangs from above. The planners, in the order in which
+/// they look at a layer:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
 ///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
@@ -22,9 +23,8 @@ namespace slicefarm::planning {
 ///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
 ///   5 infill   lines and places of sparse infill that depend on many layers (infill/infill_planner.h)
 ///
-/// A layer's plan is whole as soon as all planners have looked at it. What lies on the plate is not:
-/// a draft shield goes round all that is above it, and is as high as the job; the sequence of copies
-/// depends on their heights.
+/// What lies on the plate is known at the end alone: a draft shield goes round all that is above it,
+/// and is as high as the job; the sequence of copies depends on their heights.
 ///
 /// One thread; the plan depends on nothing but the arguments.
 class JobPlanner {
@@ -40,8 +40,11 @@ class JobPlanner {
   /// Errors: REQUEST_MALFORMED for sections of objects that have no options.
   absl::Status Next(const SlicedLayer& layer);
 
-  /// The plan of the layers so far. To be called once, after the last layer. Errors: those of the
-  /// planners; Cancelled.
+  /// The plans that no planner will add to, but for those taken before; from the lowest layer up.
+  std::vector<LayerPlan> TakeSettled();
+
+  /// The plan, but for the layers taken before. To be called once, after the last layer. Errors:
+  /// those of the planners; Cancelled.
   absl::StatusOr<JobPlan> Finish(const CancelToken& cancel = {});
 
  private:
@@ -51,7 +54,8 @@ class JobPlanner {
   const PlanningOptions* options_;
   std::span<const PlacedCopy> copies_;
   std::vector<std::unique_ptr<Planner>> planners_;
-  std::vector<LayerPlan> layers_;
+  OpenLayers layers_;
+  int32_t settled_ = 0;  ///< layers, from the first
 };
 
 }  // namespace slicefarm::planning

@@ -7,6 +7,15 @@
 
 namespace slicefarm::planning {
 
+std::vector<LayerPlan> OpenLayers::TakeBelow(int32_t layer) {
+  std::vector<LayerPlan> taken;
+  for (; first_ < layer && !plans_.empty(); ++first_) {
+    taken.push_back(std::move(plans_.front()));
+    plans_.pop_front();
+  }
+  return taken;
+}
+
 SectionPlan& PlanOf(int32_t object, LayerPlan& plan) {
   const auto place = std::ranges::lower_bound(plan.sections, object, {}, &SectionPlan::object);
   if (place != plan.sections.end() && place->object == object) return *place;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "common/base/cancel_token.h"
@@ -9,6 +12,26 @@
 #include "common/model/layer.h"
 
 namespace slicefarm::planning {
+
+/// The plans of a job's layers, but for those that are settled and were taken.
+class OpenLayers {
+ public:
+  /// The plan of the next layer, which is empty.
+  LayerPlan& Add() { return plans_.emplace_back(); }
+
+  /// REQUIRES: the layer was added, and is not taken.
+  LayerPlan& At(int32_t layer) { return plans_[static_cast<size_t>(layer - first_)]; }
+
+  /// One above the last.
+  int32_t end() const { return first_ + static_cast<int32_t>(plans_.size()); }
+
+  /// The plans below that of `layer`, from the lowest up.
+  std::vector<LayerPlan> TakeBelow(int32_t layer);
+
+ private:
+  std::deque<LayerPlan> plans_;
+  int32_t first_ = 0;
+};
 
 /// Decides one thing over a whole job. Planners run one after the other on each layer, bottom up,
 /// and each adds to the plan; see JobPlanner for their order.
@@ -19,10 +42,14 @@ class Planner {
   /// Looks at the next layer. `plan` is that layer's.
   virtual void Look(const SlicedLayer& layer, LayerPlan& plan) = 0;
 
-  /// After the last layer: adds what depends on more layers than one. `plan` has all layers. May take
-  /// long, and is Cancelled when `cancel` asks for it.
-  virtual absl::Status Finish(const CancelToken& cancel, JobPlan& plan) {
-    (void)cancel, (void)plan;
+  /// After each Look: may add to plans of the layers so far. Below the layer that it answers, the
+  /// planner will not add to any.
+  virtual int32_t Settle(OpenLayers& layers) { return layers.end(); }
+
+  /// After the last layer: adds what depends on more layers than one, to `layers` and to `plan`,
+  /// which has none. May take long, and is Cancelled when `cancel` asks for it.
+  virtual absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
+    (void)cancel, (void)layers, (void)plan;
     return absl::OkStatus();
   }
 };

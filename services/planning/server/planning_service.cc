@@ -1,6 +1,7 @@
 #include "services/planning/server/planning_service.h"
 
 #include <utility>
+#include <vector>
 
 #include "common/base/error.h"
 #include "common/wire/layer_wire.h"
@@ -14,23 +15,30 @@ namespace slicefarm::planning {
 namespace {
 
 template <typename Stream>
-absl::Status ReadLayers(JobPlanner& planner, const CancelToken& cancel, Stream& stream) {
+absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) {
+  return WriteEach<v1::PlanResponse>(stream, layers,
+                                     [](const LayerPlan& layer, v1::PlanResponse* proto) {
+                                       return ToProto(layer, proto->mutable_layer());
+                                     });
+}
+
+/// Plans layers as they come, and answers plans as they are settled.
+template <typename Stream>
+absl::Status PlanLayers(JobPlanner& planner, const CancelToken& cancel, Stream& stream) {
   int32_t next = 0;
   return ReadEach<v1::PlanRequest>(stream, [&](const v1::PlanRequest& request) -> absl::Status {
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
     const absl::StatusOr<SlicedLayer> layer = FromProto(request.layer());
     if (!layer.ok()) return layer.status();
     if (layer->frame.index != next++) return Malformed("layer", "does not follow the one before");
-    return planner.Next(*layer);
+    if (absl::Status planned = planner.Next(*layer); !planned.ok()) return planned;
+    return AnswerLayers(planner.TakeSettled(), stream);
   });
 }
 
 template <typename Stream>
-absl::Status Answer(const JobPlan& plan, Stream& stream) {
-  absl::Status status = WriteEach<v1::PlanResponse>(
-      stream, plan.layers, [](const LayerPlan& layer, v1::PlanResponse* proto) {
-        return ToProto(layer, proto->mutable_layer());
-      });
+absl::Status AnswerRest(const JobPlan& plan, Stream& stream) {
+  absl::Status status = AnswerLayers(plan.layers, stream);
   if (!status.ok()) return status;
   status = WriteEach<v1::PlanResponse>(
       stream, plan.additions, [](const PlateAddition& addition, v1::PlanResponse* proto) {
@@ -61,12 +69,12 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   absl::StatusOr<JobPlanner> planner =
       JobPlanner::Make(start->options, start->copies, start->object_names);
   if (!planner.ok()) return planner.status();
-  absl::Status status = ReadLayers(*planner, call.cancel, stream);
+  absl::Status status = PlanLayers(*planner, call.cancel, stream);
   status.Update(call.cancel.Check());
   if (!status.ok()) return status;
   const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
   if (!plan.ok()) return plan.status();
-  return Answer(*plan, stream);
+  return AnswerRest(*plan, stream);
 }
 
 }  // namespace slicefarm::planning

@@ -241,7 +241,8 @@ absl::Status AdhesionPlanner::AddSkirt(std::vector<Path> loops, JobPlan& plan) c
   return absl::OkStatus();
 }
 
-absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
+absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*layers*/,
+                                     JobPlan& plan) {
   if (!wanted_) return absl::OkStatus();
   absl::StatusOr<std::vector<PlacedLayer>> placed = PlaceRafts(cancel);
   if (!placed.ok()) return placed.status();

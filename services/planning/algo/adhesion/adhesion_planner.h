@@ -36,7 +36,7 @@ class AdhesionPlanner : public Planner {
   AdhesionPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies);
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   /// What is known of one object, in its own coordinates.

@@ -50,8 +50,9 @@ absl::StatusOr<JobPlan> Plan(const PlanningOptions& options, const std::vector<P
   LayerPlan layer_plan;
   for (const SlicedLayer& layer : layers) planner.Look(layer, layer_plan);
   EXPECT_EQ(layer_plan, LayerPlan{});
+  OpenLayers no_layers;
   JobPlan plan;
-  if (absl::Status ok = planner.Finish({}, plan); !ok.ok()) return ok;
+  if (absl::Status ok = planner.Finish({}, no_layers, plan); !ok.ok()) return ok;
   return plan;
 }
 

@@ -102,17 +102,23 @@ void InfillPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   }
 }
 
-absl::Status InfillPlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
+bool InfillPlanner::IsNeeded(const PlanningOptions& options) {
+  return std::ranges::any_of(options.infill, NeedsPlan);
+}
+
+absl::Status InfillPlanner::Finish(const CancelToken& cancel, OpenLayers& layers,
+                                   JobPlan& plan) {
   for (const auto& [key, regions] : regions_) {
     ObjectStack stack = stacks_[key.first];
     for (const auto& [place, outlines] : regions) stack[place].region = outlines;
     if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
-    FinishRow(key, stack, plan);
+    FinishRow(key, stack, layers, plan);
   }
   return absl::OkStatus();
 }
 
-void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, JobPlan& plan) const {
+void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers,
+                              JobPlan& plan) const {
   const InfillPlanOptions& options = options_.infill[static_cast<size_t>(key.second)];
   FillPattern pattern = options.pattern;
   if (options.choose_pattern) {
@@ -138,7 +144,7 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, JobPlan&
   if (options.every_layers > 1) CombineLayers(stack, sparse.areas, options.every_layers, places);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
-    plan.layers[static_cast<size_t>(stack[i].job_layer)].infill.push_back(
+    layers.At(stack[i].job_layer).infill.push_back(
         {key.first, key.second, pattern, std::move(lines[i]), std::move(places[i].left_out),
          std::move(places[i].combined), places[i].combined_height_nm});
   }

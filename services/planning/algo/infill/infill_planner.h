@@ -28,13 +28,18 @@ class InfillPlanner : public Planner {
   InfillPlanner(const PlanningOptions& options, std::span<const std::string> object_names)
       : options_(options), object_names_(object_names) {}
 
+  /// Whether there is anything to decide.
+  static bool IsNeeded(const PlanningOptions& options);
+
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
+  int32_t Settle(OpenLayers& /*layers*/) override { return 0; }
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   using Key = std::pair<int32_t, int32_t>;  ///< object, row
 
-  void FinishRow(const Key& key, const ObjectStack& stack, JobPlan& plan) const;
+  void FinishRow(const Key& key, const ObjectStack& stack, OpenLayers& layers,
+                 JobPlan& plan) const;
 
   const PlanningOptions& options_;
   const std::span<const std::string> object_names_;

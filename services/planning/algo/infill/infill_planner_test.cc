@@ -15,9 +15,11 @@ JobPlan PlanFor(const InfillPlanOptions& infill, const std::vector<SlicedLayer>&
   options.infill = {infill};
   const std::vector<std::string> names = {"block"};
   InfillPlanner planner(options, names);
+  OpenLayers open;
   JobPlan plan;
-  for (const SlicedLayer& layer : layers) planner.Look(layer, plan.layers.emplace_back());
-  EXPECT_TRUE(planner.Finish({}, plan).ok());
+  for (const SlicedLayer& layer : layers) planner.Look(layer, open.Add());
+  EXPECT_TRUE(planner.Finish({}, open, plan).ok());
+  plan.layers = open.TakeBelow(open.end());
   return plan;
 }
 

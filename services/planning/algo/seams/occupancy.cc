@@ -102,7 +102,7 @@ void Occupancy::Build() {
       solid_[bit / 64] |= uint64_t{1} << (bit % 64);
     }
   }
-  runs_ = {};
+  seen_.clear();
 }
 
 bool Occupancy::IsSolid(Cell cell) const {

@@ -16,7 +16,7 @@ class Occupancy {
   /// millimetre of height the first counts. Cost: O(edges * millimetres of height in y).
   void Add(const MultiPolygon& outlines, Coord top_nm);
 
-  /// To be called once, after the last Add and before Visibility. Cost: O(volume in cells).
+  /// To be called after Adds and before Visibility, which then knows them. Cost: O(volume in cells).
   void Build();
 
   /// Which share of the directions from a place on the surface leads out of the object, or 30 mm far:
@@ -43,7 +43,7 @@ class Occupancy {
   bool LeadsOut(const double from[3], const double step[3]) const;
   double SeenFrom(Cell cell, int outward) const;
 
-  std::vector<Run> runs_;  ///< of the millimetre grid; until Build
+  std::vector<Run> runs_;  ///< of the millimetre grid
   int32_t last_slab_ = -1;
   int32_t cell_mm_ = 1;
   Cell least_;

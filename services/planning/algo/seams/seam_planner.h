@@ -16,15 +16,21 @@ namespace slicefarm::planning {
 /// planned, so each layer decides. Else: places on each ring (seam_places.h), what they cost
 /// (seam_costs.h), how much is seen of them (occupancy.h), and of all the choice that costs least
 /// over the whole object (seam_forest.h).
-/// Cost: O(points + places * places) a layer. Memory: places of all layers, about 100 bytes for
-/// each millimetre of outline, but at most 10 kB a ring.
+/// Where places come to more than `most_places`, the lower half of the layers is settled: with all
+/// that is known by then, though not with what is still to come above.
+/// Cost: O(points + places * places) a layer. Memory: about 100 bytes a place, of which there are one
+/// for each millimetre of outline, but about 100 on a ring.
 class SeamPlanner : public Planner {
  public:
+  static constexpr size_t kMostPlaces = 4'000'000;
+
   /// `options` must outlive this.
-  explicit SeamPlanner(const PlanningOptions& options) : options_(options) {}
+  explicit SeamPlanner(const PlanningOptions& options, size_t most_places = kMostPlaces)
+      : options_(options), most_places_(most_places) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
+  int32_t Settle(OpenLayers& layers) override;
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   /// A ring of the object, as a node of its forest.
@@ -38,7 +44,8 @@ class SeamPlanner : public Planner {
   struct ObjectSeams {
     PlaceFinder finder;
     Occupancy occupancy;
-    std::vector<Ring> rings;
+    std::vector<Ring> rings;  ///< first those of the last settled layer, each with its seam alone
+    size_t settled = 0;       ///< how many those are
     int32_t first_below = 0;  ///< of the rings of the layer below
   };
 
@@ -46,10 +53,15 @@ class SeamPlanner : public Planner {
     return options_.objects[static_cast<size_t>(object)].seam;
   }
   static std::vector<SeamNode> NodesOf(ObjectSeams& seams, SeamPosition position);
-  static void Count(const std::vector<Ring>& rings, const std::vector<int32_t>& chosen,
-                    SeamQuality& quality);
+  /// Chooses the seams of the rings below layer `end`, with a view to all.
+  void SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers);
+  static void Forget(size_t rings, const std::vector<int32_t>& chosen, ObjectSeams& seams);
+  void Count(const std::vector<Ring>& rings, size_t ring, const std::vector<int32_t>& chosen);
 
   const PlanningOptions& options_;
+  const size_t most_places_;
+  size_t places_ = 0;  ///< of rings that are not settled
+  SeamQuality quality_;
   std::map<int32_t, ObjectSeams> objects_;  ///< by object
   int32_t layers_ = 0;                      ///< seen
 };

@@ -14,14 +14,22 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPosition> seams) {
+/// `settled`: how many layers were settled before the end.
+JobPlan PlanOfLayers(const std::vector<SlicedLayer>& layers, std::vector<SeamPosition> seams,
+                     size_t most_places = SeamPlanner::kMostPlaces, size_t* settled = nullptr) {
   PlanningOptions options;
   options.objects.clear();
   for (const SeamPosition seam : seams) options.objects.push_back({seam});
-  SeamPlanner planner(options);
+  SeamPlanner planner(options, most_places);
+  OpenLayers open;
   JobPlan plan;
-  for (const SlicedLayer& layer : layers) planner.Look(layer, plan.layers.emplace_back());
-  EXPECT_TRUE(planner.Finish({}, plan).ok());
+  for (const SlicedLayer& layer : layers) {
+    planner.Look(layer, open.Add());
+    std::ranges::move(open.TakeBelow(planner.Settle(open)), std::back_inserter(plan.layers));
+  }
+  if (settled != nullptr) *settled = plan.layers.size();
+  EXPECT_TRUE(planner.Finish({}, open, plan).ok());
+  std::ranges::move(open.TakeBelow(open.end()), std::back_inserter(plan.layers));
   return plan;
 }
 
@@ -106,6 +114,33 @@ TEST(SeamPlanner, FollowsACornerThatTurns) {
   EXPECT_LT(MeanStepMm(FirstSeams(plan)), 0.1);
   EXPECT_EQ(plan.seams.on_corner, 100);
   EXPECT_EQ(plan.seams.jumps, 0);
+}
+
+TEST(SeamPlanner, SettlesLowerLayersWhenThereIsTooMuchToKeep) {
+  std::vector<Polygon> rings;
+  for (int i = 0; i < 200; ++i)
+    rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
+  for (const SeamPosition position : {SeamPosition::kAligned, SeamPosition::kRear}) {
+    size_t settled = 0;
+    const JobPlan whole = PlanOfLayers(LayersOf(rings), {position}, SeamPlanner::kMostPlaces, &settled);
+    EXPECT_EQ(settled, 0u);
+    const JobPlan banded = PlanOfLayers(LayersOf(rings), {position}, 2'000, &settled);
+    EXPECT_GT(settled, 150u);
+    ASSERT_EQ(banded.layers.size(), rings.size());
+    EXPECT_EQ(banded.seams.loops, 200);
+    EXPECT_EQ(banded.seams.followers, 199);
+    EXPECT_LE(banded.seams.jumps, whole.seams.jumps);
+    EXPECT_LT(MeanStepMm(FirstSeams(banded)), 0.1);
+  }
+}
+
+TEST(SeamPlanner, SettlesALayerThatIsTooMuchByItself) {
+  size_t settled = 0;
+  const JobPlan plan = PlanOfLayers(LayersOrDie({kTwoTowers, kTwoTowers, kTwoTowers}),
+                                    {SeamPosition::kAligned}, 1, &settled);
+  EXPECT_EQ(settled, 3u);
+  EXPECT_EQ(plan.seams.jumps, 0);
+  for (const LayerPlan& layer : plan.layers) EXPECT_EQ(layer.sections[0].seams.size(), 2u);
 }
 
 TEST(SeamPlanner, KeepsAwayFromOverhangs) {

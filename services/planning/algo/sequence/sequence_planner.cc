@@ -41,7 +41,8 @@ std::string SequencePlanner::NameOfCopy(size_t copy) const {
                      std::ranges::count_if(copies_.first(copy + 1), same));
 }
 
-absl::Status SequencePlanner::Finish(const CancelToken& cancel, JobPlan& plan) {
+absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*layers*/,
+                                     JobPlan& plan) {
   if (absl::Status wanted = cancel.Check(); !wanted.ok()) return wanted;
   if (absl::Status ok = CheckLayers(); !ok.ok()) return ok;
   std::vector<SequenceItem> items;

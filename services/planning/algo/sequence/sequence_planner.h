@@ -25,7 +25,7 @@ class SequencePlanner : public Planner {
       : options_(options), copies_(copies), object_names_(object_names) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
-  absl::Status Finish(const CancelToken& cancel, JobPlan& plan) override;
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   struct Printed {

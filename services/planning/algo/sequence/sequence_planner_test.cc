@@ -36,9 +36,10 @@ absl::StatusOr<std::vector<int32_t>> PassesOf(const std::vector<SlicedLayer>& la
   SequencePlanner planner(options, copies, names);
   LayerPlan unused;
   for (const SlicedLayer& layer : layers) planner.Look(layer, unused);
+  OpenLayers no_layers;
   JobPlan plan;
   for (const PlacedCopy& copy : copies) plan.copies.push_back({copy.object, copy.shift, 0});
-  if (absl::Status status = planner.Finish({}, plan); !status.ok()) return status;
+  if (absl::Status status = planner.Finish({}, no_layers, plan); !status.ok()) return status;
   std::vector<int32_t> passes;
   for (const Copy& copy : plan.copies) passes.push_back(copy.pass);
   return passes;
