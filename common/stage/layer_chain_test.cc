@@ -49,7 +49,7 @@ struct Ordering : OrderingStage {
     copy_count = copies.size();
     std::vector<OrderedLayer> ordered(layers.size());
     for (size_t i = 0; i < ordered.size(); ++i)
-      ordered[i].blocks = {{.object = 0, .layer = first_block + static_cast<int32_t>(i)}};
+      ordered[i].blocks.emplace_back().layer = first_block + static_cast<int32_t>(i);
     return ordered;
   }
   int32_t first_block = 0;
