@@ -592,16 +592,38 @@ TEST(Resolve, RefusesAnglesThatAreNone) {
 }
 
 TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
-  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/QOI, 640x480/PNG"}};
+  const Pairs given = {{"thumbnails", "16x16/QOI, 313x173/JPG, 640x480/PNG"}};
   const ResolvedSettings resolved = ResolveOrDie(Settings(given, Source::kProfile));
-  EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16,313x173,640x480\n"));
+  EXPECT_THAT(resolved.effective_text, HasSubstr("thumbnails = 16x16/QOI,313x173,640x480\n"));
   EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("made as PNG")));
   EXPECT_EQ(resolved.no_effect, resolved.warnings);
 
   const absl::Status status = Refusal(given);
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(status).metadata.at("setting"), "thumbnails");
-  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("WIDTHxHEIGHT/PNG or /QOI"));
+}
+
+TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
+  const ResolvedSettings resolved = ResolveOrDie(
+      Settings({{"thumbnails", "16x16, 313x173/PNG"}, {"thumbnails_format", "QOI"}}));
+  EXPECT_THAT(resolved.settings.slicing.thumbnails,
+              ElementsAre(ThumbnailSize{16, 16, PictureFormat::kQoi}, ThumbnailSize{313, 173}));
+}
+
+TEST(Resolve, SlowsOverhangsDownByDegree) {
+  const MotionOptions motion =
+      ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+                             {"enable_dynamic_overhang_speeds", "1"},
+                             {"overhang_speed_1", "50%"},
+                             {"overhang_fan_speed_3", "70"},
+                             {"first_layer_infill_speed", "25%"},
+                             {"solid_infill_speed", "60"}}))
+          .settings.motion;
+  EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
+  EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
+  EXPECT_EQ(motion.cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
+  EXPECT_EQ(motion.first_layer_infill_speed_mm_s, 15);
 }
 
 TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {

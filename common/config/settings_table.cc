@@ -247,7 +247,7 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kBedShape:
       return "three or more corners XxY";
     case Kind::kSizes:
-      return fmt::format("up to {} WIDTHxHEIGHT or WIDTHxHEIGHT/PNG, 1 to {} each",
+      return fmt::format("up to {} WIDTHxHEIGHT, WIDTHxHEIGHT/PNG or /QOI, 1 to {} each",
                          limits::kMaxThumbnails, limits::kMaxThumbnailPx);
     case Kind::kDensityField:
     case Kind::kStressField:

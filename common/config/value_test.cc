@@ -139,19 +139,20 @@ TEST(ParseBedShape, BoundsTheCorners) {
 }
 
 TEST(ParseSizes, ReadsOldAndNewForms) {
-  using Size = std::array<int32_t, 2>;
+  using Size = ThumbnailSize;
   EXPECT_THAT(*ParseSizes("16x16,220x124"), ElementsAre(Size{16, 16}, Size{220, 124}));
-  EXPECT_THAT(*ParseSizes("16x16/PNG, 300x300/PNG"), ElementsAre(Size{16, 16}, Size{300, 300}));
+  EXPECT_THAT(*ParseSizes("16x16/PNG, 300x300/QOI"),
+              ElementsAre(Size{16, 16}, Size{300, 300, PictureFormat::kQoi}));
   EXPECT_TRUE(ParseSizes("")->empty());
-  EXPECT_EQ(PrintSizes({{16, 16}, {220, 124}}), "16x16,220x124");
+  EXPECT_EQ(PrintSizes({{16, 16}, {220, 124, PictureFormat::kQoi}}), "16x16,220x124/QOI");
 }
 
 TEST(ParseSizes, TakesTheSizesOfOtherFormats) {
   const char* text = "16x16/QOI, 313x173/JPG, 640x480/PNG, 1x1";
-  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16,313x173,640x480,1x1");
-  EXPECT_FALSE(OnlyPng(text));
-  EXPECT_TRUE(OnlyPng("640x480/PNG, 1x1"));
-  EXPECT_TRUE(OnlyPng(""));
+  EXPECT_EQ(PrintSizes(*ParseSizes(text)), "16x16/QOI,313x173,640x480,1x1");
+  EXPECT_FALSE(OnlyOurFormats(text));
+  EXPECT_TRUE(OnlyOurFormats("640x480/PNG, 1x1, 16x16/QOI"));
+  EXPECT_TRUE(OnlyOurFormats(""));
 }
 
 TEST(ParseSizes, RefusesWhatCannotBeMade) {

@@ -19,6 +19,18 @@ Neighbourhood Trimmed(const Neighbourhood& all, int32_t halo) {
           all.layers.subspan(static_cast<size_t>(kept.first), static_cast<size_t>(kept.size()))};
 }
 
+/// Gives motion the outlines that it looks at below walls.
+void AddBelow(std::span<const SlicedLayer> sliced, std::vector<OrderedLayer>& ordered) {
+  const ObjectLayers objects(sliced);
+  for (OrderedLayer& layer : ordered) {
+    for (PathBlock& block : layer.blocks) {
+      if (block.object == kPlate || block.layer == 0) continue;
+      if (const ObjectSection* below = objects.Find(block.object, block.layer - 1))
+        block.below = OutlineOf(*below);
+    }
+  }
+}
+
 void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarning>& warnings) {
   for (const WalledLayer& layer : layers) {
     if (layer.plain_islands == 0) continue;
@@ -49,6 +61,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
   });
   if (!ordered.ok()) return ordered.status();
+  if (LooksBelow(settings.motion)) AddBelow(task.layers, *ordered);
   auto programs = Timed(result.times.motion_s, [&] {
     return motion_.Program(call, *std::move(ordered), *task.facts, settings.motion);
   });

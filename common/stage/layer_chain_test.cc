@@ -48,8 +48,12 @@ struct Ordering : OrderingStage {
                                                   const OrderingOptions&) const override {
     plan_count = plans.size();
     copy_count = copies.size();
-    return std::vector<OrderedLayer>(layers.size());
+    std::vector<OrderedLayer> ordered(layers.size());
+    for (size_t i = 0; i < ordered.size(); ++i)
+      ordered[i].blocks.emplace_back().layer = first_block + static_cast<int32_t>(i);
+    return ordered;
   }
+  int32_t first_block = 0;
   mutable size_t plan_count = 0;
   mutable size_t copy_count = 0;
 };
@@ -60,6 +64,9 @@ struct Motion : MotionStage {
                                                     const JobFacts& facts,
                                                     const MotionOptions&) const override {
     called = true;
+    below.clear();
+    for (const OrderedLayer& layer : layers)
+      for (const PathBlock& block : layer.blocks) below.push_back(block.below);
     std::vector<LayerProgram> programs(layers.size());
     for (LayerProgram& program : programs) program.frame.index = static_cast<int32_t>(facts.copies.size());
     return programs;
@@ -69,6 +76,7 @@ struct Motion : MotionStage {
     return ProgramFrame{};
   }
   mutable bool called = false;
+  mutable std::vector<MultiPolygon> below;
 };
 
 class LayerChainTest : public testing::Test {
@@ -116,6 +124,24 @@ TEST_F(LayerChainTest, EachStageIsGivenWhatItWorksFrom) {
   EXPECT_EQ(result->programs[0].frame.index, 3);  // the facts came through
   EXPECT_EQ(ordering_.plan_count, 3u);
   EXPECT_EQ(ordering_.copy_count, 3u);
+}
+
+// Only if walls are slowed down or cooled over air.
+TEST_F(LayerChainTest, MotionIsGivenWhatLiesBelow) {
+  for (size_t i = 0; i < layers_.size(); ++i) {
+    const Coord x = FromMm(static_cast<double>(i));
+    layers_[i].sections[0].regions = {{.outlines = {{{{x, 0}, {x + 1000, 0}, {x, 1000}}, {}}}}};
+  }
+  ordering_.first_block = 8;
+  ASSERT_TRUE(Run({8, 10}, {0, 20}).ok());
+  EXPECT_THAT(motion_.below, ElementsAre(IsEmpty(), IsEmpty()));
+  settings_.motion.cooling.dynamic_fan = true;
+  ASSERT_TRUE(Run({8, 10}, {0, 20}).ok());
+  EXPECT_THAT(motion_.below, ElementsAre(layers_[7].sections[0].regions[0].outlines,
+                                         layers_[8].sections[0].regions[0].outlines));
+  ordering_.first_block = 0;
+  ASSERT_TRUE(Run({0, 1}, {0, 20}).ok());
+  EXPECT_THAT(motion_.below, ElementsAre(IsEmpty())) << "nothing lies below an object";
 }
 
 // Beading elsewhere is not sent outlines that only infill looks at.

@@ -62,7 +62,7 @@ SlicingOptions DistinctSlicing() {
   resolution = 109;
   bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
   max_print_height = 111;
-  thumbnails = {{12, 13}};
+  thumbnails = {{12, 13, PictureFormat::kQoi}};
   part_distance = 112;
   clearance_radius = 113;
   objects = {DistinctObjectSlicing(), {}};
@@ -244,7 +244,8 @@ OrderingOptions DistinctOrdering() {
 MachineLimits DistinctLimits() {
   MachineLimits limits;
   auto& [feedrate, acceleration, jerk, extruding, retracting, travel, junction_deviation,
-         square_corner_velocity, minimum_cruise_ratio, emit] = limits;
+         square_corner_velocity, minimum_cruise_ratio, min_extruding_rate, min_travel_rate,
+         jerk_limit, emit] = limits;
   feedrate = {1, 2, 3, 4};
   acceleration = {5, 6, 7, 8};
   jerk = {9, 10, 11, 12};
@@ -254,6 +255,9 @@ MachineLimits DistinctLimits() {
   junction_deviation = 16;
   square_corner_velocity = 17;
   minimum_cruise_ratio = 18;
+  min_extruding_rate = 19;
+  min_travel_rate = 20;
+  jerk_limit = 21;
   emit = true;
   return limits;
 }
@@ -273,7 +277,7 @@ RetractionOptions DistinctRetraction() {
 CoolingOptions DistinctCooling() {
   CoolingOptions cooling;
   auto& [enabled, always_on, min_fan, max_fan, bridge_fan, disable_first, fan_below, slowdown_below,
-         min_speed] = cooling;
+         min_speed, full_fan_layer, dynamic_fan, overhang_fan] = cooling;
   enabled = false;
   always_on = true;
   min_fan = 33;
@@ -283,17 +287,22 @@ CoolingOptions DistinctCooling() {
   fan_below = 37;
   slowdown_below = 38;
   min_speed = 39;
+  full_fan_layer = 40;
+  dynamic_fan = true;
+  overhang_fan = {41, 42, 43, 44};
   return cooling;
 }
 
 MotionOptions DistinctMotion() {
   MotionOptions options;
-  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, travel_speed_z, first_layer_speed, first_layer_speed_ratio, max_print_speed,
-         max_volumetric_speed, acceleration, default_acceleration, first_layer_acceleration,
-         travel_acceleration, nozzle_diameter, filament_diameter, extrusion_multiplier,
+  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, travel_speed_z,
+         first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
+         over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
+         pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
+         over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter, extrusion_multiplier,
          filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
          printer_model, temperature, first_layer_temperature, bed_temperature,
-         first_layer_bed_temperature, progress, z_offset, start_gcode, end_gcode,
+         first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode, end_gcode,
          before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
          max_print_height, arc_fitting, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
@@ -301,8 +310,8 @@ MotionOptions DistinctMotion() {
   retraction = DistinctRetraction();
   cooling = DistinctCooling();
   RegionSpeeds region;
-  auto& [speed, small_perimeter_speed, scarf] = region;
-  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507};
+  auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf] = region;
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505};
   small_perimeter_speed = 506;
   auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
       scarf;
@@ -313,14 +322,25 @@ MotionOptions DistinctMotion() {
   start_height = 0.51;
   length = 5.2;
   max_segment = 5.3;
+  dynamic_overhangs = true;
+  overhang_speed = {541, 542, 543, 544};
   speeds = {region, {}};
   travel_speed = 507;
   travel_speed_z = 508;
   first_layer_speed = 509;
   first_layer_speed_ratio = 510;
+  first_layer_infill_speed = 551;
+  over_raft_speed = 552;
+  over_raft_speed_ratio = 553;
+  over_raft_acceleration = 554;
+  flow_rise = 555;
+  flow_fall = 556;
+  pressure_advance = 557;
+  nozzle_heating = 558;
+  bed_heating = 559;
   max_print_speed = 511;
   max_volumetric_speed = 512;
-  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508};
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513};
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
@@ -377,7 +397,7 @@ constexpr char kDistinct[] = R"pb(
     max_print_height_nm: 111
     part_distance_nm: 112
     clearance_radius_nm: 113
-    thumbnails { width_px: 12 height_px: 13 }
+    thumbnails { width_px: 12 height_px: 13 format: PICTURE_FORMAT_QOI }
     objects {
       layer_height_nm: 101
       fill_rule: FILL_RULE_POSITIVE
@@ -510,6 +530,9 @@ constexpr char kDistinct[] = R"pb(
       junction_deviation_mm: 16
       square_corner_velocity_mm_s: 17
       minimum_cruise_ratio: 18
+      min_extruding_rate_mm_s: 19
+      min_travel_rate_mm_s: 20
+      jerk_mm_s3: 21
       emit_to_gcode: true
     }
     retraction {
@@ -530,9 +553,12 @@ constexpr char kDistinct[] = R"pb(
       fan_below_layer_time_s: 37
       slowdown_below_layer_time_s: 38
       min_print_speed_mm_s: 39
+      full_fan_speed_layer: 40
+      dynamic_fan: true
+      overhang_fan_percent: [ 41, 42, 43, 44 ]
     }
     speeds {
-      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507 ]
+      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505 ]
       small_perimeter_speed_mm_s: 506
       scarf {
         placement: SCARF_PLACEMENT_CONTOURS
@@ -542,14 +568,25 @@ constexpr char kDistinct[] = R"pb(
         length_mm: 5.2
         max_segment_mm: 5.3
       }
+      dynamic_overhangs: true
+      overhang_speed_mm_s: [ 541, 542, 543, 544 ]
     }
     travel_speed_mm_s: 507
     travel_speed_z_mm_s: 508
     first_layer_speed_mm_s: 509
     first_layer_speed_ratio: 510
+    first_layer_infill_speed_mm_s: 551
+    over_raft_speed_mm_s: 552
+    over_raft_speed_ratio: 553
+    over_raft_acceleration_mm_s2: 554
+    flow_rise_mm3_s2: 555
+    flow_fall_mm3_s2: 556
+    pressure_advance: 557
+    nozzle_heating_c_s: 558
+    bed_heating_c_s: 559
     max_print_speed_mm_s: 511
     max_volumetric_speed_mm3_s: 512
-    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508 ]
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513 ]
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516

@@ -19,7 +19,7 @@ namespace {
 /// Of the raster that areas are measured on: no divisor of the hatch distance, as lines lie on a
 /// raster, too; and points at most of it.
 constexpr Coord kLeastStepNm = 17'011;
-constexpr double kMostPoints = 2e6;
+constexpr double kMostPoints = 3e5;
 /// Rings side by side touch; a spot this much narrower does not count that as twice.
 constexpr Coord kTouchNm = 2'000;
 
@@ -49,8 +49,8 @@ Coord StepFor(const MultiPolygon& region) {
 struct Coverage {
   double of_area = 0;       ///< share of the outline that is melted
   double of_reachable = 0;  ///< of what a spot can melt that stays within the outline
-  double twice = 0;         ///< share that two pieces melt
-  double cut_width_nm = 0;  ///< the same as a strip along all cuts
+  double twice_nm2 = 0;     ///< what two pieces melt
+  double cuts_nm = 0;       ///< all cuts' length
 };
 
 /// All cuts' lengths.
@@ -79,10 +79,8 @@ absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptio
     open.Add(line, options.spot_nm);
     twice.Add(line, options.spot_nm - kTouchNm);
   });
-  Coverage coverage{all.Share(1), open.Share(1), twice.Share(2), 0};
-  const double cuts = CutLength(region, options);
-  if (cuts > 0) coverage.cut_width_nm = coverage.twice * Area(region) / cuts;
-  return coverage;
+  return Coverage{all.Share(1), open.Share(1), twice.Share(2) * Area(region),
+                  CutLength(region, options)};
 }
 
 /// The least share and the mean one by area.
@@ -104,33 +102,55 @@ class Shares {
   int below_ = 0;
 };
 
+/// All files with one way of scanning.
+class RingRun {
+ public:
+  explicit RingRun(const ExposureOptions& options) : options_(options) {}
+
+  void Add(const PolygonFile& file) {
+    const MultiPolygon region = InNm(file.poly.islands, file.poly.decimals);
+    const auto coverage = Covered(region, options_);
+    if (!coverage.ok()) {
+      std::printf("%s failed: %s\n", file.name.c_str(),
+                  std::string(coverage.status().message()).c_str());
+      return;
+    }
+    of_area_.Add(coverage->of_area, Area(region));
+    of_reachable_.Add(coverage->of_reachable, Area(region));
+    twice_nm2_ += coverage->twice_nm2;
+    cuts_nm_ += coverage->cuts_nm;
+    area_nm2_ += Area(region);
+  }
+
+  void Print() const {
+    std::printf("corners %d overlap_um %.0f\n", options_.fill_corners ? 1 : 0,
+                static_cast<double>(options_.ring_overlap_nm) / 1000);
+    of_area_.Print("area");
+    of_reachable_.Print("reachable");
+    std::printf("twice_share %.5f\ntwice_along_cuts_um %.3f\n", twice_nm2_ / area_nm2_,
+                twice_nm2_ / cuts_nm_ / 1000);
+  }
+
+ private:
+  const ExposureOptions options_;
+  Shares of_area_, of_reachable_;
+  double twice_nm2_ = 0, cuts_nm_ = 0, area_nm2_ = 0;
+};
+
 }  // namespace
 
 int BenchRings(const std::string& outlines) {
-  ExposureOptions options;
-  options.strategy = ScanStrategy::kRings;
-  for (const bool fill : {false, true}) {
-    options.fill_corners = fill;
-    Shares of_area, of_reachable;
-    double widest = 0;
-    for (const PolygonFile& file : PolygonsIn(outlines)) {
-      const MultiPolygon region = InNm(file.poly.islands, file.poly.decimals);
-      const auto coverage = Covered(region, options);
-      if (!coverage.ok()) {
-        std::printf("%s failed: %s\n", file.name.c_str(),
-                    std::string(coverage.status().message()).c_str());
-        continue;
-      }
-      of_area.Add(coverage->of_area, Area(region));
-      of_reachable.Add(coverage->of_reachable, Area(region));
-      widest = std::max(widest, coverage->cut_width_nm);
-      std::printf("%s | %.5f | %.5f | %.5f | %.3f\n", file.name.c_str(), coverage->of_area,
-                  coverage->of_reachable, coverage->twice, coverage->cut_width_nm / 1000);
+  const std::vector<PolygonFile> files = PolygonsIn(outlines);
+  for (const bool corners : {true, false}) {
+    for (const Coord overlap : {0, 20'000}) {
+      ExposureOptions options;
+      options.strategy = ScanStrategy::kRings;
+      options.fill_corners = corners;
+      options.ring_overlap_nm = overlap;
+      RingRun run(options);
+      for (const PolygonFile& file : files) run.Add(file);
+      run.Print();
     }
-    std::printf("fill_corners %d\n", fill ? 1 : 0);
-    of_area.Print("area");
-    of_reachable.Print("reachable");
-    std::printf("twice_along_cuts_um_most %.3f\n", widest / 1000);
   }
   return 0;
 }

@@ -11,13 +11,16 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr int64_t kMaxGcodeBytes = int64_t{2} << 30;
+constexpr std::string_view kFlavors = "klipper, marlin, rrf, prusabuddy, bambu, grbl or jerk";
 
 }  // namespace
 
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
   app.add_option("GCODE", options.gcode, "G-code of any slicer")->required();
   app.add_option("--flavor", options.flavor,
-                 "Firmware of the machine: klipper, marlin, rrf (RepRapFirmware), or grbl")
+                 fmt::format("Firmware of the machine: {} (rrf: RepRapFirmware; jerk: none, but slicefarm's "
+                             "own planner)",
+                             kFlavors))
       ->required()
       ->type_name("NAME");
   app.add_option("-c,--config", options.config,
@@ -26,12 +29,16 @@ void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
       ->type_name("FILE");
 }
 
+absl::Status UnknownFlavor(std::string_view flavor) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+                   fmt::format("--flavor {}: must be {}", flavor, kFlavors));
+}
+
 absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options) {
   GcodeFile file;
   file.firmware = motion::FindFirmware(options.flavor);
   if (file.firmware == nullptr) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                     fmt::format("--flavor {}: must be klipper, marlin, rrf or grbl", options.flavor));
+    return UnknownFlavor(options.flavor);
   }
   auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
   if (!gcode.ok()) return gcode.status();

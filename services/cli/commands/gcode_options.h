@@ -24,6 +24,9 @@ struct GcodeFile {
 
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options);
 
+/// REQUEST_MALFORMED that says which flavours there are.
+absl::Status UnknownFlavor(std::string_view flavor);
+
 /// Errors: those of ReadFile and ReadMachine; REQUEST_MALFORMED for an unknown flavour.
 absl::StatusOr<GcodeFile> ReadGcode(const GcodeOptions& options);
 

@@ -6,11 +6,13 @@
 
 #include "common/base/error.h"
 #include "services/cli/commands/commands.h"
+#include "services/cli/commands/gcode_options.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/render/cli_layer.h"
 #include "services/cli/render/gcode_layer.h"
 #include "services/cli/render/layer_drawing.h"
+#include "services/motion/algo/program/program_time.h"
 
 namespace slicefarm::cli {
 namespace {
@@ -26,6 +28,7 @@ struct RenderOptions {
   double spot_mm = 0.08;
   int size_px = 1200;
   bool travels = false;
+  std::string flavor;
 };
 
 /// By --format, else by the end of the output's name.
@@ -39,13 +42,40 @@ absl::StatusOr<ImageFormat> FormatOf(const RenderOptions& options) {
       fmt::format("{}: give it a name that ends in .png or .svg, or say --format", options.output));
 }
 
+/// By --flavor, else the one that the file quotes, else Marlin.
+absl::StatusOr<const motion::Firmware*> FirmwareFor(const RenderOptions& options,
+                                                    std::string_view gcode) {
+  std::string_view name = options.flavor;
+  constexpr std::string_view kQuoted = "\n; gcode_flavor = ";
+  if (const size_t at = gcode.rfind(kQuoted); name.empty() && at != gcode.npos) {
+    const size_t begin = at + kQuoted.size();
+    name = gcode.substr(begin, gcode.find_first_of("\r\n", begin) - begin);
+    if (motion::FindFirmware(name) == nullptr) name = {};
+  }
+  if (const motion::Firmware* found = motion::FindFirmware(name.empty() ? "marlin" : name))
+    return found;
+  return UnknownFlavor(options.flavor);
+}
+
+/// A layer's beads, each with its time if that is what colours tell.
+absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_view gcode) {
+  if (options.colour_by != ColourBy::kTime) return ReadGcodeLayer(gcode, options.layer);
+  const auto firmware = FirmwareFor(options, gcode);
+  if (!firmware.ok()) return firmware.status();
+  const auto machine = ReadMachine("", gcode);
+  if (!machine.ok()) return machine.status();
+  const motion::ProgramTime time =
+      motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
+  return ReadGcodeLayer(gcode, options.layer, time.line_end_s);
+}
+
 ExitCode Render(const RenderOptions& options) {
   const auto format = FormatOf(options);
   if (!format.ok()) return Fail(format.status());
   const auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
   if (!gcode.ok()) return Fail(gcode.status());
   const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
-                                       : ReadGcodeLayer(*gcode, options.layer);
+                                       : ReadLayer(options, *gcode);
   if (!layer.ok()) return Fail(layer.status());
   const auto image = DrawLayer(
       *layer, {.format = *format,
@@ -75,16 +105,23 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->check(CLI::IsMember({"png", "svg"}));
   command
       ->add_option("--color,--by", options->colour_by,
-                   "What the colours tell: feature (the default), width, speed, flow, order, or "
-                   "energy: J/mm2 where a CLI file's labels say power and speed, else passes")
+                   "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
+                   "is laid, by --flavor's look-ahead), order, or energy: J/mm2 where a CLI file's "
+                   "labels say power and speed, else passes")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
                                           {"width", ColourBy::kWidth},
                                           {"speed", ColourBy::kSpeed},
                                           {"flow", ColourBy::kFlow},
+                                          {"time", ColourBy::kTime},
                                           {"order", ColourBy::kOrder},
                                           {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
+  command
+      ->add_option("--flavor", options->flavor,
+                   "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
+                   "marlin")
+      ->type_name("NAME");
   command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
       ->check(CLI::Range(0.001, 10.0))
       ->capture_default_str()

@@ -50,12 +50,23 @@ Words ParseWords(std::string_view text) {
   return words;
 }
 
+/// What follows one of PrusaSlicer's and Bambu Studio's words for the same; nothing if none is there.
+std::optional<std::string_view> After(std::string_view text,
+                                      std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words)
+    if (text.starts_with(word)) return Trim(text.substr(word.size()));
+  return std::nullopt;
+}
+
 class Reader {
  public:
-  explicit Reader(int wanted) { layer_.index = wanted; }
+  Reader(int wanted, std::span<const double> line_end_s) : line_end_s_(line_end_s) {
+    layer_.index = wanted;
+  }
 
   void Line(std::string_view line) {
-    if (line.starts_with(';')) return Comment(line.substr(1));
+    ++lines_;
+    if (line.starts_with(';')) return Comment(Trim(line.substr(1)));
     line = line.substr(0, line.find(';'));
     if (line.starts_with('G') || line.starts_with('M')) Command(line);
   }
@@ -66,6 +77,8 @@ class Reader {
     const double filament_mm2 = std::numbers::pi / 4 * filament_mm_ * filament_mm_;
     for (BeadRun& bead : layer_.beads) bead.flow_mm3_s *= filament_mm2;
     layer_.layer_count = current_ + 1;
+    const double start_s = layer_.beads.empty() ? 0 : layer_.beads.front().time_s;
+    for (BeadRun& bead : layer_.beads) bead.time_s -= start_s;
     return std::move(layer_);
   }
 
@@ -73,23 +86,25 @@ class Reader {
   bool Wanted() const { return current_ == layer_.index; }
 
   void Comment(std::string_view text) {
-    if (text.starts_with("LAYER_CHANGE")) {
+    if (text.starts_with("LAYER_CHANGE") || text == "CHANGE_LAYER") {
       EndRuns();
       ++current_;
-    } else if (text.starts_with("TYPE:")) {
+    } else if (const auto feature = After(text, {"TYPE:", "FEATURE:"})) {
       EndRuns();
-      feature_ = std::string(text.substr(5));
-    } else if (text.starts_with("WIDTH:")) {
+      feature_ = std::string(*feature);
+    } else if (const auto width = After(text, {"WIDTH:", "LINE_WIDTH:"})) {
       EndRuns();
-      const double width_mm = ToNumber(text.substr(6)).value_or(0);
+      const double width_mm = ToNumber(*width).value_or(0);
       if (width_mm > 0 && Near(width_mm)) width_mm_ = width_mm;
     } else if (const auto given = motion::QuotedValue(text, "filament_diameter")) {
       const double mm = ToNumber(given->substr(0, given->find_first_of(",;"))).value_or(0);
       if (mm > 0 && Near(mm)) filament_mm_ = mm;
-    } else if (Wanted() && text.starts_with("HEIGHT:")) {
-      layer_.height_mm = ToNumber(text.substr(7)).value_or(0);
-    } else if (Wanted() && text.starts_with("Z:")) {
-      layer_.z_mm = ToNumber(text.substr(2)).value_or(0);
+    } else if (!Wanted()) {
+      return;
+    } else if (const auto height = After(text, {"HEIGHT:", "LAYER_HEIGHT:"})) {
+      layer_.height_mm = ToNumber(*height).value_or(0);
+    } else if (const auto z = After(text, {"Z:", "Z_HEIGHT:"})) {
+      layer_.z_mm = ToNumber(*z).value_or(0);
     }
   }
 
@@ -154,6 +169,7 @@ class Reader {
       if (pushed > 0) pushed_mm_ += pushed;
     }
     at_ = to;
+    if (!line_end_s_.empty()) EndRuns();
   }
 
   double Coordinate(std::optional<double> word, double from) const {
@@ -171,7 +187,8 @@ class Reader {
   void EndRuns() {
     if (!bead_.empty()) {
       const double flow = length_mm_ > 0 ? pushed_mm_ / length_mm_ * speed_mm_s_ : 0;
-      layer_.beads.push_back({feature_, width_mm_, std::move(bead_), speed_mm_s_, flow});
+      const double time_s = lines_ <= line_end_s_.size() ? line_end_s_[lines_ - 1] : 0;
+      layer_.beads.push_back({feature_, width_mm_, std::move(bead_), speed_mm_s_, flow, time_s});
     }
     pushed_mm_ = length_mm_ = 0;
     if (!travel_.empty()) layer_.travels.push_back(std::move(travel_));
@@ -179,6 +196,8 @@ class Reader {
     travel_.clear();
   }
 
+  std::span<const double> line_end_s_;
+  size_t lines_ = 0;
   GcodeLayer layer_;
   int current_ = -1;
   PointMm at_;
@@ -199,8 +218,9 @@ class Reader {
 
 }  // namespace
 
-absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index) {
-  Reader reader(index);
+absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index,
+                                          std::span<const double> line_end_s) {
+  Reader reader(index, line_end_s);
   for (size_t begin = 0; begin < gcode.size();) {
     const size_t end = std::min(gcode.find('\n', begin), gcode.size());
     std::string_view line = gcode.substr(begin, end - begin);

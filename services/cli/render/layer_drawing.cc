@@ -30,6 +30,11 @@ constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
     {"Top solid infill", {0.94, 0.25, 0.25}},   {"Bridge infill", {0.30, 0.50, 0.73}},
     {"Skirt/Brim", {0.00, 0.53, 0.43}},         {"Skirt", {0.00, 0.53, 0.43}},
     {"Support material", {0.20, 0.75, 0.20}},   {"Ironing", {1.00, 0.55, 0.41}},
+    {"Outer wall", {1.00, 0.49, 0.22}},         {"Inner wall", {1.00, 0.90, 0.30}},
+    {"Overhang wall", {0.12, 0.12, 1.00}},      {"Gap infill", {0.80, 0.80, 0.80}},
+    {"Sparse infill", {0.69, 0.19, 0.16}},      {"Internal solid infill", {0.59, 0.33, 0.80}},
+    {"Top surface", {0.94, 0.25, 0.25}},        {"Bridge", {0.30, 0.50, 0.73}},
+    {"Support", {0.20, 0.75, 0.20}},
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 
@@ -51,6 +56,8 @@ Quantity QuantityOf(ColourBy by) {
       return {"Speed", "mm/s", [](const BeadRun& bead) { return bead.speed_mm_s; }};
     case ColourBy::kFlow:
       return {"Flow", "mm3/s", [](const BeadRun& bead) { return bead.flow_mm3_s; }};
+    case ColourBy::kTime:
+      return {"Time", "s", [](const BeadRun& bead) { return bead.time_s; }};
     default:
       return {"Width", "mm", [](const BeadRun& bead) { return bead.width_mm; }};
   }

@@ -14,6 +14,7 @@ enum class ColourBy {
   kWidth,
   kSpeed,
   kFlow,
+  kTime,    ///< when it is laid, by the firmware's look-ahead (BeadRun::time_s)
   kOrder,   ///< what comes first is dark, what comes last is light
   kEnergy,  ///< how often a place is passed over (exposure_map.h)
 };

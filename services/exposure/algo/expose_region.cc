@@ -24,13 +24,15 @@ double AngleOf(const ExposureOptions& options, int32_t layer) {
   return angle - 360 * std::floor(angle / 360);
 }
 
-/// From the outline to where rings or hatch begin. Rings keep half a distance from their border.
+/// From the outline to where rings or hatch begin. Rings keep half a distance from their border,
+/// less half of what those beside a cut overlap.
 Coord InsideInset(const ExposureOptions& options) {
   const Coord inset = options.contours == 0
                           ? options.beam_compensation_nm
                           : options.beam_compensation_nm + options.hatch_offset_nm +
                                 (options.contours - 1) * options.contour_distance_nm;
-  return IsRings(options.strategy) ? inset - options.hatch_distance_nm / 2 : inset;
+  if (!IsRings(options.strategy)) return inset;
+  return inset - (options.hatch_distance_nm - options.ring_overlap_nm) / 2;
 }
 
 /// One region on its way from group to group.

@@ -14,7 +14,7 @@ namespace {
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
 
 ObjectSection Section(int index, int count, MultiPolygon outlines) {
-  ObjectSection section{3, index, count, 200'000, {}, {}};
+  ObjectSection section{3, index, count, 200'000, {}, {}, 0, {}, {}};
   section.regions = {{Role::kPart, 0, 0, std::move(outlines)}};
   return section;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
+#include "services/motion/algo/toolpath/flow_smoothing.h"
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
@@ -45,10 +47,11 @@ absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const 
   return CustomCode{*std::move(before), *std::move(after)};
 }
 
-void WriteHeader(const LayerFrame& frame, std::string_view before, GcodeText& out) {
+void WriteHeader(const LayerFrame& frame, const CommentWords& words, std::string_view before,
+                 GcodeText& out) {
   const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
-  out << ";LAYER_CHANGE\n;Z:";
-  out.Real(z_mm, 3) << "\n;HEIGHT:";
+  out << words.layer_change << '\n' << words.z;
+  out.Real(z_mm, 3) << '\n' << words.height;
   out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
   // Printer hosts look for this pair of lines; many profiles bring it along.
   if (before.find(";BEFORE_LAYER_CHANGE") == std::string_view::npos) {
@@ -75,15 +78,27 @@ struct BuiltBlock {
   ProgramStats stats;
 };
 
+Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
+  if (frame.index == 0) return Ground::kBed;
+  return block.object != kPlate && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
+}
+
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
+  const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
+  const double filament_mm2 =
+      std::numbers::pi / 4 * options.filament_diameter_mm * options.filament_diameter_mm;
   std::vector<BuiltBlock> built;
   built.reserve(layer.blocks.size());
   for (const PathBlock& block : layer.blocks) {
-    ToolpathBuilder builder(options, layer.frame, block.height_nm);
+    std::optional<LayerBelow> below;
+    if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
+    ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
+                            below ? &*below : nullptr);
     static const Travel kStraight;
     for (size_t i = 0; i < block.paths.size(); ++i)
       builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
     Toolpath path = builder.Finish();
+    if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     built.push_back({std::move(path), builder.stats()});
   }
   return built;
@@ -130,9 +145,8 @@ class PassProgram {
 
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              GcodeText& out) const {
-    const int32_t index = layer_.frame.index;
-    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, index), state,
-                       options_.arc_fitting, materials_);
+    LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, Ground::kLayers),
+                       state, options_.arc_fitting, materials_);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift = ShiftOf(visit);
@@ -227,13 +241,14 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   LayerState state;
   state.fan_percent = FanPercent(options.cooling, place.index, program.stats.TimeS());
   state.bridge_fan_percent = BridgeFanPercent(options.cooling, place.index, state.fan_percent);
+  state.overhang_fan_percent = OverhangFanPercent(options.cooling, place.index);
   state.height_um = ToUm(layer.frame.height_nm);
 
   size_t moves = 0;
   for (const BlockVisit& visit : visits)
     moves += built[static_cast<size_t>(visit.block)].path.moves.size();
   GcodeText out(moves * kBytesPerMove + kBytesAround + code->before.size() + code->after.size());
-  WriteHeader(layer.frame, code->before, out);
+  WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), code->before, out);
   WriteTemperatures(options, place.index, out);
   WriteFan(state.fan_percent, out);
   if (pass) {

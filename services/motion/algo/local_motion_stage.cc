@@ -8,6 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/model/fields/field_text.h"
+#include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/input_check.h"
 #include "services/motion/algo/layer_program.h"
 #include "services/motion/algo/program_frame.h"
@@ -33,12 +34,14 @@ class LocalMotion : public MotionStage {
     if (absl::Status good = CheckOptions(options); !good.ok()) return good;
     const auto materials = MaterialsOf(options);
     if (!materials.ok()) return materials.status();
+    MotionOptions running = options;
+    running.limits = LimitsAfterStart(options);
     std::vector<LayerProgram> programs;
     programs.reserve(layers.size());
     for (OrderedLayer& layer : layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
       if (absl::Status good = CheckLayer(layer, options); !good.ok()) return good;
-      auto passes = ProgramLayer(layer, facts, options, *materials ? &**materials : nullptr);
+      auto passes = ProgramLayer(layer, facts, running, *materials ? &**materials : nullptr);
       if (!passes.ok()) return passes.status();
       std::ranges::move(*passes, std::back_inserter(programs));
       layer.blocks = {};  // a range may be long: its paths make room for its text

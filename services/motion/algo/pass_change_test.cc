@@ -60,13 +60,6 @@ TEST(PassChanges, KnowTheHighestOfAllPassesBefore) {
   EXPECT_EQ(changes[2].top_nm, FromMm(1.8));
 }
 
-TEST(PassChanges, LeaveFromWhereSomethingWasPrinted) {
-  ProgramSummary summary = Passes({3, 1});
-  summary.layers[2].empty = true;
-  summary.layers[2].exit = {};
-  EXPECT_EQ(PassChanges(summary)[0].from, Mm(0, 2));
-}
-
 TEST(ClearHeight, IsAboveWhatStandsButNotAboveTheMachine) {
   MotionOptions options;
   EXPECT_EQ(ClearHeight(FromMm(20), options), FromMm(21));

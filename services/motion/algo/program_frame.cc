@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "common/model/filament_use.h"
+#include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
@@ -18,22 +20,40 @@
 namespace slicefarm::motion {
 namespace {
 
-/// M73: percent done, minutes left.
-std::string ProgressLine(double done_s, double time_s) {
+/// Percent done, minutes left.
+std::string ProgressLine(double done_s, double time_s, size_t layer, const Firmware& firmware) {
   GcodeText out;
   const double share = time_s > 0 ? done_s / time_s : 0;
-  out << "M73 P";
-  out.Integer(std::lround(std::floor(100 * share))) << " R";
-  out.Integer(std::lround(std::ceil((time_s - done_s) / 60))) << '\n';
+  firmware.WriteProgress(std::lround(std::floor(100 * share)),
+                         std::lround(std::ceil((time_s - done_s) / 60)),
+                         static_cast<int64_t>(layer) + 1, out);
   return out.Take();
 }
 
-std::string Prologue(const ProgramSummary& summary, const MotionOptions& options,
+PrintFacts FactsOf(const ProgramSummary& summary, const MotionOptions& options, double time_s) {
+  const FilamentUse use = FilamentUseOf(summary.total, options);
+  return {.moves_s = summary.total.TimeS(),
+          .total_s = time_s,
+          .layers = std::ssize(summary.layers),
+          .filament_mm = use.length_mm,
+          .volume_mm3 = use.volume_mm3,
+          .mass_g = use.mass_g,
+          .height_mm = ToMm(static_cast<double>(TopOf(summary))),
+          .bounds = summary.total.bounds};
+}
+
+std::string Prologue(const ProgramSummary& summary, const MotionOptions& options, double time_s,
                      std::string_view start_gcode) {
+  const Firmware& firmware = FirmwareOf(options.flavor);
+  const PrintFacts facts = FactsOf(summary, options, time_s);
   GcodeText out;
-  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails) << ";TYPE:Custom\n";
+  firmware.WriteHead(facts, out);
+  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails)
+      << firmware.comments().feature << "Custom\n";
   WriteMachineLimits(options, out);
+  firmware.WriteChecks(options, facts, out);
   WriteStart(options, start_gcode, out);
+  if (options.pressure_advance > 0) firmware.WritePressureAdvance(options.pressure_advance, out);
   DefineCopies(summary.copies, options, out);
   out << "G21\nG90\nM83\n";
   const double length_mm = options.retraction.length_mm;
@@ -57,8 +77,9 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
                    std::string_view end_gcode) {
   GcodeText out;
   out << RiseAboveAll(summary, options);
-  if (options.progress) out << "M73 P100 R0\n";
-  out << ";TYPE:Custom\nM107\n";
+  const Firmware& firmware = FirmwareOf(options.flavor);
+  if (options.progress) firmware.WriteProgress(100, 0, std::ssize(summary.layers), out);
+  out << firmware.comments().feature << "Custom\nM107\n";
   out.Lines(end_gcode);
   return out.Take();
 }
@@ -80,7 +101,7 @@ absl::StatusOr<FrameText> TextOf(const ProgramSummary& summary, const MotionOpti
   const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
   if (!end.ok()) return end.status();
   FrameText text;
-  text.prologue = Prologue(summary, options, *start);
+  text.prologue = Prologue(summary, options, time_s, *start);
   text.changes = PassChanges(summary);
   for (const PassChange& change : text.changes) {
     auto way = GcodeOf(change, summary, variables, options);
@@ -134,15 +155,15 @@ absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
 
   frame.travel_mm = TravelMm(summary);
   frame.layer_prefixes.resize(summary.layers.size());
-  for (size_t i = 0; i < text->changes.size(); ++i)
-    frame.layer_prefixes[text->changes[i].layer] = std::move(text->ways[i]);
   if (options.progress) {
     double done_s = frame.times.before_s;
     for (size_t i = 0; i < summary.layers.size(); ++i) {
-      frame.layer_prefixes[i] += ProgressLine(done_s, time_s);
+      frame.layer_prefixes[i] = ProgressLine(done_s, time_s, i, FirmwareOf(options.flavor));
       done_s += frame.times.layer_s[i];
     }
   }
+  for (size_t i = 0; i < text->changes.size(); ++i)
+    frame.layer_prefixes[text->changes[i].layer] += text->ways[i];
   frame.prologue = std::move(text->prologue);
   frame.epilogue = text->ending + MetadataTail(options, summary, frame.times);
   return frame;

@@ -143,7 +143,7 @@ TEST(FrameProgram, ProgressOnlyIfAskedFor) {
   MotionOptions options = Options();
   options.progress = true;
   const ProgramFrame frame = Framed(Summary(), options);
-  EXPECT_THAT(frame.layer_prefixes, ElementsAre("M73 P0 R4\n", "M73 P33 R3\n", "M73 P67 R1\n"));
+  EXPECT_THAT(frame.layer_prefixes, ElementsAre("M73 P0 R4\n", "M73 P32 R3\n", "M73 P66 R2\n"));
   EXPECT_THAT(frame.epilogue, StartsWith("M73 P100 R0\n"));
 }
 
@@ -194,11 +194,11 @@ TEST(FrameProgram, PassesAreTravelledBetween) {
               ElementsAre("", "", "", "G1 Z1.6 F1200\nG1 X0 Y300 F6000\n", "", ""));
 }
 
-TEST(FrameProgram, ProgressIsToldAfterTheWayToThePass) {
+TEST(FrameProgram, ProgressIsToldBeforeTheWayToThePass) {
   MotionOptions options = Options();
   options.progress = true;
   EXPECT_THAT(Framed(TwoPasses(), options).layer_prefixes[3],
-              testing::MatchesRegex("G1 Z1.6 F1200\nG1 X0 Y300 F6000\nM73 P.. R3\n"));
+              testing::MatchesRegex("M73 P.. R4\nG1 Z1.6 F1200\nG1 X0 Y300 F6000\n"));
 }
 
 TEST(FrameProgram, NamesTheGcodeBetweenObjectsThatIsWrong) {

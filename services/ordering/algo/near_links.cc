@@ -19,11 +19,12 @@ bool IsLinked(Feature feature) {
          feature == Feature::kSolidInfill;
 }
 
-/// A link is part of what is not seen.
+/// A link is part of what it joins. Between different features it fills a gap; so it does between
+/// outer walls, which stay loops of their own.
 Feature FeatureOfLink(const Path& last, const Path& next) {
-  if (last.feature != Feature::kExternalPerimeter) return last.feature;
-  if (next.feature != Feature::kExternalPerimeter) return next.feature;
-  return Feature::kPerimeter;
+  return last.feature == next.feature && last.feature != Feature::kExternalPerimeter
+             ? last.feature
+             : Feature::kGapFill;
 }
 
 Coord NarrowerWidth(const Path& last, const Path& next) {

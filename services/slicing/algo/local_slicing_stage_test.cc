@@ -72,7 +72,7 @@ TEST(LocalSlicing, ACubeIsTheSameSquareInEveryLayer) {
   for (int32_t k = 0; k < 50; ++k) {
     EXPECT_EQ(job->layers[k].frame, (LayerFrame{k, (k + 1) * 200'000, 200'000}));
     const ObjectSection want{
-        0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}, (k + 1) * 200'000};
+        0, k, 50, 200'000, {{Role::kPart, 0, 0, {{square, {}}}}}, {}, (k + 1) * 200'000, {}, {}};
     EXPECT_THAT(job->layers[k].sections, ElementsAre(want));
   }
   EXPECT_THAT(job->object_names, ElementsAre("part"));

@@ -6,11 +6,16 @@
 #include <limits>
 #include <utility>
 
+#include "services/exposure/algo/scan/border_distance.h"
 #include "services/exposure/algo/scan/corner_spurs.h"
 
 namespace slicefarm::exposure {
 namespace {
 
+/// A spine runs along the middle if it is at least as long there, as a share.
+constexpr double kAsLong = 0.95;
+/// Pieces lie this close to the region's border, as it is simplified before it is cut.
+constexpr double kTouchNm = 1'000;
 /// Lines closer to parallel than this have no corner.
 constexpr double kParallel = 1e-12;
 
@@ -24,6 +29,14 @@ Polyline ClosedLine(const ConvexRing& ring) {
   while (line.size() > 1 && line.back() == line.front()) line.pop_back();
   if (!line.empty()) line.push_back(line.front());
   return line;
+}
+
+ConvexRing Spurred(const ConvexRing& ring, const ConvexRing& gap, const RingFill& fill) {
+  return fill.corners ? WithSpurs(ring, gap, fill.spurs) : ring;
+}
+ConvexRing OuterSpurred(const ConvexRing& ring, const RingFill& fill) {
+  if (!fill.corners || fill.region == nullptr) return ring;
+  return WithOuterSpurs(ring, fill.first_nm, *fill.region, fill.spurs);
 }
 
 }  // namespace
@@ -98,10 +111,17 @@ ConvexRing ConvexInsets::At(double distance) {
   return ring;
 }
 
-Spine SpineOf(const ConvexRing& ring) {
-  // The width of a convex polygon is measured from one of its edges.
+namespace {
+
+/// The longest side's line, and how far the polygon reaches from it.
+struct Base {
   PlaneVector at, way;
   double width = std::numeric_limits<double>::infinity();
+};
+
+/// The width of a convex polygon is measured from one of its sides.
+Base BaseOf(const ConvexRing& ring) {
+  Base base;
   for (size_t i = 0; i < ring.size(); ++i) {
     const PlaneVector a = ring[i], side = ring[(i + 1) % ring.size()] - a;
     const double length = Norm(side);
@@ -109,23 +129,65 @@ Spine SpineOf(const ConvexRing& ring) {
     const PlaneVector unit{side.x / length, side.y / length};
     double farthest = 0;
     for (const PlaneVector p : ring) farthest = std::max(farthest, Cross(unit, p - a));
-    if (farthest < width) width = farthest, at = a, way = unit;
+    if (farthest < base.width) base = {a, unit, farthest};
   }
-  // Where the line at half the width meets the border.
+  return base;
+}
+
+/// The line at `height` over the base, from border to border.
+Spine Chord(const ConvexRing& ring, const Base& base, double height) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector a = ring[i] - at, b = ring[(i + 1) % ring.size()] - at;
-    const double height_a = Cross(way, a) - width / 2, height_b = Cross(way, b) - width / 2;
-    if ((height_a < 0) == (height_b < 0)) continue;
-    const double t = height_a / (height_a - height_b);
-    const double u = Dot(way, a) + t * (Dot(way, b) - Dot(way, a));
+    const PlaneVector a = ring[i] - base.at, b = ring[(i + 1) % ring.size()] - base.at;
+    const double up_a = Cross(base.way, a) - height, up_b = Cross(base.way, b) - height;
+    if ((up_a < 0) == (up_b < 0)) continue;
+    const double t = up_a / (up_a - up_b);
+    const double u = Dot(base.way, a) + t * (Dot(base.way, b) - Dot(base.way, a));
     low = std::min(low, u);
     high = std::max(high, u);
   }
   const auto place = [&](double u) {
-    return PlaneVector{at.x + u * way.x - width / 2 * way.y, at.y + u * way.y + width / 2 * way.x};
+    return PlaneVector{base.at.x + u * base.way.x - height * base.way.y,
+                       base.at.y + u * base.way.y + height * base.way.x};
   };
-  return {place(low), place(high), width};
+  return {place(low), place(high), base.width};
+}
+
+double LengthOf(const Spine& spine) { return Norm(spine.to - spine.from); }
+
+/// What of a line keeps `gap_nm` from the region's border.
+Spine Cleared(Spine spine, double gap_nm, const MultiPolygon& region) {
+  const auto is_clear = [&](PlaneVector p) {
+    return DistanceToBorder(p, region) >= gap_nm - kTouchNm;
+  };
+  const double length = LengthOf(spine), step = gap_nm / 4;
+  const PlaneVector from = spine.from, way = spine.to - from;
+  const auto place = [&](double at) {
+    return PlaneVector{from.x + at / length * way.x, from.y + at / length * way.y};
+  };
+  double low = 0, high = length;
+  while (low < length && !is_clear(place(low))) low += step;
+  while (high > low && !is_clear(place(high))) high -= step;
+  if (!(low < high) || !is_clear(place((low + high) / 2))) return {from, from, spine.width_nm};
+  return {place(low), place(high), spine.width_nm};
+}
+
+}  // namespace
+
+Spine SpineOf(const ConvexRing& ring) {
+  const Base base = BaseOf(ring);
+  return Chord(ring, base, base.width / 2);
+}
+
+Spine SpineOf(const ConvexRing& ring, double spot_nm) {
+  const Base base = BaseOf(ring);
+  const Spine middle = Chord(ring, base, base.width / 2);
+  // Down to where the spot still reaches the top, but not the base's other side; not onto the base
+  // itself, of which rounding may leave nothing.
+  const double least = 0.05 * base.width;
+  const double height = std::clamp(base.width - spot_nm / 2, least, std::max(least, spot_nm / 2));
+  const Spine low = Chord(ring, base, height);
+  return LengthOf(middle) < kAsLong * LengthOf(low) ? low : middle;
 }
 
 std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const RingFill& fill) {
@@ -142,7 +204,7 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
       insets = std::move(before);
       break;
     }
-    Polyline line = ClosedLine(fill.corners && k > 0 ? WithSpurs(ring, gap, fill.spurs) : ring);
+    Polyline line = ClosedLine(k > 0 ? Spurred(ring, gap, fill) : OuterSpurred(ring, fill));
     reached = distance + fill.pitch_nm / 2;
     if (line.size() < 4) break;
     rings.push_back(std::move(line));
@@ -150,7 +212,9 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;
-  const Spine spine = SpineOf(rest);
+  Spine spine = SpineOf(rest, fill.pitch_nm);
+  if (rings.empty() && fill.region != nullptr)
+    spine = Cleared(spine, fill.first_nm, *fill.region);  // no ring keeps it off the border
   const Point from = Rounded(spine.from), to = Rounded(spine.to);
   if (spine.width_nm >= fill.least_spine * fill.pitch_nm && from != to) rings.push_back({from, to});
   return rings;

@@ -35,15 +35,19 @@ struct Spine {
 };
 /// REQUIRES: three corners at least.
 Spine SpineOf(const ConvexRing& ring);
+/// The same to be melted by a spot: where the polygon tapers the line lies nearer to the longest
+/// side, where it is longer, as far as the spot still reaches what is farthest.
+Spine SpineOf(const ConvexRing& ring, double spot_nm);
 
 /// How rings fill a piece.
 struct RingFill {
   double pitch_nm = 0;
   double first_nm = 0;  ///< from the border to the first ring
   /// Narrower leftovers in the middle stay empty, as a share of the pitch.
-  double least_spine = 0.25;
-  bool corners = false;  ///< rings reach into the corners that the ones around them leave open
+  double least_spine = 0.05;
+  bool corners = false;  ///< rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
+  const MultiPolygon* region = nullptr;  ///< that was cut into pieces; null: the piece is all of it
 };
 
 /// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is

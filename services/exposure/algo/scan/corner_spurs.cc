@@ -3,14 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "services/exposure/algo/scan/border_distance.h"
 
 namespace slicefarm::exposure {
 namespace {
 
-/// As a share of the spot: half of what a tip's width may be where it stays open.
-constexpr double kOpenTip = 0.125;
+/// Narrower tips stay open, as a share of the spot.
+constexpr double kOpenTip = 0.25;
 /// Sine of half of the bluntest angle with a spur: it leaves a tenth of a spot's width open.
 constexpr double kBluntest = 0.83;
+/// Pieces lie this close to the region's border, as it is simplified before it is cut.
+constexpr double kTouchNm = 3'000;
+
+struct SharpCorner {
+  PlaneVector at;
+  PlaneVector in, out;  ///< directions of its sides, of length 1
+  PlaneVector outward;  ///< of the bisector
+  double sine = 0, cosine = 0;  ///< of half of its angle
+
+  /// From a tip of the same angle along the bisector to where it is too wide to stay open.
+  double OpenNm(const SpurFill& fill) const {
+    return std::max(fill.spot_nm / 2, kOpenTip / 2 * fill.spot_nm * cosine / sine);
+  }
+};
 
 PlaneVector UnitBetween(PlaneVector a, PlaneVector b) {
   const PlaneVector way = b - a;
@@ -18,40 +35,98 @@ PlaneVector UnitBetween(PlaneVector a, PlaneVector b) {
   return length > 0 ? PlaneVector{way.x / length, way.y / length} : PlaneVector{};
 }
 
-/// How far it is from `p`, inside a convex ring, along the unit vector `way` to the ring.
+PlaneVector Along(PlaneVector from, PlaneVector way, double length) {
+  return {from.x + length * way.x, from.y + length * way.y};
+}
+
+/// nullopt: the corner is blunt, or no corner at all.
+std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
+  SharpCorner corner{.at = ring[i]};
+  corner.in = UnitBetween(ring[i == 0 ? ring.size() - 1 : i - 1], corner.at);
+  corner.out = UnitBetween(corner.at, ring[(i + 1) % ring.size()]);
+  const PlaneVector outward = corner.in - corner.out;
+  corner.cosine = Norm(outward) / 2;
+  corner.sine = std::sqrt(std::max(0.0, 1 - corner.cosine * corner.cosine));
+  if (corner.sine > kBluntest || !(corner.sine > 0)) return std::nullopt;
+  corner.outward = {outward.x / (2 * corner.cosine), outward.y / (2 * corner.cosine)};
+  return corner;
+}
+
+struct Spur {
+  PlaneVector way;  ///< of length 1
+  double length = 0;
+};
+
+/// The ring with what `spur_of` says of its sharp corners.
+template <typename SpurOf>
+ConvexRing Spurred(const ConvexRing& ring, const SpurFill& fill, SpurOf spur_of) {
+  ConvexRing result;
+  result.reserve(ring.size());
+  for (size_t i = 0; i < ring.size(); ++i) {
+    result.push_back(ring[i]);
+    const std::optional<SharpCorner> corner = SharpCornerOf(ring, i);
+    if (!corner) continue;
+    const Spur spur = spur_of(*corner);
+    if (!(spur.length > fill.least_nm) || !std::isfinite(spur.length)) continue;
+    result.push_back(Along(ring[i], spur.way, spur.length));
+    result.push_back(ring[i]);
+  }
+  return result;
+}
+
+/// How far it is from `p`, inside a convex ring, along `way` to the ring.
 double DistanceTo(const ConvexRing& ring, PlaneVector p, PlaneVector way) {
   double nearest = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < ring.size(); ++i) {
     const PlaneVector a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
     const double out = Cross(way, edge);
-    if (out > 0) nearest = std::min(nearest, Cross(p - a, edge) / -out);
+    if (out > 0) nearest = std::min(nearest, Cross(edge, p - a) / out);
   }
   return nearest;
+}
+
+/// Of a convex ring at `p`, across `way`.
+double WidthAt(const ConvexRing& ring, PlaneVector p, PlaneVector way) {
+  return DistanceTo(ring, p, {way.y, -way.x}) + DistanceTo(ring, p, {-way.y, way.x});
 }
 
 }  // namespace
 
 ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const SpurFill& fill) {
-  const double reach = fill.spot_nm / 2;
-  ConvexRing result;
-  result.reserve(ring.size());
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const PlaneVector p = ring[i];
-    result.push_back(p);
-    const PlaneVector in = UnitBetween(ring[i == 0 ? ring.size() - 1 : i - 1], p);
-    const PlaneVector out = UnitBetween(p, ring[(i + 1) % ring.size()]);
-    const PlaneVector bisector = in - out;
-    const double norm = Norm(bisector);  // twice the cosine of half the angle
-    const double sine = std::sqrt(std::max(0.0, 1 - norm * norm / 4));
-    if (sine > kBluntest) continue;
-    const PlaneVector way{bisector.x / norm, bisector.y / norm};
-    const double open = sine > 0 ? kOpenTip * fill.spot_nm * (norm / 2) / sine : 0;
-    const double length = DistanceTo(around, p, way) - std::max(reach, open);
-    if (!(length > fill.least_nm) || !std::isfinite(length)) continue;
-    result.push_back({p.x + length * way.x, p.y + length * way.y});
-    result.push_back(p);
-  }
-  return result;
+  return Spurred(ring, fill, [&](const SharpCorner& corner) {
+    const double to_tip = DistanceTo(around, corner.at, corner.outward);
+    const Spur spur{corner.outward, to_tip - fill.spot_nm / 2};
+    // Where a side of the gap has gone in the ring, the gap need not taper as the ring does.
+    const double width = WidthAt(around, Along(corner.at, spur.way, spur.length), spur.way);
+    return width < kOpenTip * fill.spot_nm ? Spur{spur.way, to_tip - corner.OpenNm(fill)} : spur;
+  });
+}
+
+ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPolygon& region,
+                          const SpurFill& fill) {
+  // Whether a side of the piece is the region's border: at the foot of the corner on it.
+  const auto is_border = [&](PlaneVector corner, PlaneVector side) {
+    const PlaneVector foot = Along(corner, {side.y, -side.x}, gap_nm);
+    return DistanceToBorder(foot, region) < kTouchNm;
+  };
+  return Spurred(ring, fill, [&](const SharpCorner& corner) {
+    const bool in_border = is_border(corner.at, corner.in);
+    const bool out_border = is_border(corner.at, corner.out);
+    if (in_border && out_border) return Spur{};
+    if (in_border || out_border) {
+      // To the cut; at a right angle half of the way, as the spur beyond the cut does the same.
+      const double sine = 2 * corner.sine * corner.cosine;
+      const PlaneVector back{-corner.out.x, -corner.out.y};
+      return Spur{in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
+    }
+    // A slanted one may come near to the border beside the cuts.
+    const double least = std::max(fill.least_nm, kTouchNm);
+    for (double length = gap_nm / corner.sine - corner.OpenNm(fill); length > least; length *= 0.7) {
+      const PlaneVector end = Along(corner.at, corner.outward, length);
+      if (DistanceToBorder(end, region) >= gap_nm) return Spur{corner.outward, length};
+    }
+    return Spur{};
+  });
 }
 
 }  // namespace slicefarm::exposure

@@ -1,20 +1,32 @@
 #pragma once
 
+#include "common/geometry/polygon.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 
 namespace slicefarm::exposure {
 
+/// Rings of convex pieces reach into corners that a round spot leaves open: from a sharp corner the
+/// way goes out towards the corner of what is to be melted, and back. That melts about twice as
+/// much again as it melts first, so blunt corners, which leave next to nothing open, have none.
 struct SpurFill {
   double spot_nm = 0;
   double least_nm = 0;  ///< shorter spurs are left out
 };
 
-/// A ring that reaches into the corners of the gap around it, which a round spot leaves open: from
-/// a corner out along its bisector, until the spot touches the gap's tip, and back. Where the tip
-/// is narrower than a quarter of the spot it stays open: a spur would melt more twice than once.
+/// A ring with spurs into the gap between it and what the ring around it melts: along bisectors,
+/// until the spot touches the gap's tip. Where the tip is narrower than a quarter of the spot it
+/// stays open.
 ///
 /// ring, around: convex, counter-clockwise; `around` is the gap's outer border, and has the ring
 /// inside. Cost: O(n), and O(n) for each spur.
 ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const SpurFill& fill);
+
+/// The outermost ring of a piece, `gap_nm` inside of it, with spurs into those corners of the piece
+/// that a cut has made: along the region's border, if one of the corner's sides is that, so that
+/// nothing comes nearer to the border; else along the bisector. Their middle stays in the piece.
+///
+/// Cost: O(n), and O(corners of the region) for each sharp corner.
+ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPolygon& region,
+                          const SpurFill& fill);
 
 }  // namespace slicefarm::exposure

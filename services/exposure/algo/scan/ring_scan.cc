@@ -22,20 +22,19 @@ void StartNear(Point from, Polyline& ring) {
   ring.push_back(ring.front());
 }
 
-SpurFill SpursOf(const ExposureOptions& options) {
-  return {.spot_nm = static_cast<double>(options.spot_nm),
-          .least_nm = static_cast<double>(options.minimum_vector_nm)};
+RingFill FillOf(const ExposureOptions& options) {
+  const double pitch = static_cast<double>(options.hatch_distance_nm);
+  return {.pitch_nm = pitch,
+          .first_nm = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2,
+          .corners = options.fill_corners,
+          .spurs = {.spot_nm = static_cast<double>(options.spot_nm),
+                    .least_nm = static_cast<double>(options.minimum_vector_nm)}};
 }
 
 /// The lines of one piece, in order.
-std::vector<Polyline> PieceLines(const Polygon& piece, double scale,
+std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const RingFill& fill,
                                  const ExposureOptions& options) {
-  const double pitch = static_cast<double>(options.hatch_distance_nm);
-  const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
-  std::vector<Polyline> rings = ConvexRings(piece, scale, {.pitch_nm = pitch,
-                                                           .first_nm = first,
-                                                           .corners = options.fill_corners,
-                                                           .spurs = SpursOf(options)});
+  std::vector<Polyline> rings = ConvexRings(piece, scale, fill);
   if (options.strategy == ScanStrategy::kRings) std::reverse(rings.begin(), rings.end());
   std::erase_if(rings, [&](const Polyline& ring) {
     return Length(ring) < static_cast<double>(options.minimum_vector_nm);
@@ -62,10 +61,13 @@ absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& opti
   const auto pieces = ScanPieces(region, options.decompose, cancel);
   if (!pieces.ok()) return pieces.status();
   counts.Add(pieces->counts);
+  RingFill fill = FillOf(options);
+  if (pieces->pieces.size() > region.size()) fill.region = &region;
+  const double scale = static_cast<double>(pieces->scale);
   std::vector<std::vector<Polyline>> scans;
   std::vector<ScanBlock> blocks;
   for (const Polygon& piece : pieces->pieces) {
-    std::vector<Polyline> lines = PieceLines(piece, static_cast<double>(pieces->scale), options);
+    std::vector<Polyline> lines = PieceLines(piece, scale, fill, options);
     if (lines.empty()) continue;
     blocks.push_back({.start = lines.front().front(),
                       .end = lines.back().back(),

@@ -10,9 +10,11 @@
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/edge_index.h"
 #include "services/infill/algo/lines/shortened.h"
+#include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 #include "services/infill/algo/linking/link_shape.h"
+#include "services/infill/algo/linking/spliced_paths.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -49,9 +51,10 @@ void DropLongest(double budget_nm, Plan& plan) {
   }
 }
 
-Plan MakePlan(const EdgeEnds& ends, const EdgeIndex& edges, const LinkOptions& options) {
+Plan MakePlan(const EdgeEnds& ends, Links links, const EdgeIndex& edges,
+              const LinkOptions& options) {
   Plan plan;
-  plan.links = ChooseLinks(ends, options.max_link_nm);
+  plan.links = std::move(links);
   for (const double cut : {0.0, options.most_cut_nm / 2, options.most_cut_nm}) {
     plan.shapes = ShapeLinks(ends, plan.links, edges, cut);
     plan.flow = FlowFor(plan.shapes, options.budget_nm);
@@ -61,6 +64,12 @@ Plan MakePlan(const EdgeEnds& ends, const EdgeIndex& edges, const LinkOptions& o
   DropLongest(options.budget_nm, plan);
   plan.net_nm = NetOf(plan.shapes, plan.flow);
   return plan;
+}
+
+bool AreStraight(std::span<const Piece> pieces) {
+  return std::ranges::all_of(pieces, [](const Piece& piece) {
+    return piece.points.size() == 2 && !piece.closed;
+  });
 }
 
 /// Puts paths together from pieces, links and anchors.
@@ -92,9 +101,10 @@ class Assembler {
       if (done_[static_cast<size_t>(end / 2)]) continue;
       const Piece& piece = ends_.PieceAt(end / 2);
       if (!piece.closed && LinkedTo(ends_, plan_.links, end) != kNoEnd) continue;
-      Path path = piece.closed ? Loop(end) : Follow(end);
-      if (PathLength(path) >= options_.min_length_nm) paths.push_back(std::move(path));
+      Keep(piece.closed ? Loop(end) : Follow(end), paths);
     }
+    for (int32_t end = 0; end < ends_.size(); ++end)
+      if (!done_[static_cast<size_t>(end / 2)]) Keep(FollowRing(end), paths);
     return paths;
   }
 
@@ -108,27 +118,49 @@ class Assembler {
     return path;
   }
 
+  void Keep(Path path, std::vector<Path>& paths) const {
+    if (link_width_nm_ == options_.width_nm) path.widths_nm = {options_.width_nm};
+    if (PathLength(path) >= options_.min_length_nm) paths.push_back(std::move(path));
+  }
+
+  /// The path that begins with a loose end.
   Path Follow(int32_t end) {
     Path path;
     Polyline anchor = Anchor(end);
     std::reverse(anchor.begin(), anchor.end());
     Append(anchor, link_width_nm_, path);
+    Append(Anchor(FollowLinks(end, path)), link_width_nm_, path);
+    return path;
+  }
+
+  /// The path of a ring without loose ends.
+  Path FollowRing(int32_t end) {
+    Path path;
+    path.closed = true;
+    FollowLinks(end, path);
+    if (path.points.back() == path.points.front() &&
+        path.widths_nm.back() == path.widths_nm.front()) {
+      path.points.pop_back();
+      path.widths_nm.pop_back();
+    }
+    return path;
+  }
+
+  /// Appends pieces and links from an end on until the ring is closed, or up to a loose end, which
+  /// it returns.
+  int32_t FollowLinks(int32_t end, Path& path) {
     while (true) {
       done_[static_cast<size_t>(end / 2)] = true;
       const int32_t out = end ^ 1;
       Append(PiecePoints(end), options_.width_nm, path);
       end = LinkedTo(ends_, plan_.links, out);
-      if (end == kNoEnd) {
-        Append(Anchor(out), link_width_nm_, path);
-        break;
-      }
+      if (end == kNoEnd) return out;
       const LinkShape& link = *link_of_[static_cast<size_t>(out)];
       Polyline way = link.way;
       if (link.stretch != out) std::reverse(way.begin(), way.end());
       Append(way, link_width_nm_, path);
+      if (done_[static_cast<size_t>(end / 2)]) return out;
     }
-    if (link_width_nm_ == options_.width_nm) path.widths_nm = {options_.width_nm};
-    return path;
   }
 
   /// A piece from one end to the other, less what its links cut off.
@@ -170,7 +202,7 @@ class Assembler {
                         !(steps && i == 0 && path.widths_nm.back() != width_nm);
       if (same) continue;
       path.points.push_back(run[i]);
-      if (steps) path.widths_nm.push_back(width_nm);
+      path.widths_nm.push_back(width_nm);
     }
   }
 
@@ -191,8 +223,18 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
   if (pieces.empty()) return {};
   const EdgeEnds ends(region, pieces);
   const EdgeIndex edges(region, std::max<Coord>(1, std::llround(options.most_cut_nm)));
-  const Plan plan = MakePlan(ends, edges, options);
-  return Assembler(ends, plan, options).Run();
+  const auto paths_by = [&](Links links) {
+    const Plan plan = MakePlan(ends, std::move(links), edges, options);
+    return Assembler(ends, plan, options).Run();
+  };
+  std::vector<Path> rings;
+  if (options.max_link_nm > 0 && AreStraight(pieces)) {
+    rings = SplicedPaths(paths_by(LinkAllEnds(ends, options.max_link_nm)),
+                         static_cast<double>(options.width_nm));
+    if (rings.size() == 1) return rings;
+  }
+  std::vector<Path> lines = paths_by(ChooseLinks(ends, options.max_link_nm));
+  return !rings.empty() && rings.size() <= lines.size() ? rings : lines;
 }
 
 }  // namespace slicefarm::infill

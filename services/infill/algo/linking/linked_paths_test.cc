@@ -79,6 +79,23 @@ TEST(LinkedPaths, FullWidthLinksHaveOneWidth) {
   EXPECT_NEAR(PathLength(paths[0]), 109e6, 1);
 }
 
+TEST(LinkedPaths, CrossingLinesAreOneRingInAnyConnectedRegion) {
+  const MultiPolygon regions[] = {
+      MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20)"),
+      MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20) (8 8, 8 12, 12 12, 12 8) (20 5, 20 9, 25 9)")};
+  for (const MultiPolygon& region : regions) {
+    for (const double angle : {0.1, 0.5, 1.2}) {
+      const LineFamily families[] = {{angle, 0, 2.1e6}, {angle + 1.5, 0, 2.3e6}};
+      const auto pieces = *StraightPieces(region, families);
+      const LinkOptions options{.max_link_nm = 50e6, .budget_nm = 1e9};
+      const auto paths = LinkedPaths(region, pieces, options);
+      ASSERT_EQ(paths.size(), 1u) << angle;
+      EXPECT_TRUE(paths[0].closed);
+      EXPECT_GE(BeadsOf(paths, options), LengthOf(pieces) - 1);
+    }
+  }
+}
+
 TEST(LinkedPaths, LooseEndsTurnAlongTheEdge) {
   const LineFamily family{0, 5e6, 10e6};
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");

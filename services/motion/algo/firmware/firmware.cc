@@ -1,8 +1,11 @@
 #include "services/motion/algo/firmware/firmware.h"
 
+#include "services/motion/algo/firmware/bambu.h"
 #include "services/motion/algo/firmware/grbl.h"
+#include "services/motion/algo/firmware/jerk.h"
 #include "services/motion/algo/firmware/klipper.h"
 #include "services/motion/algo/firmware/marlin.h"
+#include "services/motion/algo/firmware/prusa_buddy.h"
 #include "services/motion/algo/firmware/reprap.h"
 
 namespace slicefarm::motion {
@@ -14,6 +17,28 @@ void Firmware::WriteMix(std::span<const double> shares, GcodeText& out) const {
     out.Real(shares[i], 3) << '\n';
   }
   out << "M164 S0\n";
+}
+
+void Firmware::WritePressureAdvance(double value, GcodeText& out) const {
+  out << "M900 K";
+  out.Real(value, 5) << '\n';
+}
+
+void Firmware::WriteProgress(int64_t percent, int64_t left_min, int64_t /*layer*/,
+                             GcodeText& out) const {
+  out << "M73 P";
+  out.Integer(percent) << " R";
+  out.Integer(left_min) << '\n';
+}
+
+void Firmware::WriteChecks(const MotionOptions& /*options*/, const PrintFacts& /*facts*/,
+                           GcodeText& /*out*/) const {}
+
+void Firmware::WriteHead(const PrintFacts& /*facts*/, GcodeText& /*out*/) const {}
+
+const CommentWords& Firmware::comments() const {
+  static constexpr CommentWords kPrusaSlicers;
+  return kPrusaSlicers;
 }
 
 bool Firmware::RefusesSection(double /*section_mm2*/, double /*nozzle_mm*/) const { return false; }
@@ -28,6 +53,10 @@ const Firmware& FirmwareOf(GcodeFlavor flavor) {
       return Klipper();
     case GcodeFlavor::kRepRapFirmware:
       return RepRap();
+    case GcodeFlavor::kPrusaBuddy:
+      return PrusaBuddy();
+    case GcodeFlavor::kBambu:
+      return Bambu();
   }
   return Marlin2();
 }
@@ -36,7 +65,8 @@ const Firmware* FindFirmware(std::string_view name) {
   if (name == "klipper") return &Klipper();
   if (name == "marlin" || name == "marlin2") return &Marlin2();
   if (name == "rrf" || name == "reprapfirmware") return &RepRap();
-  if (name == "grbl") return &Grbl();
+  for (const Firmware* firmware : {&PrusaBuddy(), &Bambu(), &Grbl(), &JerkLimited()})
+    if (name == firmware->name()) return firmware;
   return nullptr;
 }
 

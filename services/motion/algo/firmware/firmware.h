@@ -20,8 +20,29 @@ enum class ExtruderMode {
   kEitherWise,  ///< relative after G91 as well as after M83
 };
 
+/// How the comments begin that tell previewers and hosts what is printed.
+struct CommentWords {
+  std::string_view layer_change = ";LAYER_CHANGE";
+  std::string_view z = ";Z:";
+  std::string_view height = ";HEIGHT:";
+  std::string_view feature = ";TYPE:";
+  std::string_view width = ";WIDTH:";
+};
+
+/// What the head of a file may tell of a whole print.
+struct PrintFacts {
+  double moves_s = 0;  ///< without the settings' own G-code
+  double total_s = 0;
+  int64_t layers = 0;
+  double filament_mm = 0;
+  double volume_mm3 = 0;
+  double mass_g = 0;
+  double height_mm = 0;
+  Box bounds;  ///< of what is extruded
+};
+
 /// The firmware of a printer: what it makes of moves, and the dialect that it reads. One file a
-/// firmware: marlin.cc, klipper.cc, reprap.cc. Has no state.
+/// firmware: marlin.cc, klipper.cc, reprap.cc, ... Has no state.
 class Firmware {
  public:
   virtual ~Firmware() = default;
@@ -68,6 +89,19 @@ class Firmware {
   /// `travel_mm_s2` 0: not told. REQUIRES: 0 unless HasTravelAcceleration.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
+  /// Pressure advance (linear advance), in the firmware's own unit.
+  virtual void WritePressureAdvance(double value, GcodeText& out) const;
+  /// `left_min`: minutes left; `layer`: from 1.
+  virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer, GcodeText& out) const;
+  /// What the printer is asked before anything moves: whether it is the one that the file is for.
+  virtual void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
+                           GcodeText& out) const;
+  /// What has to stand at the head of a file, as comments.
+  virtual void WriteHead(const PrintFacts& facts, GcodeText& out) const;
+  virtual const CommentWords& comments() const;
+  /// What it calls a feature.
+  virtual std::string_view WordsOf(Feature feature) const { return FeatureName(feature); }
+
   /// Of a mixing extruder: what part of the flow each material has. By M163 for
   /// each, and M164 to store them as tool 0. REQUIRES: it mixes (CheckMixing of common/config).
   virtual void WriteMix(std::span<const double> shares, GcodeText& out) const;
@@ -77,14 +111,14 @@ class Firmware {
   virtual void DefineCopies(std::span<const CopySummary> copies,
                             std::span<const std::string> labels, GcodeText& out) const = 0;
   virtual void BeginCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
-  virtual void EndCopy(std::string_view label, GcodeText& out) const = 0;
+  virtual void EndCopy(std::string_view label, size_t index, GcodeText& out) const = 0;
 };
 
 /// That of the settings. Lives for ever.
 const Firmware& FirmwareOf(GcodeFlavor flavor);
 
-/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; grbl.
-/// Null: no such.
+/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; prusabuddy; bambu; grbl;
+/// jerk: none but slicefarm's own planner (jerk.h). Null: no such.
 const Firmware* FindFirmware(std::string_view name);
 
 }  // namespace slicefarm::motion

@@ -10,6 +10,8 @@ TEST(FirmwareOf, HasTheNameOfItsSetting) {
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kMarlinLegacy).name(), "marlin");
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kKlipper).name(), "klipper");
   EXPECT_EQ(FirmwareOf(GcodeFlavor::kRepRapFirmware).name(), "reprapfirmware");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kPrusaBuddy).name(), "prusabuddy");
+  EXPECT_EQ(FirmwareOf(GcodeFlavor::kBambu).name(), "bambu");
 }
 
 TEST(FindFirmware, ByItsNames) {
@@ -18,6 +20,7 @@ TEST(FindFirmware, ByItsNames) {
   EXPECT_EQ(FindFirmware("rrf")->name(), "reprapfirmware");
   EXPECT_EQ(FindFirmware("rrf"), FindFirmware("reprapfirmware"));
   EXPECT_EQ(FindFirmware("grbl")->name(), "grbl");
+  for (const char* name : {"prusabuddy", "bambu", "jerk"}) EXPECT_EQ(FindFirmware(name)->name(), name);
   EXPECT_EQ(FindFirmware("smoothie"), nullptr);
 }
 

@@ -43,13 +43,15 @@ class GrblFirmware : public Firmware {
   void WriteLimits(const MachineLimits& /*limits*/, GcodeText& /*out*/) const override {}
   bool HasTravelAcceleration() const override { return false; }
   void WriteAcceleration(double /*print*/, double /*travel*/, GcodeText& /*out*/) const override {}
+  void WritePressureAdvance(double /*value*/, GcodeText& /*out*/) const override {}
   std::string LabelOf(std::string_view name, size_t /*index*/) const override {
     return std::string(name);
   }
   void DefineCopies(std::span<const CopySummary> /*copies*/,
                     std::span<const std::string> /*labels*/, GcodeText& /*out*/) const override {}
   void BeginCopy(std::string_view /*label*/, size_t /*index*/, GcodeText& /*out*/) const override {}
-  void EndCopy(std::string_view /*label*/, GcodeText& /*out*/) const override {}
+  void EndCopy(std::string_view /*label*/, size_t /*index*/,
+               GcodeText& /*out*/) const override {}
 };
 
 }  // namespace

@@ -131,6 +131,11 @@ class KlipperFirmware : public Firmware {
     out.Integer(std::lround(print_mm_s2)) << '\n';
   }
 
+  void WritePressureAdvance(double value, GcodeText& out) const override {
+    out << "SET_PRESSURE_ADVANCE ADVANCE=";
+    out.Real(value, 5) << '\n';
+  }
+
   std::string LabelOf(std::string_view name, size_t index) const override {
     return WithoutSpecials(std::string(name)) + "-" + std::to_string(index);
   }
@@ -141,7 +146,7 @@ class KlipperFirmware : public Firmware {
   void BeginCopy(std::string_view label, size_t /*index*/, GcodeText& out) const override {
     out << "EXCLUDE_OBJECT_START NAME=" << label << '\n';
   }
-  void EndCopy(std::string_view label, GcodeText& out) const override {
+  void EndCopy(std::string_view label, size_t /*index*/, GcodeText& out) const override {
     out << "EXCLUDE_OBJECT_END NAME=" << label << '\n';
   }
 };

@@ -1,5 +1,7 @@
 #include "services/motion/algo/firmware/limit_command.h"
 
+#include <cmath>
+
 namespace slicefarm::motion {
 namespace {
 
@@ -24,6 +26,22 @@ LimitCommand& LimitCommand::SetAxes(std::span<const double, 4> values, double fa
 void ReadAxes(const GcodeLine& line, double unit, std::array<double, 4>& values) {
   for (size_t i = 0; i < values.size(); ++i)
     if (const auto value = line[kAxes[i]]) values[i] = *value * unit;
+}
+
+void ReadM204(const GcodeLine& line, MachineLimits& limits) {
+  for (const char word : {'S', 'P'}) ReadLimit(line[word], limits.max_acceleration_extruding_mm_s2);
+  for (const char word : {'S', 'T'}) ReadLimit(line[word], limits.max_acceleration_travel_mm_s2);
+  ReadLimit(line['R'], limits.max_acceleration_retracting_mm_s2);
+}
+
+void WriteM204(double print_mm_s2, double travel_mm_s2, GcodeText& out) {
+  out << "M204 P";
+  out.Integer(std::lround(print_mm_s2));
+  if (travel_mm_s2 > 0) {
+    out << " T";
+    out.Integer(std::lround(travel_mm_s2));
+  }
+  out << '\n';
 }
 
 void ReadLimit(std::optional<double> given, double& value) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "common/model/motion_options.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/program/gcode_line.h"
 
@@ -35,6 +36,12 @@ void ReadAxes(const GcodeLine& line, double unit, std::array<double, 4>& values)
 
 /// Takes over a word or a parameter that is there and above 0.
 void ReadLimit(std::optional<double> given, double& value);
+
+/// M204 of Marlin and RepRapFirmware: accelerations of printing (P), travel (T), both (S), filament (R).
+void ReadM204(const GcodeLine& line, MachineLimits& limits);
+
+/// `M204 P1000 T2000`; the travel's 0: not told.
+void WriteM204(double print_mm_s2, double travel_mm_s2, GcodeText& out);
 
 /// What stands where settings say nothing, in mm/s^2.
 inline constexpr double kDefaultAccelerationMmS2 = 1000;

@@ -4,7 +4,6 @@
 
 #include "services/motion/algo/firmware/known_commands.h"
 #include "services/motion/algo/firmware/limit_command.h"
-#include "services/motion/algo/firmware/numbered_objects.h"
 #include "services/motion/algo/kinematics/marlin_planner.h"
 
 namespace slicefarm::motion {
@@ -34,82 +33,95 @@ constexpr KnownCommands kKnown{kG, kM};
 
 constexpr double kArcSegmentMm = 1;
 
-class Marlin : public NumberedObjects {
+/// Travels run with the acceleration of printing, which is told alone.
+class LegacyFirmware : public MarlinFirmware {
  public:
-  explicit Marlin(bool legacy) : legacy_(legacy) {}
+  std::string_view name() const override { return "marlin"; }
 
-  std::string_view name() const override { return legacy_ ? "marlin" : "marlin2"; }
-
-  std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const override {
-    return std::make_unique<MarlinPlanner>(limits);
-  }
   double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const override {
-    const double print = AccelerationOr(limits.max_acceleration_extruding_mm_s2, 0);
-    if (move.ExtruderOnly()) return AccelerationOr(limits.max_acceleration_retracting_mm_s2, print);
-    if (move.ratio[kE] != 0 || legacy_) return print;
-    return AccelerationOr(limits.max_acceleration_travel_mm_s2, print);
+    if (move.ExtruderOnly()) return MarlinFirmware::AccelerationFor(move, limits);
+    return AccelerationOr(limits.max_acceleration_extruding_mm_s2, 0);
   }
-  double ArcSegmentMm(double /*radius_mm*/, double /*speed_mm_s*/) const override {
-    return kArcSegmentMm;
-  }
-
-  ExtruderMode extruder_mode() const override { return ExtruderMode::kWithAxes; }
-  bool Knows(const GcodeLine& line) const override { return kKnown.Contain(line); }
-
-  void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const override {
-    if (line.letter != 'M') return;
-    if (line.number == 201) ReadAxes(line, 1, limits.max_acceleration_mm_s2);
-    if (line.number == 203) ReadAxes(line, 1, limits.max_feedrate_mm_s);
-    if (line.number == 204) {
-      ReadLimit(line['S'], limits.max_acceleration_extruding_mm_s2);
-      ReadLimit(line['S'], limits.max_acceleration_travel_mm_s2);
-      ReadLimit(line['P'], limits.max_acceleration_extruding_mm_s2);
-      ReadLimit(line['T'], limits.max_acceleration_travel_mm_s2);
-      ReadLimit(line['R'], limits.max_acceleration_retracting_mm_s2);
-    }
-    if (line.number == 205) {
-      ReadAxes(line, 1, limits.max_jerk_mm_s);
-      ReadLimit(line['J'], limits.junction_deviation_mm);
-    }
+  bool HasTravelAcceleration() const override { return false; }
+  void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
+                         GcodeText& out) const override {
+    out << "M204 S";
+    out.Integer(std::lround(print_mm_s2)) << '\n';
   }
 
-  void WriteLimits(const MachineLimits& limits, GcodeText& out) const override {
-    LimitCommand("M201", out).SetAxes(limits.max_acceleration_mm_s2);
-    LimitCommand("M203", out).SetAxes(limits.max_feedrate_mm_s);
+ protected:
+  void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const override {
     LimitCommand("M204", out)
-        .Set(legacy_ ? "S" : "P", limits.max_acceleration_extruding_mm_s2)
-        .Set("R", limits.max_acceleration_retracting_mm_s2)
-        .Set("T", legacy_ ? 0 : limits.max_acceleration_travel_mm_s2);
-    if (limits.junction_deviation_mm > 0) {
-      LimitCommand("M205", out).Set("J", limits.junction_deviation_mm);
-    } else {
-      LimitCommand("M205", out).SetAxes(limits.max_jerk_mm_s);
-    }
+        .Set("S", limits.max_acceleration_extruding_mm_s2)
+        .Set("R", limits.max_acceleration_retracting_mm_s2);
   }
-  bool HasTravelAcceleration() const override { return !legacy_; }
-  void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override {
-    out << (legacy_ ? "M204 S" : "M204 P");
-    out.Integer(std::lround(print_mm_s2));
-    if (travel_mm_s2 > 0) {
-      out << " T";
-      out.Integer(std::lround(travel_mm_s2));
-    }
-    out << '\n';
-  }
-
- private:
-  bool legacy_;
 };
 
 }  // namespace
 
+std::unique_ptr<Planner> MarlinFirmware::MakePlanner(const MachineLimits& limits) const {
+  return std::make_unique<MarlinPlanner>(limits);
+}
+
+double MarlinFirmware::AccelerationFor(const KinematicMove& move,
+                                       const MachineLimits& limits) const {
+  const double print = AccelerationOr(limits.max_acceleration_extruding_mm_s2, 0);
+  if (move.ExtruderOnly()) return AccelerationOr(limits.max_acceleration_retracting_mm_s2, print);
+  if (move.ratio[kE] != 0) return print;
+  return AccelerationOr(limits.max_acceleration_travel_mm_s2, print);
+}
+
+double MarlinFirmware::ArcSegmentMm(double /*radius_mm*/, double /*speed_mm_s*/) const {
+  return kArcSegmentMm;
+}
+
+bool MarlinFirmware::Knows(const GcodeLine& line) const { return kKnown.Contain(line); }
+
+void MarlinFirmware::ApplyLimits(const GcodeLine& line, MachineLimits& limits) const {
+  if (line.letter != 'M') return;
+  if (line.number == 201) ReadAxes(line, 1, limits.max_acceleration_mm_s2);
+  if (line.number == 203) ReadAxes(line, 1, limits.max_feedrate_mm_s);
+  if (line.number == 204) ReadM204(line, limits);
+  if (line.number == 205) {
+    ReadAxes(line, 1, limits.max_jerk_mm_s);
+    ReadLimit(line['J'], limits.junction_deviation_mm);
+    ReadLimit(line['S'], limits.min_extruding_rate_mm_s);
+    ReadLimit(line['T'], limits.min_travel_rate_mm_s);
+  }
+}
+
+void MarlinFirmware::WriteLimits(const MachineLimits& limits, GcodeText& out) const {
+  LimitCommand("M201", out).SetAxes(limits.max_acceleration_mm_s2);
+  LimitCommand("M203", out).SetAxes(limits.max_feedrate_mm_s);
+  WriteAccelerationLimits(limits, out);
+  LimitCommand corners("M205", out);
+  if (limits.junction_deviation_mm > 0) {
+    corners.Set("J", limits.junction_deviation_mm);
+  } else {
+    corners.SetAxes(limits.max_jerk_mm_s);
+  }
+  corners.Set("S", limits.min_extruding_rate_mm_s).Set("T", limits.min_travel_rate_mm_s);
+}
+
+void MarlinFirmware::WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const {
+  LimitCommand("M204", out)
+      .Set("P", limits.max_acceleration_extruding_mm_s2)
+      .Set("R", limits.max_acceleration_retracting_mm_s2)
+      .Set("T", limits.max_acceleration_travel_mm_s2);
+}
+
+void MarlinFirmware::WriteAcceleration(double print_mm_s2, double travel_mm_s2,
+                                       GcodeText& out) const {
+  WriteM204(print_mm_s2, travel_mm_s2, out);
+}
+
 const Firmware& Marlin2() {
-  static const Marlin firmware(/*legacy=*/false);
+  static const MarlinFirmware firmware;
   return firmware;
 }
 
 const Firmware& MarlinLegacy() {
-  static const Marlin firmware(/*legacy=*/true);
+  static const LegacyFirmware firmware;
   return firmware;
 }
 

@@ -1,8 +1,30 @@
 #pragma once
 
-#include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/firmware/numbered_objects.h"
 
 namespace slicefarm::motion {
+
+/// Marlin 2 and what its forks have in common with it.
+class MarlinFirmware : public NumberedObjects {
+ public:
+  std::string_view name() const override { return "marlin2"; }
+
+  std::unique_ptr<Planner> MakePlanner(const MachineLimits& limits) const override;
+  double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const override;
+  double ArcSegmentMm(double radius_mm, double speed_mm_s) const override;
+
+  ExtruderMode extruder_mode() const override { return ExtruderMode::kWithAxes; }
+  bool Knows(const GcodeLine& line) const override;
+  void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const override;
+
+  void WriteLimits(const MachineLimits& limits, GcodeText& out) const override;
+  bool HasTravelAcceleration() const override { return true; }
+  void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override;
+
+ protected:
+  /// M204.
+  virtual void WriteAccelerationLimits(const MachineLimits& limits, GcodeText& out) const;
+};
 
 /// Marlin 2 and its forks, Prusa's among them.
 const Firmware& Marlin2();

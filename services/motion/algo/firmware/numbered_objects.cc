@@ -21,7 +21,7 @@ void NumberedObjects::BeginCopy(std::string_view /*label*/, size_t index, GcodeT
   out.Integer(static_cast<int64_t>(index)) << '\n';
 }
 
-void NumberedObjects::EndCopy(std::string_view /*label*/, GcodeText& out) const {
+void NumberedObjects::EndCopy(std::string_view /*label*/, size_t /*index*/, GcodeText& out) const {
   out << "M486 S-1\n";
 }
 

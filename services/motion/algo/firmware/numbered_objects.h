@@ -11,7 +11,7 @@ class NumberedObjects : public Firmware {
   void DefineCopies(std::span<const CopySummary> copies, std::span<const std::string> labels,
                     GcodeText& out) const override;
   void BeginCopy(std::string_view label, size_t index, GcodeText& out) const override;
-  void EndCopy(std::string_view label, GcodeText& out) const override;
+  void EndCopy(std::string_view label, size_t index, GcodeText& out) const override;
 };
 
 }  // namespace slicefarm::motion

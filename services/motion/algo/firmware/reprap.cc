@@ -61,12 +61,7 @@ class RepRapFirmware : public NumberedObjects {
     if (line.number == 203) ReadAxes(line, kPerMinute, limits.max_feedrate_mm_s);
     if (line.number == 205) ReadAxes(line, 1, limits.max_jerk_mm_s);
     if (line.number == 566) ReadAxes(line, kPerMinute, limits.max_jerk_mm_s);
-    if (line.number == 204) {
-      ReadLimit(line['S'], limits.max_acceleration_extruding_mm_s2);
-      ReadLimit(line['S'], limits.max_acceleration_travel_mm_s2);
-      ReadLimit(line['P'], limits.max_acceleration_extruding_mm_s2);
-      ReadLimit(line['T'], limits.max_acceleration_travel_mm_s2);
-    }
+    if (line.number == 204) ReadM204(line, limits);
   }
 
   /// Sources: the Duet's G-code dictionary, M567.
@@ -87,15 +82,19 @@ class RepRapFirmware : public NumberedObjects {
         .Set("T", limits.max_acceleration_travel_mm_s2);
     LimitCommand("M566", out).SetAxes(limits.max_jerk_mm_s, 1 / kPerMinute);
   }
+  /// What its file list shows, in its own words.
+  void WriteHead(const PrintFacts& facts, GcodeText& out) const override {
+    out << "; num_layers = ";
+    out.Integer(facts.layers) << "\n; max_z_height = ";
+    out.Real(facts.height_mm, 3) << '\n';
+  }
+  void WritePressureAdvance(double value, GcodeText& out) const override {
+    out << "M572 D0 S";
+    out.Real(value, 5) << '\n';
+  }
   bool HasTravelAcceleration() const override { return true; }
   void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const override {
-    out << "M204 P";
-    out.Integer(std::lround(print_mm_s2));
-    if (travel_mm_s2 > 0) {
-      out << " T";
-      out.Integer(std::lround(travel_mm_s2));
-    }
-    out << '\n';
+    WriteM204(print_mm_s2, travel_mm_s2, out);
   }
 };
 

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "services/motion/algo/toolpath/overhang.h"
+
 namespace slicefarm::motion {
 namespace {
 
@@ -17,7 +19,8 @@ bool NeedsBridgeFan(Feature feature) {
 /// Whether two moves print alike, so that an arc may stand for both.
 bool SameBead(const Move& a, const Move& b) {
   return a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint && a.feature == b.feature &&
-         a.width_um == b.width_um && a.height_um == b.height_um && a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
+         a.rest == b.rest && a.width_um == b.width_um && a.height_um == b.height_um &&
+         a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
          a.acceleration_mm_s2 == b.acceleration_mm_s2;
 }
 
@@ -99,6 +102,13 @@ void LayerWriter::EndBlock(GcodeText& out) {
   SetHeight(state_.height_um, out);
 }
 
+int32_t LayerWriter::FanFor(const Move& move) const {
+  if (NeedsBridgeFan(move.feature)) return state_.bridge_fan_percent;
+  if (move.rest == kFullRest || !state_.overhang_fan_percent) return state_.fan_percent;
+  return static_cast<int32_t>(
+      std::lround(ByRest(*state_.overhang_fan_percent, state_.fan_percent, move.rest)));
+}
+
 void LayerWriter::SetFan(int32_t percent, GcodeText& out) {
   if (percent != fan_percent_) WriteFan(percent, out);
   fan_percent_ = percent;
@@ -107,7 +117,7 @@ void LayerWriter::SetFan(int32_t percent, GcodeText& out) {
 void LayerWriter::SetHeight(int32_t height_um, GcodeText& out) {
   if (height_um == height_um_) return;
   height_um_ = height_um;
-  out << ";HEIGHT:";
+  out << firmware_.comments().height;
   out.Real(static_cast<double>(height_um) / kUmPerMm, 3) << '\n';
 }
 
@@ -145,12 +155,12 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
   if (type != type_) {
     type_ = type;
     width_um_ = -1;
-    out << ";TYPE:" << FeatureName(move.feature) << '\n';
-    SetFan(NeedsBridgeFan(move.feature) ? state_.bridge_fan_percent : state_.fan_percent, out);
+    out << firmware_.comments().feature << firmware_.WordsOf(move.feature) << '\n';
   }
+  SetFan(FanFor(move), out);
   if (width_um_ == -1 || std::abs(move.width_um - width_um_) >= kWidthStepUm) {
     width_um_ = move.width_um;
-    out << ";WIDTH:";
+    out << firmware_.comments().width;
     out.Real(static_cast<double>(move.width_um) / kUmPerMm, 3) << '\n';
   }
   SetHeight(move.height_um, out);

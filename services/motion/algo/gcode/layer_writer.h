@@ -6,6 +6,7 @@
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
+#include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -15,6 +16,7 @@ struct LayerState {
   int32_t height_um = -1;
   int32_t fan_percent = 0;         ///< told
   int32_t bridge_fan_percent = 0;  ///< for bridges and overhangs
+  std::optional<OverhangFans> overhang_fan_percent = {};  ///< for walls over air
 };
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
@@ -56,6 +58,7 @@ class LayerWriter {
   void WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
                 GcodeText& out);
   void WriteEnd(const Move& move, GcodeText& out);
+  int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
   void SetHeight(int32_t height_um, GcodeText& out);
   void Describe(const Move& move, GcodeText& out);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "common/base/text.h"
 #include "services/motion/algo/firmware/firmware.h"
 
 namespace slicefarm::motion {
@@ -23,6 +24,19 @@ void WriteStart(const MotionOptions& options, std::string_view start_gcode, Gcod
   if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
   out.Lines(start_gcode);
   if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
+}
+
+MachineLimits LimitsAfterStart(const MotionOptions& options) {
+  const Firmware& firmware = FirmwareOf(options.flavor);
+  MachineLimits limits = options.limits;
+  for (const std::string_view text : Split(options.start_gcode, "\n")) {
+    const GcodeLine line = ParseGcodeLine(text);
+    if (line.fault.empty() && text.find_first_of("{[") == text.npos)
+      firmware.ApplyLimits(line, limits);
+  }
+  if (options.default_acceleration_mm_s2 > 0)
+    limits.max_acceleration_extruding_mm_s2 = options.limits.max_acceleration_extruding_mm_s2;
+  return limits;
 }
 
 bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands) {

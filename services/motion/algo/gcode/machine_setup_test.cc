@@ -62,5 +62,21 @@ TEST(Commands, AreWholeWordsAtTheStartOfALine) {
   EXPECT_FALSE(Commands("", {"M104"}));
 }
 
+TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
+  MotionOptions options;
+  options.start_gcode = "G28 ; M201 X9\nM201 X750 Y{oops}\nM203 X90 ; comment\nM204 P600\nG1 X1 X2";
+  MachineLimits limits = LimitsAfterStart(options);
+  EXPECT_EQ(limits.max_acceleration_mm_s2, options.limits.max_acceleration_mm_s2);
+  EXPECT_EQ(limits.max_feedrate_mm_s[0], 90);
+  EXPECT_EQ(limits.max_acceleration_extruding_mm_s2, 600);
+  options.default_acceleration_mm_s2 = 1000;
+  EXPECT_EQ(LimitsAfterStart(options).max_acceleration_extruding_mm_s2,
+            options.limits.max_acceleration_extruding_mm_s2)
+      << "the layers tell it by themselves";
+  options.flavor = GcodeFlavor::kKlipper;
+  options.start_gcode = "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=8";
+  EXPECT_EQ(LimitsAfterStart(options).square_corner_velocity_mm_s, 8);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

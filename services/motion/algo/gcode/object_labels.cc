@@ -29,7 +29,7 @@ void EndCopy(const CopyName& name, size_t index, const MotionOptions& options, G
   if (options.labels == ObjectLabels::kComments) {
     out << "; stop printing object " << LabelOf(name, index, options) << '\n';
   } else {
-    FirmwareOf(options.flavor).EndCopy(LabelOf(name, index, options), out);
+    FirmwareOf(options.flavor).EndCopy(LabelOf(name, index, options), index, out);
   }
 }
 

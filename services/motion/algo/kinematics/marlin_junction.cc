@@ -45,6 +45,9 @@ double AxisJerk(double before, double after) {
 }  // namespace
 
 KinematicMove LimitedByMarlin(KinematicMove move, const MachineLimits& limits) {
+  const double slowest =
+      move.ratio[kE] != 0 ? limits.min_extruding_rate_mm_s : limits.min_travel_rate_mm_s;
+  move.speed_mm_s = std::max(move.speed_mm_s, slowest);
   move.speed_mm_s = LimitedByAxes(move.speed_mm_s, move.ratio, limits.max_feedrate_mm_s);
   move.acceleration_mm_s2 =
       LimitedByAxes(move.acceleration_mm_s2, move.ratio, limits.max_acceleration_mm_s2);

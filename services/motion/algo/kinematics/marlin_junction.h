@@ -9,7 +9,7 @@ namespace slicefarm::motion {
 inline constexpr double kMarlinRestMmS = 0.05;
 
 /// The move with the speed and acceleration that Marlin's limits of each axis leave. Limits of 0 do
-/// not count.
+/// not count. What is slower than the least rates runs at these.
 KinematicMove LimitedByMarlin(KinematicMove move, const MachineLimits& limits);
 
 /// The greatest squared speed (mm^2/s^2) from `before` to `move` by junction deviation, as far as

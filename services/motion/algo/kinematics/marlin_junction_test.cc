@@ -24,6 +24,15 @@ MachineLimits Limits() {
   return limits;
 }
 
+TEST(LimitedByMarlin, NothingIsSlowerThanTheLeastRates) {
+  MachineLimits limits = Limits();
+  limits.min_extruding_rate_mm_s = 5;
+  limits.min_travel_rate_mm_s = 7;
+  EXPECT_EQ(LimitedByMarlin({10, {1, 0, 0, 0.03}, 2, 1000}, limits).speed_mm_s, 5);
+  EXPECT_EQ(LimitedByMarlin({10, {1, 0, 0, 0}, 2, 1000}, limits).speed_mm_s, 7);
+  EXPECT_EQ(LimitedByMarlin({10, {1, 0, 0, 0}, 9, 1000}, limits).speed_mm_s, 9);
+}
+
 TEST(LimitedByMarlin, EachAxisHasItsLimits) {
   KinematicMove up{10, {0, 0, 1, 0}, 100, 1000};
   EXPECT_EQ(LimitedByMarlin(up, Limits()).speed_mm_s, 20);

@@ -7,21 +7,19 @@ namespace {
 
 double Squared(double v) { return v * v; }
 
+double StartV2(const KinematicMove& first, const MachineLimits& limits) {
+  return limits.junction_deviation_mm > 0 ? 0 : Squared(SafeSpeed(first, limits));
+}
+
+double JunctionV2(const KinematicMove& before, const KinematicMove& move,
+                  const MachineLimits& limits) {
+  if (limits.junction_deviation_mm > 0) return JunctionDeviationV2(before, move, limits);
+  return Squared(ClassicJerkSpeed(before, move, limits));
+}
+
 }  // namespace
 
-KinematicMove MarlinPlanner::Limited(const KinematicMove& move) const {
-  return LimitedByMarlin(move, limits());
-}
-
-double MarlinPlanner::StartV2(const KinematicMove& first) const {
-  return limits().junction_deviation_mm > 0 ? 0 : Squared(SafeSpeed(first, limits()));
-}
-
-double MarlinPlanner::JunctionV2(const KinematicMove& before, const KinematicMove& move) const {
-  if (limits().junction_deviation_mm > 0) return JunctionDeviationV2(before, move, limits());
-  return Squared(ClassicJerkSpeed(before, move, limits()));
-}
-
-double MarlinPlanner::RestV2() const { return Squared(kMarlinRestMmS); }
+MarlinPlanner::MarlinPlanner(const MachineLimits& limits)
+    : TwoPassPlanner({LimitedByMarlin, StartV2, JunctionV2, Squared(kMarlinRestMmS)}, limits) {}
 
 }  // namespace slicefarm::motion

@@ -3,17 +3,13 @@
 #include "services/motion/algo/kinematics/reprap_junction.h"
 
 namespace slicefarm::motion {
+namespace {
 
-KinematicMove RepRapPlanner::Limited(const KinematicMove& move) const {
-  return LimitedByRepRap(move, limits());
-}
+double StartV2(const KinematicMove& /*first*/, const MachineLimits& /*limits*/) { return 0; }
 
-double RepRapPlanner::StartV2(const KinematicMove& /*first*/) const { return 0; }
+}  // namespace
 
-double RepRapPlanner::JunctionV2(const KinematicMove& before, const KinematicMove& move) const {
-  return RepRapJunctionV2(before, move, limits());
-}
-
-double RepRapPlanner::RestV2() const { return 0; }
+RepRapPlanner::RepRapPlanner(const MachineLimits& limits)
+    : TwoPassPlanner({LimitedByRepRap, StartV2, RepRapJunctionV2, 0}, limits) {}
 
 }  // namespace slicefarm::motion

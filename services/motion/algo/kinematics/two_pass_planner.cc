@@ -8,14 +8,15 @@ namespace slicefarm::motion {
 
 void TwoPassPlanner::Add(const KinematicMove& move) {
   const KinematicMove limited = Limited(move);
-  entry_v2_.push_back(moves_.empty() ? StartV2(limited) : JunctionV2(moves_.back(), limited));
+  entry_v2_.push_back(moves_.empty() ? rules_.start_v2(limited, limits())
+                                     : rules_.junction_v2(moves_.back(), limited, limits()));
   moves_.push_back(limited);
 }
 
 std::span<const MoveProfile> TwoPassPlanner::Stop() {
   const size_t count = moves_.size();
   profiles_.resize(count);
-  entry_v2_.push_back(RestV2());
+  entry_v2_.push_back(rules_.rest_v2);
   for (size_t i = count; i-- > 0;)
     entry_v2_[i] = std::min(entry_v2_[i], entry_v2_[i + 1] + ReachV2(moves_[i]));
   for (size_t i = 0; i < count; ++i) {

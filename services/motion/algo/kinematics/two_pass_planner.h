@@ -7,22 +7,29 @@
 
 namespace slicefarm::motion {
 
-/// What planners that always go as fast as their junctions allow have in common.
+/// Always as fast as the junctions allow: what differs from firmware to firmware are its rules.
 class TwoPassPlanner : public Planner {
  public:
-  explicit TwoPassPlanner(const MachineLimits& limits) : Planner(limits) {}
+  struct Rules {
+    KinematicMove (*limited)(KinematicMove move, const MachineLimits& limits);
+    // Greatest squared speeds in mm^2/s^2, of limited moves: out of rest, and from move to move.
+    double (*start_v2)(const KinematicMove& first, const MachineLimits& limits);
+    double (*junction_v2)(const KinematicMove& before, const KinematicMove& move,
+                          const MachineLimits& limits);
+    double rest_v2 = 0;  ///< what counts as rest at the end
+  };
 
+  TwoPassPlanner(const Rules& rules, const MachineLimits& limits)
+      : Planner(limits), rules_(rules) {}
+
+  KinematicMove Limited(const KinematicMove& move) const override {
+    return rules_.limited(move, limits());
+  }
   void Add(const KinematicMove& move) override;
   std::span<const MoveProfile> Stop() override;
 
- protected:
-  /// Greatest squared speeds in mm^2/s^2: out of rest, from move to move, and of what counts as
-  /// rest at the end. The moves are limited.
-  virtual double StartV2(const KinematicMove& first) const = 0;
-  virtual double JunctionV2(const KinematicMove& before, const KinematicMove& move) const = 0;
-  virtual double RestV2() const = 0;
-
  private:
+  Rules rules_;
   std::vector<KinematicMove> moves_;  ///< limited
   std::vector<double> entry_v2_;      ///< greatest
   std::vector<MoveProfile> profiles_;

@@ -7,25 +7,13 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Junctions at a fixed speed.
-class Fixed : public TwoPassPlanner {
- public:
-  explicit Fixed(double junction_v2) : TwoPassPlanner({}), junction_v2_(junction_v2) {}
-  KinematicMove Limited(const KinematicMove& move) const override { return move; }
-
- protected:
-  double StartV2(const KinematicMove& /*first*/) const override { return 0; }
-  double JunctionV2(const KinematicMove& /*before*/, const KinematicMove& /*move*/) const override {
-    return junction_v2_;
-  }
-  double RestV2() const override { return 0; }
-
- private:
-  double junction_v2_;
-};
+constexpr TwoPassPlanner::Rules kFixed = {
+    [](KinematicMove move, const MachineLimits&) { return move; },
+    [](const KinematicMove&, const MachineLimits&) { return 0.0; },
+    [](const KinematicMove&, const KinematicMove&, const MachineLimits&) { return 1e4; }, 0};
 
 TEST(TwoPassPlanner, BothPassesLowerJunctions) {
-  Fixed planner(1e4);
+  TwoPassPlanner planner(kFixed, {});
   // Reach 2 a L: 200, 2000, 100.
   planner.Add({0.1, {1, 0, 0, 0}, 100, 1000});
   planner.Add({1, {1, 0, 0, 0}, 100, 1000});

@@ -16,6 +16,7 @@ class Clock {
         planner_(firmware.MakePlanner(setup.limits)) {}
 
   void Read(std::string_view text) {
+    ++lines_;
     const GcodeLine line = ParseGcodeLine(text);
     if (!line.comment.empty() && labels_.Read(line.comment)) Label();
     const GcodeAction action = machine_.Read(line);
@@ -43,6 +44,7 @@ class Clock {
 
   ProgramTime Finish() {
     Stop();
+    FillLines(lines_);
     return std::move(time_);
   }
 
@@ -51,6 +53,7 @@ class Clock {
   struct Account {
     double* kind_s;
     int layer;
+    size_t line;
   };
 
   void Label() {
@@ -71,7 +74,7 @@ class Clock {
   }
 
   void Add(const ProgramMove& move) {
-    accounts_.push_back({KindOf(move), labels_.layer()});
+    accounts_.push_back({KindOf(move), labels_.layer(), lines_});
     planner_->Add(ToKinematic(move, firmware_, machine_.limits()));
     ++time_.moves;
     if (!move.InSpace() && firmware_.StopsForFilament()) Stop();  // bounds memory
@@ -84,8 +87,15 @@ class Clock {
       time_.move_s += t;
       *accounts_[i].kind_s += t;
       TimeOf(accounts_[i].layer) += t;
+      FillLines(accounts_[i].line - 1);
+      ended_s_ = time_.TotalS();
     }
     accounts_.clear();
+  }
+
+  /// Lines in which nothing moves end when those before them do.
+  void FillLines(size_t count) {
+    if (time_.line_end_s.size() < count) time_.line_end_s.resize(count, ended_s_);
   }
 
   void Count(const GcodeLine& line) {
@@ -103,6 +113,8 @@ class Clock {
   std::unique_ptr<Planner> planner_;
   ProgramLabels labels_;
   std::vector<Account> accounts_;
+  size_t lines_ = 0;     ///< read
+  double ended_s_ = 0;  ///< of what is planned
   double* feature_s_ = nullptr;  ///< of the labels
   ProgramTime time_;
 };

@@ -21,6 +21,7 @@ struct ProgramTime {
   double retract_s = 0;  ///< of filament alone
   double before_s = 0;   ///< moves and dwells before the first layer's comment
   std::vector<double> layer_s;
+  std::vector<double> line_end_s;  ///< by line: when its moves have ended, from the program's start
   int64_t moves = 0;  ///< straight ones; arcs count by their chords
   // What takes a time that no program tells: counted as 0 s.
   int64_t homings = 0;

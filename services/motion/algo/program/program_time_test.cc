@@ -72,5 +72,17 @@ TEST(TimeOfProgram, AnyBytes) {
   EXPECT_EQ(TimeOfProgram("\0\xff G1 X\nG1 Xx\r\n;;\nG1 X1e9", Marlin2(), Machine()).moves, 0);
 }
 
+TEST(TimeOfProgram, KnowsWhenEachLineEnds) {
+  const ProgramTime time = TimeOfProgram(
+      "M83\nG1 X100 F6000\n;TYPE:Perimeter\nG1 X200 E5\nG4 S1\nG1 X100\nM84\n", Klipper(), {});
+  ASSERT_EQ(time.line_end_s.size(), 7);
+  EXPECT_EQ(time.line_end_s[0], 0);
+  EXPECT_GT(time.line_end_s[1], 1);
+  EXPECT_EQ(time.line_end_s[2], time.line_end_s[1]);
+  EXPECT_GT(time.line_end_s[3], time.line_end_s[1] + 0.9);
+  EXPECT_NEAR(time.line_end_s[6], time.TotalS(), 1e-9);
+  EXPECT_NEAR(time.line_end_s[5] - time.line_end_s[3], 1 + 1 + 100.0 / 1500, 0.01);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

@@ -18,7 +18,7 @@ double FirstSet(std::initializer_list<double> values) {
 
 }  // namespace
 
-Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index) {
+Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   const MachineLimits& limits = options.limits;
   const Firmware& firmware = FirmwareOf(options.flavor);
   Accelerations result;
@@ -28,9 +28,10 @@ Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index
     double asked = limits.max_acceleration_extruding_mm_s2;
     if (result.told) {
       asked = FirstSet({options.acceleration_mm_s2[i], options.default_acceleration_mm_s2});
-      if (layer_index == 0 && options.first_layer_acceleration_mm_s2 > 0) {
-        asked = options.first_layer_acceleration_mm_s2;
-      }
+      const double of_ground = ground == Ground::kBed    ? options.first_layer_acceleration_mm_s2
+                               : ground == Ground::kRaft ? options.over_raft_acceleration_mm_s2
+                                                         : 0;
+      if (of_ground > 0) asked = of_ground;
       if (limits.emit_to_gcode && limits.max_acceleration_extruding_mm_s2 > 0) {
         asked = std::min(asked, limits.max_acceleration_extruding_mm_s2);
       }

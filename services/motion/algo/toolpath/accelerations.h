@@ -4,6 +4,7 @@
 
 #include "common/model/motion_options.h"
 #include "common/model/path.h"
+#include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
 
@@ -28,6 +29,6 @@ struct Accelerations {
   double Retract(double before) const { return retract > 0 ? retract : before; }
 };
 
-Accelerations AccelerationsFor(const MotionOptions& options, int32_t layer_index);
+Accelerations AccelerationsFor(const MotionOptions& options, Ground ground);
 
 }  // namespace slicefarm::motion

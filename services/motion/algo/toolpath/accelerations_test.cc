@@ -16,7 +16,7 @@ MotionOptions Options() {
 TEST(Accelerations, LeftToTheFirmware) {
   MotionOptions options = Options();
   options.acceleration_mm_s2[0] = 500;  // without default_acceleration, of no effect
-  const Accelerations a = AccelerationsFor(options, 3);
+  const Accelerations a = AccelerationsFor(options, Ground::kLayers);
   EXPECT_FALSE(a.told);
   EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 1500);
   EXPECT_EQ(a.travel, 3000);
@@ -27,7 +27,7 @@ TEST(Accelerations, FeaturesThenDefault) {
   MotionOptions options = Options();
   options.default_acceleration_mm_s2 = 1000;
   options.acceleration_mm_s2[static_cast<size_t>(Feature::kExternalPerimeter)] = 500;
-  const Accelerations a = AccelerationsFor(options, 3);
+  const Accelerations a = AccelerationsFor(options, Ground::kLayers);
   EXPECT_TRUE(a.told);
   EXPECT_FALSE(a.told_travel);
   EXPECT_EQ(a.Print(Feature::kExternalPerimeter), 500);
@@ -38,8 +38,8 @@ TEST(Accelerations, FirstLayer) {
   MotionOptions options = Options();
   options.default_acceleration_mm_s2 = 1000;
   options.first_layer_acceleration_mm_s2 = 300;
-  EXPECT_EQ(AccelerationsFor(options, 0).Print(Feature::kPerimeter), 300);
-  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 1000);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kBed).Print(Feature::kPerimeter), 300);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Print(Feature::kPerimeter), 1000);
 }
 
 TEST(Accelerations, TravelApartOnlyInMarlin2) {
@@ -47,28 +47,28 @@ TEST(Accelerations, TravelApartOnlyInMarlin2) {
     MotionOptions options = Options();
     options.flavor = flavor;
     options.default_acceleration_mm_s2 = 1000;
-    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 700) << "as the path before";
+    EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Travel(700), 700) << "as the path before";
     options.travel_acceleration_mm_s2 = 2000;
-    EXPECT_EQ(AccelerationsFor(options, 1).Travel(700), 2000);
-    EXPECT_TRUE(AccelerationsFor(options, 1).told_travel);
+    EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Travel(700), 2000);
+    EXPECT_TRUE(AccelerationsFor(options, Ground::kLayers).told_travel);
   }
 }
 
 TEST(Accelerations, KlipperHasOneForAllMoves) {
   MotionOptions options = Options();
-  EXPECT_EQ(AccelerationsFor(options, 1).Retract(700), 1200);
-  EXPECT_FALSE(AccelerationsFor(options, 1).one);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Retract(700), 1200);
+  EXPECT_FALSE(AccelerationsFor(options, Ground::kLayers).one);
   options.flavor = GcodeFlavor::kKlipper;
-  EXPECT_EQ(AccelerationsFor(options, 1).Retract(700), 700) << "what was set last";
-  EXPECT_TRUE(AccelerationsFor(options, 1).one);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Retract(700), 700) << "what was set last";
+  EXPECT_TRUE(AccelerationsFor(options, Ground::kLayers).one);
 }
 
 TEST(Accelerations, LimitsThatAreEmittedHold) {
   MotionOptions options = Options();
   options.default_acceleration_mm_s2 = 9000;
-  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 9000);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Print(Feature::kPerimeter), 9000);
   options.limits.emit_to_gcode = true;
-  EXPECT_EQ(AccelerationsFor(options, 1).Print(Feature::kPerimeter), 1500);
+  EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Print(Feature::kPerimeter), 1500);
 }
 
 TEST(Accelerations, NeverZero) {
@@ -76,7 +76,7 @@ TEST(Accelerations, NeverZero) {
   options.limits.max_acceleration_extruding_mm_s2 = 0;
   options.limits.max_acceleration_travel_mm_s2 = 0;
   options.limits.max_acceleration_retracting_mm_s2 = 0;
-  const Accelerations a = AccelerationsFor(options, 1);
+  const Accelerations a = AccelerationsFor(options, Ground::kLayers);
   EXPECT_GT(a.Print(Feature::kPerimeter), 0);
   EXPECT_GT(a.travel, 0);
   EXPECT_GT(a.retract, 0);

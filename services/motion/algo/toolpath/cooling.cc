@@ -50,6 +50,29 @@ int32_t FastestBead(std::span<const Toolpath> paths) {
   return fastest;
 }
 
+/// Off in the first layers; its share then grows layer by layer.
+int32_t Grown(const CoolingOptions& cooling, int32_t layer_index, int32_t percent) {
+  const int32_t full = cooling.full_fan_speed_layer;
+  // A fan that grows begins with none in the first layer.
+  const int32_t off = std::max(cooling.disable_fan_first_layers, full > 0 ? 1 : 0);
+  if (layer_index < off) return 0;
+  if (layer_index + 1 >= full) return percent;
+  const double share = static_cast<double>(layer_index + 1 - off) / (full - off);
+  return static_cast<int32_t>(std::lround(percent * share));
+}
+
+/// By the layer's time alone.
+int32_t FullFan(const CoolingOptions& cooling, double layer_time_s) {
+  const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
+  if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
+  if (layer_time_s <= cooling.slowdown_below_layer_time_s) return cooling.max_fan_percent;
+  const double share = (cooling.fan_below_layer_time_s - layer_time_s) /
+                       (cooling.fan_below_layer_time_s - cooling.slowdown_below_layer_time_s);
+  const double percent =
+      cooling.min_fan_percent + share * (cooling.max_fan_percent - cooling.min_fan_percent);
+  return static_cast<int32_t>(std::lround(percent));
+}
+
 double Sum(std::span<const double> times) {
   return std::accumulate(times.begin(), times.end(), 0.0);
 }
@@ -83,22 +106,19 @@ std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const 
 }
 
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s) {
-  if (layer_index < cooling.disable_fan_first_layers) return 0;
-  const int32_t least = cooling.fan_always_on ? cooling.min_fan_percent : 0;
-  if (!cooling.enabled || layer_time_s >= cooling.fan_below_layer_time_s) return least;
-  if (layer_time_s <= cooling.slowdown_below_layer_time_s) return cooling.max_fan_percent;
-  const double share = (cooling.fan_below_layer_time_s - layer_time_s) /
-                       (cooling.fan_below_layer_time_s - cooling.slowdown_below_layer_time_s);
-  const double percent =
-      cooling.min_fan_percent + share * (cooling.max_fan_percent - cooling.min_fan_percent);
-  return static_cast<int32_t>(std::lround(percent));
+  return Grown(cooling, layer_index, FullFan(cooling, layer_time_s));
 }
 
 int32_t BridgeFanPercent(const CoolingOptions& cooling, int32_t layer_index, int32_t fan_percent) {
-  if (layer_index < cooling.disable_fan_first_layers || cooling.bridge_fan_percent <= 0) {
-    return fan_percent;
-  }
-  return std::max(fan_percent, cooling.bridge_fan_percent);
+  return std::max(fan_percent, Grown(cooling, layer_index, cooling.bridge_fan_percent));
+}
+
+std::optional<OverhangFans> OverhangFanPercent(const CoolingOptions& cooling, int32_t layer_index) {
+  if (!cooling.dynamic_fan) return std::nullopt;
+  OverhangFans fans = {};
+  for (size_t i = 0; i < fans.size(); ++i)
+    fans[i] = Grown(cooling, layer_index, cooling.overhang_fan_percent[i]);
+  return fans;
 }
 
 }  // namespace slicefarm::motion

@@ -142,5 +142,25 @@ TEST(BridgeFanPercent, IsNoLessThanTheFan) {
   EXPECT_EQ(BridgeFanPercent(cooling, 1, 35), 35);
 }
 
+TEST(FanPercent, GrowsUpToTheFullLayer) {
+  CoolingOptions cooling;
+  cooling.disable_fan_first_layers = 2;
+  cooling.full_fan_speed_layer = 6;
+  for (const auto& [layer, want] : {std::pair{1, 0}, {2, 25}, {3, 50}, {4, 75}, {5, 100}, {9, 100}})
+    EXPECT_EQ(FanPercent(cooling, layer, 1), want) << layer;
+  EXPECT_EQ(BridgeFanPercent(cooling, 3, 20), 50);
+  cooling.disable_fan_first_layers = 0;
+  EXPECT_EQ(FanPercent(cooling, 0, 1), 0);
+}
+
+TEST(OverhangFanPercent, OnlyIfAskedFor) {
+  CoolingOptions cooling;
+  cooling.overhang_fan_percent = {100, 80, 40, 10};
+  EXPECT_FALSE(OverhangFanPercent(cooling, 5));
+  cooling.dynamic_fan = true;
+  EXPECT_EQ(*OverhangFanPercent(cooling, 5), (OverhangFans{100, 80, 40, 10}));
+  EXPECT_EQ(*OverhangFanPercent(cooling, 0), (OverhangFans{0, 0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

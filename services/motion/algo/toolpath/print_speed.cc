@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "services/motion/algo/toolpath/overhang.h"
+
 namespace slicefarm::motion {
 namespace {
 
@@ -30,12 +32,33 @@ double PrintSpeeds::Of(const Path& path, double length_mm) const {
   if (IsSmallLoop(path, length_mm) && region.small_perimeter_speed_mm_s > 0) {
     speed = region.small_perimeter_speed_mm_s;
   }
-  if (first_layer_) {
-    speed = options_.first_layer_speed_mm_s > 0 ? options_.first_layer_speed_mm_s
-                                                : speed * options_.first_layer_speed_ratio;
-  }
+  speed = OnGround(path.feature, speed);
   if (speed > 0) return speed;
   return options_.max_print_speed_mm_s > 0 ? options_.max_print_speed_mm_s : kDefaultSpeedMmS;
+}
+
+double PrintSpeeds::OnGround(Feature feature, double speed) const {
+  const auto either = [speed](double told, double ratio) { return told > 0 ? told : speed * ratio; };
+  switch (ground_) {
+    case Ground::kBed:
+      if (feature == Feature::kSolidInfill && options_.first_layer_infill_speed_mm_s > 0)
+        return options_.first_layer_infill_speed_mm_s;
+      return either(options_.first_layer_speed_mm_s, options_.first_layer_speed_ratio);
+    case Ground::kRaft:
+      return either(options_.over_raft_speed_mm_s, options_.over_raft_speed_ratio);
+    case Ground::kLayers:
+      break;
+  }
+  return speed;
+}
+
+double PrintSpeeds::OverAir(const Path& path, double speed_mm_s, uint8_t rest) const {
+  const RegionSpeeds& region = options_.speeds[static_cast<size_t>(path.settings)];
+  if (!region.dynamic_overhangs || rest == kFullRest) return speed_mm_s;
+  std::array<double, kOverhangDegrees> told = region.overhang_speed_mm_s;
+  for (double& speed : told)
+    if (speed <= 0) speed = speed_mm_s;
+  return std::min(speed_mm_s, ByRest(told, speed_mm_s, rest));
 }
 
 double PrintSpeeds::LimitedByFlow(double speed_mm_s, double section_mm2) const {

@@ -2,6 +2,7 @@
 
 #include "common/model/motion_options.h"
 #include "common/model/path.h"
+#include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
 
@@ -9,21 +10,24 @@ namespace slicefarm::motion {
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
 /// How fast a path may be printed, in mm/s, by its region's settings: the feature's speed, that of
-/// small loops, the first layer's; never above max_print_speed where the settings leave it open,
+/// small loops, that of the first layer on the bed or on a raft; never above max_print_speed where the settings leave it open,
 /// nor above max_volumetric_speed. `section_mm2`: of its bead, flow included.
 class PrintSpeeds {
  public:
-  PrintSpeeds(const MotionOptions& options, int32_t layer_index)
-      : options_(options), first_layer_(layer_index == 0) {}
+  PrintSpeeds(const MotionOptions& options, Ground ground) : options_(options), ground_(ground) {}
 
   /// Without regard to the volume. REQUIRES: the path's settings have a row.
   double Of(const Path& path, double length_mm) const;
+  /// What is left of it where only `rest` of a wall's width has something below.
+  double OverAir(const Path& path, double speed_mm_s, uint8_t rest) const;
   /// `speed_mm_s`, lowered until no more than the greatest volume flows.
   double LimitedByFlow(double speed_mm_s, double section_mm2) const;
 
  private:
+  double OnGround(Feature feature, double speed_mm_s) const;
+
   const MotionOptions& options_;
-  bool first_layer_;
+  Ground ground_;
 };
 
 /// Speed of travels and of z moves, in mm/s.

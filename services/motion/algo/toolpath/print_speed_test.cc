@@ -23,26 +23,58 @@ Path OfFeature(Feature feature, bool closed = false) {
 
 TEST(PrintSpeeds, ByFeature) {
   const MotionOptions options = Options();
-  const PrintSpeeds speeds(options, 1);
+  const PrintSpeeds speeds(options, Ground::kLayers);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kExternalPerimeter), 100), 40);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kInternalInfill), 1), 80);
 }
 
 TEST(PrintSpeeds, SmallLoops) {
   const MotionOptions options = Options();
-  const PrintSpeeds speeds(options, 1);
+  const PrintSpeeds speeds(options, Ground::kLayers);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.8), 15);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, true), 40.9), 60);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter, false), 10), 60);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kGapFill, true), 10), 20);
 }
 
+TEST(PrintSpeeds, FirstLayersInfill) {
+  MotionOptions options = Options();
+  options.first_layer_infill_speed_mm_s = 35;
+  const PrintSpeeds speeds(options, Ground::kBed);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSolidInfill), 100), 35);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kPerimeter), 100), 25);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).Of(OfFeature(Feature::kSolidInfill), 100), 70);
+}
+
+TEST(PrintSpeeds, FirstLayerOnARaft) {
+  MotionOptions options = Options();
+  options.over_raft_speed_mm_s = 33;
+  EXPECT_EQ(PrintSpeeds(options, Ground::kRaft).Of(OfFeature(Feature::kPerimeter), 100), 33);
+  options.over_raft_speed_mm_s = 0;
+  options.over_raft_speed_ratio = 0.5;
+  EXPECT_EQ(PrintSpeeds(options, Ground::kRaft).Of(OfFeature(Feature::kPerimeter), 100), 30);
+}
+
+TEST(PrintSpeeds, WallsOverAirAreSlower) {
+  MotionOptions options = Options();
+  const PrintSpeeds speeds(options, Ground::kLayers);
+  const Path path = OfFeature(Feature::kExternalPerimeter);
+  EXPECT_EQ(speeds.OverAir(path, 40, 0), 40) << "not asked for";
+  options.speeds[0].dynamic_overhangs = true;
+  options.speeds[0].overhang_speed_mm_s = {10, 0, 20, 90};
+  EXPECT_EQ(speeds.OverAir(path, 40, 0), 10);
+  EXPECT_EQ(speeds.OverAir(path, 40, 5), 40) << "0: not slowed down";
+  EXPECT_EQ(speeds.OverAir(path, 40, 10), 20);
+  EXPECT_EQ(speeds.OverAir(path, 40, 15), 40) << "never faster";
+  EXPECT_EQ(speeds.OverAir(path, 40, kFullRest), 40);
+}
+
 TEST(PrintSpeeds, FirstLayer) {
   MotionOptions options = Options();
-  EXPECT_EQ(PrintSpeeds(options, 0).Of(OfFeature(Feature::kPerimeter), 100), 25);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kBed).Of(OfFeature(Feature::kPerimeter), 100), 25);
   options.first_layer_speed_mm_s = 0;
   options.first_layer_speed_ratio = 0.5;
-  EXPECT_EQ(PrintSpeeds(options, 0).Of(OfFeature(Feature::kPerimeter), 100), 30);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kBed).Of(OfFeature(Feature::kPerimeter), 100), 30);
 }
 
 TEST(PrintSpeeds, EachRegionHasItsOwn) {
@@ -51,26 +83,26 @@ TEST(PrintSpeeds, EachRegionHasItsOwn) {
   options.speeds[1].speed_mm_s[static_cast<size_t>(Feature::kPerimeter)] = 33;
   Path path = OfFeature(Feature::kPerimeter);
   path.settings = 1;
-  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 33);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).Of(path, 100), 33);
   path.settings = 0;
-  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 60);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).Of(path, 100), 60);
 }
 
 TEST(PrintSpeeds, Defaults) {
   MotionOptions options = Options();
   const Path path = OfFeature(Feature::kPerimeter);
   options.speeds[0].speed_mm_s = {};
-  EXPECT_EQ(PrintSpeeds(options, 1).Of(path, 100), 77);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).Of(path, 100), 77);
   options.max_print_speed_mm_s = 0;
-  EXPECT_GT(PrintSpeeds(options, 1).Of(path, 100), 0);
+  EXPECT_GT(PrintSpeeds(options, Ground::kLayers).Of(path, 100), 0);
 }
 
 TEST(PrintSpeeds, VolumePerSecond) {
   MotionOptions options = Options();
-  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(60, 0.1), 60);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 60);
   options.max_volumetric_speed_mm3_s = 4;
-  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(60, 0.1), 40);
-  EXPECT_EQ(PrintSpeeds(options, 1).LimitedByFlow(30, 0.1), 30);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(60, 0.1), 40);
+  EXPECT_EQ(PrintSpeeds(options, Ground::kLayers).LimitedByFlow(30, 0.1), 30);
 }
 
 TEST(TravelSpeed, OfZFallsBackToTheMachine) {

@@ -8,10 +8,20 @@
 
 namespace slicefarm::motion {
 
+/// How much of a bead's width rests on the layer below, in steps: 0 is nothing, kFullRest all of it.
+inline constexpr uint8_t kFullRest = 20;
+
 /// A length as moves have it: whole micrometres, half of one away from zero. REQUIRES: below 2 km.
 inline int32_t ToUm(Coord nm) {
   return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
 }
+
+/// What a layer of an object lies on.
+enum class Ground : uint8_t {
+  kBed,
+  kRaft,
+  kLayers,  ///< its own
+};
 
 enum class MoveKind : uint8_t {
   kPrint,
@@ -35,6 +45,7 @@ struct Move {
   float acceleration_mm_s2 = 0;  ///< 0: what the machine is set to by the beads before
   MoveKind kind = MoveKind::kTravel;
   Feature feature = Feature::kPerimeter;  ///< of kPrint
+  uint8_t rest = kFullRest;               ///< of a bead: how much of it has something below
 
   friend bool operator==(const Move&, const Move&) = default;
 };

@@ -22,17 +22,23 @@ int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
 }
 
+bool IsWall(Feature feature) {
+  return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
+         feature == Feature::kOverhangPerimeter;
+}
+
 }  // namespace
 
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
-                                 Coord bead_height_nm)
+                                 Coord bead_height_nm, Ground ground, const LayerBelow* below)
     : options_(options),
       first_layer_(frame.index == 0),
-      speeds_(options, frame.index),
-      accelerations_(AccelerationsFor(options, frame.index)),
+      speeds_(options, ground),
+      accelerations_(AccelerationsFor(options, ground)),
       filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
                          options.filament_diameter_mm),
-      bead_height_nm_(bead_height_nm) {
+      bead_height_nm_(bead_height_nm),
+      below_(below) {
   const RetractionOptions& retraction = options.retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
@@ -85,7 +91,11 @@ void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
     const size_t to = i < count ? i : 0;
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
     if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
-    PrintSegment(path.points[i - 1], path.points[to], bead);
+    if (below_ != nullptr && IsWall(path.feature)) {
+      PrintOverAir(path, path.points[i - 1], path.points[to], bead, speed_mm_s);
+    } else {
+      PrintSegment(path.points[i - 1], path.points[to], bead);
+    }
   }
 }
 
@@ -103,6 +113,18 @@ void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options,
     PrintSegment(from, piece.to, bead);
     from = piece.to;
   }
+}
+
+/// In pieces that rest on the layer below by different shares.
+void ToolpathBuilder::PrintOverAir(const Path& path, Point from, Point to, const Bead& bead,
+                                   double speed_mm_s) {
+  for (const RestingPiece& piece : PiecesOf(from, to, bead.width_nm, *below_)) {
+    at_.rest = piece.rest;
+    PrintSegment(from, piece.to,
+                 BeadOf(bead.width_nm, speeds_.OverAir(path, speed_mm_s, piece.rest)));
+    from = piece.to;
+  }
+  at_.rest = kFullRest;
 }
 
 /// As one move or, where materials mix, as many as the mix may change.

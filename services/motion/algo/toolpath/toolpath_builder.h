@@ -3,6 +3,7 @@
 #include "common/model/layer.h"
 #include "common/model/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
+#include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -18,8 +19,10 @@ namespace slicefarm::motion {
 /// sight. There are none on the first layer.
 class ToolpathBuilder {
  public:
-  /// `options` must outlive the builder. `bead_height_nm`: of the paths.
-  ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm);
+  /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over air;
+  /// null: that is not asked for, or not known. `bead_height_nm`: of the paths.
+  ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
+                  Ground ground = Ground::kLayers, const LayerBelow* below = nullptr);
 
   /// `travel`: the way to it; of the first path it is not looked at.
   void Add(const Path& path, const Travel& travel = {});
@@ -43,6 +46,7 @@ class ToolpathBuilder {
   void GoTo(Point to, const Travel& travel);
   void PrintSegments(const Path& path, double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
+  void PrintOverAir(const Path& path, Point from, Point to, const Bead& bead, double speed_mm_s);
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
@@ -59,6 +63,7 @@ class ToolpathBuilder {
   double filament_area_mm2_;
   Coord bead_height_nm_;
   int32_t bottom_um_;  ///< of the beads
+  const LayerBelow* below_;
   int32_t z_um_;
   int32_t lift_um_;
   int32_t retract_units_;

@@ -272,5 +272,47 @@ TEST(ToolpathBuilder, AnAbsurdSegmentDoesNotOverflow) {
   EXPECT_GT(built.path.moves[3].filament, 0);
 }
 
+TEST(ToolpathBuilder, WallsOverAirAreCutAndSlowedDown) {
+  MotionOptions options;
+  options.speeds[0].dynamic_overhangs = true;
+  options.speeds[0].overhang_speed_mm_s = {10, 15, 20, 25};
+  const LayerBelow below({{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)}, {0, FromMm(5)}}, {}}});
+  ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000, Ground::kLayers, &below);
+  Path wall;
+  wall.feature = Feature::kExternalPerimeter;
+  wall.points = {{FromMm(2), 0}, {FromMm(18), 0}};
+  wall.widths_nm = {400'000};
+  builder.Add(wall);
+  Path fill = wall;
+  fill.feature = Feature::kSolidInfill;
+  fill.points = {{FromMm(18), FromMm(1)}, {FromMm(2), FromMm(1)}};
+  builder.Add(fill);
+  const Toolpath path = builder.Finish();
+  std::vector<Move> walls;
+  int fills = 0;
+  int64_t filament = 0;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::kPrint) continue;
+    if (move.feature == Feature::kSolidInfill) {
+      ++fills;
+      EXPECT_EQ(move.rest, kFullRest);
+    } else {
+      walls.push_back(move);
+      filament += move.filament;
+    }
+  }
+  EXPECT_EQ(fills, 1);
+  ASSERT_GE(walls.size(), 3);
+  EXPECT_EQ(walls.front().x_um, 9'000);
+  EXPECT_EQ(walls.front().feed_rate, FeedRate(30));
+  EXPECT_EQ(walls.back().rest, 0);
+  EXPECT_EQ(walls.back().feed_rate, FeedRate(10));
+  const MotionOptions plain;
+  ToolpathBuilder whole(plain, {2, 600'000, 200'000}, 200'000);
+  whole.Add(wall);
+  for (const Move& move : whole.Finish().moves)
+    EXPECT_TRUE(move.kind != MoveKind::kPrint || std::abs(move.filament - filament) <= 1);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

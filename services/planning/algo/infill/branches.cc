@@ -20,11 +20,6 @@ Point Towards(Point a, Point b, double way) {
                    std::llround(share * static_cast<double>(b.y - a.y))};
 }
 
-bool IsInside(const MultiPolygon& region, Point p) {
-  return std::ranges::any_of(
-      region, [&](const PolygonWithHoles& island) { return Locate(p, island) != Side::kOutside; });
-}
-
 /// A stretch of a line, by the distances of its ends from the line's first point.
 struct Stretch {
   double from_nm = 0;
@@ -32,25 +27,22 @@ struct Stretch {
 };
 
 /// What of the line from a to b lies inside. What is on the edge at either end counts as that end.
-std::vector<Stretch> InsideStretches(const MultiPolygon& region, Point a, Point b) {
+std::vector<Stretch> InsideStretches(const EdgeGrid& region, Point a, Point b) {
   const double length = Distance(a, b);
   std::vector<double> cuts = {0, length};
-  ForEachRing(region, [&](const Polygon& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point c = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1];
-      const double turn = Cross(b - a, d - c);
-      if (turn == 0) continue;
-      const double along = Cross(c - a, d - c) / turn * length;
-      const double aside = Cross(c - a, b - a) / turn;
-      if (0 <= aside && aside <= 1 && kOnEdgeNm < along && along < length - kOnEdgeNm)
-        cuts.push_back(along);
-    }
-  });
+  for (const auto& [c, d] : region.Near(a, b)) {
+    const double turn = Cross(b - a, d - c);
+    if (turn == 0) continue;
+    const double along = Cross(c - a, d - c) / turn * length;
+    const double aside = Cross(c - a, b - a) / turn;
+    if (0 <= aside && aside <= 1 && kOnEdgeNm < along && along < length - kOnEdgeNm)
+      cuts.push_back(along);
+  }
   std::ranges::sort(cuts);
   std::vector<Stretch> inside;
   for (size_t i = 0; i + 1 < cuts.size(); ++i) {
     if (cuts[i + 1] - cuts[i] <= kOnEdgeNm) continue;
-    if (!IsInside(region, Towards(a, b, (cuts[i] + cuts[i + 1]) / 2))) continue;
+    if (!region.IsInside(Towards(a, b, (cuts[i] + cuts[i + 1]) / 2))) continue;
     if (!inside.empty() && cuts[i] - inside.back().to_nm <= kOnEdgeNm) {
       inside.back().to_nm = cuts[i + 1];
     } else {
@@ -61,19 +53,6 @@ std::vector<Stretch> InsideStretches(const MultiPolygon& region, Point a, Point 
 }
 
 }  // namespace
-
-std::optional<Nearest> NearestOnEdge(const MultiPolygon& region, Point p) {
-  Nearest best{{}, std::numeric_limits<double>::infinity()};
-  ForEachRing(region, [&](const Polygon& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point at = NearestOnSegment(p, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
-      const double distance = Distance(p, at);
-      if (distance < best.distance_nm) best = {at, distance};
-    }
-  });
-  if (region.empty()) return std::nullopt;
-  return best;
-}
 
 std::optional<std::pair<Nearest, int32_t>> Branches::NearestTo(Point p) const {
   if (nodes_.empty()) return std::nullopt;
@@ -88,8 +67,8 @@ std::optional<std::pair<Nearest, int32_t>> Branches::NearestTo(Point p) const {
   return best;
 }
 
-Point Branches::GrowTo(Point tip, const MultiPolygon& region) {
-  const auto edge = NearestOnEdge(region, tip);
+Point Branches::GrowTo(Point tip, const EdgeGrid& region) {
+  const auto edge = region.NearestTo(tip);
   const auto tree = NearestTo(tip);
   const auto count = static_cast<int32_t>(nodes_.size());
   if (!tree.has_value() || (edge.has_value() && edge->distance_nm <= tree->first.distance_nm)) {
@@ -194,7 +173,7 @@ void Branches::Keep(const std::vector<char>& kept) {
   nodes_ = std::move(left);
 }
 
-void Branches::Refit(const MultiPolygon& region) {
+void Branches::Refit(const EdgeGrid& region) {
   const size_t count = nodes_.size();
   std::vector<char> kept(count, 0);
   std::vector<BranchNode> old = nodes_;
@@ -228,11 +207,11 @@ void Branches::Refit(const MultiPolygon& region) {
   TieRoots(region);
 }
 
-void Branches::TieRoots(const MultiPolygon& region) {
+void Branches::TieRoots(const EdgeGrid& region) {
   const size_t count = nodes_.size();
   for (size_t i = 0; i < count; ++i) {
     if (nodes_[i].parent >= 0) continue;
-    const auto edge = NearestOnEdge(region, nodes_[i].at);
+    const auto edge = region.NearestTo(nodes_[i].at);
     if (!edge.has_value() || edge->distance_nm <= kOnEdgeNm) continue;
     nodes_[i].parent = static_cast<int32_t>(nodes_.size());
     nodes_.push_back({edge->at, -1});

@@ -9,9 +9,8 @@ namespace slicefarm::planning {
 namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
-const MultiPolygon& Square() {
-  static const MultiPolygon& square =
-      *new MultiPolygon(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
+const EdgeGrid& Square() {
+  static const EdgeGrid& square = *new EdgeGrid(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
   return square;
 }
 
@@ -19,13 +18,6 @@ double LengthOf(const Branches& branches) {
   double length = 0;
   for (const Polyline& line : branches.Lines(0)) length += Length(line);
   return ToMm(length);
-}
-
-TEST(NearestOnEdge, IsTheNearestPlace) {
-  const auto nearest = NearestOnEdge(Square(), Mm(3, 10));
-  EXPECT_EQ(nearest->at, Mm(0, 10));
-  EXPECT_EQ(nearest->distance_nm, 3e6);
-  EXPECT_FALSE(NearestOnEdge({}, Mm(3, 10)).has_value());
 }
 
 TEST(Branches, GrowFromTheEdgeOrFromATree) {
@@ -72,16 +64,16 @@ TEST(Branches, AreTiedToAnotherRegion) {
   Branches branches;
   branches.GrowTo(Mm(8, 10), Square());
   Branches wider = branches;
-  wider.Refit(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)"));
+  wider.Refit(EdgeGrid(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)")));
   EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has gone away
   Branches narrower = branches;
-  narrower.Refit(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)"));
+  narrower.Refit(EdgeGrid(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)")));
   EXPECT_NEAR(LengthOf(narrower), 3, 1e-6);
   Branches across = branches;
-  across.Refit(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)"));
+  across.Refit(EdgeGrid(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)")));
   EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole lies in the way
   Branches gone = branches;
-  gone.Refit({});
+  gone.Refit(EdgeGrid({}));
   EXPECT_TRUE(gone.nodes().empty());
 }
 

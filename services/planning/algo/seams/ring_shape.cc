@@ -13,7 +13,7 @@ constexpr double kArmNm = 500'000;
 /// Of rings that are shorter than a few arms.
 constexpr double kArmOfLength = 1.0 / 8;
 /// Turns below this are no corners.
-constexpr double kLeastTurnRad = std::numbers::pi / 12;
+constexpr double kLeastTurnRad = std::numbers::pi / 15;
 /// Turns of a rounded corner that count as equal.
 constexpr double kSameTurnRad = std::numbers::pi / 90;
 /// A corner that is longer than this part of its ring is none.

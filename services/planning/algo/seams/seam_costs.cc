@@ -7,13 +7,13 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr double kOuterCornerMm = 0.5;
-constexpr double kStraightMm = 2;
+constexpr double kOuterCorner = 0.5;
+constexpr double kStraight = 3;
 /// Turns from here on count as sharp.
-constexpr double kSharpRad = std::numbers::pi / 3;
+constexpr double kSharpRad = std::numbers::pi / 4;
 /// What a place costs that nobody sees, of one in plain view.
 constexpr double kHidden = 0.4;
-constexpr double kSeenMm = 4;
+constexpr double kSeen = 6;
 /// For `hidden` and `rear`: what corners count yet.
 constexpr double kLittle = 0.25;
 /// For each mm that a place lies before the rear-most one of its ring.
@@ -24,23 +24,23 @@ constexpr double kLeftOfEqual = 1e-7;
 /// Overhangs, in heights of a layer: from the first on they cost something, from the second on all.
 constexpr double kSomeOverhang = 0.6;
 constexpr double kFullOverhang = 1.2;
-constexpr double kOverhangMm = 6;
+constexpr double kOverhang = 6;
 /// tan 55 degrees.
 constexpr double kSteep = 1.43;
 /// More than all others of a job together.
-constexpr double kBlockedMm = 1e9;
-constexpr double kNotEnforcedMm = 1e6;
+constexpr double kBlocked = 1e9;
+constexpr double kNotEnforced = 1e6;
 
 /// 0 at a sharp inner corner.
-double ShapeMm(const SeamPlace& place) {
+double Shape(const SeamPlace& place) {
   const double sharpness = std::min(std::abs(place.turn_rad) / kSharpRad, 1.0);
-  const double corner_mm = place.turn_rad < 0 ? 0 : kOuterCornerMm;
-  return kStraightMm + (corner_mm - kStraightMm) * sharpness;
+  const double corner = place.turn_rad < 0 ? 0 : kOuterCorner;
+  return kStraight + (corner - kStraight) * sharpness;
 }
 
-double OverhangMm(const SeamPlace& place) {
+double Overhang(const SeamPlace& place) {
   const double share = (place.overhang - kSomeOverhang) / (kFullOverhang - kSomeOverhang);
-  return kOverhangMm * std::clamp(share, 0.0, 1.0);
+  return kOverhang * std::clamp(share, 0.0, 1.0);
 }
 
 /// Even bits in, even bits out (splitmix64's finish: Steele, Lea, Flood 2014).
@@ -76,30 +76,30 @@ std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::v
   for (size_t i = 0; i < places.size(); ++i) {
     const SeamPlace& place = places[i];
     const double from_rear_mm = ToMm(static_cast<double>(rear.y - place.at.y));
-    double cost = OverhangMm(place) + kRearOfEqual * from_rear_mm +
+    double cost = Overhang(place) + kRearOfEqual * from_rear_mm +
                   kLeftOfEqual * ToMm(static_cast<double>(place.at.x));
     switch (position) {
       case SeamPosition::kRear:
-        cost += kFromRear * from_rear_mm + kLittle * ShapeMm(place);
+        cost += kFromRear * from_rear_mm + kLittle * Shape(place);
         break;
       case SeamPosition::kHidden:
-        cost += kSeenMm * seen[i] + kLittle * ShapeMm(place);
+        cost += kSeen * seen[i] + kLittle * Shape(place);
         break;
       case SeamPosition::kRandom:
-        cost = OverhangMm(place) + Random(number, i);
+        cost = Overhang(place) + Random(number, i);
         break;
       default:
-        cost += ShapeMm(place) * (kHidden + (1 - kHidden) * seen[i]);
+        cost += Shape(place) * (kHidden + (1 - kHidden) * seen[i]);
     }
-    if (place.blocked) cost += kBlockedMm;
-    if (enforced && !place.enforced) cost += kNotEnforcedMm;
+    if (place.blocked) cost += kBlocked;
+    if (enforced && !place.enforced) cost += kNotEnforced;
     costs.push_back(cost);
   }
   return costs;
 }
 
 StepCost StepCostOf(SeamPosition position) {
-  if (position == SeamPosition::kRandom) return {.free_mm = 0, .jump = 0};
+  if (position == SeamPosition::kRandom) return {.longest_mm = 0, .per_mm = 0, .jump = 0};
   return {};
 }
 

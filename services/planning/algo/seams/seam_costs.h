@@ -15,9 +15,9 @@ struct RingNumber {
   int32_t ring = 0;
 };
 
-/// How little each place suits a seam, as the distance in mm that is worth going for a better one:
-/// 0 at a sharp inner corner that nobody sees, 0.5 at a sharp outer one, 2 on a straight wall in
-/// plain view, more where it hangs over the layer below.
+/// How little each place suits a seam: 0 at a sharp inner corner, 0.5 at a sharp outer one, 3 on a
+/// straight wall, all in plain view and less out of it; 6 more where it hangs over the layer below.
+/// A step of a millimetre from layer to layer costs 4, a jump 60 (StepCostOf).
 ///   aligned  corner first, then how much is seen of it; of equals the rear-most, then left-most
 ///   rear     how far it is from the rear
 ///   hidden   how much is seen of it first

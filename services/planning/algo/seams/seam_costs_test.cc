@@ -31,7 +31,7 @@ TEST(SeamCosts, PrefersInnerCornersToOuterOnesToWalls) {
                                          PlaceAt(3, 3, -kRightAngle)};
   const auto costs = SeamCosts(places, {1, 1, 1}, SeamPosition::kAligned, {});
   EXPECT_NEAR(costs[0], 0.5, 0.01);
-  EXPECT_NEAR(costs[1], 2, 0.01);
+  EXPECT_NEAR(costs[1], 3, 0.01);
   EXPECT_NEAR(costs[2], 0, 0.01);
 }
 

@@ -43,7 +43,7 @@ Message Below(const SeamNode& node, const std::vector<double>& costs, const Seam
 
 double StepCost::Of(Point from, Point to) const {
   const double mm = ToMm(Distance(from, to));
-  return mm <= free_mm ? mm : jump;
+  return mm <= longest_mm ? per_mm * mm : jump;
 }
 
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step) {

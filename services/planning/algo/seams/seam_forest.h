@@ -17,8 +17,9 @@ struct SeamNode {
 
 /// What it costs that a seam does not stand over that of the ring below.
 struct StepCost {
-  double free_mm = 1;       ///< up to here a step costs its length in mm
-  double jump = 5;          ///< beyond, however far; no less than free_mm
+  double longest_mm = 0.8;  ///< up to here a step costs by its length
+  double per_mm = 4;
+  double jump = 60;         ///< of longer ones, however far
 
   double Of(Point from, Point to) const;
 };

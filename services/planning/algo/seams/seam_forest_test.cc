@@ -52,7 +52,7 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
         nodes[i].costs.push_back(0.5 * up_to(8));
       }
     }
-    const StepCost step{.free_mm = 1, .jump = 1.0 + up_to(4)};
+    const StepCost step{.longest_mm = 1, .per_mm = 0.5 * up_to(5), .jump = 0.5 * up_to(9)};
     const std::vector<int32_t> chosen = CheapestSeams(nodes, step);
     ASSERT_EQ(chosen.size(), nodes.size());
     EXPECT_DOUBLE_EQ(CostOf(nodes, chosen, step), LeastCost(nodes, step)) << turn;
@@ -65,7 +65,7 @@ TEST(SeamForest, JumpsOnceForAWallThatIsBetterFromThereOn) {
     const bool low = i < 10;
     nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {low ? 0.0 : 2.0, low ? 2.0 : 0.0}});
   }
-  const std::vector<int32_t> chosen = CheapestSeams(nodes, {});
+  const std::vector<int32_t> chosen = CheapestSeams(nodes, {0.8, 4, 5});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(chosen[static_cast<size_t>(i)], i < 10 ? 0 : 1);
 }
 
@@ -75,7 +75,7 @@ TEST(SeamForest, StaysForAFewLayersThatAreBetterElsewhere) {
     const bool bad = i == 9 || i == 10;
     nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {bad ? 2.0 : 0.0, 1}});
   }
-  EXPECT_THAT(CheapestSeams(nodes, {}), testing::Each(0));
+  EXPECT_THAT(CheapestSeams(nodes, {0.8, 4, 5}), testing::Each(0));
 }
 
 TEST(SeamForest, BothPartsOfASplitFollowTheirCommonRing) {
@@ -89,7 +89,7 @@ TEST(SeamForest, TakesTheFirstOfEquals) {
   const SeamNode node{-1, {Mm(3, 0), Mm(1, 0), Mm(2, 0)}, {1, 1, 1}};
   SeamNode follower = node;
   follower.parent = 0;
-  EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0}), ElementsAre(0, 0));
+  EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0, 0}), ElementsAre(0, 0));
   EXPECT_THAT(CheapestSeams({}, {}), ElementsAre());
 }
 

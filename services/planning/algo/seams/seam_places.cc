@@ -14,6 +14,7 @@ namespace {
 constexpr double kSpacingNm = 1'000'000;
 constexpr double kPaintedSpacingNm = 250'000;
 constexpr double kMostPlaces = 100;
+constexpr double kMostPaintedPlaces = 400;
 constexpr double kFewestPlaces = 8;
 /// Of rings with more corners the sharpest count.
 constexpr size_t kMostCorners = 200;
@@ -43,8 +44,9 @@ std::vector<Corner> CornersOf(const RingShape& shape) {
 
 double SpacingOn(const RingShape& shape, bool painted) {
   const double length = shape.length_nm();
-  const double spacing = painted ? kPaintedSpacingNm : kSpacingNm;
-  return std::min(std::max(spacing, length / kMostPlaces), length / kFewestPlaces);
+  const double spacing = painted ? std::max(kPaintedSpacingNm, length / kMostPaintedPlaces)
+                                 : std::max(kSpacingNm, length / kMostPlaces);
+  return std::min(spacing, length / kFewestPlaces);
 }
 
 /// Thins out and fills up: corners stay.

@@ -1,0 +1,95 @@
+#include "services/exposure/algo/scan/corner_spurs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+const SpurFill kSpot = {.spot_nm = 100, .least_nm = 0};
+
+/// Points that are no corners of the ring.
+ConvexRing TipsOf(const ConvexRing& spurred) {
+  ConvexRing tips;
+  for (size_t i = 1; i + 1 < spurred.size() + 1; ++i) {
+    const PlaneVector before = spurred[i - 1], after = spurred[(i + 1) % spurred.size()];
+    if (before.x == after.x && before.y == after.y) tips.push_back(spurred[i]);
+  }
+  return tips;
+}
+
+TEST(WithSpurs, TheSpotTouchesTheTipOfARightAngle) {
+  const ConvexRing ring = {{50, 50}, {950, 50}, {950, 950}, {50, 950}};
+  const ConvexRing around = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  const ConvexRing tips = TipsOf(WithSpurs(ring, around, kSpot));
+  ASSERT_EQ(tips.size(), 4u);
+  for (const PlaneVector tip : tips) {
+    const double dx = std::min(tip.x, 1000 - tip.x), dy = std::min(tip.y, 1000 - tip.y);
+    EXPECT_NEAR(std::hypot(dx, dy), 50, 1e-9);
+    EXPECT_NEAR(dx, dy, 1e-9);
+  }
+}
+
+TEST(WithSpurs, BluntCornersHaveNone) {
+  ConvexRing ring, around;
+  for (int i = 0; i < 8; ++i) {
+    const double t = i * std::acos(-1.0) / 4;
+    ring.push_back({900 * std::cos(t), 900 * std::sin(t)});
+    around.push_back({950 * std::cos(t), 950 * std::sin(t)});
+  }
+  EXPECT_EQ(WithSpurs(ring, around, kSpot).size(), 8u);
+}
+
+TEST(WithSpurs, ShortOnesAreLeftOut) {
+  const ConvexRing ring = {{50, 50}, {950, 50}, {950, 950}, {50, 950}};
+  const ConvexRing around = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  EXPECT_EQ(WithSpurs(ring, around, {.spot_nm = 100, .least_nm = 30}).size(), 4u);
+}
+
+TEST(WithSpurs, AnEndOfTheGapThatIsNoTipIsReached) {
+  // A tapering strip: the ring ends where it is two gaps wide, the gap goes on to the left.
+  const ConvexRing around = {{0, -45}, {1000, -60}, {1000, 60}, {0, 45}};
+  const ConvexRing ring = {{333, 0}, {950, -9}, {950, 9}};
+  const ConvexRing spurred = WithSpurs(ring, around, kSpot);
+  double left = 1000;
+  for (const PlaneVector p : spurred) left = std::min(left, p.x);
+  EXPECT_NEAR(left, 50, 1);
+}
+
+/// An L, and its lower piece as a cut along y = 10 makes it.
+constexpr char kL[] = "(0 0, 20 0, 20 10, 10 10, 10 20, 0 20)";
+
+TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
+  const MultiPolygon region = MakePolygonsOrDie(kL);
+  const double gap = 1e6;
+  const ConvexRing ring = {{1e6, 1e6}, {19e6, 1e6}, {19e6, 9e6}, {1e6, 9e6}};
+  const ConvexRing tips = TipsOf(WithOuterSpurs(ring, gap, region, {.spot_nm = 2e6}));
+  // The cut is the left half of the upper side: its left end only is a corner, where the spur runs
+  // along the border to half a gap from the cut.
+  ASSERT_EQ(tips.size(), 1u);
+  EXPECT_NEAR(tips[0].x, 1e6, 1);
+  EXPECT_NEAR(tips[0].y, 9.5e6, 1);
+}
+
+TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
+  const MultiPolygon region = MakePolygonsOrDie("(0 0, 100 0, 100 100, 0 100)");
+  const double gap = 1e6;
+  // A piece whose corner at (50, 50) lies deep inside.
+  const ConvexRing inner = {{51e6, 51e6}, {60e6, 51e6}, {51e6, 60e6}};
+  const ConvexRing tips = TipsOf(WithOuterSpurs(inner, gap, region, {.spot_nm = 2e6}));
+  ASSERT_GE(tips.size(), 1u);
+  const auto corner = std::min_element(
+      tips.begin(), tips.end(), [](PlaneVector a, PlaneVector b) { return a.x + a.y < b.x + b.y; });
+  EXPECT_NEAR(corner->x, 50e6 + 1e6 * std::sqrt(0.5), 1);
+  EXPECT_NEAR(corner->y, corner->x, 1);
+  // The same with the corner on the border: nothing comes nearer to that than the gap.
+  const ConvexRing outer = {{51e6, 1.5e6}, {60e6, 8e6}, {42e6, 8e6}};
+  for (const PlaneVector tip : TipsOf(WithOuterSpurs(outer, gap, region, {.spot_nm = 2e6})))
+    EXPECT_GE(tip.y, gap);
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure

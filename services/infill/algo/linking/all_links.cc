@@ -1,0 +1,61 @@
+#include "services/infill/algo/linking/all_links.h"
+
+#include <utility>
+#include <vector>
+
+namespace slicefarm::infill {
+namespace {
+
+/// The stretches of one ring of the edge, from a given end on.
+std::vector<int32_t> StretchesFrom(const EdgeEnds& ends, int32_t first) {
+  std::vector<int32_t> stretches;
+  int32_t at = first;
+  do {
+    stretches.push_back(at);
+    at = ends.Next(at);
+  } while (at != first);
+  return stretches;
+}
+
+/// Every second stretch of a ring, from one on.
+struct Choice {
+  std::vector<int32_t> stretches;
+  int too_long = 0;  ///< left out
+  double length_nm = 0;
+};
+
+Choice EverySecond(const EdgeEnds& ends, const std::vector<int32_t>& ring, size_t first,
+                   double max_link_nm) {
+  Choice choice;
+  for (size_t i = 0; i + 1 < ring.size(); i += 2) {
+    const int32_t stretch = ring[(first + i) % ring.size()];
+    const double length = ends.StretchLength(stretch);
+    if (length > max_link_nm) {
+      ++choice.too_long;
+      continue;
+    }
+    choice.stretches.push_back(stretch);
+    choice.length_nm += length;
+  }
+  return choice;
+}
+
+}  // namespace
+
+Links LinkAllEnds(const EdgeEnds& ends, double max_link_nm) {
+  Links links(static_cast<size_t>(ends.size()), false);
+  std::vector<bool> seen(static_cast<size_t>(ends.size()), false);
+  for (const int32_t end : ends.OnEdge()) {
+    if (seen[static_cast<size_t>(end)]) continue;
+    const std::vector<int32_t> ring = StretchesFrom(ends, end);
+    for (const int32_t stretch : ring) seen[static_cast<size_t>(stretch)] = true;
+    const Choice one = EverySecond(ends, ring, 0, max_link_nm);
+    const Choice other = EverySecond(ends, ring, 1, max_link_nm);
+    const auto badness = [](const Choice& c) { return std::pair(c.too_long, c.length_nm); };
+    for (const int32_t stretch : (badness(other) < badness(one) ? other : one).stretches)
+      links[static_cast<size_t>(stretch)] = true;
+  }
+  return links;
+}
+
+}  // namespace slicefarm::infill

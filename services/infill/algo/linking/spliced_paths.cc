@@ -1,0 +1,95 @@
+#include "services/infill/algo/linking/spliced_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace slicefarm::infill {
+namespace {
+
+/// Where stretch i of a path, from its point i on, crosses stretch j of another.
+struct Crossing {
+  size_t i = 0;
+  size_t j = 0;
+  Point at;
+};
+
+size_t StretchCount(const Path& path) {
+  return path.closed ? path.points.size() : path.points.size() - 1;
+}
+
+Point EndOfStretch(const Path& path, size_t i) {
+  return path.points[i + 1 == path.points.size() ? 0 : i + 1];
+}
+
+/// Where ab and cd cross, `margin` from their ends at least.
+std::optional<Point> Meeting(Point a, Point b, Point c, Point d, double margin) {
+  const auto x = [](Point p) { return static_cast<double>(p.x); };
+  const auto y = [](Point p) { return static_cast<double>(p.y); };
+  const Point u = b - a, v = d - c, w = c - a;
+  const double det = x(u) * y(v) - y(u) * x(v);
+  if (det == 0) return std::nullopt;
+  const double s = (x(w) * y(v) - y(w) * x(v)) / det, t = (x(w) * y(u) - y(w) * x(u)) / det;
+  const double along = Distance(a, b), across = Distance(c, d);
+  const auto is_inside = [margin](double share, double length) {
+    return share * length >= margin && (1 - share) * length >= margin;
+  };
+  if (!is_inside(s, along) || !is_inside(t, across)) return std::nullopt;
+  return Point{a.x + std::llround(s * x(u)), a.y + std::llround(s * y(u))};
+}
+
+std::optional<Crossing> FirstCrossing(const Path& path, const Path& ring, double margin) {
+  for (size_t j = 0; j < StretchCount(ring); ++j) {
+    const Point c = ring.points[j], d = EndOfStretch(ring, j);
+    if (Distance(c, d) < 2 * margin) continue;
+    for (size_t i = 0; i < StretchCount(path); ++i) {
+      if (auto at = Meeting(path.points[i], EndOfStretch(path, i), c, d, margin))
+        return Crossing{i, j, *at};
+    }
+  }
+  return std::nullopt;
+}
+
+void TakeIn(const Path& ring, const Crossing& crossing, Path& path) {
+  const bool varies = path.widths_nm.size() > 1 || ring.widths_nm.size() > 1;
+  std::vector<Point> points{crossing.at};
+  std::vector<Coord> widths{path.WidthAt(crossing.i)};
+  for (size_t k = 1; k <= ring.points.size(); ++k) {
+    const size_t at = (crossing.j + k) % ring.points.size();
+    points.push_back(ring.points[at]);
+    widths.push_back(ring.WidthAt(at));
+  }
+  points.push_back(crossing.at);
+  widths.push_back(path.WidthAt(crossing.i));
+  const auto place = static_cast<ptrdiff_t>(crossing.i + 1);
+  if (varies) {
+    if (path.widths_nm.size() == 1) path.widths_nm.resize(path.points.size(), path.widths_nm[0]);
+    path.widths_nm.insert(path.widths_nm.begin() + place, widths.begin(), widths.end());
+  }
+  path.points.insert(path.points.begin() + place, points.begin(), points.end());
+}
+
+/// Whether a path other than the ring itself took it in.
+bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths) {
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (i == ring) continue;
+    const auto crossing = FirstCrossing(paths[i], paths[ring], margin);
+    if (!crossing) continue;
+    TakeIn(paths[ring], *crossing, paths[i]);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm) {
+  for (size_t ring = paths.size(); ring-- > 0;) {
+    if (paths[ring].closed && IsTakenIn(ring, margin_nm, paths))
+      paths.erase(paths.begin() + static_cast<ptrdiff_t>(ring));
+  }
+  return paths;
+}
+
+}  // namespace slicefarm::infill

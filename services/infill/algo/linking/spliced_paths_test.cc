@@ -1,0 +1,74 @@
+#include "services/infill/algo/linking/spliced_paths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr double kMargin = 0.5e6;
+
+Path Make(std::string_view line, bool closed, std::vector<Coord> widths = {450'000}) {
+  Path path;
+  path.feature = Feature::kInternalInfill;
+  path.closed = closed;
+  path.points = MakeLineOrDie(line);
+  path.widths_nm = std::move(widths);
+  return path;
+}
+
+double LengthOf(const std::vector<Path>& paths) {
+  double length = 0;
+  for (const Path& path : paths) length += PathLength(path);
+  return length;
+}
+
+TEST(SplicedPaths, RingIsTakenInWhereItIsCrossedFirst) {
+  const auto paths = SplicedPaths(
+      {Make("(0 5, 20 5)", false), Make("(4 0, 8 0, 8 10, 4 10)", true)}, kMargin);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_FALSE(paths[0].closed);
+  EXPECT_EQ(paths[0].points, MakeLineOrDie("(0 5, 8 5, 8 10, 4 10, 4 0, 8 0, 8 5, 20 5)"));
+  EXPECT_EQ(paths[0].widths_nm.size(), 1u);
+  EXPECT_NEAR(PathLength(paths[0]), 48e6, 1);
+}
+
+TEST(SplicedPaths, RingsBecomeOneRing) {
+  const std::vector<Path> rings = {Make("(0 0, 6 0, 6 6, 0 6)", true),
+                                   Make("(3 3, 9 3, 9 9, 3 9)", true),
+                                   Make("(7 7, 12 7, 12 12, 7 12)", true)};
+  const auto paths = SplicedPaths(rings, kMargin);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_TRUE(paths[0].closed);
+  EXPECT_NEAR(LengthOf(paths), LengthOf(rings), 1);
+}
+
+TEST(SplicedPaths, WidthsGoAlong) {
+  const auto paths =
+      SplicedPaths({Make("(0 5, 20 5)", false),
+                    Make("(4 0, 8 0, 8 10, 4 10)", true, {450'000, 300'000, 450'000, 300'000})},
+                   kMargin);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_TRUE(WellFormed(paths[0]));
+  EXPECT_THAT(paths[0].widths_nm, ElementsAre(450'000, 450'000, 450'000, 300'000, 450'000, 300'000,
+                                              450'000, 450'000));
+}
+
+TEST(SplicedPaths, WhatDoesNotCrossStays) {
+  const std::vector<Path> apart = {Make("(0 0, 6 0, 6 6, 0 6)", true),
+                                   Make("(8 0, 9 0, 9 9, 8 9)", true),
+                                   Make("(0 8, 20 20)", false)};
+  EXPECT_EQ(SplicedPaths(apart, kMargin), apart);
+  // At the corner of a ring, and two lines, of which neither comes back.
+  const std::vector<Path> others = {Make("(0 0.3, 20 0.3)", false),
+                                    Make("(4 0, 8 0, 8 10, 4 10)", true),
+                                    Make("(15 -5, 15 5)", false)};
+  EXPECT_EQ(SplicedPaths(others, kMargin), others);
+}
+
+}  // namespace
+}  // namespace slicefarm::infill

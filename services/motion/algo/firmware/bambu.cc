@@ -1,0 +1,109 @@
+#include "services/motion/algo/firmware/bambu.h"
+
+#include <array>
+#include <cmath>
+
+#include "absl/strings/escaping.h"
+#include "common/base/duration_text.h"
+#include "services/motion/algo/firmware/marlin.h"
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
+                                    .z = "; Z_HEIGHT: ",
+                                    .height = "; LAYER_HEIGHT: ",
+                                    .feature = "; FEATURE: ",
+                                    .width = "; LINE_WIDTH: "};
+
+constexpr std::array<std::string_view, kFeatureCount> kFeatures = {
+    "Outer wall",  "Inner wall", "Overhang wall", "Gap infill", "Sparse infill",    "Internal solid infill",
+    "Top surface", "Bridge",     "Skirt",         "Support",    "Support interface"};
+
+/// Objects are skipped by one bit each of a mask of 64, base64 of its bytes from the lowest.
+constexpr size_t kMostLabels = 64;
+
+std::string MaskOf(size_t index) {
+  std::string bytes(kMostLabels / 8, '\0');
+  if (index < kMostLabels) bytes[index / 8] = static_cast<char>(1 << index % 8);
+  std::string code;
+  absl::Base64Escape(bytes, &code);
+  return code;
+}
+
+/// Sources: files of Bambu Studio 2 and its documentation of M624, M625 and M73.
+class BambuFirmware : public MarlinFirmware {
+ public:
+  std::string_view name() const override { return "bambu"; }
+
+  bool Knows(const GcodeLine& line) const override {
+    const bool own = line.letter == 'M' && ((line.number >= 620 && line.number <= 634) ||
+                                            (line.number >= 960 && line.number <= 1010));
+    return own || MarlinFirmware::Knows(line);
+  }
+
+  bool HasTravelAcceleration() const override { return false; }
+  void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
+                         GcodeText& out) const override {
+    out << "M204 S";
+    out.Integer(std::lround(print_mm_s2)) << '\n';
+  }
+  double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const override {
+    KinematicMove printing = move;
+    if (!move.ExtruderOnly()) printing.ratio[kE] = 1;
+    return MarlinFirmware::AccelerationFor(printing, limits);
+  }
+
+  void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
+                     GcodeText& out) const override {
+    MarlinFirmware::WriteProgress(percent, left_min, layer, out);
+    out << "M73 L";
+    out.Integer(layer) << '\n';
+  }
+
+  void WriteHead(const PrintFacts& facts, GcodeText& out) const override {
+    out << "; HEADER_BLOCK_START\n; BambuStudio 02.00.00.00\n; model printing time: "
+        << DurationText(facts.moves_s) << "; total estimated time: " << DurationText(facts.total_s)
+        << "\n; total layer number: ";
+    out.Integer(facts.layers) << "\n; total filament length [mm] : ";
+    out.Real(facts.filament_mm, 2) << "\n; total filament volume [cm^3] : ";
+    out.Real(facts.volume_mm3 / 1000, 2) << "\n; total filament weight [g] : ";
+    out.Real(facts.mass_g, 2) << "\n; max_z_height: ";
+    out.Real(facts.height_mm, 2) << "\n; HEADER_BLOCK_END\n\n";
+  }
+
+  const CommentWords& comments() const override { return kComments; }
+  std::string_view WordsOf(Feature feature) const override {
+    return kFeatures[static_cast<size_t>(feature)];
+  }
+
+  void DefineCopies(std::span<const CopySummary> /*copies*/,
+                    std::span<const std::string> labels, GcodeText& out) const override {
+    out << "; model label id: ";
+    for (size_t i = 0; i < labels.size(); ++i) {
+      if (i > 0) out << ',';
+      out.Integer(static_cast<int64_t>(i));
+    }
+    out << '\n';
+  }
+  /// Beyond what the mask holds copies cannot be skipped.
+  void BeginCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
+    if (index >= kMostLabels) return;
+    out << "; start printing object, unique label id: ";
+    out.Integer(static_cast<int64_t>(index)) << "\nM624 " << MaskOf(index) << '\n';
+  }
+  void EndCopy(std::string_view /*label*/, size_t index, GcodeText& out) const override {
+    if (index >= kMostLabels) return;
+    out << "; stop printing object, unique label id: ";
+    out.Integer(static_cast<int64_t>(index)) << "\nM625\n";
+  }
+};
+
+}  // namespace
+
+const Firmware& Bambu() {
+  static const BambuFirmware firmware;
+  return firmware;
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/geometry/polygon.h"
+#include "common/model/motion_options.h"
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// What lies below a layer's beads.
+class LayerBelow {
+ public:
+  /// `outlines`: disjoint polygons. Cost: O(edges).
+  explicit LayerBelow(const MultiPolygon& outlines);
+
+  /// The share of a bead of `width_nm` around a point of its middle that rests: all of it half a width
+  /// within the outlines, half on them, nothing half a width outside. Cost: O(edges beside the point).
+  uint8_t RestOf(Point point, Coord width_nm) const;
+
+ private:
+  struct Edge {
+    Point from, to;
+  };
+
+  size_t RowOf(Coord y) const;
+
+  Coord bottom_nm_ = 0;
+  std::vector<std::vector<Edge>> rows_;  ///< by y: all edges that pass through
+};
+
+/// A piece of a straight bead that rests alike.
+struct RestingPiece {
+  Point to;
+  uint8_t rest = kFullRest;
+};
+
+/// A bead from point to point in pieces of at least about 1 mm, or as long as the bead.
+std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm, const LayerBelow& below);
+
+/// A value that is told for rests of 0, 25, 50 and 75 %, in between and up to `full` at 100 % in
+/// proportion.
+double ByRest(const std::array<double, kOverhangDegrees>& told, double full, uint8_t rest);
+
+}  // namespace slicefarm::motion

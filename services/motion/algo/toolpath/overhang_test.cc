@@ -1,0 +1,73 @@
+#include "services/motion/algo/toolpath/overhang.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace slicefarm::motion {
+namespace {
+
+constexpr Coord kWidth = 400'000;
+
+/// 20 x 20 mm with a hole of 4 x 4 mm in the middle.
+MultiPolygon Frame() {
+  const auto square = [](double low, double high) {
+    return Polygon{{FromMm(low), FromMm(low)},
+                   {FromMm(high), FromMm(low)},
+                   {FromMm(high), FromMm(high)},
+                   {FromMm(low), FromMm(high)}};
+  };
+  Polygon hole = square(8, 12);
+  std::ranges::reverse(hole);
+  return {{square(0, 20), {hole}}};
+}
+
+Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
+
+TEST(LayerBelow, BeadsRestByTheirPlace) {
+  const LayerBelow below(Frame());
+  EXPECT_EQ(below.RestOf(Mm(5, 5), kWidth), kFullRest);
+  EXPECT_EQ(below.RestOf(Mm(0.2, 5), kWidth), kFullRest);
+  EXPECT_EQ(below.RestOf(Mm(0.1, 5), kWidth), 15);
+  EXPECT_EQ(below.RestOf(Mm(0, 5), kWidth), 10);
+  EXPECT_EQ(below.RestOf(Mm(-0.1, 5), kWidth), 5);
+  EXPECT_EQ(below.RestOf(Mm(-0.2, 5), kWidth), 0);
+  EXPECT_EQ(below.RestOf(Mm(10, 10), kWidth), 0) << "over the hole";
+  EXPECT_EQ(below.RestOf(Mm(10, 7.9), kWidth), 15);
+  EXPECT_EQ(below.RestOf(Mm(50, 50), kWidth), 0);
+  EXPECT_EQ(below.RestOf(Mm(10, -0.1), kWidth), 5);
+  EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 5);
+}
+
+TEST(LayerBelow, OverAirNothingRests) {
+  EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0);
+}
+
+TEST(PiecesOf, CutsWhereTheRestChanges) {
+  const LayerBelow below(Frame());
+  const auto within = PiecesOf(Mm(2, 5), Mm(18, 5), kWidth, below);
+  ASSERT_EQ(within.size(), 1);
+  EXPECT_EQ(within[0].to, Mm(18, 5));
+  const auto over = PiecesOf(Mm(2, 10), Mm(18, 10), kWidth, below);
+  ASSERT_EQ(over.size(), 7);
+  EXPECT_EQ(over[0].to, Mm(7, 10));
+  EXPECT_EQ(over[0].rest, kFullRest);
+  EXPECT_EQ(over[1].rest, 15);
+  EXPECT_EQ(over[2].rest, 5);
+  EXPECT_EQ(over[3].rest, 0);
+  EXPECT_EQ(over[3].to, Mm(11, 10));
+  EXPECT_EQ(over[6].to, Mm(18, 10));
+}
+
+TEST(ByRest, GoesInProportionBetweenDegrees) {
+  const std::array<double, 4> speeds = {10, 20, 40, 50};
+  EXPECT_EQ(ByRest(speeds, 100, 0), 10);
+  EXPECT_EQ(ByRest(speeds, 100, 5), 20);
+  EXPECT_EQ(ByRest(speeds, 100, 8), 32);
+  EXPECT_EQ(ByRest(speeds, 100, 15), 50);
+  EXPECT_EQ(ByRest(speeds, 100, 18), 80);
+  EXPECT_EQ(ByRest(speeds, 100, kFullRest), 100);
+}
+
+}  // namespace
+}  // namespace slicefarm::motion
