@@ -140,7 +140,7 @@ constexpr Need kLaserNeeds[] = {
      "output_format = grbl or marlin, or only the report heeds it", IsLaserGcode},
     {"jump_speed", "output_format = marlin, or only the report heeds it",
      [](const JobSettings& s) { return s.exposure.output.format == OutputFormat::kMarlin; }},
-    {"laser_spot", "output_format = svg, or ring_corners = 1",
+    {"laser_spot", "output_format = svg, or rings with ring_corners = 1",
      [](const JobSettings& s) {
        return s.exposure.output.format == OutputFormat::kSvg ||
               (IsRings(s) && s.exposure.regions[0].fill_corners);

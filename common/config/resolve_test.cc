@@ -841,6 +841,46 @@ TEST(ResolveLaser, TellsWhatHasNoEffect) {
                           "output_layer = 2: needs output_format = dxf"));
 }
 
+TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
+  struct Case {
+    Pairs given;
+    std::vector<std::string> notes;
+  };
+  const Case kCases[] = {
+      {{{"jump_delay", "100"}},
+       {"jump_delay = 100: needs output_format = grbl or marlin, or only the report heeds it"}},
+      {{{"output_format", "grbl"}, {"hatch_frequency", "20"}},
+       {"hatch_frequency = 20: needs output_format = cli or cli_binary, or only the report heeds "
+        "it"}},
+      {{{"output_format", "grbl"}, {"jump_speed", "3000"}},
+       {"jump_speed = 3000: needs output_format = marlin, or only the report heeds it"}},
+      {{{"output_format", "svg"}, {"hatch_focus", "1"}},
+       {"hatch_focus = 1: needs output_format = cli, cli_binary, grbl or marlin, or only the "
+        "report heeds it"}},
+      {{{"contours", "0"}, {"contour_power", "100"}},
+       {"contour_power = 100: needs contours of more than 0"}},
+      {{{"upskin_power", "100"}}, {"upskin_power = 100: needs upskin_layers of more than 0"}},
+      {{{"scan_strategy", "rings"}, {"skywriting", "0.1"}},
+       {"skywriting = 0.1: needs scan_strategy = stripes, islands or hatch"}},
+      {{{"laser_spot", "0.1"}},
+       {"laser_spot = 0.1: needs output_format = svg, or rings with ring_corners = 1"}},
+      {{{"scan_strategy", "rings"}, {"laser_spot", "0.1"}}, {}},
+      {{{"output_format", "grbl"},
+        {"hatch_focus", "1"},
+        {"jump_delay", "100"},
+        {"laser_dynamic_power", "0"}},
+       {}},
+      {{{"output_format", "marlin"}, {"jump_speed", "3000"}, {"laser_dynamic_power", "0"}}, {}},
+      {{{"hatch_frequency", "20"}, {"hatch_focus", "1"}, {"hatch_power", "100"}}, {}},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.given.back().first);
+    const auto resolved = OfLaser(c.given);
+    ASSERT_TRUE(resolved.ok()) << resolved.status();
+    EXPECT_EQ(resolved->no_effect, c.notes);
+  }
+}
+
 TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
   struct Case {
     const char* setting;

@@ -105,6 +105,7 @@ TEST(ExposeLayer, RingsExposeCutsOnce) {
     options.contours = 0;
     options.thin_walls = false;
     options.ring_overlap_nm = overlap;
+    options.fill_corners = false;
     MeltedRaster raster(part, 13'000);
     const ExposedLayer layer = ExposeOrDie(part, options);
     // A spot a little narrower than the distance, so that touching is not twice.
@@ -125,6 +126,8 @@ TEST(ExposeLayer, NothingLeavesTheCompensatedOutline) {
     for (const ScanStrategy strategy : kStrategies) {
       ExposureOptions options;
       options.strategy = strategy;
+      options.ring_overlap_nm = i % 2 * 20'000;
+      options.contours = i % 3;
       options.thin_walls = false;
       const MultiPolygon allowed = Offset(part, -options.beam_compensation_nm, {.miter_limit = 10});
       for (const ExposureGroup& group : ExposeOrDie(part, options, i).groups)

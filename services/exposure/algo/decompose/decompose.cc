@@ -54,6 +54,8 @@ MultiPolygon Scaled(MultiPolygon islands, Coord scale) {
   return islands;
 }
 
+double Degrees(double cosine) { return Acos(cosine) * 180 / std::numbers::pi; }
+
 absl::Status CannotCut(Point p, Coord scale) {
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
@@ -127,7 +129,12 @@ class Cutter {
     }
     if (link.cosine > kCosine30) ++result_.counts.sharp_cuts;
     greatest_cosine_ = std::max(greatest_cosine_, link.cosine);
-    result_.min_cut_angle_deg = Acos(greatest_cosine_) * 180 / std::numbers::pi;
+    result_.min_cut_angle_deg = Degrees(greatest_cosine_);
+    if (link.ruled_cosine) {
+      ++result_.ruled_cuts;
+      result_.min_ruled_angle_deg =
+          std::min(result_.min_ruled_angle_deg, Degrees(*link.ruled_cosine));
+    }
     return CutAlong(std::move(region), corner, end);
   }
 

@@ -25,6 +25,8 @@ struct ConvexPieces {
   std::vector<Polygon> pieces;  ///< counter-clockwise, without straight corners
   CutCounts counts;
   double min_cut_angle_deg = 180;  ///< least angle between a cut and an edge
+  int64_t ruled_cuts = 0;          ///< that end in a corner which the rule of 30 degrees has chosen
+  double min_ruled_angle_deg = 180;  ///< of these, at that corner
 };
 
 /// Cuts islands, holes or not, into convex pieces.

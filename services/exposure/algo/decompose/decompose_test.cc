@@ -193,6 +193,7 @@ TEST(Decompose, RandomIslandsAreCutExactly) {
         RandomIsland(random, {i * 1'000'003, -i * 777'777}, Uniform(random, 0.5, 80));
     const ConvexPieces result = DecomposeOrDie(islands);
     ExpectPartition(islands, result, ToText(islands), false);
+    EXPECT_GE(result.min_ruled_angle_deg, 29.999999);
     // A cut does away with one reflex corner at least.
     EXPECT_LE(result.counts.pieces, result.counts.reflex + static_cast<int64_t>(islands.size()));
     if (::testing::Test::HasFailure()) break;

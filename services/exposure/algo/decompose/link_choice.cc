@@ -72,12 +72,13 @@ void LinkChoice::AddCandidate(const Polygon& ring, CornerIndex index, ExactVecto
   const double here_a = -CosineOf(in_, at), here_b = CosineOf(out_, at);
   const double there_a = -CosineOf(in, back), there_b = CosineOf(out, back);
   if (turns) candidate.weight = std::abs(here_a - here_b) + std::abs(there_a - there_b);
-  candidate.cosine = std::max({here_a, here_b, there_a, there_b});
+  candidate.end_cosine = std::max(there_a, there_b);
+  candidate.cosine = std::max({here_a, here_b, candidate.end_cosine});
   if (CrossSign(in, out) < 0) {
     const bool both = CrossSign(in, back) >= 0 && CrossSign(out, back) >= 0;
     candidate.rank = candidate.cosine > kCosine1 ? kSharp : both ? kBothReflex : kReflex;
   } else {
-    candidate.rank = std::max(there_a, there_b) > kCosine30 ? kSharp : kConvex;
+    candidate.rank = candidate.end_cosine > kCosine30 ? kSharp : kConvex;
   }
   candidates_.push_back(candidate);
 }
@@ -189,7 +190,10 @@ std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from
       if (const std::optional<Link> link = BisectorLink(region)) return link;
       tried_bisector = true;
     }
-    if (Sees(candidate.at)) return Link{.end = candidate.index, .cosine = candidate.cosine};
+    if (!Sees(candidate.at)) continue;
+    Link link{.end = candidate.index, .cosine = candidate.cosine};
+    if (candidate.rank == kConvex) link.ruled_cosine = candidate.end_cosine;
+    return link;
   }
   return tried_bisector ? std::nullopt : BisectorLink(region);
 }

@@ -16,6 +16,8 @@ struct Link {
   CornerIndex end;                  ///< the corner; or the start of the edge that is divided
   std::optional<Point> extra = {};  ///< the place on that edge
   double cosine = 0;                ///< of the least angle of the cut with an edge, at either end
+  /// The same at its end alone, where the rule of 30 degrees has chosen it.
+  std::optional<double> ruled_cosine = {};
 };
 
 /// Finds the best end of a cut from a reflex corner P, after Bian et al. 2005.
@@ -50,7 +52,8 @@ class LinkChoice {
     int rank = 0;
     bool turns = true;  ///< is not on the extension of an edge at P
     double weight = 0;  ///< of those that turn
-    double cosine = 0;
+    double cosine = 0;      ///< of the least angle, at either end
+    double end_cosine = 0;  ///< at its end
     ExactVector at;
     CornerIndex index;
 

@@ -160,7 +160,7 @@ Spine Cleared(Spine spine, double gap_nm, const MultiPolygon& region) {
   const auto is_clear = [&](PlaneVector p) {
     return DistanceToBorder(p, region) >= gap_nm - kTouchNm;
   };
-  const double length = LengthOf(spine), step = gap_nm / 4;
+  const double length = LengthOf(spine), step = std::max(gap_nm / 4, length / 64);
   const PlaneVector from = spine.from, way = spine.to - from;
   const auto place = [&](double at) {
     return PlaneVector{from.x + at / length * way.x, from.y + at / length * way.y};

@@ -41,7 +41,8 @@ PlaneVector Along(PlaneVector from, PlaneVector way, double length) {
 
 /// nullopt: the corner is blunt, or no corner at all.
 std::optional<SharpCorner> SharpCornerOf(const ConvexRing& ring, size_t i) {
-  SharpCorner corner{.at = ring[i]};
+  SharpCorner corner;
+  corner.at = ring[i];
   corner.in = UnitBetween(ring[i == 0 ? ring.size() - 1 : i - 1], corner.at);
   corner.out = UnitBetween(corner.at, ring[(i + 1) % ring.size()]);
   const PlaneVector outward = corner.in - corner.out;

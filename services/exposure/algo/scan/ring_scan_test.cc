@@ -6,6 +6,7 @@
 
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
 #include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
@@ -38,7 +39,9 @@ TEST(ScanByRings, OneLineAPieceIfLinkedElseOneARing) {
 }
 
 TEST(ScanByRings, LinksAreShort) {
-  const ExposureGroup group = Scan(MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)"), {});
+  ExposureOptions options;
+  options.fill_corners = false;
+  const ExposureGroup group = Scan(MakePolygonsOrDie("(0 0, 8 0, 8 8, 0 8)"), options);
   const double link = 80'000 * std::sqrt(2.0) + 2;
   int short_edges = 0;
   for (size_t i = 1; i < group.points.size(); ++i)
@@ -46,15 +49,36 @@ TEST(ScanByRings, LinksAreShort) {
   EXPECT_EQ(short_edges, 49 + 4);  // between 50 rings; and the innermost ring has sides of 80 um
 }
 
-TEST(ScanByRings, CoversRandomRegions) {
+/// What a spot can melt that stays within the region: its opening by the spot.
+MultiPolygon Reachable(const MultiPolygon& region, Coord spot_nm) {
+  return OffsetTwice(region, -spot_nm / 2, spot_nm / 2,
+                     {.join = Join::kRound, .arc_tolerance_nm = 100});
+}
+
+TEST(ScanByRings, CoversWhatTheSpotCanReach) {
   std::mt19937 random(12);
   for (int i = 0; i < 8; ++i) {
     const MultiPolygon region = RandomIsland(random, {}, 5);
-    MeltedRaster raster(region, 11'000);
+    MeltedRaster raster(Reachable(region, 80'000), 11'000);
     Scan(region, {}).ForEachLine([&](std::span<const Point> line) { raster.Add(line, 80'000); });
-    EXPECT_GE(raster.Share(1), 0.985)
-        << ToText(region);  // sharp corners stay open: the spot is round
+    EXPECT_GE(raster.Share(1), 0.995) << ToText(region);
   }
+}
+
+TEST(ScanByRings, CornersStayOpenUnlessTheyAreFilled) {
+  const MultiPolygon triangle = MakePolygonsOrDie("(0 0, 4 0, 2 2)");
+  double shares[2] = {};
+  for (const bool fill : {false, true}) {
+    ExposureOptions options;
+    options.fill_corners = fill;
+    MeltedRaster raster(Reachable(triangle, 80'000), 7'000);
+    Scan(triangle, options).ForEachLine([&](std::span<const Point> line) {
+      raster.Add(line, 80'000);
+    });
+    shares[fill] = raster.Share(1);
+  }
+  EXPECT_LT(shares[false], 0.995);
+  EXPECT_GE(shares[true], 0.998);
 }
 
 TEST(ScanByRings, ShortRingsAreLeftOut) {
