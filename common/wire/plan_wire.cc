@@ -200,7 +200,8 @@ v1::SeamQuality ToProto(const SeamQuality& quality) {
 
 absl::StatusOr<SeamQuality> FromProto(const v1::SeamQuality& proto) {
   for (const int64_t part : {proto.followers(), proto.with_corner(), proto.overhanging()})
-    if (part < 0 || part > proto.loops()) return Malformed("loops", "are not as many as their parts");
+    if (part < 0 || part > proto.loops())
+      return Malformed("loops", "are not as many as their parts");
   if (proto.jumps() < 0 || proto.jumps() > proto.followers())
     return Malformed("jumps", "are not some of the followers");
   if (proto.on_corner() < 0 || proto.on_corner() > proto.with_corner())

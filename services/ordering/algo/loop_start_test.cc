@@ -25,7 +25,7 @@ TEST(NearestVertex, IsTheLeastOfEquals) {
 }
 
 TEST(NearestToSeam, IsACornerThatIsNear) {
-  // The loops inside an outline with an inner corner at (5 5), 0.2 mm off its edges: their corners lie
+  // The loop inside an outline with an inner corner at (5 5), 0.2 mm off its edges: its corner lies
   // sqrt(2) times as far away.
   const Path ell = Loop("(0.2 0.2, 9.8 0.2, 9.8 4.8, 4.8 4.8, 4.8 9.8, 0.2 9.8)");
   EXPECT_EQ(NearestToSeam(ell.points, Mm(5, 5)).at, Mm(4.8, 4.8));

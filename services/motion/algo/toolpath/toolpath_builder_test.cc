@@ -314,5 +314,28 @@ TEST(ToolpathBuilder, WallsOverAirAreCutAndSlowedDown) {
     EXPECT_TRUE(move.kind != MoveKind::kPrint || std::abs(move.filament - filament) <= 1);
 }
 
+TEST(ToolpathBuilder, AScarfRisesOverItsLayerAndTakesTheSameFilament) {
+  Path loop = Line("(15 0, 30 0, 30 20, 0 20, 0 0)");
+  loop.closed = true;
+  loop.feature = Feature::kExternalPerimeter;
+  MotionOptions options;
+  const Built plain = Build({loop}, options);
+  options.speeds[0].scarf.placement = ScarfPlacement::kContours;
+  const Built scarf = Build({loop}, options);
+  EXPECT_NEAR(static_cast<double>(Printed(scarf.path)), static_cast<double>(Printed(plain.path)),
+              25) << "rounding, once for each piece that would have none";
+  int32_t z_um = 200;
+  for (const Move& move : scarf.path.moves) {
+    if (move.kind != MoveKind::kPrint) continue;
+    EXPECT_GE(move.z_um, z_um);
+    EXPECT_LE(move.height_um, 200);
+    z_um = move.z_um;
+  }
+  EXPECT_EQ(z_um, 400);
+  const Move& last = scarf.path.moves[scarf.path.moves.size() - 2];
+  EXPECT_EQ(last.x_um, 30'000) << "20 mm beyond the start";
+  EXPECT_EQ(last.y_um, 5'000);
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

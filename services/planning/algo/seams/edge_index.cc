@@ -45,7 +45,8 @@ void EdgeIndex::AddRing(const Polygon& ring, int32_t number) {
   first_edge_.push_back(static_cast<int32_t>(edges_.size()));
   for (size_t i = 0; i < n; ++i) {
     const Point before = ring[(i + n - 1) % n], at = ring[i], next = ring[(i + 1) % n];
-    edges_.push_back({at, next, number, static_cast<int32_t>(i), Cross(at - before, next - at) < 0});
+    const bool reflex = Cross(at - before, next - at) < 0;
+    edges_.push_back({at, next, number, static_cast<int32_t>(i), reflex});
     box_.Add(at);
   }
 }

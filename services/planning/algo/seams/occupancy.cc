@@ -148,7 +148,8 @@ double Occupancy::Visibility(Point at, Coord z_nm, int outward) {
   const auto number = static_cast<uint64_t>(cell.x + 1) +
                       static_cast<uint64_t>(cell.y + 1) * 1024 +
                       static_cast<uint64_t>(cell.z) * 1024 * 1024;
-  const auto [known, is_new] = seen_.try_emplace(number * kOutwards + static_cast<uint64_t>(outward));
+  const uint64_t key = number * kOutwards + static_cast<uint64_t>(outward);
+  const auto [known, is_new] = seen_.try_emplace(key);
   if (is_new) known->second = static_cast<float>(SeenFrom(cell, outward));
   return known->second;
 }

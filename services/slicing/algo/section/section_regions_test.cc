@@ -93,6 +93,17 @@ TEST(Partition, NegativesAreCutOutBeforeModifiers) {
   ExpectTiles(section);
 }
 
+TEST(Partition, SeamPartsChangeNoRegion) {
+  PartSection enforcer = Solid("(0 0, 5 0, 5 5, 0 5)");
+  enforcer.role = PartRole::kSeamEnforcer;
+  PartSection blocker = Solid("(15 15, 25 15, 25 25, 15 25)");
+  blocker.role = PartRole::kSeamBlocker;
+  const auto section = Partition({Solid(kSquare), enforcer, blocker}, {}, 0);
+  EXPECT_EQ(Areas(section), (std::map<int32_t, double>{{0, 400}}));
+  EXPECT_EQ(Mm2(section.seam_enforcers), 25);
+  EXPECT_EQ(Mm2(section.seam_blockers), 100);
+}
+
 TEST(Partition, RegionsFollowTheOutlinesOfTheWhole) {
   const std::map<int32_t, int32_t> changes = {{0, 1}};
   for (const Coord grow : {500'000, -500'000}) {

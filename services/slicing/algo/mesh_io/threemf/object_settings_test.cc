@@ -66,7 +66,9 @@ TEST(ReadModelSettings, KnowsAllRoles) {
            {"NegativeVolume", "negative_part", PartRole::kNegative},
            {"ParameterModifier", "modifier_part", PartRole::kModifier},
            {"SupportEnforcer", "support_enforcer", PartRole::kSupportEnforcer},
-           {"SupportBlocker", "support_blocker", PartRole::kSupportBlocker}}) {
+           {"SupportBlocker", "support_blocker", PartRole::kSupportBlocker},
+           {"SeamEnforcer", "seam_enforcer", PartRole::kSeamEnforcer},
+           {"SeamBlocker", "seam_blocker", PartRole::kSeamBlocker}}) {
     const std::string head = "<config><object id='1'>", tail = "</object></config>";
     const auto volume = ReadModelSettings(
         head + "<volume firstid='0' lastid='1'><metadata key='volume_type' value='" + c.volume +
