@@ -101,7 +101,7 @@ OrderedLayer Ordered() {
   hidden = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
-  below = ParseMultiPolygon("(0 0, 9 0, 9 9)");
+  below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
   block = 1;
