@@ -48,6 +48,7 @@ TEST(ParseGcodeLine, TextIsNoWords) {
   EXPECT_EQ(ParseGcodeLine("M117 50% done!").fault, "");
   EXPECT_EQ(ParseGcodeLine("M862.3 P \"MK3S\"").number, 862);
   EXPECT_EQ(ParseGcodeLine("M486 Aa cube (2)").fault, "");
+  EXPECT_EQ(ParseGcodeLine("M624 AQAAAAAAAAA=").fault, "");
   EXPECT_EQ(ParseGcodeLine("Tx").letter, 'T');
   EXPECT_EQ(ParseGcodeLine("").command, "");
   EXPECT_EQ(ParseGcodeLine("  \t").command, "");

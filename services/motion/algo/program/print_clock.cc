@@ -154,6 +154,12 @@ void PrintClock::Stop(double sign) {
 
 PrintTimes PrintClock::Finish() {
   Stop();
+  // Of what was added and taken off again, rounding may leave less than nothing.
+  const auto round_up = [](double& sum) { sum = std::max(0.0, sum); };
+  std::ranges::for_each(times_.feature_s, round_up);
+  std::ranges::for_each(times_.layer_s, round_up);
+  round_up(times_.travel_s);
+  round_up(times_.retract_s);
   return std::move(times_);
 }
 
