@@ -14,7 +14,7 @@ namespace slicefarm::infill {
 namespace {
 
 /// Links may bring a region's plastic this far over what its density asks for.
-constexpr double kMostExcess = 0.025;
+constexpr double kMostExcess = 0.01;
 /// The same where links lie all over it, and not in the band along its edge.
 constexpr double kMostExcessInside = 0.005;
 /// Thinner links than this share of a bead would not hold.

@@ -51,5 +51,32 @@ TEST(Route, FollowsTheNozzle) {
   EXPECT_EQ(route.TakePaths().size(), 3);
 }
 
+class Nothing : public Barrier {
+ public:
+  bool Parts(Point, Point) const override { return false; }
+};
+
+TEST(Route, LinksWhatLiesNearWithinAnIsland) {
+  const auto stroke = [](Coord from) {
+    Path path;
+    path.points = {{from, 0}, {from + 5'000'000, 0}};
+    path.widths_nm = {450'000};
+    return path;
+  };
+  const Nothing nothing;
+  Route route({0, 0}, 200'000);
+  route.Enter({nullptr, &nothing});
+  route.Print(stroke(0));
+  route.Print(stroke(5'200'000));
+  EXPECT_EQ(route.paths().size(), 3);
+  route.Enter({nullptr, &nothing});  // another island
+  route.Print(stroke(10'400'000));
+  EXPECT_EQ(route.paths().size(), 4);
+  route.Enter({});  // whose outline is not known
+  route.Print(stroke(15'600'000));
+  route.Print(stroke(20'800'000));
+  EXPECT_EQ(route.paths().size(), 6);
+}
+
 }  // namespace
 }  // namespace slicefarm::ordering

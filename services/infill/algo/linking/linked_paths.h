@@ -21,13 +21,18 @@ struct LinkOptions {
   double min_length_nm = 0;  ///< shorter paths are left out
 };
 
-/// Joins pieces of any pattern to long paths, by links along the region's edge (ChooseLinks), and
-/// sees to it that the links cost no more plastic than `budget_nm`: first they are as wide as there
-/// is room beside the wall; then their corners are cut off; then they become thinner; and only
-/// then the longest ones are left out.
+/// Joins pieces of any pattern to long paths, by links along the region's edge, and sees to it that
+/// the links cost no more plastic than `budget_nm`: first they are as wide as there is room beside
+/// the wall; then their corners are cut off; then they become thinner; and only then the longest
+/// ones are left out.
+///
+/// Straight pieces are linked to rings (LinkAllEnds), and rings that cross taken into one another
+/// (SplicedPaths): lines in several directions are one closed path then in most regions, which may
+/// begin wherever the nozzle is. Where that gives more paths than open ones would be, and for
+/// curves, paths are open (ChooseLinks).
 ///
 /// Every piece is in exactly one path, and no stretch of the edge is used twice. Closed pieces stay
-/// as they are. Cost: as ChooseLinks, and O(n + k) with n points of the region.
+/// as they are. Cost: as ChooseLinks and SplicedPaths, and O(n + k) with n points of the region.
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
                               const LinkOptions& options);
 

@@ -34,7 +34,8 @@ struct Skins {
 /// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; parts
 /// that an outline leaves bare count if they are at least a bead wide, and grow by two beads into
 /// the sparse region, so that their lines end on something. Regions too narrow for a bead go to
-/// their neighbour.
+/// their neighbour; sparse places narrower than four beads beside skins become solid, as their
+/// lines would be bits. Narrow places beside walls only stay sparse.
 ///
 /// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
 /// Cost: next to nothing for outlines that are `outline` (that of this layer) or do not come near

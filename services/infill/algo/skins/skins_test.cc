@@ -69,6 +69,25 @@ TEST(Skins, ThinSparseRemaindersBecomeSolid) {
   ExpectPartition(skins, kFill);
 }
 
+TEST(Skins, NarrowSparsePlacesBetweenSkinsBecomeSolid) {
+  // Bare from 6 to 8 and from 11 to 13: 1.2 mm are left between what grows from there.
+  const MultiPolygon bars =
+      P("(0 0, 6 0, 6 20, 0 20) ; (8 0, 11 0, 11 20, 8 20) ; (13 0, 20 0, 20 20, 13 20)");
+  const Skins skins = PartFillArea(kFill, kWhole, {{&bars}, {&kWhole}, false}, {});
+  EXPECT_NEAR(Mm2(skins.sparse), (4.1 + 5.1) * 18, 0.01);
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, NarrowPlacesBesideWallsStaySparse) {
+  const MultiPolygon fill =
+      P("(1 1, 12 1, 12 -3, 13.2 -3, 13.2 1, 19 1, 19 19, 1 19)");
+  const MultiPolygon whole = P("(0 -5, 20 -5, 20 20, 0 20)");
+  const MultiPolygon right = P("(5 -5, 20 -5, 20 20, 5 20)");
+  const Skins skins = PartFillArea(fill, whole, {{&right}, {&whole}, false}, {});
+  EXPECT_NEAR(Mm2(skins.sparse), 13.1 * 18 + 1.2 * 4, 0.01);
+  ExpectPartition(skins, fill);
+}
+
 TEST(Skins, SmallSparseRegionsBecomeSolidIfAsked) {
   const Skins skins =
       PartFillArea(kFill, kWhole, {{&kLeftHalf}, {&kWhole}, false}, {.solid_below_area_mm2 = 200});

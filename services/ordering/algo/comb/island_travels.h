@@ -15,8 +15,10 @@ namespace slicefarm::ordering {
 ///
 /// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, is
 /// not too long, and does not lead to a visible bead, which would begin with a gap.
-/// With avoid_crossing a way that is not clear of the walls goes round inside the island if a detour
-/// that is allowed leads there. `budget`: for lines of sight.
+/// A way that would be hidden if it crossed no wall goes round inside the island where that is no
+/// longer than kCrossingNm more: it takes less time than the retraction. With avoid_crossing each way
+/// that is not clear of the walls goes round if a detour that is allowed leads there. `budget`: for
+/// lines of sight.
 std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                                     std::span<const Path> paths, const TravelOptions& options,
                                     WorkBudget& budget);

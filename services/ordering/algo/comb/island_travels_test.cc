@@ -53,6 +53,9 @@ std::vector<Case> Cases() {
   return {
       {"Inside", {low, far}, true},
       {"AcrossTheSlot", {left, right}},
+      {"RoundTheSlotInLessThanARetraction", {OuterWall(), left, right}, true},
+      {"RoundTheSlotInMoreThanARetraction",
+       {OuterWall(), Sparse("(9 12, 9 19)"), Sparse("(15 19, 15 12)")}},
       {"RoundTheSlot", {OuterWall(), left, right}, true, [](auto& o) { o.avoid_crossing = true; }},
       {"TheWayRoundIsTooLong",
        {OuterWall(), left, right},
