@@ -28,7 +28,9 @@ SlicedLayer LayerOf(MultiPolygon outlines, int32_t index = 0, int32_t object = 0
                         .height_nm = 50'000,
                         .regions = {{.outlines = std::move(outlines)}},
                         .whole = {},
-                        .z_nm = 0};
+                        .z_nm = 0,
+                        .seam_enforcers = {},
+                        .seam_blockers = {}};
   return {{index, (index + 1) * 50'000, 50'000}, {std::move(section)}};
 }
 

@@ -64,7 +64,7 @@ class FakePlanning : public PlanningStage {
     if (!fails.ok()) return fails;
     JobPlan plan;
     for (const SlicedLayer& layer : job.layers)
-      plan.layers.push_back({.entry = {FromMm(layer.frame.index), 0}, .sections = {}, .paths = {}});
+      plan.layers.push_back({.entry = {FromMm(layer.frame.index), 0}, .sections = {}, .paths = {}, .infill = {}});
     plan.additions = additions;
     int32_t index = 0;
     for (const PlacedCopy& copy : job.copies)
