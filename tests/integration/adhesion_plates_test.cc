@@ -67,7 +67,7 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
   for (int32_t i = 0; i < layer_count; ++i) {
     const Coord below_nm = plate.layers.empty() ? 0 : plate.layers.back().frame.print_z_nm;
     const Coord top_nm = raft.LiftNm() + (i + 1) * height_nm;
-    ObjectSection section{0, i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}}, {}};
+    ObjectSection section{0, i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}}, {}, 0, {}, {}};
     plate.layers.push_back({{raft.layers + i, top_nm, top_nm - below_nm}, {section}});
   }
   for (const Point place : places) {

@@ -34,7 +34,7 @@ TEST(WallSection, WallsRunOnWhereOnlyTheInfillChanges) {
   ASSERT_EQ(walled.islands.size(), 1u);
   EXPECT_EQ(walled.islands[0].walls.size(), 3u);
   EXPECT_EQ(walled.islands[0].walls, Walled({0, 3, 9, 200'000,
-                                             {{Role::kPart, 0, 0, Halves().whole}}, {}},
+                                             {{Role::kPart, 0, 0, Halves().whole}}, {}, 0, {}, {}},
                                             {{}})
                                          .islands[0]
                                          .walls);
@@ -74,6 +74,9 @@ TEST(WallSection, OutermostWallsNameTheirRing) {
       {{Role::kPart, 0, 0,
         MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 12 12, 12 8)"
                           " ; (30 0, 40 0, 40 9, 30 9)")}},
+      {},
+      0,
+      {},
       {}};
   std::set<int32_t> rings;
   for (const WalledIsland& island : Walled(section, {{}}).islands)
