@@ -165,10 +165,13 @@ Sample MakeSample() {
     exposed.text = "exposed\n";
     exposed.report.jumps = i;
   }
-  sample.summary.layers = {{FrameOf(0), 1, {1, 2}, {3, 4}, 5, false}};
+  sample.summary.layers = {{FrameOf(0), 1, {1, 2}, {3, 4}, 5, false, {}}};
   sample.summary.copies = {{{"a.stl", 0, 1, 2}, {{0, 0}, {9, 0}, {9, 9}}}};
   sample.summary.settings_text = "perimeters = 3\n";
-  sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", 12.5, 30};
+  PrintTimes times;
+  times.travel_s = 12.5;
+  times.layer_s = {5};
+  sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", times, 30};
   sample.settings = SettingsWithAll();
   sample.times = {0, 0, 1, 2, 3, 4};
   return sample;
