@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FillAreaCase{"Strip", "(0 0, 9 0, 9 0.6, 0 0.6)", 1, 0},
                     FillAreaCase{"DotAlone", "(0 0, 0.5 0, 0.5 0.5, 0 0.5)", 1, 0},
                     FillAreaCase{"SpeckAlone", "(0 0, 0.1 0, 0.1 0.1, 0 0.1)", 0, 0},
-                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 9 2.3, 9 2.7, 5 2.7, 5 5, 0 5)", 1,
+                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 11 2.3, 11 2.7, 5 2.7, 5 5, 0 5)", 1,
                                  25},
                     FillAreaCase{"ShortEnd",
                                  "(0 0, 5 0, 5 2.3, 5.9 2.3, 5.9 2.7, 5 2.7, 5 5, 0 5)", 0, 25.36},
