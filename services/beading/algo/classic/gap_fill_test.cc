@@ -89,7 +89,7 @@ TEST_P(NarrowFillArea, HasTheBeadsThatAreWorthTheirTravel) {
   }
 }
 
-// What hangs on a wider part is left to the infill below 0.5 mm2, what stands alone is left empty
+// What hangs on a wider part is left to the infill below 2 mm2, what stands alone is left empty
 // below 0.02 mm2.
 INSTANTIATE_TEST_SUITE_P(
     GapFill, NarrowFillArea,
@@ -97,12 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
                     FillAreaCase{"Strip", "(0 0, 9 0, 9 0.6, 0 0.6)", 1, 0},
                     FillAreaCase{"DotAlone", "(0 0, 0.5 0, 0.5 0.5, 0 0.5)", 1, 0},
                     FillAreaCase{"SpeckAlone", "(0 0, 0.1 0, 0.1 0.1, 0 0.1)", 0, 0},
-                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 9 2.3, 9 2.7, 5 2.7, 5 5, 0 5)", 1,
+                    FillAreaCase{"LongEnd", "(0 0, 5 0, 5 2.3, 11 2.3, 11 2.7, 5 2.7, 5 5, 0 5)", 1,
                                  25},
                     FillAreaCase{"ShortEnd",
                                  "(0 0, 5 0, 5 2.3, 5.9 2.3, 5.9 2.7, 5 2.7, 5 5, 0 5)", 0, 25.36},
                     FillAreaCase{"LongNeck",
-                                 "(0 0, 5 0, 5 2.3, 9 2.3, 9 0, 14 0, 14 5, 9 5, 9 2.7, 5 2.7, "
+                                 "(0 0, 5 0, 5 2.3, 11 2.3, 11 0, 16 0, 16 5, 11 5, 11 2.7, 5 2.7, "
                                  "5 5, 0 5)",
                                  1, 50},
                     FillAreaCase{"Wedge", "(0 0, 5 0, 8 2.5, 5 5, 0 5)", 0, 32.5},
