@@ -81,8 +81,8 @@ ExposureStyle DistinctStyle(int n) {
 ExposureOptions DistinctOptions() {
   ExposureOptions options;
   auto& [strategy, decompose, jump_order, hatch_distance, hatch_angle, rotation, alternate,
-         minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings, fill_corners,
-         spot, compensation, contours, contour_distance, hatch_offset, contours_first, thin_walls,
+         minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings,
+         fill_corners, spot, compensation, contours, contour_distance, hatch_offset, contours_first, thin_walls,
          upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] = options;
   strategy = ScanStrategy::kIslands;
   decompose = DecomposeMethod::kYMonotone;
