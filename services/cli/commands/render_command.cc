@@ -64,8 +64,7 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
   if (!firmware.ok()) return firmware.status();
   const auto machine = ReadMachine("", gcode);
   if (!machine.ok()) return machine.status();
-  const motion::ProgramTime time =
-      motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
+  const motion::ProgramTime time = motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
   return ReadGcodeLayer(gcode, options.layer, time.line_end_s);
 }
 
@@ -104,23 +103,25 @@ void AddRender(CLI::App& app, CommandContext& context) {
   command->add_option("--format", options->format, "If the output's name does not say it")
       ->check(CLI::IsMember({"png", "svg"}));
   command
-      ->add_option("--color,--by", options->colour_by,
-                   "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
-                   "is laid, by --flavor's look-ahead), order, or energy: how often a place is passed "
-                   "over")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
-                                          {"width", ColourBy::kWidth},
-                                          {"speed", ColourBy::kSpeed},
-                                          {"flow", ColourBy::kFlow},
-                                          {"time", ColourBy::kTime},
-                                          {"order", ColourBy::kOrder},
-                                          {"energy", ColourBy::kEnergy}}))
+      ->add_option(
+          "--color,--by", options->colour_by,
+          "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
+          "is laid, by --flavor's look-ahead), order, or energy: how often a place is passed "
+          "over")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
+                                                                  {"width", ColourBy::kWidth},
+                                                                  {"speed", ColourBy::kSpeed},
+                                                                  {"flow", ColourBy::kFlow},
+                                                                  {"time", ColourBy::kTime},
+                                                                  {"order", ColourBy::kOrder},
+                                                                  {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
   command
-      ->add_option("--flavor", options->flavor,
-                   "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
-                   "marlin")
+      ->add_option(
+          "--flavor", options->flavor,
+          "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
+          "marlin")
       ->type_name("NAME");
   command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
       ->check(CLI::Range(0.001, 10.0))
