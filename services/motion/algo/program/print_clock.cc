@@ -99,7 +99,7 @@ void PrintClock::Rest(const GcodeLine& line, double& part_s) {
 
 void PrintClock::AddLayer(size_t i) {
   const LayerEdges& edges = summary_.layers[i].edges;
-  if (summary_.layers[i].empty || edges.head.empty()) return;
+  if (summary_.layers[i].empty || edges.head.empty() || edges.tail.empty()) return;
   double& part_s = times_.layer_s[i];
   QueueHead(edges, part_s);
   Stop();
