@@ -88,7 +88,7 @@ ProgramSummary DistinctSummary() {
   exit = {3, 4};
   time = 5;
   empty = true;
-  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, {}}};
+  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, DistinctEdges()}};
   total = DistinctStats();
   thumbnails = {{16, 17, "\x89PNG", PictureFormat::kQoi}};
   CopySummary copy;

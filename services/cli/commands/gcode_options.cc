@@ -17,10 +17,12 @@ constexpr std::string_view kFlavors = "klipper, marlin, rrf, prusabuddy, bambu, 
 
 void AddGcodeOptions(CLI::App& app, GcodeOptions& options) {
   app.add_option("GCODE", options.gcode, "G-code of any slicer")->required();
-  app.add_option("--flavor", options.flavor,
-                 fmt::format("Firmware of the machine: {} (rrf: RepRapFirmware; jerk: none, but slicefarm's "
-                             "own planner)",
-                             kFlavors))
+  app.add_option(
+         "--flavor", options.flavor,
+         fmt::format(
+             "Firmware of the machine: {} (rrf: RepRapFirmware; jerk: none, but slicefarm's "
+             "own planner)",
+             kFlavors))
       ->required()
       ->type_name("NAME");
   app.add_option("-c,--config", options.config,

@@ -64,8 +64,7 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
   if (!firmware.ok()) return firmware.status();
   const auto machine = ReadMachine("", gcode);
   if (!machine.ok()) return machine.status();
-  const motion::ProgramTime time =
-      motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
+  const motion::ProgramTime time = motion::TimeOfProgram(gcode, **firmware, machine->setup.machine);
   return ReadGcodeLayer(gcode, options.layer, time.line_end_s);
 }
 
@@ -118,9 +117,10 @@ void AddRender(CLI::App& app, CommandContext& context) {
                                           {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
   command
-      ->add_option("--flavor", options->flavor,
-                   "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
-                   "marlin")
+      ->add_option(
+          "--flavor", options->flavor,
+          "Firmware whose look-ahead tells times; default: the one that the file quotes, else "
+          "marlin")
       ->type_name("NAME");
   command->add_option("--spot", options->spot_mm, "Width of the lines of a CLI file, mm")
       ->check(CLI::Range(0.001, 10.0))

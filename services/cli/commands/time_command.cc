@@ -79,7 +79,8 @@ void AddTime(CLI::App& app, CommandContext& context) {
   command->footer(
       "Rows of `key value`, in seconds: time_s is move_s, dwell_s (G4) and heating_s (waits whose\n"
       "nozzle_heating_rate or bed_heating_rate the settings know); move_s is travel_s,\n"
-      "retract_s (filament alone) and feature_NAME_s of what the slicer's comments name; layer_N_s\n"
+      "retract_s (filament alone) and feature_NAME_s of what the slicer's comments name; "
+      "layer_N_s\n"
       "and before_layers_s are all of it, once more. What no program tells takes 0 s and is\n"
       "counted: homings, heat_waits, tool_changes.\n"
       "Example:\n"

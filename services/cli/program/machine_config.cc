@@ -14,11 +14,21 @@ namespace {
 constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
 
 /// What settings say of a machine.
-constexpr std::string_view kMachineKeys[] = {
-    "bed_shape",        "max_print_height",       "nozzle_diameter", "filament_diameter",
-    "minimum_cruise_ratio", "square_corner_velocity", "jerk_limit", "nozzle_heating_rate",
-    "bed_heating_rate", "retract_length",  "retract_speed",
-    "deretract_speed",  "retract_restart_extra",  "retract_lift",    "z_offset"};
+constexpr std::string_view kMachineKeys[] = {"bed_shape",
+                                             "max_print_height",
+                                             "nozzle_diameter",
+                                             "filament_diameter",
+                                             "minimum_cruise_ratio",
+                                             "square_corner_velocity",
+                                             "jerk_limit",
+                                             "nozzle_heating_rate",
+                                             "bed_heating_rate",
+                                             "retract_length",
+                                             "retract_speed",
+                                             "deretract_speed",
+                                             "retract_restart_extra",
+                                             "retract_lift",
+                                             "z_offset"};
 
 bool IsOfMachine(std::string_view key) {
   return key.starts_with("machine_max_") || key.starts_with("machine_min_") ||
@@ -44,9 +54,8 @@ absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   if (!resolved.ok()) return resolved.status();
   const MotionOptions& options = resolved->settings.motion;
   motion::CheckSetup setup;
-  setup.machine = {options.limits,
-                   options.retraction,
-                   {options.nozzle_heating_c_s, options.bed_heating_c_s}};
+  setup.machine = {
+      options.limits, options.retraction, {options.nozzle_heating_c_s, options.bed_heating_c_s}};
   setup.nozzle_mm = options.nozzle_diameter_mm;
   setup.filament_mm = options.filament_diameter_mm;
   setup.z_offset_mm = options.z_offset_mm;

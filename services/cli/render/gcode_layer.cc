@@ -50,7 +50,8 @@ Words ParseWords(std::string_view text) {
   return words;
 }
 
-/// What follows one of PrusaSlicer's and Bambu Studio's words for the same; nothing if none is there.
+/// What follows one of PrusaSlicer's and Bambu Studio's words for the same; nothing if none is
+/// there.
 std::optional<std::string_view> After(std::string_view text,
                                       std::initializer_list<std::string_view> words) {
   for (const std::string_view word : words)

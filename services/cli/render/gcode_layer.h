@@ -38,11 +38,12 @@ struct GcodeLayer {
 };
 
 /// Reads layer `index` of a program with PrusaSlicer's comments (;LAYER_CHANGE ;Z: ;HEIGHT: ;TYPE:
-/// ;WIDTH:), which is what slicefarm writes; flow by `; filament_diameter = `, else 1.75 mm. Follows G0 to G3 (arcs as short chords), G90, G91,
-/// G92, M82 and M83; passes over numbers that no printer has: not finite, beyond 1e9, and widths
-/// not above 0. Errors: REQUEST_MALFORMED naming the last layer, or if there is no ;LAYER_CHANGE at
-/// all. Cost: one pass over the file. `line_end_s`: when each line of the file has ended
-/// (ProgramTime); beads are then runs of one line.
+/// ;WIDTH:), which is what slicefarm writes; flow by `; filament_diameter = `, else 1.75 mm.
+/// Follows G0 to G3 (arcs as short chords), G90, G91, G92, M82 and M83; passes over numbers that no
+/// printer has: not finite, beyond 1e9, and widths not above 0. Errors: REQUEST_MALFORMED naming
+/// the last layer, or if there is no ;LAYER_CHANGE at all. Cost: one pass over the file.
+/// `line_end_s`: when each line of the file has ended (ProgramTime); beads are then runs of one
+/// line.
 absl::StatusOr<GcodeLayer> ReadGcodeLayer(std::string_view gcode, int index,
                                           std::span<const double> line_end_s = {});
 

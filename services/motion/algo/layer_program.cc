@@ -10,17 +10,17 @@
 #include <utility>
 
 #include "services/motion/algo/firmware/firmware.h"
+#include "services/motion/algo/gcode/layer_writer.h"
+#include "services/motion/algo/gcode/machine_setup.h"
+#include "services/motion/algo/gcode/object_labels.h"
+#include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
 #include "services/motion/algo/toolpath/flow_smoothing.h"
-#include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
-#include "services/motion/algo/gcode/layer_writer.h"
-#include "services/motion/algo/gcode/object_labels.h"
-#include "services/motion/algo/gcode/machine_setup.h"
-#include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
@@ -173,7 +173,8 @@ class PassProgram {
     return {ToUm(visit.shift.x), ToUm(visit.shift.y)};
   }
 
-  /// What is written, in its order. Copies after the first are at their height, unless travels rise.
+  /// What is written, in its order. Copies after the first are at their height, unless travels
+  /// rise.
   std::vector<Stretch> Stretches() const {
     std::vector<Stretch> stretches;
     for (const BlockVisit& visit : visits_) {

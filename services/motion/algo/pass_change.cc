@@ -42,10 +42,8 @@ std::vector<PassChange> PassChanges(const ProgramSummary& summary) {
   for (size_t i = 0; i < summary.layers.size(); ++i) {
     const LayerSummary& layer = summary.layers[i];
     if (i > 0 && layer.pass != summary.layers[i - 1].pass) {
-      changes.push_back({.layer = i,
-                         .to = layer.entry,
-                         .top_nm = top_nm,
-                         .on_bed = layer.frame.index == 0});
+      changes.push_back(
+          {.layer = i, .to = layer.entry, .top_nm = top_nm, .on_bed = layer.frame.index == 0});
     }
     top_nm = std::max(top_nm, layer.frame.print_z_nm);
   }

@@ -6,16 +6,16 @@
 
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
-#include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
+#include "services/motion/algo/gcode/thumbnails_block.h"
+#include "services/motion/algo/macro/gcode_template.h"
+#include "services/motion/algo/macro/template_variables.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/print_clock.h"
 #include "services/motion/algo/toolpath/print_speed.h"
-#include "services/motion/algo/macro/template_variables.h"
-#include "services/motion/algo/gcode/thumbnails_block.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -48,8 +48,8 @@ std::string Prologue(const ProgramSummary& summary, const MotionOptions& options
   const PrintFacts facts = FactsOf(summary, options, time_s);
   GcodeText out;
   firmware.WriteHead(facts, out);
-  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails)
-      << firmware.comments().feature << "Custom\n";
+  out << MetadataHead(summary) << ThumbnailsBlock(summary.thumbnails) << firmware.comments().feature
+      << "Custom\n";
   WriteMachineLimits(options, out);
   firmware.WriteChecks(options, facts, out);
   WriteStart(options, start_gcode, out);

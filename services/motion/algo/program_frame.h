@@ -11,11 +11,10 @@ namespace slicefarm::motion {
 ///
 /// The prologue heats up, runs the start G-code and leaves the canonical state that layers begin
 /// in: millimetres, absolute coordinates, relative extrusion, filament retracted. The epilogue
-/// begins in that state. Times: those of the whole program's look-ahead (print_clock.h), its own G-code
-/// included; heating by the settings' rates. The prefix of
-/// a pass's first layer brings the nozzle there over all that stands (pass_change.h); end G-code
-/// begins above all of it. Errors: those of the templates (gcode_template.h). REQUIRES: CheckOptions
-/// holds.
+/// begins in that state. Times: those of the whole program's look-ahead (print_clock.h), its own
+/// G-code included; heating by the settings' rates. The prefix of a pass's first layer brings the
+/// nozzle there over all that stands (pass_change.h); end G-code begins above all of it. Errors:
+/// those of the templates (gcode_template.h). REQUIRES: CheckOptions holds.
 absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
                                           const MotionOptions& options);
 

@@ -17,8 +17,10 @@ constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
                                     .width = "; LINE_WIDTH: "};
 
 constexpr std::array<std::string_view, kFeatureCount> kFeatures = {
-    "Outer wall",  "Inner wall", "Overhang wall", "Gap infill", "Sparse infill",    "Internal solid infill",
-    "Top surface", "Bridge",     "Skirt",         "Support",    "Support interface"};
+    "Outer wall",  "Inner wall",       "Overhang wall",
+    "Gap infill",  "Sparse infill",    "Internal solid infill",
+    "Top surface", "Bridge",           "Skirt",
+    "Support",     "Support interface"};
 
 /// Objects are skipped by one bit each of a mask of 64, base64 of its bytes from the lowest.
 constexpr size_t kMostLabels = 64;
@@ -77,8 +79,8 @@ class BambuFirmware : public MarlinFirmware {
     return kFeatures[static_cast<size_t>(feature)];
   }
 
-  void DefineCopies(std::span<const CopySummary> /*copies*/,
-                    std::span<const std::string> labels, GcodeText& out) const override {
+  void DefineCopies(std::span<const CopySummary> /*copies*/, std::span<const std::string> labels,
+                    GcodeText& out) const override {
     out << "; model label id: ";
     for (size_t i = 0; i < labels.size(); ++i) {
       if (i > 0) out << ',';

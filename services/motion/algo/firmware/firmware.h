@@ -92,7 +92,8 @@ class Firmware {
   /// Pressure advance (linear advance), in the firmware's own unit.
   virtual void WritePressureAdvance(double value, GcodeText& out) const;
   /// `left_min`: minutes left; `layer`: from 1.
-  virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer, GcodeText& out) const;
+  virtual void WriteProgress(int64_t percent, int64_t left_min, int64_t layer,
+                             GcodeText& out) const;
   /// What the printer is asked before anything moves: whether it is the one that the file is for.
   virtual void WriteChecks(const MotionOptions& options, const PrintFacts& facts,
                            GcodeText& out) const;
@@ -117,8 +118,8 @@ class Firmware {
 /// That of the settings. Lives for ever.
 const Firmware& FirmwareOf(GcodeFlavor flavor);
 
-/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; prusabuddy; bambu; grbl;
-/// jerk: none but slicefarm's own planner (jerk.h). Null: no such.
+/// By name: klipper; marlin or marlin2, Marlin 2 both; rrf or reprapfirmware; prusabuddy; bambu;
+/// grbl; jerk: none but slicefarm's own planner (jerk.h). Null: no such.
 const Firmware* FindFirmware(std::string_view name);
 
 }  // namespace slicefarm::motion

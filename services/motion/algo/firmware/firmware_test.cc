@@ -20,7 +20,8 @@ TEST(FindFirmware, ByItsNames) {
   EXPECT_EQ(FindFirmware("rrf")->name(), "reprapfirmware");
   EXPECT_EQ(FindFirmware("rrf"), FindFirmware("reprapfirmware"));
   EXPECT_EQ(FindFirmware("grbl")->name(), "grbl");
-  for (const char* name : {"prusabuddy", "bambu", "jerk"}) EXPECT_EQ(FindFirmware(name)->name(), name);
+  for (const char* name : {"prusabuddy", "bambu", "jerk"})
+    EXPECT_EQ(FindFirmware(name)->name(), name);
   EXPECT_EQ(FindFirmware("smoothie"), nullptr);
 }
 

@@ -50,8 +50,7 @@ class GrblFirmware : public Firmware {
   void DefineCopies(std::span<const CopySummary> /*copies*/,
                     std::span<const std::string> /*labels*/, GcodeText& /*out*/) const override {}
   void BeginCopy(std::string_view /*label*/, size_t /*index*/, GcodeText& /*out*/) const override {}
-  void EndCopy(std::string_view /*label*/, size_t /*index*/,
-               GcodeText& /*out*/) const override {}
+  void EndCopy(std::string_view /*label*/, size_t /*index*/, GcodeText& /*out*/) const override {}
 };
 
 }  // namespace

@@ -37,7 +37,8 @@ void ReadAxes(const GcodeLine& line, double unit, std::array<double, 4>& values)
 /// Takes over a word or a parameter that is there and above 0.
 void ReadLimit(std::optional<double> given, double& value);
 
-/// M204 of Marlin and RepRapFirmware: accelerations of printing (P), travel (T), both (S), filament (R).
+/// M204 of Marlin and RepRapFirmware: accelerations of printing (P), travel (T), both (S), filament
+/// (R).
 void ReadM204(const GcodeLine& line, MachineLimits& limits);
 
 /// `M204 P1000 T2000`; the travel's 0: not told.

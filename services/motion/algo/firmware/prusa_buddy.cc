@@ -35,7 +35,8 @@ class BuddyFirmware : public MarlinFirmware {
       if (!options.printer_model.empty())
         out << "M862.3 P \"" << Quotable(options.printer_model) << "\"\n";
     }
-    if (!facts.bounds.Empty() && !Commands(options.start_gcode, {"M555"})) WriteArea(facts.bounds, out);
+    if (!facts.bounds.Empty() && !Commands(options.start_gcode, {"M555"}))
+      WriteArea(facts.bounds, out);
   }
 
  private:

@@ -23,9 +23,9 @@ void WriteStart(const MotionOptions& options, std::string_view start_gcode, Gcod
 /// Whether some line of `gcode` is one of the commands, such as "M104".
 bool Commands(std::string_view gcode, std::initializer_list<std::string_view> commands);
 
-/// The limits that the layers run with: what start G-code says (M201, SET_VELOCITY_LIMIT, ...) holds
-/// over the settings. Accelerations that the layers tell by themselves stay the settings'. Lines with
-/// templates are not looked at.
+/// The limits that the layers run with: what start G-code says (M201, SET_VELOCITY_LIMIT, ...)
+/// holds over the settings. Accelerations that the layers tell by themselves stay the settings'.
+/// Lines with templates are not looked at.
 MachineLimits LimitsAfterStart(const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -42,8 +42,8 @@ void WriteLayers(const ProgramSummary& summary, const PrintTimes& times, GcodeTe
   Line("total layers count", std::to_string(summary.layers.size()), out);
   Line("estimated printing time (normal mode)", DurationText(times.TotalS()), out);
   if (summary.layers.empty()) return;
-  Line("estimated first layer printing time (normal mode)",
-       DurationText(times.layer_s.front()), out);
+  Line("estimated first layer printing time (normal mode)", DurationText(times.layer_s.front()),
+       out);
   Line("max_layer_z", Number(ToMm(static_cast<double>(TopOf(summary))), 3), out);
 }
 

@@ -72,7 +72,8 @@ struct Key {
 class TailTest : public testing::TestWithParam<Key> {};
 
 TEST_P(TailTest, IsFound) {
-  EXPECT_EQ(Find(MetadataTail(Options(), Summary(), Times(93'784)), GetParam().pattern), GetParam().want);
+  EXPECT_EQ(Find(MetadataTail(Options(), Summary(), Times(93'784)), GetParam().pattern),
+            GetParam().want);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "services/motion/algo/kinematics/kinematic_move.h"
 #include "services/motion/algo/kinematics/jerk_ramp.h"
+#include "services/motion/algo/kinematics/kinematic_move.h"
 
 namespace slicefarm::motion {
 
@@ -16,9 +16,9 @@ struct Bend {
 /// REQUIRES: both are limited. `deviation_mm`: > 0.
 Bend BendBetween(const KinematicMove& before, const KinematicMove& move, double deviation_mm);
 
-/// The greatest speed in mm/s through a bend whose curvature changes by `change` (1/mm^2): with k the
-/// sharper of its curvatures, v <= sqrt(a / k) and, as the jerk at even speed is v^3 sqrt(k'^2 + k^4),
-/// v <= (j / sqrt(k'^2 + k^4))^(1/3). Infinite on a straight line.
+/// The greatest speed in mm/s through a bend whose curvature changes by `change` (1/mm^2): with k
+/// the sharper of its curvatures, v <= sqrt(a / k) and, as the jerk at even speed is v^3 sqrt(k'^2
+/// + k^4), v <= (j / sqrt(k'^2 + k^4))^(1/3). Infinite on a straight line.
 double SpeedThrough(const Bend& bend, double change, const RampLimits& limits);
 
 }  // namespace slicefarm::motion

@@ -21,8 +21,7 @@ TEST(SpeedThrough, ObeysAccelerationAndJerk) {
   for (const Case& c : {Case{0.1, 0, 1e3, 1e5, 100}, Case{10, 0, 1e3, 1e5, 10},
                         Case{100, 0, 1e3, 1e5, 2.1544347}, Case{0, 0.001, 1e3, 1e5, 464.1588834},
                         Case{0.1, 0.2, 1e9, 1e5, std::cbrt(1e5 / std::hypot(0.2, 0.01))}}) {
-    const double got =
-        SpeedThrough({.curvature = c.curvature}, c.change, {c.acceleration, c.jerk});
+    const double got = SpeedThrough({.curvature = c.curvature}, c.change, {c.acceleration, c.jerk});
     EXPECT_NEAR(got, c.want, 1e-6 * c.want) << c.curvature;
   }
   // A circle of 10 mm at 100 mm/s takes a jerk of 1e4.

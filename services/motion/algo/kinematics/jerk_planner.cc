@@ -62,16 +62,15 @@ double JerkPlanner::PaceOf(size_t move) const {
 
 bool JerkPlanner::Joins(const Span& span, size_t move) const {
   const double pace = PaceOf(move);
-  return !bends_[move].sharp && std::min(pace, span.slowest_mm_s) >=
-                                    kAlike * std::max(pace, span.fastest_mm_s);
+  return !bends_[move].sharp &&
+         std::min(pace, span.slowest_mm_s) >= kAlike * std::max(pace, span.fastest_mm_s);
 }
 
 void JerkPlanner::FindSpans() {
   spans_.clear();
   for (size_t i = 0; i < moves_.size(); ++i) {
     const double pace = PaceOf(i), a = moves_[i].acceleration_mm_s2;
-    if (spans_.empty() || !Joins(spans_.back(), i))
-      spans_.push_back({i, i, 0, pace, pace, a, 0});
+    if (spans_.empty() || !Joins(spans_.back(), i)) spans_.push_back({i, i, 0, pace, pace, a, 0});
     Span& span = spans_.back();
     span.last = i + 1;
     span.length_mm += moves_[i].length_mm;
@@ -83,8 +82,8 @@ void JerkPlanner::FindSpans() {
 
 void JerkPlanner::LimitEntries() {
   for (size_t i = 1; i < spans_.size(); ++i)
-    spans_[i].entry_mm_s = std::min({through_mm_s_[spans_[i].first], spans_[i - 1].slowest_mm_s,
-                                     spans_[i].slowest_mm_s});
+    spans_[i].entry_mm_s = std::min(
+        {through_mm_s_[spans_[i].first], spans_[i - 1].slowest_mm_s, spans_[i].slowest_mm_s});
   const auto lower = [this](Span& to, double from_mm_s, const Span& over) {
     const RampLimits limits = LimitsOf(over);
     if (to.entry_mm_s <= from_mm_s ||
@@ -112,8 +111,8 @@ void JerkPlanner::Run(const Span& span, double exit_mm_s) {
     const bool last = i + 1 == span.last;
     const ProfileWalk::Passing next =
         last ? ProfileWalk::Passing{profile.time_s(), exit_mm_s} : walk.At(way_mm);
-    const double cruise =
-        span.last - span.first == 1 ? profile.peak_mm_s() : std::max(at.speed_mm_s, next.speed_mm_s);
+    const double cruise = span.last - span.first == 1 ? profile.peak_mm_s()
+                                                      : std::max(at.speed_mm_s, next.speed_mm_s);
     profiles_[i] = {at.speed_mm_s, cruise, next.speed_mm_s, next.time_s - at.time_s};
     at = next;
   }

@@ -12,8 +12,9 @@ namespace slicefarm::motion {
 ///
 /// Curves of short moves count as one span as long as their paces (what the bends at their ends
 /// allow) differ by no more than a tenth: they are passed at the slowest of these. A span speeds up
-/// and slows down by up to seven phases of even jerk (jerk_ramp.h); where spans meet, the acceleration
-/// is 0, and the speed is what the bend allows (jerk_junction.h) and passes backward and forward leave.
+/// and slows down by up to seven phases of even jerk (jerk_ramp.h); where spans meet, the
+/// acceleration is 0, and the speed is what the bend allows (jerk_junction.h) and passes backward
+/// and forward leave.
 class JerkPlanner : public Planner {
  public:
   explicit JerkPlanner(const MachineLimits& limits) : Planner(limits) {}
@@ -45,7 +46,7 @@ class JerkPlanner : public Planner {
   void Run(const Span& span, double exit_mm_s);
 
   std::vector<KinematicMove> moves_;  ///< limited
-  std::vector<Bend> bends_;           ///< before each move; before the first and after the last: stops
+  std::vector<Bend> bends_;  ///< before each move; before the first and after the last: stops
   std::vector<double> through_mm_s_;  ///< speeds through them
   std::vector<Span> spans_;
   std::vector<MoveProfile> profiles_;

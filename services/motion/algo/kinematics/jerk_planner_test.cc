@@ -41,7 +41,8 @@ TEST(JerkPlanner, SevenPhasesAndShortMoves) {
 
 TEST(JerkPlanner, CutIntoPiecesTheWayTakesAsLong) {
   for (const double length : {40.0, 4.0, 0.05})
-    EXPECT_NEAR(TimeOf(std::vector(16, Towards(1, length / 16))), TimeOf({Towards(1, length)}), 1e-9);
+    EXPECT_NEAR(TimeOf(std::vector(16, Towards(1, length / 16))), TimeOf({Towards(1, length)}),
+                1e-9);
 }
 
 TEST(JerkPlanner, WithoutALimitOfJerkItIsATrapezoid) {
@@ -115,7 +116,8 @@ TEST(JerkPlanner, RandomWaysKeepTheirLimits) {
       ASSERT_LE(profile.cruise_mm_s, moves[i].speed_mm_s * (1 + 1e-9));
       ASSERT_NEAR(profile.entry_mm_s, i > 0 ? profiles[i - 1].exit_mm_s : 0, 1e-9);
       // Ramps of endless jerk are the least that it takes.
-      const double change = std::abs(std::pow(profile.exit_mm_s, 2) - std::pow(profile.entry_mm_s, 2));
+      const double change =
+          std::abs(std::pow(profile.exit_mm_s, 2) - std::pow(profile.entry_mm_s, 2));
       ASSERT_LE(change, 2 * moves[i].acceleration_mm_s2 * moves[i].length_mm * (1 + 1e-6) + 1e-9);
     }
   }

@@ -22,8 +22,8 @@ double RootOfCubic(double v0, double c, double upper) {
   return x;
 }
 
-/// The speed at which the ramps up and down just fill the way: the secant of two bounds, of which the
-/// one that stays is drawn nearer (Illinois).
+/// The speed at which the ramps up and down just fill the way: the secant of two bounds, of which
+/// the one that stays is drawn nearer (Illinois).
 double PeakSpeed(double length_mm, double entry, double top, double exit,
                  const RampLimits& limits) {
   const auto too_long = [&](double peak) {

@@ -11,8 +11,9 @@ struct RampLimits {
   double jerk_mm_s3 = 0;
 };
 
-// A ramp goes from one speed to another with no acceleration at either end: the acceleration rises at
-// the greatest jerk, stays at its limit if it gets there, and falls. With dv the change of speed:
+// A ramp goes from one speed to another with no acceleration at either end: the acceleration rises
+// at the greatest jerk, stays at its limit if it gets there, and falls. With dv the change of
+// speed:
 //   dv >= a^2 / j:  T = dv / a + a / j;   else it peaks at sqrt(j dv):  T = 2 sqrt(dv / j);
 //   length = (v0 + v1) / 2 T.
 
@@ -27,8 +28,8 @@ double RampLength(double from_mm_s, double to_mm_s, const RampLimits& limits);
 /// limit, of x^3 + 2 v0 x = length sqrt(j), x^2 = dv.
 double SpeedAfter(double from_mm_s, double length_mm, const RampLimits& limits);
 
-/// One of the up to seven parts of a move in which the jerk does not change; values are those at its
-/// start.
+/// One of the up to seven parts of a move in which the jerk does not change; values are those at
+/// its start.
 struct JerkPhase {
   double time_s = 0;
   double speed_mm_s = 0;
@@ -42,8 +43,9 @@ struct JerkPhase {
 /// A way with a ramp up, a stretch of even speed and a ramp down.
 class JerkProfile {
  public:
-  /// As fast as `top_mm_s` allows or, where the way is too short for that, up to the speed from which
-  /// the exit can just be reached. REQUIRES: speeds not above the top; the ramp between them fits.
+  /// As fast as `top_mm_s` allows or, where the way is too short for that, up to the speed from
+  /// which the exit can just be reached. REQUIRES: speeds not above the top; the ramp between them
+  /// fits.
   JerkProfile(double length_mm, double entry_mm_s, double top_mm_s, double exit_mm_s,
               const RampLimits& limits);
 

@@ -26,13 +26,14 @@ TEST_P(RampTest, HasItsClosedForm) {
   EXPECT_NEAR(SpeedAfter(c.from, RampLength(c.from, c.to, kLimits), kLimits), c.to, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Motion, RampTest,
-                         testing::Values(RampCase{"FromRest", 0, 100, 0.11, 5.5},
-                                         RampCase{"FromSpeed", 20, 100, 0.09, 5.4},
-                                         RampCase{"ShortFromRest", 0, 5, 0.0141421356, 0.0353553391},
-                                         RampCase{"ShortFromSpeed", 50, 52, 0.0089442719, 0.4561578669},
-                                         RampCase{"JustToTheLimit", 0, 10, 0.02, 0.1}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Motion, RampTest,
+    testing::Values(RampCase{"FromRest", 0, 100, 0.11, 5.5},
+                    RampCase{"FromSpeed", 20, 100, 0.09, 5.4},
+                    RampCase{"ShortFromRest", 0, 5, 0.0141421356, 0.0353553391},
+                    RampCase{"ShortFromSpeed", 50, 52, 0.0089442719, 0.4561578669},
+                    RampCase{"JustToTheLimit", 0, 10, 0.02, 0.1}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 struct MoveCase {
   std::string_view name;
@@ -52,17 +53,17 @@ TEST_P(JerkProfileTest, HasItsClosedForm) {
   EXPECT_EQ(profile.phases().size(), c.phases);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Motion, JerkProfileTest,
-    testing::Values(MoveCase{"Long", 40, 0, 0, 100, 0.51, 7},
-                    MoveCase{"LittleCruise", 12, 0, 0, 100, 0.23, 7},
-                    MoveCase{"NoCruise", 11, 0, 0, 100, 0.22, 6},
-                    MoveCase{"LowerPeak", 4, 0, 0, 58.4428877, 0.1368858, 6},
-                    MoveCase{"BelowTheAccelerationsLimit", 0.05, 0, 0, 3.9685026, 0.0251984, 4},
-                    MoveCase{"EvenSpeed", 10, 100, 100, 100, 0.1, 1},
-                    MoveCase{"SpeedsUpOnly", 5.4, 20, 100, 100, 0.09, 3},
-                    MoveCase{"SlowsDownOnly", 5.4, 100, 20, 100, 0.09, 3}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Motion, JerkProfileTest,
+                         testing::Values(MoveCase{"Long", 40, 0, 0, 100, 0.51, 7},
+                                         MoveCase{"LittleCruise", 12, 0, 0, 100, 0.23, 7},
+                                         MoveCase{"NoCruise", 11, 0, 0, 100, 0.22, 6},
+                                         MoveCase{"LowerPeak", 4, 0, 0, 58.4428877, 0.1368858, 6},
+                                         MoveCase{"BelowTheAccelerationsLimit", 0.05, 0, 0,
+                                                  3.9685026, 0.0251984, 4},
+                                         MoveCase{"EvenSpeed", 10, 100, 100, 100, 0.1, 1},
+                                         MoveCase{"SpeedsUpOnly", 5.4, 20, 100, 100, 0.09, 3},
+                                         MoveCase{"SlowsDownOnly", 5.4, 100, 20, 100, 0.09, 3}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(JerkProfile, ShortMovesPeakBelowTheAccelerationsLimit) {
   const JerkProfile profile(0.05, 0, 100, 0, kLimits);

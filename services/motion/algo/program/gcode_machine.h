@@ -60,8 +60,8 @@ class GcodeMachine {
 
   GcodeAction Read(const GcodeLine& line);
 
-  /// Goes on in a place, with a speed and a printing acceleration that others than this program have
-  /// brought it to.
+  /// Goes on in a place, with a speed and a printing acceleration that others than this program
+  /// have brought it to.
   void Resume(const std::array<double, 3>& place_mm, double speed_mm_s, double acceleration_mm_s2);
 
   const MachineLimits& limits() const { return limits_; }

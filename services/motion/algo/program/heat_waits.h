@@ -12,8 +12,8 @@ struct HeatingRates {
   double bed_c_s = 0;
 };
 
-/// Follows what a program asks of nozzle and bed (M104, M109, M140, M190): both begin at 25 C, heat up
-/// at their rates from when they are told to, and cool down at once.
+/// Follows what a program asks of nozzle and bed (M104, M109, M140, M190): both begin at 25 C, heat
+/// up at their rates from when they are told to, and cool down at once.
 class HeatWaits {
  public:
   explicit HeatWaits(const HeatingRates& rates) : nozzle_{rates.nozzle_c_s}, bed_{rates.bed_c_s} {}

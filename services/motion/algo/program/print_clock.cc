@@ -51,9 +51,10 @@ void PrintClock::Read(std::string_view gcode, double& part_s) {
 /// Goes on in text where moves have ended.
 void PrintClock::Resume() {
   if (set_mm_s2_ == 0) return;
-  machine_.Resume({at_.x_um / static_cast<double>(kUmPerMm), at_.y_um / static_cast<double>(kUmPerMm),
-                   at_.z_um / static_cast<double>(kUmPerMm)},
-                  SpeedOf(at_.feed_rate), set_mm_s2_);
+  machine_.Resume(
+      {at_.x_um / static_cast<double>(kUmPerMm), at_.y_um / static_cast<double>(kUmPerMm),
+       at_.z_um / static_cast<double>(kUmPerMm)},
+      SpeedOf(at_.feed_rate), set_mm_s2_);
 }
 
 void PrintClock::ReadLine(std::string_view text, double& part_s) {
@@ -98,7 +99,7 @@ void PrintClock::Rest(const GcodeLine& line, double& part_s) {
 
 void PrintClock::AddLayer(size_t i) {
   const LayerEdges& edges = summary_.layers[i].edges;
-  if (summary_.layers[i].empty || edges.head.empty()) return;
+  if (summary_.layers[i].empty || edges.head.empty() || edges.tail.empty()) return;
   double& part_s = times_.layer_s[i];
   QueueHead(edges, part_s);
   Stop();
@@ -136,7 +137,7 @@ void PrintClock::Queue(const EdgeMove& before, const EdgeMove& move, double set_
                        double& part_s) {
   const auto kinematic = motion::ToKinematic(before, move, set_mm_s2);
   if (!kinematic) return;
-  double& kind_s = Prints(before, move) ? times_.feature_s[static_cast<size_t>(move.feature)]
+  double& kind_s = Prints(before, move)        ? times_.feature_s[static_cast<size_t>(move.feature)]
                    : kinematic->ExtruderOnly() ? times_.retract_s
                                                : times_.travel_s;
   accounts_.push_back({&kind_s, &part_s});

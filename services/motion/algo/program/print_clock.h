@@ -16,10 +16,10 @@ namespace slicefarm::motion {
 
 /// The time of a whole print, put together from its layers' own times and what lies between them.
 ///
-/// A layer's times are from rest to rest, as if it were alone. Where layers meet, the moves at their
-/// edges are planned once more, together with the way between them, and what that differs by is put
-/// right. So the sums are those of the whole program's look-ahead (exactly so where the firmware stops
-/// for the filament), and do not depend on how layers were shared out.
+/// A layer's times are from rest to rest, as if it were alone. Where layers meet, the moves at
+/// their edges are planned once more, together with the way between them, and what that differs by
+/// is put right. So the sums are those of the whole program's look-ahead (exactly so where the
+/// firmware stops for the filament), and do not depend on how layers were shared out.
 class PrintClock {
  public:
   PrintClock(const ProgramSummary& summary, const MotionOptions& options);

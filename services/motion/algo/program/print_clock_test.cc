@@ -107,17 +107,18 @@ TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
 
 INSTANTIATE_TEST_SUITE_P(
     Motion, PrintClockTest,
-    testing::Values(Case{.name = "Klipper"}, Case{.name = "KlipperLifts", .lift_mm = 0.4},
-                    Case{.name = "KlipperTravels", .lift_mm = 0.2, .travel_acceleration_mm_s2 = 2000},
-                    Case{.name = "KlipperWithoutRetraction", .retraction_mm = 0, .tolerance_s = 1e-3},
-                    Case{.name = "KlipperUntold", .told = false},
-                    Case{.name = "RepRap", .flavor = GcodeFlavor::kRepRapFirmware, .lift_mm = 0.3},
-                    // It never comes to rest between layers.
-                    Case{.name = "Marlin2", .flavor = GcodeFlavor::kMarlin2, .tolerance_s = 2e-3},
-                    Case{.name = "Marlin1",
-                         .flavor = GcodeFlavor::kMarlinLegacy,
-                         .lift_mm = 0.2,
-                         .tolerance_s = 2e-3}),
+    testing::Values(
+        Case{.name = "Klipper"}, Case{.name = "KlipperLifts", .lift_mm = 0.4},
+        Case{.name = "KlipperTravels", .lift_mm = 0.2, .travel_acceleration_mm_s2 = 2000},
+        Case{.name = "KlipperWithoutRetraction", .retraction_mm = 0, .tolerance_s = 1e-3},
+        Case{.name = "KlipperUntold", .told = false},
+        Case{.name = "RepRap", .flavor = GcodeFlavor::kRepRapFirmware, .lift_mm = 0.3},
+        // It never comes to rest between layers.
+        Case{.name = "Marlin2", .flavor = GcodeFlavor::kMarlin2, .tolerance_s = 2e-3},
+        Case{.name = "Marlin1",
+             .flavor = GcodeFlavor::kMarlinLegacy,
+             .lift_mm = 0.2,
+             .tolerance_s = 2e-3}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -113,8 +113,8 @@ class Clock {
   std::unique_ptr<Planner> planner_;
   ProgramLabels labels_;
   std::vector<Account> accounts_;
-  size_t lines_ = 0;     ///< read
-  double ended_s_ = 0;  ///< of what is planned
+  size_t lines_ = 0;             ///< read
+  double ended_s_ = 0;           ///< of what is planned
   double* feature_s_ = nullptr;  ///< of the labels
   ProgramTime time_;
 };

@@ -15,14 +15,14 @@ using OverhangFans = std::array<double, kOverhangDegrees>;
 
 /// Slows the beads of a layer down, all by the same share, until its program takes
 /// slowdown_below_layer_time as the planner reckons, accelerations included; but none below
-/// min_print_speed. Travels keep their speed. `paths`: all that `program` is made of. Returns the time
-/// in s of each of its moves as they are then; valid as LayerTiming::Times. Cost: O(moves) if the
-/// layer is slow enough, else about ten times as much.
+/// min_print_speed. Travels keep their speed. `paths`: all that `program` is made of. Returns the
+/// time in s of each of its moves as they are then; valid as LayerTiming::Times. Cost: O(moves) if
+/// the layer is slow enough, else about ten times as much.
 std::span<const double> SlowDown(const CoolingOptions& cooling, std::span<const Stretch> program,
                                  LayerTiming& timing, std::span<Toolpath> paths);
 
-/// Fan in percent for a layer that takes `layer_time_s`: off for the first layers, then growing up to
-/// full_fan_speed_layer; between the settings' bounds, the more the shorter the layer.
+/// Fan in percent for a layer that takes `layer_time_s`: off for the first layers, then growing up
+/// to full_fan_speed_layer; between the settings' bounds, the more the shorter the layer.
 int32_t FanPercent(const CoolingOptions& cooling, int32_t layer_index, double layer_time_s);
 
 /// The same for bridges and overhangs.

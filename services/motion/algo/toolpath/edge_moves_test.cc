@@ -14,7 +14,8 @@ Path Square(Coord x, int points = 4) {
   path.closed = true;
   const Coord side = FromMm(10);
   path.points = {{x, 0}, {x + side, 0}, {x + side, side}};
-  for (int i = 3; i < points; ++i) path.points.push_back({x + side - i * 100'000, side + i * 1'000});
+  for (int i = 3; i < points; ++i)
+    path.points.push_back({x + side - i * 100'000, side + i * 1'000});
   path.widths_nm = {450'000};
   return path;
 }

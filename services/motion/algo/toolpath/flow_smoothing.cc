@@ -66,8 +66,7 @@ class Smoother {
     const Move& move = path_.moves[i];
     const double length_mm =
         Hypot(move.x_um - before.x_um, move.y_um - before.y_um) / static_cast<double>(kUmPerMm);
-    const double volume =
-        static_cast<double>(move.filament) / kFilamentUnitsPerMm * filament_mm2_;
+    const double volume = static_cast<double>(move.filament) / kFilamentUnitsPerMm * filament_mm2_;
     const double flow = volume * SpeedOf(move.feed_rate) / length_mm;
     const auto count = std::max<int64_t>(1, std::llround(length_mm / kPieceMm));
     const Piece piece = {i, volume / static_cast<double>(count), flow * flow, flow * flow};
@@ -95,7 +94,8 @@ class Smoother {
       const Move& last = out_.back();
       const bool stays = piece.x_um == last.x_um && piece.y_um == last.y_um;
       const bool ends = i + 1 == count;
-      if (!ends && (stays || piece.filament < 1 || pushed + piece.filament == move.filament)) continue;
+      if (!ends && (stays || piece.filament < 1 || pushed + piece.filament == move.filament))
+        continue;
       pushed += piece.filament;
       out_.push_back(piece);
     }

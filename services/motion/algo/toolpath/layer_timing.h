@@ -12,16 +12,17 @@
 
 namespace slicefarm::motion {
 
-/// The time that a layer's moves take, by the planner of the firmware. The way to the first entry is
-/// left out: where it begins is not known. What runs with the acceleration of the layer before runs
-/// as the layer's first bead. Both are put right where the print is put together (print_clock.h).
+/// The time that a layer's moves take, by the planner of the firmware. The way to the first entry
+/// is left out: where it begins is not known. What runs with the acceleration of the layer before
+/// runs as the layer's first bead. Both are put right where the print is put together
+/// (print_clock.h).
 class LayerTiming {
  public:
   LayerTiming(const Firmware& firmware, const MachineLimits& limits)
       : planner_(firmware.MakePlanner(limits)) {}
 
-  /// Time in s of each move of the stretches, in their order: 0 for the first approach and for moves
-  /// that are there already. Valid until the next call. Cost: O(moves).
+  /// Time in s of each move of the stretches, in their order: 0 for the first approach and for
+  /// moves that are there already. Valid until the next call. Cost: O(moves).
   std::span<const double> Times(std::span<const Stretch> stretches);
 
  private:

@@ -16,8 +16,9 @@ class LayerBelow {
   /// `outlines`: disjoint polygons. Cost: O(edges).
   explicit LayerBelow(const MultiPolygon& outlines);
 
-  /// The share of a bead of `width_nm` around a point of its middle that rests: all of it half a width
-  /// within the outlines, half on them, nothing half a width outside. Cost: O(edges beside the point).
+  /// The share of a bead of `width_nm` around a point of its middle that rests: all of it half a
+  /// width within the outlines, half on them, nothing half a width outside. Cost: O(edges beside
+  /// the point).
   uint8_t RestOf(Point point, Coord width_nm) const;
 
  private:

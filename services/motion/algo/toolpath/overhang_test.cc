@@ -39,9 +39,7 @@ TEST(LayerBelow, BeadsRestByTheirPlace) {
   EXPECT_EQ(below.RestOf(Mm(10, 20.1), kWidth), 5);
 }
 
-TEST(LayerBelow, OverAirNothingRests) {
-  EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0);
-}
+TEST(LayerBelow, OverAirNothingRests) { EXPECT_EQ(LayerBelow({}).RestOf(Mm(0, 0), kWidth), 0); }
 
 TEST(PiecesOf, CutsWhereTheRestChanges) {
   const LayerBelow below(Frame());

@@ -38,7 +38,9 @@ double PrintSpeeds::Of(const Path& path, double length_mm) const {
 }
 
 double PrintSpeeds::OnGround(Feature feature, double speed) const {
-  const auto either = [speed](double told, double ratio) { return told > 0 ? told : speed * ratio; };
+  const auto either = [speed](double told, double ratio) {
+    return told > 0 ? told : speed * ratio;
+  };
   switch (ground_) {
     case Ground::kBed:
       if (feature == Feature::kSolidInfill && options_.first_layer_infill_speed_mm_s > 0)

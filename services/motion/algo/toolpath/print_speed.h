@@ -10,8 +10,9 @@ namespace slicefarm::motion {
 inline constexpr double kSmallLoopMm = 40.840704496667314;
 
 /// How fast a path may be printed, in mm/s, by its region's settings: the feature's speed, that of
-/// small loops, that of the first layer on the bed or on a raft; never above max_print_speed where the settings leave it open,
-/// nor above max_volumetric_speed. `section_mm2`: of its bead, flow included.
+/// small loops, that of the first layer on the bed or on a raft; never above max_print_speed where
+/// the settings leave it open, nor above max_volumetric_speed. `section_mm2`: of its bead, flow
+/// included.
 class PrintSpeeds {
  public:
   PrintSpeeds(const MotionOptions& options, Ground ground) : options_(options), ground_(ground) {}

@@ -19,8 +19,8 @@ namespace slicefarm::motion {
 /// sight. There are none on the first layer.
 class ToolpathBuilder {
  public:
-  /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over air;
-  /// null: that is not asked for, or not known. `bead_height_nm`: of the paths.
+  /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
+  /// air; null: that is not asked for, or not known. `bead_height_nm`: of the paths.
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr);
 

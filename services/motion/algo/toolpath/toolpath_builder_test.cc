@@ -276,7 +276,8 @@ TEST(ToolpathBuilder, WallsOverAirAreCutAndSlowedDown) {
   MotionOptions options;
   options.speeds[0].dynamic_overhangs = true;
   options.speeds[0].overhang_speed_mm_s = {10, 15, 20, 25};
-  const LayerBelow below({{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)}, {0, FromMm(5)}}, {}}});
+  const LayerBelow below(
+      {{{{0, FromMm(-5)}, {FromMm(10), FromMm(-5)}, {FromMm(10), FromMm(5)}, {0, FromMm(5)}}, {}}});
   ToolpathBuilder builder(options, {2, 600'000, 200'000}, 200'000, Ground::kLayers, &below);
   Path wall;
   wall.feature = Feature::kExternalPerimeter;
