@@ -14,7 +14,11 @@ TEST(CgalPartition, OfAnL) {
        {DecomposeMethod::kOptimal, DecomposeMethod::kApproximate, DecomposeMethod::kYMonotone}) {
     const auto pieces = CgalPartition(ring, method);
     ASSERT_TRUE(pieces.ok()) << pieces.status();
-    EXPECT_EQ(pieces->size(), 2u);
+    // Monotone parts need not be the fewest.
+    if (method == DecomposeMethod::kYMonotone)
+      EXPECT_LE(pieces->size(), 3u);
+    else
+      EXPECT_EQ(pieces->size(), 2u);
     double area = 0;
     for (const Polygon& piece : *pieces) area += SignedArea(piece);
     EXPECT_EQ(area, 300e12);
