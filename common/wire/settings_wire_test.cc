@@ -301,7 +301,7 @@ MotionOptions DistinctMotion() {
   cooling = DistinctCooling();
   RegionSpeeds region;
   auto& [speed, small_perimeter_speed] = region;
-  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507};
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 509};
   small_perimeter_speed = 506;
   speeds = {region, {}};
   travel_speed = 507;
@@ -310,7 +310,7 @@ MotionOptions DistinctMotion() {
   first_layer_speed_ratio = 510;
   max_print_speed = 511;
   max_volumetric_speed = 512;
-  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508};
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 510};
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
@@ -522,7 +522,7 @@ constexpr char kDistinct[] = R"pb(
       min_print_speed_mm_s: 39
     }
     speeds {
-      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507 ]
+      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 509 ]
       small_perimeter_speed_mm_s: 506
     }
     travel_speed_mm_s: 507
@@ -531,7 +531,7 @@ constexpr char kDistinct[] = R"pb(
     first_layer_speed_ratio: 510
     max_print_speed_mm_s: 511
     max_volumetric_speed_mm3_s: 512
-    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508 ]
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 510 ]
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516
