@@ -260,7 +260,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NoFrame", [](auto& p) { p.clear_frame(); }, "frame.print_z_nm"},
         Refused{"NegativePass", [](auto& p) { p.set_pass(-1); }, "pass"},
         Refused{"NoStats", [](auto& p) { p.clear_stats(); }, "stats.features"},
-        Refused{"ElevenFeatures", [](auto& p) { p.mutable_stats()->add_features(); },
+        Refused{"AFeatureTooMany", [](auto& p) { p.mutable_stats()->add_features(); },
                 "stats.features"},
         Refused{"NanVolume",
                 [](auto& p) { p.mutable_stats()->mutable_features(2)->set_volume_mm3(kNan); },

@@ -179,7 +179,7 @@ absl::StatusOr<LocalCost> Compute(Job* job) {
     keep(planning->Plan({}, job->outlines(), job->settings.planning), &job->plan);
     const Neighbourhood all = job->Around({0, job->layer_count()});
     keep(beading->Bead({}, all, job->settings.beading), &job->walled);
-    keep(infill->Fill({}, job->walled, all, job->settings.infill), &job->filled);
+    keep(infill->Fill({}, job->walled, all, job->plan.layers, job->settings.infill), &job->filled);
     keep(ordering->Order({}, job->filled, job->plan.layers, job->plan.copies,
                          job->settings.ordering),
          &job->ordered);

@@ -133,7 +133,7 @@ JobSettings SettingsWithAll() {
 
 JobPlan PlanWithAll() {
   JobPlan plan;
-  for (int32_t i = 0; i < 3; ++i) plan.layers.push_back({{1, i}, {{0, {2, 3}, {{4, 5}}}}, {}});
+  for (int32_t i = 0; i < 3; ++i) plan.layers.push_back({{1, i}, {{0, {2, 3}, {{4, 5}}}}, {}, {}});
   plan.additions = {{0,
                      kHeightNm,
                      {{Role::kBrim, 1, 0, Islands()}},
