@@ -310,13 +310,8 @@ MotionOptions DistinctMotion() {
   retraction = DistinctRetraction();
   cooling = DistinctCooling();
   RegionSpeeds region;
-<<<<<<< HEAD
   auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf] = region;
   speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505};
-=======
-  auto& [speed, small_perimeter_speed] = region;
-  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 509};
->>>>>>> infill2
   small_perimeter_speed = 506;
   auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
       scarf;
@@ -345,11 +340,7 @@ MotionOptions DistinctMotion() {
   bed_heating = 559;
   max_print_speed = 511;
   max_volumetric_speed = 512;
-<<<<<<< HEAD
   acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513};
-=======
-  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 510};
->>>>>>> infill2
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
@@ -567,11 +558,7 @@ constexpr char kDistinct[] = R"pb(
       overhang_fan_percent: [ 41, 42, 43, 44 ]
     }
     speeds {
-<<<<<<< HEAD
       speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505 ]
-=======
-      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 509 ]
->>>>>>> infill2
       small_perimeter_speed_mm_s: 506
       scarf {
         placement: SCARF_PLACEMENT_CONTOURS
@@ -599,11 +586,7 @@ constexpr char kDistinct[] = R"pb(
     bed_heating_c_s: 559
     max_print_speed_mm_s: 511
     max_volumetric_speed_mm3_s: 512
-<<<<<<< HEAD
     acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513 ]
-=======
-    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 510 ]
->>>>>>> infill2
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516
