@@ -542,6 +542,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   const ResolvedSettings given = ResolveOrDie(Settings({{"fill_pattern", "lightning"},
                                                         {"fill_angle_template", "0, 45,+30"},
                                                         {"solid_fill_angle_template", "90"},
+                                                        {"layer_height", "0.2"},
                                                         {"infill_every_layers", "2"},
                                                         {"infill_only_where_needed", "1"},
                                                         {"bridge_flow_ratio", "0.9"},
@@ -627,9 +628,9 @@ TEST(Resolve, SlowsOverhangsDownByDegree) {
 }
 
 TEST(Resolve, RefusesARequestsUnsupportedChoiceNamingTheOthers) {
-  const absl::Status status = Refusal({{"fill_pattern", "lightning"}});
+  const absl::Status status = Refusal({{"gcode_flavor", "sailfish"}});
   EXPECT_EQ(DetailOf(status).reason, Reason::kSettingOutOfRange);
-  EXPECT_THAT(std::string(status.message()), HasSubstr("one of rectilinear, alignedrectilinear"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("one of marlin"));
   EXPECT_EQ(DetailOf(Refusal({{"fill_pattern", "spaghetti"}}, Source::kProfile)).reason,
             Reason::kSettingMalformed);
 }
@@ -791,7 +792,10 @@ TEST(ResolveLaser, EverySettingReachesItsOption) {
   EXPECT_EQ(region.jump.speed_mm_s, 7000);
   EXPECT_EQ(resolved->settings.exposure.output.format, OutputFormat::kCliBinary);
   EXPECT_EQ(resolved->settings.slicing.objects[0].layer_height_nm, 30'000);
-  EXPECT_THAT(resolved->no_effect, IsEmpty());
+  // Rings do not turn, there is no upskin, and a CLI file says nothing of jumps.
+  EXPECT_THAT(resolved->no_effect,
+              ElementsAre(HasSubstr("hatch_rotation = 90: "), HasSubstr("upskin_power = 150: "),
+                          HasSubstr("jump_speed = 7000: ")));
 }
 
 // The table's standards are the options' own defaults.

@@ -56,7 +56,7 @@ std::vector<SettingSpec> WholeMachineLimits() {
             Bind([](auto& s) -> auto& { return s.motion.limits.min_extruding_rate_mm_s; })),
       Limit("machine_min_travel_rate", "mm/s", 0, 1000, "0", "No travel is slower",
             Bind([](auto& s) -> auto& { return s.motion.limits.min_travel_rate_mm_s; })),
-      Limit("jerk_limit", "mm/s3", 1, 1e9, "100000",
+      Limit("jerk_limit", "mm/s3", 1, 1e8, "100000",
             "How fast acceleration may change on machines that follow the host's own planner",
             Bind([](auto& s) -> auto& { return s.motion.limits.jerk_mm_s3; })),
       {.key = "machine_limits_usage",

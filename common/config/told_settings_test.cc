@@ -67,7 +67,7 @@ TEST(ToldSettings, StandInTheEffectiveText) {
     EXPECT_THAT(text, HasSubstr(line));
   }
   for (const char* none :
-       {"secret", "filament_retract_lift", "start_filament_gcode", "\nmax_volumetric"}) {
+       {"secret", "filament_retract_lift", "start_filament_gcode", "\nmax_volumetric_speed"}) {
     EXPECT_THAT(text, Not(HasSubstr(none)));
   }
 }

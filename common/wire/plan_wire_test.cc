@@ -141,7 +141,10 @@ TEST(PlanWire, EveryFieldChangedAloneReturns) {
                                                        {"shift"});
   ExpectEveryChangeReturns<v1::SectionPlan, SectionPlan>(
       ProtoOf<v1::SectionPlan>(DistinctSection(1)));
-  ExpectEveryChangeReturns<v1::LayerPlan, LayerPlan>(ProtoOf<v1::LayerPlan>(DistinctLayer()));
+  // Infill's objects ascend.
+  ExpectEveryChangeReturns<v1::LayerPlan, LayerPlan>(
+      ProtoOf<v1::LayerPlan>(DistinctLayer()),
+      {"ring_sizes", "rings_per_island", "line_sizes", "infill[0].object"});
   ExpectEveryChangeReturns<v1::PlateAddition, PlateAddition>(
       ProtoOf<v1::PlateAddition>(DistinctAddition()), {"ring_sizes", "rings_per_island"});
   ForEachChangedField(ToProto(DistinctFacts()), [](const std::string& path, const auto& message) {

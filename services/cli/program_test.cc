@@ -213,7 +213,7 @@ TEST_F(Program, SlicesWithProfilesInTheShapeOfRealOnes) {
         "; extruder_colour = #FF8000\n"}},
       {"shape_mk4.ini",
        {"\nM862.1 P0.4 A0 F1\n", "\nM572 S0.05 ; PETG", "\nM104 T0 S170\n",
-        "; thumbnail begin 313x173 ", "; chamber_temperature = 20\n", "\nM117 0.2\n"}},
+        "; thumbnail_QOI begin 313x173 ", "; chamber_temperature = 20\n", "\nM117 0.2\n"}},
   };
   for (const auto& [name, parts] : kProfiles) {
     const Outcome outcome = Slice({"--config", std::string(SLICEFARM_CORPUS) + "/config/" + name});

@@ -113,7 +113,7 @@ def check_strategies(program, models, folder):
     """The length of what is exposed is the area by the hatch distance, and nothing lies outside the compensated outline."""
     box = write_box(folder / "box.obj")
     for strategy in ("rings", "rings_inward", "stripes", "islands", "hatch"):
-        out = laser(program, box, folder / "box.cli", f"scan_strategy={strategy}", "hatch_distance=0.2", "contours=1", "scan_overlap=0",
+        out = laser(program, box, folder / "box.cli", f"scan_strategy={strategy}", "hatch_distance=0.2", "contours=1", "scan_overlap=0", "ring_corners=0",
                     "bed_shape=0x0,100x0,100x100,0x100", report=folder / "report.json")
         layers = read_cli(out.read_bytes())
         assert len(layers) == round(BOX[2] / LAYER), len(layers)

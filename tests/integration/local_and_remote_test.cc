@@ -175,9 +175,10 @@ TEST_F(LocalAndRemote, PlansComeWhileLayersAreSent) {
         plans += response.has_layer();
         return absl::OkStatus();
       });
+  PlanningOptions options = settings_.planning;
+  for (ObjectPlanOptions& object : options.objects) object.seam = SeamPosition::kNearest;
   v1::PlanRequest request;
-  ASSERT_TRUE(ToProto(PlanStart{call_, settings_.planning, job_.copies, {}}, request.mutable_start())
-                  .ok());
+  ASSERT_TRUE(ToProto(PlanStart{call_, options, job_.copies, {}}, request.mutable_start()).ok());
   ASSERT_TRUE(call.Write(request));
   for (const SlicedLayer& layer : layers) {
     ASSERT_TRUE(ToProto(layer, request.mutable_layer()).ok());

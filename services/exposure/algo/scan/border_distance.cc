@@ -18,4 +18,13 @@ double DistanceToBorder(PlaneVector place, const MultiPolygon& region) {
   return nearest;
 }
 
+bool IsWithin(PlaneVector place, double distance_nm, const MultiPolygon& region) {
+  const Point p{std::llround(place.x), std::llround(place.y)};
+  return std::ranges::any_of(region,
+                             [p](const PolygonWithHoles& island) {
+                               return Locate(p, island) != Side::kOutside;
+                             }) &&
+         DistanceToBorder(place, region) >= distance_nm;
+}
+
 }  // namespace slicefarm::exposure

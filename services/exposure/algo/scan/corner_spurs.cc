@@ -16,6 +16,8 @@ constexpr double kOpenTip = 0.25;
 constexpr double kBluntest = 0.83;
 /// Pieces lie this close to the region's border, as it is simplified before it is cut.
 constexpr double kTouchNm = 3'000;
+/// A spur along the border is as far from it as its ring, but for what rounding does.
+constexpr double kRoundingNm = 500;
 
 struct SharpCorner {
   PlaneVector at;
@@ -114,18 +116,18 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPoly
     const bool in_border = is_border(corner.at, corner.in);
     const bool out_border = is_border(corner.at, corner.out);
     if (in_border && out_border) return Spur{};
+    Spur spur{corner.outward, gap_nm / corner.sine - corner.OpenNm(fill)};
     if (in_border || out_border) {
       // To the cut; at a right angle half of the way, as the spur beyond the cut does the same.
       const double sine = 2 * corner.sine * corner.cosine;
       const PlaneVector back{-corner.out.x, -corner.out.y};
-      return Spur{in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
+      spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
-    // A slanted one may come near to the border beside the cuts.
+    // It may come near to the border beside the cuts.
     const double least = std::max(fill.least_nm, kTouchNm);
-    for (double length = gap_nm / corner.sine - corner.OpenNm(fill); length > least; length *= 0.7) {
-      const PlaneVector end = Along(corner.at, corner.outward, length);
-      if (DistanceToBorder(end, region) >= gap_nm) return Spur{corner.outward, length};
-    }
+    for (; spur.length > least; spur.length *= 0.7)
+      if (IsWithin(Along(corner.at, spur.way, spur.length), gap_nm - kRoundingNm, region))
+        return spur;
     return Spur{};
   });
 }

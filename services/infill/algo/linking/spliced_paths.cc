@@ -8,6 +8,9 @@
 namespace slicefarm::infill {
 namespace {
 
+/// How many pairs of stretches are looked at.
+constexpr size_t kMostPairs = 4'000'000;
+
 /// Where stretch i of a path, from its point i on, crosses stretch j of another.
 struct Crossing {
   size_t i = 0;
@@ -39,10 +42,12 @@ std::optional<Point> Meeting(Point a, Point b, Point c, Point d, double margin) 
   return Point{a.x + std::llround(s * x(u)), a.y + std::llround(s * y(u))};
 }
 
-std::optional<Crossing> FirstCrossing(const Path& path, const Path& ring, double margin) {
+std::optional<Crossing> FirstCrossing(const Path& path, const Path& ring, double margin,
+                                      size_t& pairs) {
   for (size_t j = 0; j < StretchCount(ring); ++j) {
     const Point c = ring.points[j], d = EndOfStretch(ring, j);
     if (Distance(c, d) < 2 * margin) continue;
+    pairs += StretchCount(path);
     for (size_t i = 0; i < StretchCount(path); ++i) {
       if (auto at = Meeting(path.points[i], EndOfStretch(path, i), c, d, margin))
         return Crossing{i, j, *at};
@@ -71,10 +76,10 @@ void TakeIn(const Path& ring, const Crossing& crossing, Path& path) {
 }
 
 /// Whether a path other than the ring itself took it in.
-bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths) {
-  for (size_t i = 0; i < paths.size(); ++i) {
+bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths, size_t& pairs) {
+  for (size_t i = 0; i < paths.size() && pairs < kMostPairs; ++i) {
     if (i == ring) continue;
-    const auto crossing = FirstCrossing(paths[i], paths[ring], margin);
+    const auto crossing = FirstCrossing(paths[i], paths[ring], margin, pairs);
     if (!crossing) continue;
     TakeIn(paths[ring], *crossing, paths[i]);
     return true;
@@ -85,8 +90,9 @@ bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths) {
 }  // namespace
 
 std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm) {
-  for (size_t ring = paths.size(); ring-- > 0;) {
-    if (paths[ring].closed && IsTakenIn(ring, margin_nm, paths))
+  size_t pairs = 0;
+  for (size_t ring = paths.size(); ring-- > 0 && pairs < kMostPairs;) {
+    if (paths[ring].closed && IsTakenIn(ring, margin_nm, paths, pairs))
       paths.erase(paths.begin() + static_cast<ptrdiff_t>(ring));
   }
   return paths;
