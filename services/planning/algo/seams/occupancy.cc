@@ -22,6 +22,33 @@ constexpr std::array<double, 4> kSideways = {-std::numbers::pi / 3, -std::number
                                              std::numbers::pi / 9, std::numbers::pi / 3};
 constexpr std::array<double, 3> kSlopes = {-1, 0, 1};  // dz by horizontal length
 
+struct Direction {
+  double x = 0;
+  double y = 0;
+};
+
+Direction DirectionOf(double angle_rad) { return {Cos(angle_rad), Sin(angle_rad)}; }
+
+/// Of places with the same direction outwards.
+struct Rays {
+  Direction outward;
+  std::array<Direction, kSideways.size()> sideways;
+};
+
+const Rays& RaysOf(int outward) {
+  static const std::array<Rays, kOutwards> kRays = [] {
+    std::array<Rays, kOutwards> rays;
+    for (int i = 0; i < kOutwards; ++i) {
+      Rays& of = rays[static_cast<size_t>(i)];
+      of.outward = DirectionOf(OutwardAngleRad(i));
+      for (size_t k = 0; k < kSideways.size(); ++k)
+        of.sideways[k] = DirectionOf(OutwardAngleRad(i) + kSideways[k]);
+    }
+    return rays;
+  }();
+  return kRays[static_cast<size_t>(outward)];
+}
+
 int32_t FloorMm(double nm) { return static_cast<int32_t>(std::floor(nm / kNmPerMm)); }
 
 int32_t FloorDiv(int32_t a, int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -126,13 +153,13 @@ bool Occupancy::LeadsOut(const double from[3], const double step[3]) const {
 }
 
 double Occupancy::SeenFrom(Cell cell, int outward) const {
-  const double angle = OutwardAngleRad(outward);
-  const double from[3] = {cell.x + 0.5 + kLiftCells * Cos(angle),
-                          cell.y + 0.5 + kLiftCells * Sin(angle), cell.z + 0.5};
+  const Rays& rays = RaysOf(outward);
+  const double from[3] = {cell.x + 0.5 + kLiftCells * rays.outward.x,
+                          cell.y + 0.5 + kLiftCells * rays.outward.y, cell.z + 0.5};
   int seen = 0;
-  for (const double sideways : kSideways) {
+  for (const Direction& way : rays.sideways) {
     for (const double slope : kSlopes) {
-      const double step[3] = {Cos(angle + sideways), Sin(angle + sideways), slope};
+      const double step[3] = {way.x, way.y, slope};
       seen += LeadsOut(from, step) ? 1 : 0;
     }
   }

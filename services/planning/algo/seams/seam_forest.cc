@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace slicefarm::planning {
 namespace {
@@ -17,17 +18,25 @@ struct Message {
   std::vector<int32_t> best;
 };
 
+/// The places from the cheapest on; the first of equals first.
+std::vector<size_t> ByCost(const std::vector<double>& costs) {
+  std::vector<size_t> order(costs.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::ranges::stable_sort(order, {}, [&](size_t place) { return costs[place]; });
+  return order;
+}
+
 /// `costs`: of the tree from `node` up, by its place.
 Message Below(const SeamNode& node, const std::vector<double>& costs, const SeamNode& parent,
               const StepCost& step) {
-  const size_t least = FirstLeast(costs);
+  const std::vector<size_t> order = ByCost(costs);
   const size_t count = parent.places.size();
   Message message{std::vector<double>(count), std::vector<int32_t>(count)};
   for (size_t q = 0; q < count; ++q) {
-    double best = costs[least] + step.Of(parent.places[q], node.places[least]);
-    size_t place = least;
-    for (size_t p = 0; p < costs.size(); ++p) {
-      if (costs[p] >= best) continue;
+    double best = std::numeric_limits<double>::infinity();
+    size_t place = order.front();
+    for (const size_t p : order) {
+      if (costs[p] > best) break;  // and so are all that follow
       const double cost = costs[p] + step.Of(parent.places[q], node.places[p]);
       if (cost > best || (cost == best && p > place)) continue;
       best = cost;
