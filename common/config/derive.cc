@@ -29,7 +29,8 @@ double Absolute(const Value& value, double whole) {
 /// Replaces a percentage by what it comes to of the setting it relates to, which must be an
 /// absolute number by now.
 void TakePercentage(Draft& draft, std::string_view key) {
-  const std::string_view whole = SettingsTable(draft.process())[FindSetting(key, draft.process())].relative_to;
+  const std::string_view whole =
+      SettingsTable(draft.process())[FindSetting(key, draft.process())].relative_to;
   draft.SetNumber(key, Absolute(*draft.At(key).value, draft.Number(whole)));
 }
 

@@ -244,7 +244,8 @@ absl::Status TakeLayerSettings(const std::string& text, MotionOptions& options) 
 void TakeFootWidth(JobSettings& settings) {
   const Coord width_nm = settings.beading[0].first_layer_width_nm;
   const Coord spacing_nm = Spacing(width_nm, settings.slicing.first_layer_height_nm);
-  settings.slicing.objects[0].elephant_foot_min_width_nm = width_nm + std::max<Coord>(spacing_nm, 0);
+  settings.slicing.objects[0].elephant_foot_min_width_nm =
+      width_nm + std::max<Coord>(spacing_nm, 0);
 }
 
 /// Copies that are arranged to be printed one after the other leave room for the head.
@@ -289,12 +290,13 @@ absl::Status TakeDensityField(JobSettings& settings) {
   const double height_mm = ToMm(settings.slicing.objects[0].layer_height_nm);
   const double layers = std::ceil(field->ReachMm() / height_mm);
   if (layers > static_cast<double>(limits::kMaxFieldHaloLayers)) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("density_field: length = {} mm is out of range: it must be at most "
-                                 "{} layers of layer_height = {} mm",
-                                 PrintNumber(field->ReachMm()), limits::kMaxFieldHaloLayers,
-                                 PrintNumber(height_mm)),
-                     {{"setting", "density_field"}});
+    return MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+        fmt::format("density_field: length = {} mm is out of range: it must be at most "
+                    "{} layers of layer_height = {} mm",
+                    PrintNumber(field->ReachMm()), limits::kMaxFieldHaloLayers,
+                    PrintNumber(height_mm)),
+        {{"setting", "density_field"}});
   }
   infill.field_halo_layers = static_cast<int32_t>(layers);
   return absl::OkStatus();

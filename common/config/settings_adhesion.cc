@@ -113,8 +113,9 @@ std::vector<SettingSpec> Raft() {
        .max = 5,
        .standard = "0.1",
        .doc = "From the raft's top to the object",
-       .field = Bind(
-           [](auto& s) -> auto& { return s.planning.objects[0].raft.heights.contact_distance_nm; })},
+       .field = Bind([](auto& s) -> auto& {
+         return s.planning.objects[0].raft.heights.contact_distance_nm;
+       })},
       {.key = "raft_expansion",
        .unit = "mm",
        .min = 0,
@@ -128,8 +129,8 @@ std::vector<SettingSpec> Raft() {
        .max = 100,
        .standard = "3",
        .doc = "How much farther the raft's first layer stands out",
-       .field = Bind([](
-           auto& s) -> auto& { return s.planning.objects[0].raft.first_layer_expansion_nm; })},
+       .field = Bind(
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.first_layer_expansion_nm; })},
       {.key = "raft_first_layer_density",
        .kind = Kind::kPercent,
        .unit = "%",
@@ -137,8 +138,8 @@ std::vector<SettingSpec> Raft() {
        .max = 100,
        .standard = "90%",
        .doc = "Density of the raft's first layer",
-       .field = Bind<Scale::kPercent>([](
-           auto& s) -> auto& { return s.planning.objects[0].raft.lines.first_layer_density; })},
+       .field = Bind<Scale::kPercent>(
+           [](auto& s) -> auto& { return s.planning.objects[0].raft.lines.first_layer_density; })},
       {.key = "support_material_extrusion_width",
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",

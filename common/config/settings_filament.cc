@@ -80,7 +80,8 @@ std::vector<SettingSpec> Cooling() {
       whole("disable_fan_first_layers", "layers", 1000, "3", "The fan is off in this many layers",
             Bind([](auto& s) -> auto& { return s.motion.cooling.disable_fan_first_layers; })),
       whole("full_fan_speed_layer", "layers", 100'000, "0",
-            "From disable_fan_first_layers on the fan's share grows until this layer; 0: it is full at "
+            "From disable_fan_first_layers on the fan's share grows until this layer; 0: it is "
+            "full at "
             "once",
             Bind([](auto& s) -> auto& { return s.motion.cooling.full_fan_speed_layer; })),
       flag("enable_dynamic_fan_speeds", "0",

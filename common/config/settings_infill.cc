@@ -68,7 +68,8 @@ std::vector<SettingSpec> IroningSettings() {
 SettingSpec SolidFill(std::string_view key, std::string_view doc, Field field) {
   std::vector<Choice> choices;
   for (const FillPatternInfo& info : kFillPatterns)
-    if (info.solid != SolidWay::kNone) choices.push_back({info.name, static_cast<int>(info.pattern)});
+    if (info.solid != SolidWay::kNone)
+      choices.push_back({info.name, static_cast<int>(info.pattern)});
   return {.key = key,
           .kind = Kind::kChoice,
           .standard = "monotonic",
@@ -225,8 +226,9 @@ std::vector<SettingSpec> InfillSettings() {
       {.key = "stress_field",
        .kind = Kind::kStressField,
        .standard = "",
-       .doc = "Stresses whose principal directions the lines of the sparse infill follow, in place of "
-              "fill_pattern",
+       .doc =
+           "Stresses whose principal directions the lines of the sparse infill follow, in place of "
+           "fill_pattern",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].stress_field; })},
       {.key = "infill_first",
        .kind = Kind::kFlag,

@@ -142,8 +142,9 @@ std::vector<SettingSpec> Travels() {
       {.key = "only_retract_when_crossing_perimeters",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Does not retract before travels inside the part; before those to outer walls and to "
-              "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
+       .doc =
+           "Does not retract before travels inside the part; before those to outer walls and to "
+           "or over top surfaces all the same, which is why it may be 1 here and 0 in PrusaSlicer",
        .field = Bind([](auto& s) -> auto& { return s.ordering.travel.hide; })},
       {.key = "retract_inside_after",
        .unit = "mm",
@@ -253,8 +254,9 @@ std::vector<SettingSpec> Machine() {
       {.key = "arc_fitting",
        .kind = Kind::kChoice,
        .standard = "disabled",
-       .doc = "Writes curves as arcs (G2, G3) where they are within 0.025 mm; emit_center: by their "
-              "centres",
+       .doc =
+           "Writes curves as arcs (G2, G3) where they are within 0.025 mm; emit_center: by their "
+           "centres",
        .choices = {{"disabled", static_cast<int>(ArcFitting::kDisabled)},
                    {"emit_center", static_cast<int>(ArcFitting::kEmitCenter)}},
        .field = Bind([](auto& s) -> auto& { return s.motion.arc_fitting; })},

@@ -8,7 +8,8 @@ constexpr double kMaxAcceleration = 1e6;
 
 template <Feature kFeature>
 Field SpeedOf() {
-  return Bind([](auto& s) -> auto& { return s.motion.speeds[0].speed_mm_s[static_cast<int>(kFeature)]; });
+  return Bind(
+      [](auto& s) -> auto& { return s.motion.speeds[0].speed_mm_s[static_cast<int>(kFeature)]; });
 }
 
 template <Feature kFeature>
@@ -82,12 +83,14 @@ std::vector<SettingSpec> Overhangs() {
       {.key = "enable_dynamic_overhang_speeds",
        .kind = Kind::kFlag,
        .standard = "0",
-       .doc = "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
-              "between these in proportion",
+       .doc =
+           "Slows walls down where they hang over the layer below: by overhang_speed_0 to _3, and "
+           "between these in proportion",
        .field = Bind([](auto& s) -> auto& { return s.motion.speeds[0].dynamic_overhangs; })},
       OverhangSpeed<0>("overhang_speed_0", "15",
                        "Speed of walls that rest on nothing; 0: not slowed down"),
-      OverhangSpeed<1>("overhang_speed_1", "15", "Speed where 25 % of the width rest on the layer below"),
+      OverhangSpeed<1>("overhang_speed_1", "15",
+                       "Speed where 25 % of the width rest on the layer below"),
       OverhangSpeed<2>("overhang_speed_2", "20", "Speed where 50 % of the width rest on it"),
       OverhangSpeed<3>("overhang_speed_3", "25", "Speed where 75 % of the width rest on it"),
   };
@@ -111,8 +114,8 @@ std::vector<SettingSpec> Speeds() {
                     "Speed of outer walls; 0: max_print_speed",
                     SpeedOf<Feature::kExternalPerimeter>()),
       RelativeSpeed("small_perimeter_speed", "15", "perimeter_speed",
-                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed",
-                    Bind([](auto& s) -> auto& { return s.motion.speeds[0].small_perimeter_speed_mm_s; })),
+                    "Speed of loops of radius below 6.5 mm; 0: max_print_speed", Bind([
+                    ](auto& s) -> auto& { return s.motion.speeds[0].small_perimeter_speed_mm_s; })),
       Speed("infill_speed", "80", "Speed of sparse infill; 0: max_print_speed",
             SpeedOf<Feature::kInternalInfill>()),
       RelativeSpeed("solid_infill_speed", "20", "infill_speed",
@@ -188,16 +191,16 @@ std::vector<SettingSpec> Accelerations() {
       Acceleration("top_solid_infill_acceleration",
                    "Acceleration of top surfaces; 0: solid_infill_acceleration",
                    AccelerationOf<Feature::kTopSolidInfill>()),
-      Acceleration("bridge_acceleration",
-                   "Acceleration of bridges; 0: default_acceleration",
+      Acceleration("bridge_acceleration", "Acceleration of bridges; 0: default_acceleration",
                    AccelerationOf<Feature::kBridgeInfill>(),
                    AccelerationOf<Feature::kOverhangPerimeter>()),
       Acceleration("first_layer_acceleration",
                    "Acceleration of all beads of the first layer; 0: as in the others",
                    Bind([](auto& s) -> auto& { return s.motion.first_layer_acceleration_mm_s2; })),
-      Acceleration("first_layer_acceleration_over_raft",
-                   "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
-                   Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
+      Acceleration(
+          "first_layer_acceleration_over_raft",
+          "Acceleration of all beads of an object's first layer on a raft; 0: as in the others",
+          Bind([](auto& s) -> auto& { return s.motion.over_raft_acceleration_mm_s2; })),
       Acceleration("travel_acceleration", "Acceleration of travel; 0: the machine's limit for it",
                    Bind([](auto& s) -> auto& { return s.motion.travel_acceleration_mm_s2; })),
   };

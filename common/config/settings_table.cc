@@ -21,8 +21,8 @@ namespace {
 
 std::vector<SettingSpec> FdmSettings() {
   std::vector<SettingSpec> all;
-  for (const auto& section : {LayerSettings, WallSettings, SeamSettings, InfillSettings, AdhesionSettings,
-                              SpeedSettings, FilamentSettings, MachineSettings})
+  for (const auto& section : {LayerSettings, WallSettings, SeamSettings, InfillSettings,
+                              AdhesionSettings, SpeedSettings, FilamentSettings, MachineSettings})
     std::ranges::move(section(), std::back_inserter(all));
   return all;
 }

@@ -54,9 +54,13 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
     case Kind::kDensityField:
       return {"", R"({"kind":"height","table":[[0,0.2],[5,0.25]],"law":"simp"})"};
     case Kind::kStressField:
-      return {"", R"({"kind":"voxels","count":[1,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,0,0.5]})"};
+      return {
+          "",
+          R"({"kind":"voxels","count":[1,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,0,0.5]})"};
     case Kind::kMaterialField:
-      return {"", R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
+      return {
+          "",
+          R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
     case Kind::kAngles:
       return {"", "0,90", "45#2,+30"};
     case Kind::kPercent:

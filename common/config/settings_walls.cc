@@ -54,7 +54,8 @@ std::vector<SettingSpec> VariableWalls() {
        .max = 59,
        .standard = "10",
        .doc = "Sides that meet at less than this get walls of variable width between them",
-       .field = Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.beading[0].transition_angle; })},
+       .field =
+           Bind<Scale::kDegrees>([](auto& s) -> auto& { return s.beading[0].transition_angle; })},
       OfNozzle("wall_transition_filter_deviation", "25%",
                "How far widths may go beyond their limits where that saves a change of the number",
                Bind([](auto& s) -> auto& { return s.beading[0].transition_deviation_nm; })),
@@ -81,9 +82,10 @@ std::vector<SettingSpec> VariableWalls() {
 }
 
 std::vector<SettingSpec> Widths() {
-  SettingSpec first = Width("first_layer_extrusion_width",
-                            "Width of all beads of the first layer; 0: perimeter_extrusion_width",
-                            Bind([](auto& s) -> auto& { return s.beading[0].first_layer_width_nm; }));
+  SettingSpec first =
+      Width("first_layer_extrusion_width",
+            "Width of all beads of the first layer; 0: perimeter_extrusion_width",
+            Bind([](auto& s) -> auto& { return s.beading[0].first_layer_width_nm; }));
   first.standard = "200%";
   first.relative_to = "first_layer_height";
   first.also = Bind([](auto& s) -> auto& { return s.infill[0].first_layer_width_nm; });
@@ -121,7 +123,8 @@ std::vector<SettingSpec> WallSettings() {
        .kind = Kind::kFlag,
        .standard = "0",
        .doc = "Prints the outermost wall before the inner ones",
-       .field = Bind([](auto& s) -> auto& { return s.ordering.walls[0].external_perimeters_first; })},
+       .field =
+           Bind([](auto& s) -> auto& { return s.ordering.walls[0].external_perimeters_first; })},
       {.key = "inner_outer_inner",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -98,7 +98,7 @@ struct ExposureOptions {
   Coord stripe_width_nm = 5'000'000;  ///< of stripes
   Coord island_width_nm = 5'000'000;  ///< of islands
   Coord overlap_nm = 100'000;         ///< of neighbouring stripes or islands
-  Coord ring_overlap_nm = 0;          ///< of neighbouring pieces' outermost rings
+  Coord ring_overlap_nm = 20'000;     ///< of neighbouring pieces' outermost rings
   bool link_rings = true;             ///< rings of a piece without switching off between them
   bool fill_corners = true;  ///< rings reach into corners that a round spot leaves open
 

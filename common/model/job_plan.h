@@ -24,7 +24,8 @@ struct Copy {
 struct SectionPlan {
   int32_t object = 0;
   Point entry;               ///< start the section near here
-  std::vector<Point> seams;  ///< where walls start, by the ring of OutlineOf; empty: near the nozzle
+  /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
+  std::vector<Point> seams;
 
   friend bool operator==(const SectionPlan&, const SectionPlan&) = default;
 };
@@ -71,7 +72,7 @@ struct SeamQuality {
   int64_t followers = 0;    ///< of them, above another
   int64_t jumps = 0;        ///< of the followers, with a step of more than 1 mm
   double steps_mm = 0;      ///< sum of the other followers' steps
-  int64_t with_corner = 0;  ///< loops that have an inner corner, or an outer one sharper than 30 deg
+  int64_t with_corner = 0;  ///< loops that have an inner corner, or an outer one of 30 degrees
   int64_t on_corner = 0;    ///< of them, with the seam there
   int64_t overhanging = 0;  ///< seams that hang over the edge of the layer below
 

@@ -233,8 +233,8 @@ struct LayerEdges {
   friend bool operator==(const LayerEdges&, const LayerEdges&) = default;
 };
 
-/// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament retracted, relative
-/// extrusion, absolute coordinates; so layers are joined by concatenation.
+/// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament
+/// retracted, relative extrusion, absolute coordinates; so layers are joined by concatenation.
 struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< see Copy::pass

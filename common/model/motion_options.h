@@ -58,7 +58,7 @@ struct CoolingOptions {
   double fan_below_layer_time_s = 60;      ///< fan_below_layer_time
   double slowdown_below_layer_time_s = 5;  ///< slowdown_below_layer_time
   double min_print_speed_mm_s = 10;        ///< min_print_speed
-  int32_t full_fan_speed_layer = 0;        ///< full_fan_speed_layer: the fan grows up to it; 0: none
+  int32_t full_fan_speed_layer = 0;  ///< full_fan_speed_layer: the fan grows up to it; 0: none
   bool dynamic_fan = false;                ///< enable_dynamic_fan_speeds
   /// overhang_fan_speed_0 to _3, by degree.
   std::array<int32_t, kOverhangDegrees> overhang_fan_percent = {};

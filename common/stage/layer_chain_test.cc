@@ -68,7 +68,8 @@ struct Motion : MotionStage {
     for (const OrderedLayer& layer : layers)
       for (const PathBlock& block : layer.blocks) below.push_back(block.below);
     std::vector<LayerProgram> programs(layers.size());
-    for (LayerProgram& program : programs) program.frame.index = static_cast<int32_t>(facts.copies.size());
+    for (LayerProgram& program : programs)
+      program.frame.index = static_cast<int32_t>(facts.copies.size());
     return programs;
   }
   absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,

@@ -60,7 +60,8 @@ TEST(OnPlates, EachCopyIsOnItsPlateAtItsPlace) {
 // The n-th copy of ObjectsToPlace has the n-th place, however copies are turned.
 TEST(OnPlates, PlacesFollowTheCopiesOfObjectsToPlace) {
   SceneObject object = Copies("a", 4);
-  for (size_t i = 0; i < 4; ++i) object.instances[i].to_plate(2, 2) = 1 + static_cast<double>(i % 2);
+  for (size_t i = 0; i < 4; ++i)
+    object.instances[i].to_plate(2, 2) = 1 + static_cast<double>(i % 2);
   std::vector<PlatePlace> places;
   for (const ObjectInput& input : ObjectsToPlace({&object, 1}))
     for (size_t i = 0; i < input.copies.size(); ++i)

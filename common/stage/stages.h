@@ -88,8 +88,8 @@ struct ObjectInput {
   std::vector<PartInput> parts;
   std::vector<RangeInput> ranges;
   std::vector<CopyInput> copies = {{}};
-  /// Put before each part's to_object. Afterwards the object is lowered or raised until it stands on
-  /// the bed.
+  /// Put before each part's to_object. Afterwards the object is lowered or raised until it stands
+  /// on the bed.
   Transform to_plate = Transform::Identity();
   /// How far below the bed the object reaches, mm; what is below is not printed.
   double sunk_mm = 0;

@@ -82,8 +82,9 @@ ExposureOptions DistinctOptions() {
   ExposureOptions options;
   auto& [strategy, decompose, jump_order, hatch_distance, hatch_angle, rotation, alternate,
          minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings,
-         fill_corners, spot, compensation, contours, contour_distance, hatch_offset, contours_first, thin_walls,
-         upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] = options;
+         fill_corners, spot, compensation, contours, contour_distance, hatch_offset, contours_first,
+         thin_walls, upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] =
+      options;
   strategy = ScanStrategy::kIslands;
   decompose = DecomposeMethod::kYMonotone;
   jump_order = JumpOrder::kFarthest;
@@ -203,13 +204,16 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
   using Change = std::function<void(v1::ExposureSettings&)>;
   const std::pair<const char*, Change> kCases[] = {
       {"regions", [](auto& s) { s.clear_regions(); }},
-      {"regions[0].hatch_distance_nm", [](auto& s) { s.mutable_regions(0)->set_hatch_distance_nm(0); }},
+      {"regions[0].hatch_distance_nm",
+       [](auto& s) { s.mutable_regions(0)->set_hatch_distance_nm(0); }},
       {"regions[1].spot_nm", [](auto& s) { s.mutable_regions(1)->set_spot_nm(0); }},
       {"regions[0].strategy",
        [](auto& s) { s.mutable_regions(0)->set_strategy(v1::SCAN_STRATEGY_UNSPECIFIED); }},
-      {"regions[0].contours or skin layers", [](auto& s) { s.mutable_regions(0)->set_contours(-1); }},
+      {"regions[0].contours or skin layers",
+       [](auto& s) { s.mutable_regions(0)->set_contours(-1); }},
       {"regions[0].styles", [](auto& s) { s.mutable_regions(0)->mutable_styles()->RemoveLast(); }},
-      {"regions[0].styles", [](auto& s) { s.mutable_regions(0)->mutable_styles(2)->set_power_w(-1); }},
+      {"regions[0].styles",
+       [](auto& s) { s.mutable_regions(0)->mutable_styles(2)->set_power_w(-1); }},
       {"regions[0].speed_mm_s",
        [](auto& s) { s.mutable_regions(0)->mutable_styles(2)->set_speed_mm_s(0); }},
       {"regions[0].jump", [](auto& s) { s.mutable_regions(0)->mutable_jump()->set_delay_us(-1); }},
@@ -224,7 +228,8 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
        [](auto& s) { s.mutable_regions(0)->set_ring_overlap_nm(1'002); }},
       {"regions[0].beam_compensation_nm",
        [](auto& s) { s.mutable_regions(0)->set_beam_compensation_nm(-5); }},
-      {"regions[0].hatch_offset_nm", [](auto& s) { s.mutable_regions(0)->set_hatch_offset_nm(-1); }},
+      {"regions[0].hatch_offset_nm",
+       [](auto& s) { s.mutable_regions(0)->set_hatch_offset_nm(-1); }},
       {"regions[0].skywriting_nm", [](auto& s) { s.mutable_regions(0)->set_skywriting_nm(-1); }},
       {"regions[0].contours or skin layers",
        [](auto& s) { s.mutable_regions(0)->set_downskin_layers(1'001); }},

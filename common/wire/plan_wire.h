@@ -13,8 +13,8 @@
 
 namespace slicefarm {
 
-/// What planning is told and what it answers. Errors: those of geometry_wire.h and path_wire.h, with
-/// the way to the field; REQUEST_MALFORMED for numbers that no job has.
+/// What planning is told and what it answers. Errors: those of geometry_wire.h and path_wire.h,
+/// with the way to the field; REQUEST_MALFORMED for numbers that no job has.
 
 /// REQUEST_TOO_LARGE for more than a job may have.
 absl::Status CheckCopyCount(int count, std::string_view field);

@@ -152,8 +152,9 @@ absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
   if (proto.pass() < 0) return Malformed("pass", "is negative");
   absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
   if (!edges.ok()) return Within("edges", edges.status());
-  return LayerSummary{*frame,         proto.pass(),  FromProto(proto.entry()), FromProto(proto.exit()),
-                      proto.time_s(), proto.empty(), *std::move(edges)};
+  return LayerSummary{
+      *frame,         proto.pass(),  FromProto(proto.entry()), FromProto(proto.exit()),
+      proto.time_s(), proto.empty(), *std::move(edges)};
 }
 
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
@@ -236,8 +237,8 @@ v1::StageTimes ToProto(const StageTimes& times) {
 }
 
 absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto) {
-  if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(), proto.ordering_s(),
-                   proto.motion_s(), proto.exposure_s()})) {
+  if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(),
+                   proto.ordering_s(), proto.motion_s(), proto.exposure_s()})) {
     return Malformed("times", "not all are times");
   }
   return StageTimes{proto.slicing_s(), proto.planning_s(), proto.beading_s(),

@@ -299,11 +299,11 @@ MotionOptions DistinctMotion() {
          first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
          over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
          pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
-         over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter, extrusion_multiplier,
-         filament_density, filament_cost, filament_type, filament_colour, filament_settings_id,
-         printer_model, temperature, first_layer_temperature, bed_temperature,
-         first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode, end_gcode,
-         before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
+         over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter,
+         extrusion_multiplier, filament_density, filament_cost, filament_type, filament_colour,
+         filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
+         first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode,
+         end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
          max_print_height, arc_fitting, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
@@ -728,26 +728,24 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"NoMotion", [](auto& p) { p.clear_motion(); }, "motion.flavor"},
         Refused{"NoLimits", [](auto& p) { p.mutable_motion()->clear_limits(); }, "motion.limits"},
-        Refused{"NoFillRule", [](auto& p) { p.mutable_slicing()->mutable_objects(0)->clear_fill_rule(); },
+        Refused{"NoFillRule",
+                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->clear_fill_rule(); },
                 "slicing.objects[0].fill_rule"},
         Refused{"UnknownSeam",
                 [](auto& p) {
                   p.mutable_planning()->mutable_objects(0)->set_seam(v1::SeamPosition(77));
                 },
                 "planning.objects[0].seam"},
-        Refused{"NoSeam",
-                [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
+        Refused{"NoSeam", [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
                 "planning.objects[0].seam"},
         Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.objects"},
         Refused{"NoPlannedObjects", [](auto& p) { p.mutable_planning()->clear_objects(); },
                 "planning.objects"},
-        Refused{"NegativeClearance",
-                [](auto& p) {
-                  p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1);
-                },
-                "planning.clearance_height_nm"},
-        Refused{"NegativeDistance",
-                [](auto& p) { p.mutable_slicing()->set_part_distance_nm(-1); },
+        Refused{
+            "NegativeClearance",
+            [](auto& p) { p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1); },
+            "planning.clearance_height_nm"},
+        Refused{"NegativeDistance", [](auto& p) { p.mutable_slicing()->set_part_distance_nm(-1); },
                 "slicing.part_distance_nm"},
         Refused{"NegativePrintHeight",
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
@@ -772,7 +770,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "planning.objects[0].brim.width_nm"},
         Refused{"EarAngle",
                 [](auto& p) {
-                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_ear_max_angle_rad(7);
+                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_ear_max_angle_rad(
+                      7);
                 },
                 "planning.objects[0].brim.ear_max_angle_rad"},
         Refused{"BrimRow",
@@ -824,7 +823,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "motion.speeds.speed_mm_s"},
         Refused{"ScarfBelowItsLayer",
                 [](auto& p) {
-                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_start_height_ratio(-1);
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_start_height_ratio(
+                      -1);
                 },
                 "motion.speeds.scarf.start_height_ratio"},
         Refused{"ScarfLength",
@@ -846,7 +846,8 @@ INSTANTIATE_TEST_SUITE_P(
                       std::numeric_limits<int32_t>::min());
                 },
                 "motion.cooling"},
-        Refused{"NoLayerHeight", [](auto& p) { p.mutable_slicing()->mutable_objects(0)->set_layer_height_nm(0); },
+        Refused{"NoLayerHeight",
+                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->set_layer_height_nm(0); },
                 "slicing.objects[0].layer_height_nm"},
         Refused{"NoFirstLayerHeight",
                 [](auto& p) { p.mutable_slicing()->set_first_layer_height_nm(0); },

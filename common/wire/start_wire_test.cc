@@ -197,7 +197,8 @@ TEST(StartWire, EveryFieldChangedAloneReturns) {
                                                            {"build_id", "facts.copies[0].copy"});
   // Another range has another number of plans, and other processes have none.
   ExpectEveryChangeReturns<v1::WorkStart, WorkStart>(
-      ProtoOf<v1::WorkStart>(Work()), {"build_id", "range", "shift", "facts.copies[0].copy", "process"});
+      ProtoOf<v1::WorkStart>(Work()),
+      {"build_id", "range", "shift", "facts.copies[0].copy", "process"});
 }
 
 template <typename Start, typename Proto>

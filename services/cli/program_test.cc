@@ -178,7 +178,8 @@ TEST_F(Program, DecomposesAPolygon) {
     EXPECT_THAT(ReadFile(Path("pieces.txt"), 1000).value(), HasSubstr("2.5 0"));
   }
   Put("crossed.poly", "0 0\n1 0\n0 1\n1 1\n");
-  EXPECT_EQ(Run({"decompose", Path("crossed.poly"), "-o", Path("none.txt")}).code, ExitCode::kUsage);
+  EXPECT_EQ(Run({"decompose", Path("crossed.poly"), "-o", Path("none.txt")}).code,
+            ExitCode::kUsage);
   EXPECT_FALSE(std::filesystem::exists(Path("none.txt")));
 }
 

@@ -18,7 +18,8 @@ struct Benchmark {
 constexpr std::array kBenchmarks = {
     Benchmark{"slice", "", "1,000,000 triangles into 400 layers on one thread",
               [](const std::string&) { return slicefarm::bench::BenchSlice(); }},
-    Benchmark{"planning", "", "100,000 layers x 100 islands, and as many islands through the service",
+    Benchmark{"planning", "",
+              "100,000 layers x 100 islands, and as many islands through the service",
               [](const std::string&) { return slicefarm::bench::BenchPlanning(); }},
     Benchmark{"hop", "", "bytes and time per layer between processes, fused and split",
               [](const std::string&) { return slicefarm::bench::BenchHop(); }},
@@ -28,11 +29,13 @@ constexpr std::array kBenchmarks = {
               [](const std::string&) { return slicefarm::bench::BenchMesh(); }},
     Benchmark{"walls", "DIR_OF_OUTLINES", "walls of variable width beside a Voronoi diagram alone",
               slicefarm::bench::BenchWalls},
-    Benchmark{"exposure", "DIR_OF_POLYGONS", "laser vectors of a lattice; convex pieces beside CGAL's",
+    Benchmark{"exposure", "DIR_OF_POLYGONS",
+              "laser vectors of a lattice; convex pieces beside CGAL's",
               slicefarm::bench::BenchExposure},
     Benchmark{"lattice", "", "1,000 layers of a million laser vectors, a range at a time; minutes",
               [](const std::string&) { return slicefarm::bench::BenchLattice(); }},
-    Benchmark{"rings", "DIR_OF_POLYGONS", "how much of outlines a laser's rings cover, and how often",
+    Benchmark{"rings", "DIR_OF_POLYGONS",
+              "how much of outlines a laser's rings cover, and how often",
               slicefarm::bench::BenchRings},
 };
 

@@ -66,7 +66,8 @@ int BenchPolygons(const std::string& directory) {
     return 1;
   }
   std::printf(
-      "polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate | ymonotone\n");
+      "polygon | corners | reflex | bian: pieces / worst shape / ms | optimal | approximate | "
+      "ymonotone\n");
   for (const PolygonFile& file : files) {
     const size_t points = PointCount(file.poly.islands);
     const Timed bian = Decomposed(file.poly.islands, DecomposeMethod::kBian);

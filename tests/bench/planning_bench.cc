@@ -49,7 +49,8 @@ SlicedLayer LayerOf(int32_t index, int islands) {
   for (int i = 0; i < islands; ++i) {
     const Point at{FromMm(3) * (i % 32), FromMm(3) * (i / 32)};
     PolygonWithHoles& island = region.outlines.emplace_back();
-    for (const Point p : {Point{r, -c}, {r, c}, {c, r}, {-c, r}, {-r, c}, {-r, -c}, {-c, -r}, {c, -r}})
+    for (const Point p :
+         {Point{r, -c}, {r, c}, {c, r}, {-c, r}, {-r, c}, {-r, -c}, {-c, -r}, {c, -r}})
       island.outer.push_back(at + p);
   }
   return {{index, (index + 1) * Coord{10'000}, 10'000}, {std::move(section)}};

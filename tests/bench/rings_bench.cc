@@ -29,7 +29,8 @@ MultiPolygon InNm(MultiPolygon islands, int decimals) {
   for (int i = 0; i < decimals; ++i) nm /= 10;
   const auto apply = [nm](Polygon& ring) {
     for (Point& p : ring) {
-      p = {std::llround(static_cast<double>(p.x) * nm), std::llround(static_cast<double>(p.y) * nm)};
+      p = {std::llround(static_cast<double>(p.x) * nm),
+           std::llround(static_cast<double>(p.y) * nm)};
     }
   };
   for (PolygonWithHoles& island : islands) {

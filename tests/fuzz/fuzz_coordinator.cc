@@ -49,8 +49,8 @@ class Farm {
     options.stores.state_dir = directory_;
     options.build_id = "fuzz";
     options.runner.owner = "fuzz";
-    auto opened = coordinator::Coordinator::Open(options, {slicing_, arranging_, planning_, motion_},
-                                                 dispatcher_, rpc::JsonLog("fuzz"));
+    auto opened = coordinator::Coordinator::Open(
+        options, {slicing_, arranging_, planning_, motion_}, dispatcher_, rpc::JsonLog("fuzz"));
     Expect(opened.ok());
     coordinator_ = *std::move(opened);
     // A real socket: gRPC's in-process transport hangs where a server refuses what a client still

@@ -30,8 +30,8 @@ namespace {
 
 /// 0.02 mm is asked for: of 500 plates, one is off by 0.0211 mm.
 constexpr double kOffNm = 22'000;
-/// A single line that fills a place less than two lines wide has the place's volume: its round edges
-/// stand out, by 0.022 mm of a layer of 0.2 mm, and somewhat more where the place tapers off.
+/// A single line that fills a place less than two lines wide has the place's volume: its round
+/// edges stand out, by 0.022 mm of a layer of 0.2 mm, and somewhat more where the place tapers off.
 constexpr double kSingleLineOffNm = 50'000;
 
 double Off(const Path& path) { return path.closed ? kOffNm : kSingleLineOffNm; }
@@ -67,7 +67,8 @@ Plate PlateOf(const MultiPolygon& outline, const std::vector<Point>& places, int
   for (int32_t i = 0; i < layer_count; ++i) {
     const Coord below_nm = plate.layers.empty() ? 0 : plate.layers.back().frame.print_z_nm;
     const Coord top_nm = raft.LiftNm() + (i + 1) * height_nm;
-    ObjectSection section{0, i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}}, {}, 0, {}, {}};
+    ObjectSection section{0,  i, layer_count, height_nm, {{Role::kPart, 0, 0, outline}},
+                          {}, 0, {},          {}};
     plate.layers.push_back({{raft.layers + i, top_nm, top_nm - below_nm}, {section}});
   }
   for (const Point place : places) {
@@ -213,7 +214,8 @@ TEST(AdhesionPlates, SkirtsAndBrimsAreWhereTheSettingsSay) {
     for (int i = 0; i < loops; ++i) {
       const Path& loop = layers[0][static_cast<size_t>(i)];
       EXPECT_TRUE(loop.closed);
-      const double want = far + 1e6 * std::stod(Mm(skirt_mm)) + width / 2 + (loops - 1 - i) * spacing;
+      const double want =
+          far + 1e6 * std::stod(Mm(skirt_mm)) + width / 2 + (loops - 1 - i) * spacing;
       for (const Point p : loop.points) ASSERT_NEAR(DistanceToRegion(p, hull), want, kOffNm);
     }
   }
@@ -306,9 +308,14 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
       const LayerRange range{first, std::min(count, first + size)};
       const LayerRange halo = WithHalo(plate.layers, range, HaloLayers(settings));
       const FdmTask task{
-          range, std::span(plate.layers).subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
-          std::span(plan->layers).subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
-          plan->copies, &facts, &settings};
+          range,
+          std::span(plate.layers)
+              .subspan(static_cast<size_t>(halo.first), static_cast<size_t>(halo.size())),
+          std::span(plan->layers)
+              .subspan(static_cast<size_t>(range.first), static_cast<size_t>(range.size())),
+          plan->copies,
+          &facts,
+          &settings};
       const auto result = chain.Run({}, task);
       EXPECT_TRUE(result.ok()) << result.status();
       if (!result.ok()) return gcode;

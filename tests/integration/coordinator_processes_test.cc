@@ -120,7 +120,8 @@ TEST_F(CoordinatorProcessesTest, ARequestIdIsRememberedOverAKill) {
 }
 
 /// The G-code of `slicefarm slice --plates` with these arguments, by plate.
-std::vector<std::string> SlicedPlates(const TempDirectory& folder, std::vector<std::string> arguments) {
+std::vector<std::string> SlicedPlates(const TempDirectory& folder,
+                                      std::vector<std::string> arguments) {
   const std::string output = folder.path() + "/out.gcode";
   arguments.insert(arguments.end(), {"--plates", "-q", "-o", output});
   EXPECT_EQ(ChildProcess("slicefarm", std::move(arguments)).Wait(), 0);
@@ -137,7 +138,8 @@ TEST_F(CoordinatorProcessesTest, PlatesAreMadeOnceAndTheSameAsHere) {
   std::ofstream(model, std::ios::binary) << mesh_;
   const TempDirectory folder;
   const std::vector<std::string> here = SlicedPlates(
-      folder, {"slice", model, "--copies", "part.stl=7", "--set", "bed_shape=0x0,250x0,250x210,0x210"});
+      folder,
+      {"slice", model, "--copies", "part.stl=7", "--set", "bed_shape=0x0,250x0,250x210,0x210"});
   ASSERT_GT(here.size(), 1u);
   v1::CreatePlatesRequest request;
   request.set_request_id("plates");

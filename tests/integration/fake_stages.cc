@@ -245,20 +245,18 @@ absl::Status FakePlanning::Plan(rpc::Call& call, Stream& stream) {
   return status;
 }
 
-absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(const StageCall& call,
-                                                           const Neighbourhood& neighbourhood,
-                                                           std::span<const BeadingOptions> regions) const {
+absl::StatusOr<std::vector<WalledLayer>> FakeBeading::Bead(
+    const StageCall& call, const Neighbourhood& neighbourhood,
+    std::span<const BeadingOptions> regions) const {
   Note(neighbourhood, &fakes_);
   fakes_.beading_options.assign(regions.begin(), regions.end());
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   return Answer(TheSample().walled, fakes_);
 }
 
-absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(const StageCall& call,
-                                                          std::vector<WalledLayer> walled,
-                                                          const Neighbourhood& neighbourhood,
-                                                          std::span<const LayerPlan> plans,
-                                                          std::span<const InfillOptions> regions) const {
+absl::StatusOr<std::vector<FilledLayer>> FakeInfill::Fill(
+    const StageCall& call, std::vector<WalledLayer> walled, const Neighbourhood& neighbourhood,
+    std::span<const LayerPlan> plans, std::span<const InfillOptions> regions) const {
   Note(neighbourhood, &fakes_);
   fakes_.infill_plans.assign(plans.begin(), plans.end());
   fakes_.walled = std::move(walled);

@@ -132,8 +132,8 @@ TEST(RemoteStages, InfillGivesAndTakesAll) {
 TEST(RemoteStages, OrderingGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans, sample.plan.copies,
-                                           sample.settings.ordering);
+  const auto ordered = farm.ordering.Order(NewCall(), sample.filled, sample.plans,
+                                           sample.plan.copies, sample.settings.ordering);
   ASSERT_TRUE(ordered.ok()) << ordered.status();
   EXPECT_EQ(*ordered, sample.ordered);
   EXPECT_EQ(farm.fakes.filled, sample.filled);

@@ -14,7 +14,8 @@ std::vector<SlicedLayer> Layers(const std::vector<MultiPolygon>& outlines) {
   for (size_t i = 0; i < outlines.size(); ++i) {
     const auto index = static_cast<int32_t>(i);
     layers[i].frame = {index, 200'000 * (index + 1), 200'000};
-    ObjectSection section{7, index, static_cast<int32_t>(outlines.size()), 200'000, {}, {}, 0, {}, {}};
+    ObjectSection section{7,  index, static_cast<int32_t>(outlines.size()), 200'000, {}, {}, 0,
+                          {}, {}};
     if (!outlines[i].empty()) section.regions = {{Role::kPart, 0, 0, outlines[i]}};
     layers[i].sections.push_back(std::move(section));
   }
@@ -93,8 +94,8 @@ std::vector<SlicedLayer> Strips(int count) {
     for (Coord k = 0; k < 20; ++k) {
       const Coord half = 400'000 + 20'000 * k + (i % 2 == 0 ? 15'000 : -15'000);
       const Coord y = 5'000'000 * k;
-      strips.push_back({{{0, y - half}, {20'000'000, y - half}, {20'000'000, y + half}, {0, y + half}},
-                        {}});
+      strips.push_back(
+          {{{0, y - half}, {20'000'000, y - half}, {20'000'000, y + half}, {0, y + half}}, {}});
     }
     outlines.push_back(std::move(strips));
   }
@@ -133,8 +134,8 @@ TEST(LocalBeading, WallsLookAtTheLayersAround) {
   EXPECT_GT(others, 0);
 }
 
-// What lies on the plate besides the objects comes without its neighbours in a range: they must make
-// no difference where they are there.
+// What lies on the plate besides the objects comes without its neighbours in a range: they must
+// make no difference where they are there.
 TEST(LocalBeading, SectionsOfThePlateStandAlone) {
   std::vector<SlicedLayer> layers = Strips(12);
   for (SlicedLayer& layer : layers) layer.sections[0].object = kPlate;

@@ -175,9 +175,9 @@ ExitCode Fill(const FillOptions& options) {
                                       PatternNames())));
   }
   if (info->planned) {
-    return Fail(MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
-                          fmt::format("{} is laid out over all layers of a part, by slicefarm slice",
-                                      info->name)));
+    return Fail(MakeError(
+        absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
+        fmt::format("{} is laid out over all layers of a part, by slicefarm slice", info->name)));
   }
   const std::optional<double> density = ReadDensity(options.density);
   if (!density) {
@@ -247,8 +247,8 @@ void AddFill(CLI::App& app, CommandContext& context) {
       "A path: number of points, x and y of each; one a line.\n"
       "Prints rows over all outlines: `components` are pieces of the region half a width inside,\n"
       "`density_by_length` is length times width by area, links and anchors at their full width.\n"
-      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is alike in\n"
-      "all directions, 0 has one; `locality` is the greatest |p - q|^2 / path between, in widths;\n"
+      "--quality: `density_got` is plastic by what would fill the region; `isotropy` 1 is\n"
+      "alike in all directions, 0 has one; `locality` is the greatest |p - q|^2 / path between, in widths;\n"
       "stiffness is a share of the material's, conductivity is for PLA (0.2 W/mK) in air (0.026).\n"
       "Example:\n"
       "  slicefarm fill outlines -o paths --pattern gyroid --density 20%");

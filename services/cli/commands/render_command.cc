@@ -103,18 +103,19 @@ void AddRender(CLI::App& app, CommandContext& context) {
   command->add_option("--format", options->format, "If the output's name does not say it")
       ->check(CLI::IsMember({"png", "svg"}));
   command
-      ->add_option("--color,--by", options->colour_by,
-                   "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
-                   "is laid, by --flavor's look-ahead), order, or energy: J/mm2 where a CLI file's "
-                   "labels say power and speed, else passes")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
-                                          {"width", ColourBy::kWidth},
-                                          {"speed", ColourBy::kSpeed},
-                                          {"flow", ColourBy::kFlow},
-                                          {"time", ColourBy::kTime},
-                                          {"order", ColourBy::kOrder},
-                                          {"energy", ColourBy::kEnergy}}))
+      ->add_option(
+          "--color,--by", options->colour_by,
+          "What the colours tell: feature (the default), width, speed, flow, time (when a bead "
+          "is laid, by --flavor's look-ahead), order, or energy: J/mm2 where a CLI file's "
+          "labels say power and speed, else passes")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, ColourBy>{{"feature", ColourBy::kFeature},
+                                                                  {"width", ColourBy::kWidth},
+                                                                  {"speed", ColourBy::kSpeed},
+                                                                  {"flow", ColourBy::kFlow},
+                                                                  {"time", ColourBy::kTime},
+                                                                  {"order", ColourBy::kOrder},
+                                                                  {"energy", ColourBy::kEnergy}}))
       ->type_name("WHAT");
   command
       ->add_option(

@@ -135,10 +135,13 @@ ExitCode Slice(const SliceOptions& options, Interrupt& interrupt) {
 }  // namespace
 
 void AddSlice(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
+  CLI::App* command =
+      app.add_subcommand("slice", "Make G-code of models or of a project, in this process");
   const auto options = std::make_shared<SliceOptions>();  // as long as the callback lives
   AddJobOptions(*command, options->job);
-  command->add_option("-o,--output", options->output, "Where the G-code, or a laser's file, goes; -: to stdout")
+  command
+      ->add_option("-o,--output", options->output,
+                   "Where the G-code, or a laser's file, goes; -: to stdout")
       ->type_name("OUT.gcode")
       ->required();
   command

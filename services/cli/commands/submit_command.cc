@@ -211,9 +211,10 @@ std::string AdviceText(const v1::OrientationAdvice& advice) {
                        lying.contact_mm2() / 100, lying.overhang_mm2() / 100, lying.height_mm(),
                        lying.stable() ? "" : ", not stable");
   };
-  return fmt::format("{} would print better turned by {},{},{} degrees about x, y, z: {}; now: {}\n",
-                     advice.object(), advice.rotate_deg(0), advice.rotate_deg(1),
-                     advice.rotate_deg(2), describe(advice.advised()), describe(advice.asked()));
+  return fmt::format(
+      "{} would print better turned by {},{},{} degrees about x, y, z: {}; now: {}\n",
+      advice.object(), advice.rotate_deg(0), advice.rotate_deg(1), advice.rotate_deg(2),
+      describe(advice.advised()), describe(advice.asked()));
 }
 
 void PrintPreflight(const v1::Job& job) {

@@ -46,8 +46,8 @@ absl::Status CheckOutputs(const JobOptions& options, const std::string& output);
 /// Whether the results of a plate can be written where OutputOf says, as CheckWritable.
 absl::Status CheckWritable(const JobOptions& options, const std::string& output, size_t plate);
 
-/// Where the result of the plate with this index goes: `out-2.gcode` for index 1 with --plates, else
-/// as it was given. Nothing stays nothing.
+/// Where the result of the plate with this index goes: `out-2.gcode` for index 1 with --plates,
+/// else as it was given. Nothing stays nothing.
 std::string OutputOf(const JobOptions& options, const std::string& path, size_t plate);
 
 /// The bytes of a model file. Errors: REQUEST_MALFORMED naming the file; MESH_TOO_LARGE.

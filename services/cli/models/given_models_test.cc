@@ -192,7 +192,8 @@ TEST(ReadModels, TakesAProjectAsItIs) {
   ASSERT_EQ(bracket.parts.size(), 2);
   EXPECT_EQ(bracket.parts[1].role, PartRole::kModifier);
   EXPECT_EQ(models->plates[0].objects[1].ranges.size(), 1);
-  EXPECT_THAT(models->plates[0].settings, testing::Contains(Setting{"layer_height", "0.2", Source::kProfile}));
+  EXPECT_THAT(models->plates[0].settings,
+              testing::Contains(Setting{"layer_height", "0.2", Source::kProfile}));
   EXPECT_FALSE(models->plates[0].without_effect.empty());
 }
 
@@ -291,7 +292,8 @@ TEST(ReadModels, ObjectsOfAProjectCanBeNamed) {
   options.object_sets = {"Block:perimeters=5", "given_models_plate.3mf:fill_density=40%"};
   const auto models = ReadModels(options);
   ASSERT_TRUE(models.ok()) << models.status();
-  EXPECT_THAT(models->plates[0].objects[0].settings, testing::Contains(Setting{"fill_density", "40%"}));
+  EXPECT_THAT(models->plates[0].objects[0].settings,
+              testing::Contains(Setting{"fill_density", "40%"}));
   EXPECT_THAT(models->plates[0].objects[1].settings,
               ElementsAre(Setting{"perimeters", "5"}, Setting{"fill_density", "40%"}));
 }

@@ -204,11 +204,14 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
 
 }  // namespace
 
-bool IsCliFile(std::string_view bytes) { return Trim(bytes.substr(0, 100)).starts_with(kHeaderStart); }
+bool IsCliFile(std::string_view bytes) {
+  return Trim(bytes.substr(0, 100)).starts_with(kHeaderStart);
+}
 
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
   const size_t end = bytes.find(kHeaderEnd);
-  if (!IsCliFile(bytes) || end == std::string_view::npos) return Malformed("it has no whole header");
+  if (!IsCliFile(bytes) || end == std::string_view::npos)
+    return Malformed("it has no whole header");
   const std::string_view header = bytes.substr(0, end);
   constexpr std::string_view kUnits = "$$UNITS/";
   double unit_mm = 0;

@@ -24,7 +24,7 @@ struct BeadRun {
   double speed_mm_s = 0;        ///< as the G-code asks for it; 0: it does not
   double flow_mm3_s = 0;        ///< at that speed
   double energy_j_mm = 0;       ///< of a laser, on a mm of way; 0: not known
-  double time_s = 0;            ///< when it is laid, from the layer's first bead on; by `line_end_s`
+  double time_s = 0;  ///< when it is laid, from the layer's first bead on; by `line_end_s`
 };
 
 /// One layer of a G-code file, as its moves and comments tell.

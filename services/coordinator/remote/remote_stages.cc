@@ -307,9 +307,9 @@ absl::StatusOr<ExposureFrame> RemoteExposure::Frame(const StageCall& call,
     const auto stub = v1::Exposure::NewStub(channel);
     return OutcomeOf(
         kExposure, options_,
-        rpc::UnaryCall({options_.deadline, call.cancel, ChildSpan(call.trace, kExposure)}, request,
-                       &response,
-                       [&](auto&&... arguments) { return stub->AsyncFrameExposure(arguments...); }));
+        rpc::UnaryCall(
+            {options_.deadline, call.cancel, ChildSpan(call.trace, kExposure)}, request, &response,
+            [&](auto&&... arguments) { return stub->AsyncFrameExposure(arguments...); }));
   });
   if (!status.ok()) return status;
   return FromProto(std::move(response));

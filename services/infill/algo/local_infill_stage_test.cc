@@ -96,7 +96,9 @@ TEST(LocalInfill, SolidLinesTurnFromLayerToLayer) {
   options.angle_rad = 0;
   const auto filled = Fill(Steps(2, 2), {0, 2}, 5, options);
   ASSERT_TRUE(filled.ok());
-  const auto line = [&](int layer) { return (*filled)[layer].sections[0].islands[0].fills[0].paths[0].points; };
+  const auto line = [&](int layer) {
+    return (*filled)[layer].sections[0].islands[0].fills[0].paths[0].points;
+  };
   EXPECT_EQ(line(0)[0].y, line(0)[1].y);
   EXPECT_EQ(line(1)[0].x, line(1)[1].x);
 }
@@ -109,7 +111,8 @@ TEST(LocalInfill, BridgesReachOntoWhatBearsThem) {
     layers[i].sections = {Section(i, 8, P("(0 0, 40 0, 40 20, 0 20)"))};
   }
   for (int i = 0; i < 4; ++i)
-    layers[i].sections[0].regions[0].outlines = P("(0 0, 10 0, 10 20, 0 20) ; (30 0, 40 0, 40 20, 30 20)");
+    layers[i].sections[0].regions[0].outlines =
+        P("(0 0, 10 0, 10 20, 0 20) ; (30 0, 40 0, 40 20, 30 20)");
   for (const int first : {3, 4}) {  // the slab on an even layer and on an odd one
     const auto shifted = std::vector<SlicedLayer>(layers.begin() + 4 - first, layers.end());
     std::vector<SlicedLayer> numbered = shifted;

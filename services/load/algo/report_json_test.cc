@@ -108,8 +108,9 @@ TEST(ReportJson, HasWhatGhzHasNot) {
   }
   EXPECT_EQ(json["percentiles"]["max"], 100 * kMs);
   EXPECT_EQ(json["steps"]["CreateJob"]["max"], 5 * kMs);
-  for (const char* key : {"seed", "scenario", "mix", "process", "same", "retry", "resource_exhausted",
-                          "retries", "events", "cached_jobs", "start_lag", "details_left_out"}) {
+  for (const char* key :
+       {"seed", "scenario", "mix", "process", "same", "retry", "resource_exhausted", "retries",
+        "events", "cached_jobs", "start_lag", "details_left_out"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
 }

@@ -20,8 +20,8 @@ enum class InsetOrder {
 
 struct WallRules {
   InsetOrder order = InsetOrder::kInnerFirst;
-  /// Where the loops of a contour start, by the ring that its outermost wall follows; a contour along
-  /// no ring, or all if this is empty, start near the nozzle.
+  /// Where the loops of a contour start, by the ring that its outermost wall follows; a contour
+  /// along no ring, or all if this is empty, start near the nozzle.
   std::span<const Point> seams;
   /// Inner loops of a contour with a seam start further along, each by as much as it lies inside of
   /// the seam.

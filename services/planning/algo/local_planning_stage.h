@@ -7,7 +7,8 @@
 namespace slicefarm::planning {
 
 /// The planning stage in this process: a JobPlanner over the layers. Stateless.
-/// Errors: JobPlanner's; Cancelled, polled once a layer and at the end between what lies on the plate.
+/// Errors: JobPlanner's; Cancelled, polled once a layer and at the end between what lies on the
+/// plate.
 std::unique_ptr<PlanningStage> MakeLocalPlanning();
 
 }  // namespace slicefarm::planning

@@ -283,7 +283,8 @@ TEST(LocalSlicing, ClosesCracksOfMeshesThatAreNotManifoldOnly) {
   ASSERT_TRUE(touching.ok());
   EXPECT_EQ(touching->meshes[0].non_manifold_edges, 1);
   EXPECT_EQ(touching->meshes[0].cracks_closed_mm, 0.098);
-  EXPECT_NEAR(Area(touching->layers[10].sections[0].regions[0].outlines) * 1e-12, 300 + 10 * 0.05, 0.01);
+  EXPECT_NEAR(Area(touching->layers[10].sections[0].regions[0].outlines) * 1e-12, 300 + 10 * 0.05,
+              0.01);
   SlicingOptions options;
   options.max_gap_nm = 20 * kMm;
   const auto open = Slice(Input(WithoutTriangle(near, 23)), options);

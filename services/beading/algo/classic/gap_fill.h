@@ -18,8 +18,8 @@ struct GapFillOptions {
 /// A bead that nothing else can take the place of: one that covers less, a dot 0.16 mm wide, fills
 /// nothing that shows.
 inline constexpr double kLeastDotNm2 = 0.02 * kNmPerMm * kNmPerMm;
-/// A bead where the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, 4.9 mm of a bead 0.45 mm wide.
-/// What is below it, and how much that is: services/beading/README.md.
+/// A bead where the infill reaches too: 0.4 mm3 in a layer of 0.2 mm, 4.9 mm of a bead 0.45 mm
+/// wide. What is below it, and how much that is: services/beading/README.md.
 inline constexpr double kLeastNeckNm2 = 2 * kNmPerMm * kNmPerMm;
 
 /// Beads of varying width along the middle of each gap (see MedialAxis). Beside walls a bead is as

@@ -71,7 +71,8 @@ std::vector<std::string> BedWarnings(std::span<const PlateAddition> additions, c
     for (const Region& region : addition.regions)
       cut[region.role == Role::kBrim ? "brim" : "raft"].merge(
           CutBeside(region.outlines, bed, copies));
-    if (addition.paths.empty() || std::exchange(has_skirt, true)) continue;  // all layers' are equal
+    if (addition.paths.empty() || std::exchange(has_skirt, true))
+      continue;  // all layers' are equal
     cut["skirt"] = OpenBeside(addition.paths, copies);
   }
   std::vector<std::string> warnings;

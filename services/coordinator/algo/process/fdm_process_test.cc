@@ -64,7 +64,8 @@ class FakePlanning : public PlanningStage {
     if (!fails.ok()) return fails;
     JobPlan plan;
     for (const SlicedLayer& layer : job.layers)
-      plan.layers.push_back({.entry = {FromMm(layer.frame.index), 0}, .sections = {}, .paths = {}, .infill = {}});
+      plan.layers.push_back(
+          {.entry = {FromMm(layer.frame.index), 0}, .sections = {}, .paths = {}, .infill = {}});
     plan.additions = additions;
     int32_t index = 0;
     for (const PlacedCopy& copy : job.copies)
@@ -84,7 +85,8 @@ class FakeRanges : public FdmRunner {
     EXPECT_EQ(call.threads, 1);
     EXPECT_EQ(task.layers.front().frame.index, std::max(0, task.range.first - 5));
     // Of several passes the facts count the layers together.
-    const auto layers = task.facts->layer_count / std::max<int32_t>(1, std::ssize(task.facts->passes));
+    const auto layers =
+        task.facts->layer_count / std::max<int32_t>(1, std::ssize(task.facts->passes));
     EXPECT_EQ(task.layers.back().frame.index, std::min(layers, task.range.last + 5) - 1);
     EXPECT_EQ(task.facts->copies.size(), task.copies.size());
     std::set<int32_t> passes;
@@ -309,7 +311,8 @@ TEST_F(FdmProcessTest, SameBytesForAnyNumberOfSlots) {
     planning_.one_by_one = one_by_one;
     const auto one = Run(layers, 1);
     ASSERT_TRUE(one.ok());
-    for (const int slots : {2, 3, 8, 64}) EXPECT_EQ(Run(layers, slots)->program, one->program) << slots;
+    for (const int slots : {2, 3, 8, 64})
+      EXPECT_EQ(Run(layers, slots)->program, one->program) << slots;
   }
 }
 

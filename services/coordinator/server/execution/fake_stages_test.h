@@ -84,8 +84,8 @@ class FakeSlicing : public SlicingStage {
   mutable std::vector<TraceContext> traces_;
 };
 
-/// Puts each copy without a place on a plate of its own. A mesh with a `!` is refused, as when it is
-/// sliced.
+/// Puts each copy without a place on a plate of its own. A mesh with a `!` is refused, as when it
+/// is sliced.
 class FakeArranging : public ArrangingStage {
  public:
   absl::StatusOr<std::vector<PlatePlace>> PutOnPlates(const StageCall& call, SliceInput input,
@@ -99,7 +99,8 @@ class FakeArranging : public ArrangingStage {
     int32_t plates = 0;
     for (const ObjectInput& object : input.objects)
       for (const CopyInput& copy : object.copies)
-        places.push_back({copy.place == CopyInput::Place::kAnywhere ? plates++ : 0, {FromMm(50), 0}});
+        places.push_back(
+            {copy.place == CopyInput::Place::kAnywhere ? plates++ : 0, {FromMm(50), 0}});
     return places;
   }
   int runs() const { return runs_; }

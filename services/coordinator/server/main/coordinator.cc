@@ -35,8 +35,8 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
       new Coordinator(std::move(options), *std::move(stores), stages, executor, log));
 }
 
-Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages, TaskExecutor& executor,
-                         const rpc::JsonLog& log)
+Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobStages& stages,
+                         TaskExecutor& executor, const rpc::JsonLog& log)
     : options_(std::move(options)),
       stores_(std::move(stores)),
       log_(log),
@@ -58,10 +58,11 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
                              [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
-      jobs_service_(JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
-                                *stores_.webhooks, options_.webhooks, stages.slicing,
-                                stages.arranging, stages.planning, mesh_memory_, options_.rates, NowUs, log},
-                    options_.transfers, options_.watches),
+      jobs_service_(
+          JobsBackend{callers_, jobs_, blobs_, intake_, runner_, feed_, *stores_.profiles,
+                      *stores_.webhooks, options_.webhooks, stages.slicing, stages.arranging,
+                      stages.planning, mesh_memory_, options_.rates, NowUs, log},
+          options_.transfers, options_.watches),
       profiles_service_(callers_, *stores_.profiles, disk_, NowUs) {}
 
 std::vector<const JobProcess*> Coordinator::Processes() const {

@@ -114,8 +114,8 @@ class JobStore {
   /// ended.
   virtual absl::StatusOr<Created> Create(const NewJob& job, int64_t now_us) = 0;
 
-  /// Makes all jobs or none, in order; those that earlier calls made are as Create has them. Errors:
-  /// the first one of Create's.
+  /// Makes all jobs or none, in order; those that earlier calls made are as Create has them.
+  /// Errors: the first one of Create's.
   virtual absl::StatusOr<std::vector<Created>> CreateAll(const std::vector<NewJob>& jobs,
                                                          int64_t now_us) = 0;
 

@@ -34,8 +34,8 @@ struct ConvexPieces {
 /// kBian: Bian et al. 2005 with these rules: for a reflex corner, among the corners that it sees
 /// within the extensions of its edges, those that are reflex, then those where the cut makes no
 /// angle below 30 degrees; the nearest on the extension of an edge first, then by the paper's
-/// weight; if there is none, the place where the bisector meets the border. A cut from a hole to another ring
-/// is that hole's bridge.
+/// weight; if there is none, the place where the bisector meets the border. A cut from a hole to
+/// another ring is that hole's bridge.
 ///
 /// The others are CGAL's, after the holes were cut open by the same rules; what they return is
 /// checked.

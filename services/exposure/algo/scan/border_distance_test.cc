@@ -8,7 +8,8 @@ namespace slicefarm::exposure {
 namespace {
 
 TEST(DistanceToBorder, OfAFrame) {
-  const MultiPolygon frame = MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (10 10, 10 20, 20 20, 20 10)");
+  const MultiPolygon frame =
+      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (10 10, 10 20, 20 20, 20 10)");
   EXPECT_DOUBLE_EQ(DistanceToBorder({4e6, 15e6}, frame), 4e6);
   EXPECT_DOUBLE_EQ(DistanceToBorder({8e6, 15e6}, frame), 2e6);   // to the hole
   EXPECT_DOUBLE_EQ(DistanceToBorder({15e6, 15e6}, frame), 5e6);  // in the hole
@@ -16,7 +17,8 @@ TEST(DistanceToBorder, OfAFrame) {
 }
 
 TEST(IsWithin, LooksAtTheSideToo) {
-  const MultiPolygon frame = MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (10 10, 10 20, 20 20, 20 10)");
+  const MultiPolygon frame =
+      MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30) (10 10, 10 20, 20 20, 20 10)");
   EXPECT_TRUE(IsWithin({4e6, 15e6}, 4e6, frame));
   EXPECT_FALSE(IsWithin({4e6, 15e6}, 4.1e6, frame));
   EXPECT_FALSE(IsWithin({15e6, 15e6}, 4e6, frame));  // in the hole

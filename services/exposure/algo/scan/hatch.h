@@ -17,7 +17,8 @@ namespace slicefarm::exposure {
 /// the origin, so lines of neighbouring regions, objects' layers and copies continue each other.
 /// Lines shorter than minimum_vector_nm are left out.
 ///
-/// REQUIRES: options.strategy is one of the three; the options are such as the wire accepts (exposure_options_wire.h).
+/// REQUIRES: options.strategy is one of the three; the options are such as the wire accepts
+///           (exposure_options_wire.h).
 /// Errors:   REQUEST_TOO_LARGE, as CutScanLines.
 /// Cost:     O(n + k log k), k lines.
 absl::StatusOr<std::vector<Point>> Hatch(const MultiPolygon& region, double angle_deg,

@@ -161,7 +161,8 @@ TEST(LaserGcode, DelaysAreDwells) {
     Machine grbl, marlin;
     WithDelays(OutputFormat::kGrbl, dynamic_power, 0, grbl);
     const double jump = 0.00025, mark = 0.0015, corner = 0.00004;
-    EXPECT_EQ(grbl.waits, (std::vector<double>{jump, corner, corner, mark, jump, mark, jump, mark}));
+    EXPECT_EQ(grbl.waits,
+              (std::vector<double>{jump, corner, corner, mark, jump, mark, jump, mark}));
     WithDelays(OutputFormat::kMarlin, dynamic_power, 0, marlin);  // whole ms
     EXPECT_EQ(marlin.waits, (std::vector<double>{1, 1, 1, 2, 1, 2, 1, 2}));
     EXPECT_EQ(grbl.exposures.size(), 5u);

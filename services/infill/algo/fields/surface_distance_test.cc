@@ -57,7 +57,8 @@ TEST(SurfaceDistances, DoNotDependOnLayersBeyondTheirReach) {
                                 P("(0 0, 9 0, 9 14, 0 14)"), P("(0 0, 9 0, 9 9, 0 9)"),
                                 P("(0 0, 50 0, 50 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)"),
                                 P("(-20 0, 9 0, 9 9, 0 9)"), P("(0 0, 9 0, 9 9, 0 9)")});
-  SurfaceDistances all(layers, 3, 1), some(std::span<const SlicedLayer>(layers).subspan(1, 5), 3, 1);
+  SurfaceDistances all(layers, 3, 1),
+      some(std::span<const SlicedLayer>(layers).subspan(1, 5), 3, 1);
   const DistanceMap a = *all.Of(3), b = *some.Of(3);
   for (double x = 0; x < 9; x += 0.4)
     for (double y = 0; y < 9; y += 0.4) EXPECT_EQ(a.At(x, y), b.At(x, y)) << x << ", " << y;

@@ -13,8 +13,8 @@ namespace slicefarm::infill {
 ///
 /// A path that nothing crosses stays. Crossings nearer than `margin_nm` to the end of a stretch do
 /// not count. The first crossing in the order of the paths is taken.
-/// Cost: O(n k), n stretches, of which k are of closed paths, but no more than a few ten milliseconds:
-/// of more paths those that were not looked at by then stay.
+/// Cost: O(n k), n stretches, of which k are of closed paths, but no more than a few ten
+/// milliseconds: of more paths those that were not looked at by then stay.
 std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm);
 
 }  // namespace slicefarm::infill

@@ -108,7 +108,8 @@ std::vector<FillPattern> PatternsWithoutPlan() {
 }
 
 class PatternsLaidOutHere : public testing::TestWithParam<FillPattern> {};
-INSTANTIATE_TEST_SUITE_P(All, PatternsLaidOutHere, testing::ValuesIn(PatternsWithoutPlan()), NameOf);
+INSTANTIATE_TEST_SUITE_P(All, PatternsLaidOutHere, testing::ValuesIn(PatternsWithoutPlan()),
+                         NameOf);
 
 // Within 1 % two widths inside, within 3 % in all, from 5 to 80 %: the mean over heights and places
 // on the pattern.

@@ -55,7 +55,8 @@ void LayerWriter::WriteBeads(const Toolpath& path, size_t first, size_t last, Sh
                              GcodeText& out) {
   std::vector<PlaceUm> points;
   points.reserve(last - first + 1);
-  for (size_t i = first - 1; i < last; ++i) points.push_back({path.moves[i].x_um, path.moves[i].y_um});
+  for (size_t i = first - 1; i < last; ++i)
+    points.push_back({path.moves[i].x_um, path.moves[i].y_um});
   size_t at = 0;
   for (const CurvePiece& piece : FitArcs(points)) {
     Move move = path.moves[first + piece.last - 1];

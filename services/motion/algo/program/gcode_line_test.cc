@@ -65,7 +65,8 @@ TEST(ParseGcodeLine, TakesAnyBytes) {
   std::mt19937 random(1);
   for (int i = 0; i < 20'000; ++i) {
     std::string text(random() % 20, ' ');
-    for (char& c : text) c = static_cast<char>(random() % 3 == 0 ? random() : "GMX 1.-;="[random() % 9]);
+    for (char& c : text)
+      c = static_cast<char>(random() % 3 == 0 ? random() : "GMX 1.-;="[random() % 9]);
     const GcodeLine line = ParseGcodeLine(text);
     EXPECT_LE(line.command.size(), text.size());
   }

@@ -55,8 +55,10 @@ TEST(TimeOfProgram, ByFeatureAndLayer) {
 
 TEST(TimeOfProgram, AccelerationsOfEachFirmware) {
   const char kTravel[] = "M204 P500 T2000\nG1 X100 F6000\n";
-  EXPECT_NEAR(TimeOfProgram(kTravel, Klipper(), Machine()).TotalS(), RestToRest(100, 100, 500), 1e-9);
-  EXPECT_NEAR(TimeOfProgram(kTravel, RepRap(), Machine()).TotalS(), RestToRest(100, 100, 2000), 1e-9);
+  EXPECT_NEAR(TimeOfProgram(kTravel, Klipper(), Machine()).TotalS(), RestToRest(100, 100, 500),
+              1e-9);
+  EXPECT_NEAR(TimeOfProgram(kTravel, RepRap(), Machine()).TotalS(), RestToRest(100, 100, 2000),
+              1e-9);
   MachineSetup deviation = Machine();
   deviation.limits.junction_deviation_mm = 0.02;
   EXPECT_NEAR(TimeOfProgram(kTravel, Marlin2(), deviation).TotalS(), RestToRest(100, 100, 2000),
@@ -65,7 +67,8 @@ TEST(TimeOfProgram, AccelerationsOfEachFirmware) {
 
 TEST(TimeOfProgram, RetractionsRunWithTheExtrudersLimitsAndTheToolheadsCruiseRatio) {
   // Recorded from Klipper's host code: max_accel 3000, extruder 1500 mm/s2.
-  EXPECT_NEAR(TimeOfProgram("M83\nG1 E.8 F2100\n", Klipper(), Machine()).retract_s, 0.046188022, 2e-9);
+  EXPECT_NEAR(TimeOfProgram("M83\nG1 E.8 F2100\n", Klipper(), Machine()).retract_s, 0.046188022,
+              2e-9);
 }
 
 TEST(TimeOfProgram, AnyBytes) {

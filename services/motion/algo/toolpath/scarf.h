@@ -21,10 +21,9 @@ bool HasScarf(const Path& path, const ScarfOptions& options);
 
 /// A loop from its start, once around and on over its beginning. On the first pass over the scarf
 /// the nozzle rises evenly from start_height_ratio of the layer to its top, and the flow is what
-/// fits below it: of each piece, that of its middle. On the second one the nozzle stays and the flow
-/// is what the first one left out, so that both together are one bead. A loop that is shorter than
-/// the scarf has one of its own length.
-/// REQUIRES: HasScarf.
+/// fits below it: of each piece, that of its middle. On the second one the nozzle stays and the
+/// flow is what the first one left out, so that both together are one bead. A loop that is shorter
+/// than the scarf has one of its own length. REQUIRES: HasScarf.
 std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& options);
 
 }  // namespace slicefarm::motion

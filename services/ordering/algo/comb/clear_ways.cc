@@ -24,7 +24,9 @@ constexpr double kWayIndoors = 4;
 /// How far a straight way may need, in clearances, to come off the edge.
 constexpr double kStart = 3;
 
-Coord Times(double factor, Coord length) { return std::llround(factor * static_cast<double>(length)); }
+Coord Times(double factor, Coord length) {
+  return std::llround(factor * static_cast<double>(length));
+}
 
 /// Whether a tight string through `corner` can come from or go on to `other`: the ring lies on one
 /// side of the line.

@@ -31,7 +31,9 @@ Polygon RoomOf(const Polygon& bed) {
   return {{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}};
 }
 
-void Append(MultiPolygon more, MultiPolygon& all) { std::ranges::move(more, std::back_inserter(all)); }
+void Append(MultiPolygon more, MultiPolygon& all) {
+  std::ranges::move(more, std::back_inserter(all));
+}
 
 MultiPolygon United(const MultiPolygon& all) { return Union(all, {}); }
 

@@ -16,14 +16,13 @@ namespace slicefarm::planning {
 /// Puts rafts, brims and the skirt on the plate, around every copy, in this order: brims keep away
 /// from rafts and from a draft shield, the skirt goes round all.
 ///
-/// Rafts: copies with equal options share one; what carries them is united. A raft keeps 0.5 mm away
-/// from objects that it does not carry, and from rafts of other options, of which the one of the
-/// earlier object has the place. Regions of Role::kRaft and kRaftInterface, in the layers whose tops
-/// are the raft's.
-/// Brims: regions of Role::kBrim in the first layer; those of equal settings are one region, so that
-/// lines run round copies that stand close together. None under an object with a raft.
-/// Skirt: finished paths in the layers from the first one up. Without a draft shield it ends with
-/// skirt_height, with one that is enabled with the last layer that has outlines.
+/// Rafts: copies with equal options share one; what carries them is united. A raft keeps 0.5 mm
+/// away from objects that it does not carry, and from rafts of other options, of which the one of
+/// the earlier object has the place. Regions of Role::kRaft and kRaftInterface, in the layers whose
+/// tops are the raft's. Brims: regions of Role::kBrim in the first layer; those of equal settings
+/// are one region, so that lines run round copies that stand close together. None under an object
+/// with a raft. Skirt: finished paths in the layers from the first one up. Without a draft shield
+/// it ends with skirt_height, with one that is enabled with the last layer that has outlines.
 /// Nothing lies outside of the bed.
 ///
 /// What is kept of the layers: each object's first outlines; of objects beside a raft what covers

@@ -16,13 +16,14 @@ class Occupancy {
   /// one millimetre of height the first counts. Cost: O(edges * millimetres of height in y).
   void Add(const MultiPolygon& outlines, Coord top_nm);
 
-  /// To be called after Adds and before Visibility, which then knows them. Cost: O(volume in cells).
+  /// To be called after Adds and before Visibility, which then knows them. Cost: O(volume in
+  /// cells).
   void Build();
 
   /// Which share of the directions from a place on the surface leads out of the object, or 30 mm
-  /// far: of twelve, up to 60 degrees to the sides and 45 up and down. The same for all places in a cell
-  /// with the same direction `outward` (RingShape::OutwardAt). In [0, 1]. Cost: O(30 mm) for a new
-  /// cell.
+  /// far: of twelve, up to 60 degrees to the sides and 45 up and down. The same for all places in a
+  /// cell with the same direction `outward` (RingShape::OutwardAt). In [0, 1]. Cost: O(30 mm) for a
+  /// new cell.
   double Visibility(Point at, Coord z_nm, int outward);
 
  private:

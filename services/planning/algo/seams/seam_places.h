@@ -21,7 +21,8 @@ struct SeamPlace {
 
 /// An outline of a layer.
 struct RingPlaces {
-  int32_t below = -1;  ///< the ring of the layer below that it continues: its number there; -1: none
+  int32_t below =
+      -1;  ///< the ring of the layer below that it continues: its number there; -1: none
   std::vector<SeamPlace> places;  ///< by length along the ring; one at least
 };
 

@@ -64,8 +64,8 @@ constexpr std::string_view kTwoTowers = "(10 0, 20 0, 20 10, 10 10) ; (90 0, 100
 TEST(SeamPlanner, SeamsHaveTheOrderOfRings) {
   for (const SeamPosition position :
        {SeamPosition::kRear, SeamPosition::kAligned, SeamPosition::kHidden}) {
-    const auto plan =
-        PlanOfLayers(LayersOrDie({"(0 0, 20 0, 20 20, 0 20) (5 5, 5 15, 15 15, 15 5)"}), {position});
+    const auto plan = PlanOfLayers(
+        LayersOrDie({"(0 0, 20 0, 20 20, 0 20) (5 5, 5 15, 15 15, 15 5)"}), {position});
     ASSERT_EQ(plan.layers[0].sections[0].seams.size(), 2u);
     EXPECT_EQ(plan.layers[0].sections[0].seams[0], Mm(0, 20));
     EXPECT_EQ(plan.layers[0].sections[0].seams[1], Mm(5, 15));
@@ -122,7 +122,8 @@ TEST(SeamPlanner, SettlesLowerLayersWhenThereIsTooMuchToKeep) {
     rings.push_back(TurnedSquare(20, i * 0.4 / 180 * std::numbers::pi));
   for (const SeamPosition position : {SeamPosition::kAligned, SeamPosition::kRear}) {
     size_t settled = 0;
-    const JobPlan whole = PlanOfLayers(LayersOf(rings), {position}, SeamPlanner::kMostPlaces, &settled);
+    const JobPlan whole =
+        PlanOfLayers(LayersOf(rings), {position}, SeamPlanner::kMostPlaces, &settled);
     EXPECT_EQ(settled, 0u);
     const JobPlan banded = PlanOfLayers(LayersOf(rings), {position}, 2'000, &settled);
     EXPECT_GT(settled, 150u);

@@ -12,9 +12,9 @@
 namespace slicefarm::planning {
 
 /// Gives each copy that prints something a pass of its own, in the order of PrintSequence: by the
-/// hulls of the copies, and as high as the objects' outlines reach. What is added to the plate stays
-/// in the first pass: brims and skirts of all copies lie before anything stands.
-/// Errors of Finish: those of PrintSequence, with the objects' names and which copies they are;
+/// hulls of the copies, and as high as the objects' outlines reach. What is added to the plate
+/// stays in the first pass: brims and skirts of all copies lie before anything stands. Errors of
+/// Finish: those of PrintSequence, with the objects' names and which copies they are;
 /// REQUEST_TOO_LARGE if the copies have more than kMaxLayerPrograms layers together.
 /// Cost: that of PrintSequence, too little to be cancelled. Memory: O(objects).
 class SequencePlanner : public Planner {

@@ -27,7 +27,8 @@ struct PartitionedSection {
 
 /// Puts the sections of an object's parts together. Of solid parts that overlap, the later one's
 /// settings count; negative parts are cut out of all of them; modifiers then change the rows inside
-/// of them, one after the other. Where seams are wanted or not goes along. `edits` move the outlines of the whole, and regions with them.
+/// of them, one after the other. Where seams are wanted or not goes along. `edits` move the
+/// outlines of the whole, and regions with them.
 ///
 /// Invariant: the regions tile the edited whole, to rounding. Free of cost for a single solid part.
 PartitionedSection Partition(std::vector<PartSection> parts, const RegionEdits& edits,

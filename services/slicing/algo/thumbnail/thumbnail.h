@@ -23,8 +23,8 @@ struct SceneMesh {
 ///
 /// Every pixel is the mean of several samples of a depth buffer; of faces at the same depth the
 /// brightest shows, so the order of the triangles plays no part. The same bytes for the same input
-/// on every machine: no sine, no threads. A mesh is drawn once and stamped at its other places, to a
-/// whole sample. Errors: SETTING_OUT_OF_RANGE for a size outside [1, 2048]; Cancelled. Cost:
+/// on every machine: no sine, no threads. A mesh is drawn once and stamped at its other places, to
+/// a whole sample. Errors: SETTING_OUT_OF_RANGE for a size outside [1, 2048]; Cancelled. Cost:
 /// O(triangles + samples of all copies).
 absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
                                           const ThumbnailSize& size,

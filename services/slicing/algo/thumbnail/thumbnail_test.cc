@@ -20,7 +20,8 @@ const std::vector<Point> kHere = {{}};
 std::vector<Rgba> Pixels(const Thumbnail& thumbnail) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  EXPECT_TRUE(png_image_begin_read_from_memory(&image, thumbnail.data.data(), thumbnail.data.size()));
+  EXPECT_TRUE(
+      png_image_begin_read_from_memory(&image, thumbnail.data.data(), thumbnail.data.size()));
   image.format = PNG_FORMAT_RGBA;
   std::vector<Rgba> pixels(size_t{image.width} * image.height);
   EXPECT_TRUE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr));
@@ -65,7 +66,8 @@ TEST(RenderThumbnail, DoesNotDependOnTheOrderOfTriangles) {
   const SceneMesh object{&mesh, kHere, false};
   IndexedMesh reordered = mesh;
   std::reverse(reordered.triangles.begin(), reordered.triangles.end());
-  EXPECT_EQ(Render({object}, {300, 300}).data, Render({{&reordered, kHere, false}}, {300, 300}).data);
+  EXPECT_EQ(Render({object}, {300, 300}).data,
+            Render({{&reordered, kHere, false}}, {300, 300}).data);
   EXPECT_NEAR(CoveredShare(Pixels(Render({{&shuffled, kHere, false}}, {300, 300}))),
               CoveredShare(Pixels(Render({object}, {300, 300}))), 1e-4);
 }
