@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
-#include "services/infill/algo/lines/edge_index.h"
 
 namespace slicefarm::infill {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "services/infill/algo/lines/edge_index.h"
+#include "common/geometry/edge_index.h"
 #include "services/infill/algo/linking/edge_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 

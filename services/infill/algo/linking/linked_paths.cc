@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
-#include "services/infill/algo/lines/edge_index.h"
 #include "services/infill/algo/lines/shortened.h"
 #include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"

@@ -27,10 +27,11 @@ struct Stretch {
 };
 
 /// What of the line from a to b lies inside. What is on the edge at either end counts as that end.
-std::vector<Stretch> InsideStretches(const EdgeGrid& region, Point a, Point b) {
+std::vector<Stretch> InsideStretches(const RegionEdges& region, Point a, Point b) {
   const double length = Distance(a, b);
   std::vector<double> cuts = {0, length};
-  for (const auto& [c, d] : region.Near(a, b)) {
+  for (const RegionEdges::Edge& edge : region.Near(a, b)) {
+    const Point c = edge.a, d = edge.b;
     const double turn = Cross(b - a, d - c);
     if (turn == 0) continue;
     const double along = Cross(c - a, d - c) / turn * length;
@@ -67,8 +68,8 @@ std::optional<std::pair<Nearest, int32_t>> Branches::NearestTo(Point p) const {
   return best;
 }
 
-Point Branches::GrowTo(Point tip, const EdgeGrid& region) {
-  const auto edge = region.NearestTo(tip);
+Point Branches::GrowTo(Point tip, const RegionEdges& region) {
+  const auto edge = region.Nearest(tip);
   const auto tree = NearestTo(tip);
   const auto count = static_cast<int32_t>(nodes_.size());
   if (!tree.has_value() || (edge.has_value() && edge->distance_nm <= tree->first.distance_nm)) {
@@ -173,7 +174,7 @@ void Branches::Keep(const std::vector<char>& kept) {
   nodes_ = std::move(left);
 }
 
-void Branches::Refit(const EdgeGrid& region) {
+void Branches::Refit(const RegionEdges& region) {
   const size_t count = nodes_.size();
   std::vector<char> kept(count, 0);
   std::vector<BranchNode> old = nodes_;
@@ -207,11 +208,11 @@ void Branches::Refit(const EdgeGrid& region) {
   TieRoots(region);
 }
 
-void Branches::TieRoots(const EdgeGrid& region) {
+void Branches::TieRoots(const RegionEdges& region) {
   const size_t count = nodes_.size();
   for (size_t i = 0; i < count; ++i) {
     if (nodes_[i].parent >= 0) continue;
-    const auto edge = region.NearestTo(nodes_[i].at);
+    const auto edge = region.Nearest(nodes_[i].at);
     if (!edge.has_value() || edge->distance_nm <= kOnEdgeNm) continue;
     nodes_[i].parent = static_cast<int32_t>(nodes_.size());
     nodes_.push_back({edge->at, -1});

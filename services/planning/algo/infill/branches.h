@@ -6,9 +6,15 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "services/planning/algo/infill/edge_grid.h"
+#include "services/planning/algo/region_edges.h"
 
 namespace slicefarm::planning {
+
+/// A place on something, and how far it is from where it was asked for.
+struct Nearest {
+  Point at;
+  double distance_nm = 0;
+};
 
 /// A point of a tree that grows from the edge of a region. Roots have no parent.
 struct BranchNode {
@@ -30,15 +36,15 @@ class Branches {
 
   /// A straight branch from the nearest place on a tree, or on the edge of `region` if that is
   /// nearer, to `tip`: so it lies inside. `from`: where it starts.
-  Point GrowTo(Point tip, const EdgeGrid& region);
+  Point GrowTo(Point tip, const RegionEdges& region);
 
   /// What is there one layer below: tips are cut back by `step_nm`, other nodes move to between
   /// their neighbours by as much at most. Cost: O(nodes).
   void Descend(double step_nm);
 
   /// Ties the trees to another region: what lies outside of it is cut off, and what is left is tied
-  /// to the nearest edge. Cost: O(nodes), and what EdgeGrid takes.
-  void Refit(const EdgeGrid& region);
+  /// to the nearest edge. Cost: O(nodes), and what RegionEdges takes.
+  void Refit(const RegionEdges& region);
 
   /// The trees as lines, each branch once: the longest way from each root, then from each fork.
   /// Those from roots begin `beyond_nm` before them.
@@ -46,7 +52,7 @@ class Branches {
 
  private:
   std::vector<std::vector<int32_t>> Children() const;
-  void TieRoots(const EdgeGrid& region);
+  void TieRoots(const RegionEdges& region);
   void CutTips(double step_nm);
   void Straighten(double step_nm);
   void DropIdleNodes();

@@ -9,8 +9,8 @@ namespace slicefarm::planning {
 namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
-const EdgeGrid& Square() {
-  static const EdgeGrid& square = *new EdgeGrid(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
+const RegionEdges& Square() {
+  static const RegionEdges& square = *new RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)"));
   return square;
 }
 
@@ -64,16 +64,16 @@ TEST(Branches, AreTiedToAnotherRegion) {
   Branches branches;
   branches.GrowTo(Mm(8, 10), Square());
   Branches wider = branches;
-  wider.Refit(EdgeGrid(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)")));
+  wider.Refit(RegionEdges(MakePolygonsOrDie("(-3 -3, 20 -3, 20 20, -3 20)")));
   EXPECT_NEAR(LengthOf(wider), 11, 1e-6);  // the wall has gone away
   Branches narrower = branches;
-  narrower.Refit(EdgeGrid(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)")));
+  narrower.Refit(RegionEdges(MakePolygonsOrDie("(5 0, 20 0, 20 20, 5 20)")));
   EXPECT_NEAR(LengthOf(narrower), 3, 1e-6);
   Branches across = branches;
-  across.Refit(EdgeGrid(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)")));
+  across.Refit(RegionEdges(MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (2 8, 2 12, 4 12, 4 8)")));
   EXPECT_NEAR(LengthOf(across), 2 + 4, 0.01);  // a hole lies in the way
   Branches gone = branches;
-  gone.Refit(EdgeGrid({}));
+  gone.Refit(RegionEdges({}));
   EXPECT_TRUE(gone.nodes().empty());
 }
 

@@ -125,12 +125,11 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
     const PartShape shape = ShapeOf(stack);
     PatternChoice choice = ChoosePattern(options, shape);
     pattern = choice.pattern;
-    const auto object = static_cast<size_t>(key.first);
     plan.notes.push_back(fmt::format(
         "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on "
         "average): {}",
         InfoOf(pattern).name,
-        object < object_names_.size() ? object_names_[object] : fmt::format("object {}", object),
+        NameOf(key.first, object_names_),
         100 * options.density, shape.height_mm, shape.width_mm, choice.reason));
   }
   const bool looks_at_places =

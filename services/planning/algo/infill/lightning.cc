@@ -17,12 +17,12 @@ struct Burden {
   double distance_nm = 0;
 };
 
-std::vector<Burden> BurdensOf(const MultiPolygon& roof, const EdgeGrid& area,
+std::vector<Burden> BurdensOf(const MultiPolygon& roof, const RegionEdges& area,
                               const Branches& branches, double radius_nm) {
   const double step = std::max(radius_nm / 2, std::sqrt(Area(roof) / kMaxRoofPoints));
   std::vector<Burden> burdens;
   for (const Point p : GridPoints(roof, std::max<Coord>(1, std::llround(step)))) {
-    const auto edge = area.NearestTo(p);
+    const auto edge = area.Nearest(p);
     const auto tree = branches.NearestTo(p);
     constexpr double kFar = std::numeric_limits<double>::infinity();
     burdens.push_back({p, std::min(edge.has_value() ? edge->distance_nm : kFar,
@@ -31,7 +31,7 @@ std::vector<Burden> BurdensOf(const MultiPolygon& roof, const EdgeGrid& area,
   return burdens;
 }
 
-void Carry(std::vector<Burden> burdens, const EdgeGrid& area, double radius_nm,
+void Carry(std::vector<Burden> burdens, const RegionEdges& area, double radius_nm,
            Branches& branches) {
   while (!burdens.empty()) {
     const Burden farthest = *std::ranges::max_element(burdens, {}, &Burden::distance_nm);
@@ -53,7 +53,7 @@ std::vector<std::vector<Polyline>> LightningLines(const ObjectStack& stack,
   Branches branches;
   for (size_t i = stack.size(); i-- > 0;) {
     if (i + 1 < stack.size()) branches.Descend(static_cast<double>(stack[i + 1].height_nm));
-    const EdgeGrid area(areas[i]);
+    const RegionEdges area(areas[i]);
     branches.Refit(area);
     Carry(BurdensOf(roofs[i], area, branches, rules.radius_nm), area, rules.radius_nm, branches);
     lines[i] = branches.Lines(rules.beyond_nm);

@@ -63,9 +63,9 @@ std::vector<Sample> Samples() {
 TEST(LightningLines, EveryRoofIsCarried) {
   for (const Sample& sample : Samples()) {
     for (size_t i = 0; i < sample.stack.size(); ++i) {
-      const EdgeGrid edges(sample.areas[i]);
+      const RegionEdges edges(sample.areas[i]);
       for (const Point p : GridPoints(sample.roofs[i], 700'000)) {
-        const auto edge = edges.NearestTo(p);
+        const auto edge = edges.Nearest(p);
         const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i]));
         // The grid on which places are looked at is half a radius wide.
         EXPECT_LE(nearest, 1.75 * kRadius) << i;
@@ -79,7 +79,7 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
   for (const Sample& sample : Samples()) {
     for (size_t i = 1; i < sample.stack.size(); ++i) {
       if (sample.areas[i - 1].empty()) continue;  // solid
-      const EdgeGrid edges(sample.areas[i - 1]);
+      const RegionEdges edges(sample.areas[i - 1]);
       for (const Polyline& line : sample.lines[i]) {
         for (size_t k = 1; k < line.size(); ++k) {
           for (const double share : {0.0, 0.3, 0.7, 1.0}) {
@@ -87,7 +87,7 @@ TEST(LightningLines, LinesRestOnWhatIsBelow) {
             const Point p = line[k - 1] + Point{std::llround(share * static_cast<double>(way.x)),
                                                 std::llround(share * static_cast<double>(way.y))};
             const bool inside = Inside(p, sample.areas[i - 1]);
-            const auto edge = edges.NearestTo(p);
+            const auto edge = edges.Nearest(p);
             const double nearest = std::min(edge->distance_nm, NearestLine(p, sample.lines[i - 1]));
             if (!inside) continue;
             EXPECT_LE(nearest, 2 * kStackHeight + 50'000) << i;

@@ -104,7 +104,7 @@ class LayerRings {
   size_t size() const { return shapes_.size(); }
 
   /// A place of ring `ring_below` of the layer below wants to go on here.
-  void Continue(int32_t ring_below, const EdgeIndex::Hit& hit) {
+  void Continue(int32_t ring_below, const RegionEdges::Hit& hit) {
     const auto ring = static_cast<size_t>(hit.ring);
     const auto edge = static_cast<size_t>(hit.edge);
     const double from = shapes_[ring].AlongTo(edge), to = shapes_[ring].AlongTo(edge + 1);
@@ -150,8 +150,8 @@ class LayerRings {
 namespace {
 
 /// How far a place lies outside of the layer below, in nm; no more than kReachNm.
-double Outside(Point at, const MultiPolygon& below, const EdgeIndex& index) {
-  if (const auto hit = index.Nearest(at, kReachNm)) return hit->inside ? 0 : hit->distance_nm;
+double Outside(Point at, const MultiPolygon& below, const RegionEdges& edges) {
+  if (const auto hit = edges.Nearest(at, kReachNm)) return hit->inside ? 0 : hit->distance_nm;
   return Holds(below, at) ? 0 : static_cast<double>(kReachNm);
 }
 
@@ -159,12 +159,12 @@ double Outside(Point at, const MultiPolygon& below, const EdgeIndex& index) {
 
 std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
   const MultiPolygon& outlines = OutlineOf(section);
-  EdgeIndex index(outlines);
+  RegionEdges edges(outlines);
   LayerRings rings(section);
   if (below_) {
     for (size_t ring = 0; ring < below_->places.size(); ++ring)
       for (const Point place : below_->places[ring])
-        if (const auto hit = index.Nearest(place, kReachNm))
+        if (const auto hit = edges.Nearest(place, kReachNm))
           rings.Continue(static_cast<int32_t>(ring), *hit);
   }
   std::vector<RingPlaces> found;
@@ -174,7 +174,7 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
     for (RingPlaces& ring : found)
       for (SeamPlace& place : ring.places)
         place.overhang =
-            static_cast<float>(Outside(place.at, below_->outlines, below_->index) /
+            static_cast<float>(Outside(place.at, below_->outlines, below_->edges) /
                                static_cast<double>(std::max<Coord>(section.height_nm, 1)));
   }
   std::vector<std::vector<Point>> places;
@@ -182,7 +182,7 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
     std::vector<Point>& points = places.emplace_back();
     for (const SeamPlace& place : ring.places) points.push_back(place.at);
   }
-  below_.emplace(outlines, std::move(index), std::move(places));
+  below_.emplace(outlines, std::move(edges), std::move(places));
   return found;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/layer.h"
-#include "services/planning/algo/seams/edge_index.h"
+#include "services/planning/algo/region_edges.h"
 
 namespace slicefarm::planning {
 
@@ -38,7 +38,7 @@ class PlaceFinder {
  private:
   struct Below {
     MultiPolygon outlines;
-    EdgeIndex index;
+    RegionEdges edges;
     std::vector<std::vector<Point>> places;  ///< by ring
   };
 

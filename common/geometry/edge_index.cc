@@ -1,11 +1,11 @@
-#include "services/infill/algo/lines/edge_index.h"
+#include "common/geometry/edge_index.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/geometry/predicates.h"
 
-namespace slicefarm::infill {
+namespace slicefarm {
 namespace {
 
 /// Squares for each edge, at most, and some anyway.
@@ -98,4 +98,4 @@ bool EdgeIndex::Meets(Point a, Point b) const {
   return meets;
 }
 
-}  // namespace slicefarm::infill
+}  // namespace slicefarm

@@ -1,4 +1,4 @@
-#include "services/infill/algo/lines/edge_index.h"
+#include "common/geometry/edge_index.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "common/geometry/predicates.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm {
 namespace {
 
 MultiPolygon Star() {
@@ -66,4 +66,4 @@ TEST(EdgeIndex, OfNothingMeetsNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm

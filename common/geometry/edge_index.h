@@ -6,7 +6,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
 
-namespace slicefarm::infill {
+namespace slicefarm {
 
 /// The edges of a region by the squares of a grid that they pass, to find those near a place.
 class EdgeIndex {
@@ -34,6 +34,8 @@ class EdgeIndex {
   }
 
   const Edge& At(int32_t edge) const { return edges_[static_cast<size_t>(edge)]; }
+  Coord square_nm() const { return square_nm_; }
+  const Box& bounds() const { return box_; }
   int32_t size() const { return static_cast<int32_t>(edges_.size()); }
 
   /// Whether the open segment ab meets an edge anywhere. Exact.
@@ -54,4 +56,4 @@ class EdgeIndex {
   std::vector<int32_t> items_;
 };
 
-}  // namespace slicefarm::infill
+}  // namespace slicefarm
