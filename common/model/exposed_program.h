@@ -29,11 +29,11 @@ struct ExposureSummary {
   friend bool operator==(const ExposureSummary&, const ExposureSummary&) = default;
 };
 
-struct ExposureFrame {
+struct ExposureEnvelope {
   std::string header;
   std::string footer;
 
-  friend bool operator==(const ExposureFrame&, const ExposureFrame&) = default;
+  friend bool operator==(const ExposureEnvelope&, const ExposureEnvelope&) = default;
 };
 
 }  // namespace slicefarm

@@ -249,14 +249,14 @@ struct LayerProgram {
 
 /// What stands around the layers: prologue, then for each layer its prefix and its program, then
 /// epilogue.
-struct ProgramFrame {
+struct ProgramEnvelope {
   std::string prologue;
   std::vector<std::string> layer_prefixes;  ///< one a layer (progress), most often empty
   std::string epilogue;
   PrintTimes times;      ///< of the whole print
   double travel_mm = 0;  ///< layers' and between them
 
-  friend bool operator==(const ProgramFrame&, const ProgramFrame&) = default;
+  friend bool operator==(const ProgramEnvelope&, const ProgramEnvelope&) = default;
 };
 
 }  // namespace slicefarm

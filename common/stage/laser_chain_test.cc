@@ -19,9 +19,9 @@ struct Exposure : ExposureStage {
     for (ExposedProgram& program : programs) program.frame.index = hood.range.first;
     return programs;
   }
-  absl::StatusOr<ExposureFrame> Frame(const StageCall&, const ExposureSummary&,
-                                      const ExposureSettings&) const override {
-    return ExposureFrame{};
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall&, const ExposureSummary&,
+                                            const ExposureSettings&) const override {
+    return ExposureEnvelope{};
   }
   bool fails = false;
   mutable size_t copy_count = 0;

@@ -72,9 +72,9 @@ struct Motion : MotionStage {
       program.frame.index = static_cast<int32_t>(facts.copies.size());
     return programs;
   }
-  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,
-                                     const MotionOptions&) const override {
-    return ProgramFrame{};
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary&,
+                                           const MotionOptions&) const override {
+    return ProgramEnvelope{};
   }
   mutable bool called = false;
   mutable std::vector<MultiPolygon> below;

@@ -189,8 +189,9 @@ class MotionStage {
                                                             std::vector<OrderedLayer> layers,
                                                             const JobFacts& facts,
                                                             const MotionOptions& options) const = 0;
-  virtual absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
-                                             const MotionOptions& options) const = 0;
+  virtual absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call,
+                                                   const ProgramSummary& summary,
+                                                   const MotionOptions& options) const = 0;
 };
 
 /// Of lasers: what beading, infill, ordering and motion are of FDM.
@@ -201,9 +202,9 @@ class ExposureStage {
   virtual absl::StatusOr<std::vector<ExposedProgram>> Expose(
       const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
       const ExposureSettings& settings) const = 0;
-  virtual absl::StatusOr<ExposureFrame> Frame(const StageCall& call,
-                                              const ExposureSummary& summary,
-                                              const ExposureSettings& settings) const = 0;
+  virtual absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call,
+                                                    const ExposureSummary& summary,
+                                                    const ExposureSettings& settings) const = 0;
 };
 
 }  // namespace slicefarm

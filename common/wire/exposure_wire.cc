@@ -124,15 +124,15 @@ absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto)
                          {proto.object_names().begin(), proto.object_names().end()}};
 }
 
-v1::ExposureFrame ToProto(ExposureFrame frame) {
+v1::ExposureFrame ToProto(ExposureEnvelope frame) {
   v1::ExposureFrame proto;
   proto.set_header(std::move(frame.header));
   proto.set_footer(std::move(frame.footer));
   return proto;
 }
 
-absl::StatusOr<ExposureFrame> FromProto(v1::ExposureFrame proto) {
-  return ExposureFrame{std::move(*proto.mutable_header()), std::move(*proto.mutable_footer())};
+absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto) {
+  return ExposureEnvelope{std::move(*proto.mutable_header()), std::move(*proto.mutable_footer())};
 }
 
 }  // namespace slicefarm

@@ -20,8 +20,8 @@ absl::StatusOr<ExposedProgram> FromProto(v1::ExposedProgram proto);
 absl::Status ToProto(const ExposureSummary& summary, v1::ExposureFrameRequest* proto);
 absl::StatusOr<ExposureSummary> FromProto(const v1::ExposureFrameRequest& proto);
 
-v1::ExposureFrame ToProto(ExposureFrame frame);
-absl::StatusOr<ExposureFrame> FromProto(v1::ExposureFrame proto);
+v1::ExposureFrame ToProto(ExposureEnvelope frame);
+absl::StatusOr<ExposureEnvelope> FromProto(v1::ExposureFrame proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

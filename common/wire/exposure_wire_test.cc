@@ -139,7 +139,7 @@ TEST(ExposureWire, ProgramsAndFramesReturn) {
   ExpectReturns<v1::ExposedProgram>(DistinctProgram());
   ExpectReturns<v1::ExposureFrameRequest>(DistinctSummary());
   ExpectReturns<v1::ExposureFrameRequest>(ExposureSummary());
-  const ExposureFrame frame{std::string("a\0b", 3), "c"};
+  const ExposureEnvelope frame{std::string("a\0b", 3), "c"};
   EXPECT_EQ(*FromProto(ToProto(frame)), frame);
 }
 

@@ -310,7 +310,7 @@ absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
   return summary;
 }
 
-v1::ProgramFrame ToProto(ProgramFrame frame) {
+v1::ProgramFrame ToProto(ProgramEnvelope frame) {
   v1::ProgramFrame proto;
   proto.set_prologue(std::move(frame.prologue));
   for (std::string& prefix : frame.layer_prefixes) proto.add_layer_prefixes(std::move(prefix));
@@ -320,11 +320,11 @@ v1::ProgramFrame ToProto(ProgramFrame frame) {
   return proto;
 }
 
-absl::StatusOr<ProgramFrame> FromProto(v1::ProgramFrame proto) {
+absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto) {
   if (!IsAmount(proto.travel_mm())) return Malformed("travel_mm", "is not an amount");
   absl::StatusOr<PrintTimes> times = FromProto(proto.times());
   if (!times.ok()) return Within("times", times.status());
-  ProgramFrame frame;
+  ProgramEnvelope frame;
   frame.prologue = std::move(*proto.mutable_prologue());
   for (std::string& prefix : *proto.mutable_layer_prefixes()) {
     frame.layer_prefixes.push_back(std::move(prefix));

@@ -37,8 +37,8 @@ absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto);
 absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto);
 absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto);
 
-v1::ProgramFrame ToProto(ProgramFrame frame);
-absl::StatusOr<ProgramFrame> FromProto(v1::ProgramFrame proto);
+v1::ProgramFrame ToProto(ProgramEnvelope frame);
+absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto);
 
 namespace v1 {
 using slicefarm::FromProto;  // so that templates find it by the message's namespace

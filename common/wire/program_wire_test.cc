@@ -119,8 +119,8 @@ PrintTimes DistinctTimesOfPrint() {
   return times;
 }
 
-ProgramFrame DistinctFrame() {
-  ProgramFrame program;
+ProgramEnvelope DistinctFrame() {
+  ProgramEnvelope program;
   auto& [prologue, prefixes, epilogue, times, travel] = program;
   prologue = "start\xff";
   prefixes = {"", "M73 P1\n"};
@@ -194,8 +194,8 @@ TEST(ProgramWire, SummaryReturns) {
 TEST(ProgramWire, FrameReturns) {
   const v1::ProgramFrame proto = ToProto(DistinctFrame());
   EXPECT_EQ(*FromProto(proto), DistinctFrame());
-  ExpectEveryFieldReturns<v1::ProgramFrame, ProgramFrame>(
-      proto, [](const ProgramFrame& frame) { return ToProto(frame); });
+  ExpectEveryFieldReturns<v1::ProgramFrame, ProgramEnvelope>(
+      proto, [](const ProgramEnvelope& frame) { return ToProto(frame); });
 }
 
 TEST(ProgramWire, TimesReturn) {

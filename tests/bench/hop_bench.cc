@@ -140,9 +140,9 @@ class CannedStages : public BeadingStage,
                                                     const MotionOptions&) const override {
     return Part(job_.programs, RangeOf(layers));
   }
-  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary&,
-                                     const MotionOptions&) const override {
-    return ProgramFrame{};
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary&,
+                                           const MotionOptions&) const override {
+    return ProgramEnvelope{};
   }
   absl::StatusOr<FdmResult> Run(const StageCall&, const FdmTask& task) const override {
     return FdmResult{Part(job_.programs, task.range), {}, {}};

@@ -17,7 +17,7 @@ void Frame(const ExposureStage& stage, const v1::ExposureFrameRequest& request) 
   const auto summary = FromProto(request);
   const auto settings = FromProto(request.settings());
   if (!summary.ok() || !settings.ok()) return;
-  stage.Frame({}, *summary, *settings).IgnoreError();
+  stage.Envelope({}, *summary, *settings).IgnoreError();
 }
 
 void Run(const ExposeCall& given) {

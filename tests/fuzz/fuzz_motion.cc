@@ -45,7 +45,7 @@ void Frame(const v1::FrameRequest& request) {
   if (!options.ok() || !summary.ok()) return;
   StageCall call;
   call.cancel = WithDeadline();
-  const auto frame = Stage().Frame(call, *summary, *options);
+  const auto frame = Stage().Envelope(call, *summary, *options);
   if (!frame.ok()) return;
   CheckGcode(frame->prologue);
   CheckGcode(frame->epilogue);

@@ -287,8 +287,9 @@ absl::StatusOr<std::vector<LayerProgram>> FakeMotion::Program(const StageCall& c
   return Answer(TheSample().programs, fakes_);
 }
 
-absl::StatusOr<ProgramFrame> FakeMotion::Frame(const StageCall& call, const ProgramSummary& summary,
-                                               const MotionOptions& options) const {
+absl::StatusOr<ProgramEnvelope> FakeMotion::Envelope(const StageCall& call,
+                                                     const ProgramSummary& summary,
+                                                     const MotionOptions& options) const {
   fakes_.summary = summary;
   fakes_.motion_options = options;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
@@ -305,13 +306,13 @@ absl::StatusOr<std::vector<ExposedProgram>> FakeExposure::Expose(
   return Answer(TheSample().exposed, fakes_);
 }
 
-absl::StatusOr<ExposureFrame> FakeExposure::Frame(const StageCall& call,
-                                                  const ExposureSummary& summary,
-                                                  const ExposureSettings& settings) const {
+absl::StatusOr<ExposureEnvelope> FakeExposure::Envelope(const StageCall& call,
+                                                        const ExposureSummary& summary,
+                                                        const ExposureSettings& settings) const {
   fakes_.exposure_summary = summary;
   fakes_.exposure = settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
-  return ExposureFrame{"header", "footer"};
+  return ExposureEnvelope{"header", "footer"};
 }
 
 absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& task) const {

@@ -65,7 +65,7 @@ struct Sample {
   std::vector<LayerWarning> warnings;
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
-  ProgramFrame frame;
+  ProgramEnvelope frame;
   JobSettings settings;  ///< of no default
   StageTimes times;
 };
@@ -144,8 +144,8 @@ class FakeMotion : public MotionStage {
                                                     std::vector<OrderedLayer> layers,
                                                     const JobFacts& facts,
                                                     const MotionOptions& options) const override;
-  absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
-                                     const MotionOptions& options) const override;
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call, const ProgramSummary& summary,
+                                           const MotionOptions& options) const override;
 
  private:
   FakeStages& fakes_;
@@ -157,8 +157,8 @@ class FakeExposure : public ExposureStage {
   absl::StatusOr<std::vector<ExposedProgram>> Expose(
       const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
       const ExposureSettings& settings) const override;
-  absl::StatusOr<ExposureFrame> Frame(const StageCall& call, const ExposureSummary& summary,
-                                      const ExposureSettings& settings) const override;
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call, const ExposureSummary& summary,
+                                            const ExposureSettings& settings) const override;
 
  private:
   FakeStages& fakes_;

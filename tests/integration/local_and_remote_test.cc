@@ -317,8 +317,8 @@ TEST_F(LaserLocalAndRemote, RangesElsewhereGiveWhatTheWholeGivesHere) {
 
 TEST_F(LaserLocalAndRemote, FramesAreTheSame) {
   const ExposureSummary summary{LayerCount(), {{0, 0}, {9, 9}}, 0, 7, {"textbox"}};
-  const auto here = exposure_->Frame(call_, summary, settings_.exposure);
-  const auto there = remote_.exposure.Frame(call_, summary, settings_.exposure);
+  const auto here = exposure_->Envelope(call_, summary, settings_.exposure);
+  const auto there = remote_.exposure.Envelope(call_, summary, settings_.exposure);
   ASSERT_TRUE(here.ok()) << here.status();
   ASSERT_TRUE(there.ok()) << there.status();
   EXPECT_EQ(*there, *here);

@@ -159,7 +159,7 @@ TEST(RemoteStages, MotionGivesAndTakesAll) {
 TEST(RemoteStages, FrameGivesAndTakesAll) {
   Farm farm;
   const Sample& sample = TheSample();
-  const auto frame = farm.motion.Frame(NewCall(), sample.summary, sample.settings.motion);
+  const auto frame = farm.motion.Envelope(NewCall(), sample.summary, sample.settings.motion);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(*frame, sample.frame);
   EXPECT_EQ(farm.fakes.summary, sample.summary);
@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
                 }},
         AnyCall{"Frame",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.motion.Frame(call, TheSample().summary, {}).status();
+                  return farm.motion.Envelope(call, TheSample().summary, {}).status();
                 },
                 false},
         AnyCall{"Expose",
@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(
                 }},
         AnyCall{"FrameExposure",
                 [](const Farm& farm, const StageCall& call) {
-                  return farm.exposure.Frame(call, {}, TheSample().settings.exposure).status();
+                  return farm.exposure.Envelope(call, {}, TheSample().settings.exposure).status();
                 },
                 false},
         AnyCall{"Work",
@@ -273,7 +273,7 @@ TEST(RemoteStages, ExposureGivesAndTakesAll) {
   EXPECT_EQ(farm.fakes.copies, sample.plan.copies);
   EXPECT_EQ(farm.fakes.exposure, sample.settings.exposure);
   const ExposureSummary summary{7, {{1, 2}, {3, 4}}, 5, 6, {"a"}};
-  const auto frame = farm.exposure.Frame(NewCall(), summary, sample.settings.exposure);
+  const auto frame = farm.exposure.Envelope(NewCall(), summary, sample.settings.exposure);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_EQ(frame->header, "header");
   EXPECT_EQ(farm.fakes.exposure_summary, summary);

@@ -252,9 +252,9 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
   return programs;
 }
 
-absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
-                                                 const ProgramSummary& summary,
-                                                 const MotionOptions& options) const {
+absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
+                                                       const ProgramSummary& summary,
+                                                       const MotionOptions& options) const {
   v1::FrameRequest request;
   *request.mutable_call() = ToProto(call);
   *request.mutable_options() = ToProto(options);
@@ -269,7 +269,7 @@ absl::StatusOr<ProgramFrame> RemoteMotion::Frame(const StageCall& call,
                        [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); }));
   });
   if (!status.ok()) return status;
-  absl::StatusOr<ProgramFrame> frame = FromProto(std::move(response));
+  absl::StatusOr<ProgramEnvelope> frame = FromProto(std::move(response));
   if (!frame.ok()) return BadAnswer(kMotion, frame.status());
   return frame;
 }
@@ -295,9 +295,9 @@ absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
   return ForRange(std::move(programs), neighbourhood.range, kExposure);
 }
 
-absl::StatusOr<ExposureFrame> RemoteExposure::Frame(const StageCall& call,
-                                                    const ExposureSummary& summary,
-                                                    const ExposureSettings& settings) const {
+absl::StatusOr<ExposureEnvelope> RemoteExposure::Envelope(const StageCall& call,
+                                                          const ExposureSummary& summary,
+                                                          const ExposureSettings& settings) const {
   v1::ExposureFrameRequest request;
   *request.mutable_call() = ToProto(call);
   *request.mutable_settings() = ToProto(settings);

@@ -108,8 +108,8 @@ class RemoteMotion : public MotionStage {
                                                     std::vector<OrderedLayer> layers,
                                                     const JobFacts& facts,
                                                     const MotionOptions& options) const override;
-  absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
-                                     const MotionOptions& options) const override;
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call, const ProgramSummary& summary,
+                                           const MotionOptions& options) const override;
 
  private:
   ReplicaSource& replicas_;
@@ -124,8 +124,8 @@ class RemoteExposure : public ExposureStage {
   absl::StatusOr<std::vector<ExposedProgram>> Expose(
       const StageCall& call, const Neighbourhood& neighbourhood, std::span<const Copy> copies,
       const ExposureSettings& settings) const override;
-  absl::StatusOr<ExposureFrame> Frame(const StageCall& call, const ExposureSummary& summary,
-                                      const ExposureSettings& settings) const override;
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& call, const ExposureSummary& summary,
+                                            const ExposureSettings& settings) const override;
 
  private:
   ReplicaSource& replicas_;

@@ -33,8 +33,9 @@ class LocalExposure : public ExposureStage {
     return programs;
   }
 
-  absl::StatusOr<ExposureFrame> Frame(const StageCall& /*call*/, const ExposureSummary& summary,
-                                      const ExposureSettings& settings) const override {
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall& /*call*/,
+                                            const ExposureSummary& summary,
+                                            const ExposureSettings& settings) const override {
     FileFacts facts;
     facts.layers = summary.layers;
     facts.bounds = summary.bounds;
@@ -43,7 +44,7 @@ class LocalExposure : public ExposureStage {
     facts.object_names = summary.object_names;
     facts.regions = settings.regions;
     facts.output = settings.output;
-    return ExposureFrame{FileHeader(facts), FileFooter(facts)};
+    return ExposureEnvelope{FileHeader(facts), FileFooter(facts)};
   }
 };
 

@@ -77,7 +77,7 @@ TEST_F(LocalExposureTest, ReportsWhatItWrites) {
 
 TEST_F(LocalExposureTest, TheFrameNamesLayersAndObjects) {
   const auto frame =
-      stage_->Frame({}, {12, {{0, 0}, {9, 9}}, 0, FromMm(1.2), {"block"}}, settings_);
+      stage_->Envelope({}, {12, {{0, 0}, {9, 9}}, 0, FromMm(1.2), {"block"}}, settings_);
   ASSERT_TRUE(frame.ok()) << frame.status();
   EXPECT_THAT(frame->header, HasSubstr("$$LAYERS/"));
   EXPECT_THAT(frame->header, HasSubstr("12"));

@@ -54,7 +54,7 @@ absl::Status ExposureService::Frame(rpc::Call& call, const v1::ExposureFrameRequ
   if (!summary.ok()) return summary.status();
   call.job_id = stage_call->job_id;
   stage_call->cancel = call.cancel;
-  absl::StatusOr<ExposureFrame> frame = stage_.Frame(*stage_call, *summary, *settings);
+  absl::StatusOr<ExposureEnvelope> frame = stage_.Envelope(*stage_call, *summary, *settings);
   if (!frame.ok()) return frame.status();
   *response = ToProto(*std::move(frame));
   return absl::OkStatus();

@@ -30,7 +30,7 @@ constexpr double kDepthPrecision = 0.001;  // of a spacing
 /// Lines across a region that fill it from edge to edge, if that takes no more stretch than
 /// allowed; else as many as come nearest, in its middle.
 LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double spacing) {
-  const FrameBox extent = BoxIn(LineFrame(angle_rad), {region});
+  const FrameBox extent = BoxIn(LineAxes(angle_rad), {region});
   const double height = extent.max_v - extent.min_v;
   const double count = std::max(1.0, std::round(height / spacing));
   const double pitch = std::clamp(height / count, kLeastStretch * spacing, kMostStretch * spacing);

@@ -11,7 +11,7 @@
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/input_check.h"
 #include "services/motion/algo/layer_program.h"
-#include "services/motion/algo/program_frame.h"
+#include "services/motion/algo/program_envelope.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -49,8 +49,8 @@ class LocalMotion : public MotionStage {
     return programs;
   }
 
-  absl::StatusOr<ProgramFrame> Frame(const StageCall& call, const ProgramSummary& summary,
-                                     const MotionOptions& options) const override {
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall& call, const ProgramSummary& summary,
+                                           const MotionOptions& options) const override {
     if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
     if (absl::Status good = CheckOptions(options); !good.ok()) return good;
     return FrameProgram(summary, options);

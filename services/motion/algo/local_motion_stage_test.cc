@@ -66,7 +66,7 @@ TEST(LocalMotion, ChecksItsInput) {
   options.filament_diameter_mm = 0;
   EXPECT_EQ(DetailOf(stage->Program({}, Layers(1), {}, options).status()).reason,
             Reason::kSettingOutOfRange);
-  EXPECT_EQ(DetailOf(stage->Frame({}, {}, options).status()).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(stage->Envelope({}, {}, options).status()).reason, Reason::kSettingOutOfRange);
   std::vector<OrderedLayer> layers = Layers(2);
   layers[1].blocks[0].paths[0].points.clear();
   EXPECT_EQ(DetailOf(stage->Program({}, layers, {}, {}).status()).reason, Reason::kRequestMalformed);
@@ -79,7 +79,8 @@ TEST(LocalMotion, StopsWhenCancelled) {
   EXPECT_EQ(MakeLocalMotion()->Program(call, Layers(9), {}, {}).status().code(),
             absl::StatusCode::kCancelled);
   EXPECT_EQ(polls, 2);
-  EXPECT_EQ(MakeLocalMotion()->Frame(call, {}, {}).status().code(), absl::StatusCode::kCancelled);
+  EXPECT_EQ(MakeLocalMotion()->Envelope(call, {}, {}).status().code(),
+            absl::StatusCode::kCancelled);
 }
 
 }  // namespace

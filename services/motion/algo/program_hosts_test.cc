@@ -11,7 +11,7 @@
 #include "common/model/paths_test.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/layer_program.h"
-#include "services/motion/algo/program_frame.h"
+#include "services/motion/algo/program_envelope.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -59,7 +59,7 @@ absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& reque
   if (!summary.ok()) return summary.status();
   call.job_id = stage_call->job_id;
   stage_call->cancel = call.cancel;
-  absl::StatusOr<ProgramFrame> frame = stage_.Frame(*stage_call, *summary, *options);
+  absl::StatusOr<ProgramEnvelope> frame = stage_.Envelope(*stage_call, *summary, *options);
   if (!frame.ok()) return frame.status();
   *response = ToProto(*std::move(frame));
   return absl::OkStatus();

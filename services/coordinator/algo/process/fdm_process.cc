@@ -145,7 +145,7 @@ ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
 }
 
 /// Prologue, prefixes and programs, epilogue. Each part is freed as soon as it is copied.
-std::string WholeProgram(ProgramFrame frame, std::vector<LayerProgram> programs) {
+std::string WholeProgram(ProgramEnvelope frame, std::vector<LayerProgram> programs) {
   size_t size = frame.prologue.size() + frame.epilogue.size();
   for (const std::string& prefix : frame.layer_prefixes) size += prefix.size();
   for (const LayerProgram& program : programs) size += program.gcode.size();
@@ -180,7 +180,7 @@ std::string WallWarning(const std::vector<LayerWarning>& warnings) {
       layers.size() > named ? absl::StrCat(" and ", layers.size() - named, " more") : "");
 }
 
-void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramFrame& frame,
+void FillIn(JobReport& report, const ProgramSummary& summary, const ProgramEnvelope& frame,
             const MotionOptions& motion) {
   report.stats = summary.total;
   for (size_t i = 0; i < frame.times.feature_s.size(); ++i)
@@ -272,7 +272,7 @@ class FdmJob : public PlannedJob {
     summary.settings_text = std::move(settings_text_);
     auto frame = Timed(report_.stage_times.motion_s, [&] {
       const ScopedSpan span(call.spans, "frame");
-      return motion_.Frame(call, summary, settings_.motion);
+      return motion_.Envelope(call, summary, settings_.motion);
     });
     if (!frame.ok()) return frame.status();
 

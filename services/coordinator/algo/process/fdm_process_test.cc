@@ -136,9 +136,9 @@ class FakeMotion : public MotionStage {
                                                     const MotionOptions&) const override {
     return absl::UnimplementedError("");
   }
-  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary& summary,
-                                     const MotionOptions&) const override {
-    ProgramFrame frame;
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
+                                           const MotionOptions&) const override {
+    ProgramEnvelope frame;
     frame.prologue = "begin";
     for (const CopySummary& copy : summary.copies) {
       const CopyName& name = copy.name;

@@ -80,7 +80,7 @@ class LaserJob : public PlannedJob {
                        "the outlines of all layers are too thin for the laser's spot");
     auto frame = Timed(report_.stage_times.exposure_s, [&] {
       const ScopedSpan span(call.spans, "frame");
-      return exposure_.Frame(call, summary, settings_.exposure);
+      return exposure_.Envelope(call, summary, settings_.exposure);
     });
     if (!frame.ok()) return frame.status();
     const ScopedSpan span(call.spans, "assembly");
@@ -103,7 +103,8 @@ class LaserJob : public PlannedJob {
   }
 
   /// Each part is freed as soon as it is copied.
-  static std::string WholeFile(const ExposureFrame& frame, std::vector<ExposedProgram> programs) {
+  static std::string WholeFile(const ExposureEnvelope& frame,
+                               std::vector<ExposedProgram> programs) {
     size_t size = frame.header.size() + frame.footer.size();
     for (const ExposedProgram& program : programs) size += program.text.size();
     std::string file;

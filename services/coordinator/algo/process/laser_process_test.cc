@@ -61,9 +61,9 @@ class FakeExposure : public ExposureStage {
     }
     return programs;
   }
-  absl::StatusOr<ExposureFrame> Frame(const StageCall&, const ExposureSummary& summary,
-                                      const ExposureSettings&) const override {
-    return ExposureFrame{
+  absl::StatusOr<ExposureEnvelope> Envelope(const StageCall&, const ExposureSummary& summary,
+                                            const ExposureSettings&) const override {
+    return ExposureEnvelope{
         absl::StrCat(summary.object_names[0], " ", summary.layers, " ", summary.bounds.max.x, " ",
                      ToMm(summary.bottom_nm), "-", ToMm(summary.top_nm), ": "),
         "end"};

@@ -129,9 +129,9 @@ class FakeMotion : public MotionStage {
                                                     const MotionOptions&) const override {
     return absl::UnimplementedError("");
   }
-  absl::StatusOr<ProgramFrame> Frame(const StageCall&, const ProgramSummary& summary,
-                                     const MotionOptions&) const override {
-    ProgramFrame frame;
+  absl::StatusOr<ProgramEnvelope> Envelope(const StageCall&, const ProgramSummary& summary,
+                                           const MotionOptions&) const override {
+    ProgramEnvelope frame;
     frame.prologue = "; " + summary.copies.at(0).name.object_name + "\n";
     frame.epilogue = "; end\n";
     frame.times.travel_s = summary.total.TimeS();

@@ -55,7 +55,7 @@ bool IsOdd(int64_t i) { return (i & 1) != 0; }
 
 /// Lines of one family in its frame, and which of the cells it is for.
 struct Family {
-  LineFrame frame;
+  LineAxes frame;
   LineGrid grid;
   bool odd = false;
   std::vector<CellLine> lines = {};
@@ -138,7 +138,7 @@ absl::StatusOr<LineBlocks> CellBlocks(const MultiPolygon& region, double angle_d
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   LineBlocks blocks;
   for (const bool odd : {false, true}) {
-    Family family{.frame = LineFrame::OfDegrees(odd && !stripes ? angle_deg + 90 : angle_deg),
+    Family family{.frame = LineAxes::OfDegrees(odd && !stripes ? angle_deg + 90 : angle_deg),
                   .grid = {.pitch_nm = pitch, .phase = odd && stripes ? 0.5 : 0},
                   .odd = odd};
     const absl::Status status =

@@ -17,7 +17,7 @@ struct FrameEdge {
   int64_t first = 0, last = 0;
 };
 
-std::vector<FrameEdge> FrameEdges(const MultiPolygon& region, const LineFrame& frame,
+std::vector<FrameEdge> FrameEdges(const MultiPolygon& region, const LineAxes& frame,
                                   const LineGrid& grid) {
   std::vector<FrameEdge> edges;
   edges.reserve(PointCount(region));
@@ -45,7 +45,7 @@ std::vector<FrameEdge> FrameEdges(const MultiPolygon& region, const LineFrame& f
 }  // namespace
 
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
-                                                    const LineFrame& frame, const LineGrid& grid) {
+                                                    const LineAxes& frame, const LineGrid& grid) {
   const std::vector<FrameEdge> edges = FrameEdges(region, frame, grid);
   if (edges.empty()) return std::vector<ScanPiece>{};
   int64_t first = INT64_MAX, last = INT64_MIN, crossings = 0;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/geometry/line_axes.h"
 #include "common/geometry/polygon.h"
-#include "common/geometry/line_frame.h"
 
 namespace slicefarm::exposure {
 
@@ -32,6 +32,6 @@ inline constexpr int64_t kMaxScanPieces = 50'000'000;
 /// Errors: REQUEST_TOO_LARGE for more than kMaxScanPieces; found before they are allocated.
 /// Cost:   O(n + k), k pieces, but for sorting those of one line.
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
-                                                    const LineFrame& frame, const LineGrid& grid);
+                                                    const LineAxes& frame, const LineGrid& grid);
 
 }  // namespace slicefarm::exposure

@@ -15,7 +15,7 @@ namespace {
 
 TEST(CutScanLines, OfASquareWithAHole) {
   const auto pieces =
-      CutScanLines(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"), LineFrame(0),
+      CutScanLines(MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10) (4 4, 6 4, 6 6, 4 6)"), LineAxes(0),
                    {.pitch_nm = 1e6, .phase = 0.5});
   ASSERT_TRUE(pieces.ok());
   ASSERT_EQ(pieces->size(), 12u);
@@ -28,8 +28,8 @@ TEST(CutScanLines, OfASquareWithAHole) {
 
 TEST(CutScanLines, LinesThroughCornersMeetARingAnEvenNumberOfTimes) {
   // All corners lie on lines.
-  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"),
-                                   LineFrame(0), {.pitch_nm = 1e6});
+  const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 3 1, 6 0, 6 4, 3 2, 0 4)"), LineAxes(0),
+                                   {.pitch_nm = 1e6});
   ASSERT_TRUE(pieces.ok());
   double length = 0;
   for (const ScanPiece& piece : *pieces) length += piece.u1 - piece.u0;
@@ -42,7 +42,7 @@ TEST(CutScanLines, PiecesAreWhatIsInside) {
   std::mt19937 random(9);
   for (int i = 0; i < 200; ++i) {
     const MultiPolygon region = RandomIsland(random, {i * 1000, 7}, 8);
-    const LineFrame frame = LineFrame::OfDegrees(Uniform(random, -720, 720));
+    const LineAxes frame = LineAxes::OfDegrees(Uniform(random, -720, 720));
     const LineGrid grid{.pitch_nm = 333'333, .phase = 0.5};
     const auto pieces = CutScanLines(region, frame, grid);
     ASSERT_TRUE(pieces.ok());
@@ -62,7 +62,7 @@ TEST(CutScanLines, PiecesAreWhatIsInside) {
 
 TEST(CutScanLines, RefusesTooMany) {
   const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 1000 0, 1000 1000, 0 1000)"),
-                                   LineFrame(0), {.pitch_nm = 10});
+                                   LineAxes(0), {.pitch_nm = 10});
   EXPECT_EQ(DetailOf(pieces.status()).reason, Reason::kRequestTooLarge);
 }
 

@@ -60,7 +60,7 @@ class PieceTable {
 
 absl::StatusOr<LineBlocks> SerpentineBlocks(const MultiPolygon& region, double angle_deg,
                                             const ExposureOptions& options) {
-  const LineFrame frame = LineFrame::OfDegrees(angle_deg);
+  const LineAxes frame = LineAxes::OfDegrees(angle_deg);
   const LineGrid grid{.pitch_nm = static_cast<double>(options.hatch_distance_nm)};
   auto pieces = CutScanLines(region, frame, grid);
   if (!pieces.ok()) return pieces.status();

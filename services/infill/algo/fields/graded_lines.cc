@@ -17,7 +17,7 @@ struct Stretch {
 };
 
 /// Where the field is above `level` between `from` and `to` on a line.
-std::vector<Stretch> Above(const LineFrame& frame, double v, double from, double to, double level,
+std::vector<Stretch> Above(const LineAxes& frame, double v, double from, double to, double level,
                            const LayerField& field) {
   std::vector<Stretch> stretches;
   const auto count =

@@ -79,7 +79,7 @@ TEST(ClipCurves, AgreesWithScanLines) {
   for (const double angle : {0.0, 0.4, std::numbers::pi / 4, 2.2}) {
     const LineFamily family{angle, 0, 1e6};
     const auto lines = CutLines(region, family);
-    const LineFrame frame(angle);
+    const LineAxes frame(angle);
     std::vector<Curve> curves;
     for (int i = -60; i <= 60; ++i)
       curves.push_back({{frame.At(-90e6, i * 1e6), frame.At(3e6, i * 1e6), frame.At(90e6, i * 1e6)}});

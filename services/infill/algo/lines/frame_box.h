@@ -15,7 +15,7 @@ struct FrameBox {
   double max_v = std::numeric_limits<double>::lowest();
 };
 
-inline FrameBox BoxIn(const LineFrame& frame, const MultiPolygon& region) {
+inline FrameBox BoxIn(const LineAxes& frame, const MultiPolygon& region) {
   FrameBox box;
   for (const PolygonWithHoles& island : region) {
     for (const Point p : island.outer) {

@@ -27,7 +27,7 @@ LineSpan LinesBetween(double v0, double v1, const LineFamily& family) {
 
 /// Calls visit(v of point i, v of point i + 1, i) for the edges of a ring.
 template <typename Visit>
-void ForEachEdge(const Polygon& ring, const LineFrame& frame, Visit visit) {
+void ForEachEdge(const Polygon& ring, const LineAxes& frame, Visit visit) {
   if (ring.empty()) return;
   const double start = frame.V(ring[0]);
   double v = start;
@@ -103,7 +103,7 @@ double ScanLines::TotalLength() const {
 
 absl::StatusOr<ScanLines> CutLines(const MultiPolygon& region, const LineFamily& family) {
   ScanLines lines;
-  lines.frame = LineFrame(family.angle_rad);
+  lines.frame = LineAxes(family.angle_rad);
   lines.pitch = family.pitch_nm;
   ForEachRing(region, [&](const Polygon& ring) { lines.rings.push_back(&ring); });
   int64_t first = std::numeric_limits<int64_t>::max(), last = std::numeric_limits<int64_t>::min();

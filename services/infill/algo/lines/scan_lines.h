@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/geometry/line_frame.h"
+#include "common/geometry/line_axes.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::infill {
@@ -30,7 +30,7 @@ struct Crossing {
 
 /// The pieces of a line family inside a region, with their connections along the boundary.
 struct ScanLines {
-  LineFrame frame{0};
+  LineAxes frame{0};
   std::vector<const Polygon*> rings;  ///< of the region, which must outlive this
   double first_v = 0;                 ///< of line 0
   double pitch = 0;

@@ -68,7 +68,7 @@ Reach ReachOf(const LevelLine& line) {
 /// Puts copies of lines at the periods that come near a region.
 class Tiler {
  public:
-  Tiler(const LineFrame& frame, double period_nm, const FrameBox& box)
+  Tiler(const LineAxes& frame, double period_nm, const FrameBox& box)
       : frame_(frame),
         period_nm_(period_nm),
         box_{box.min_u / period_nm, box.max_u / period_nm, box.min_v / period_nm,
@@ -146,7 +146,7 @@ class Tiler {
     }
   }
 
-  const LineFrame& frame_;
+  const LineAxes& frame_;
   const double period_nm_;
   const FrameBox box_;  ///< in periods
   std::vector<Curve> curves_;
@@ -180,7 +180,7 @@ LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
 
 absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
                                               std::span<const LevelLine> lines,
-                                              const LineFrame& frame, double period_nm) {
+                                              const LineAxes& frame, double period_nm) {
   if (region.empty()) return std::vector<Curve>{};
   const FrameBox box = BoxIn(frame, region);
   const double periods =

@@ -19,6 +19,6 @@ LevelLine WithLongSegments(const LevelLine& line, double tolerance);
 /// is `period_nm` long. Errors: as CheckLineCount.
 absl::StatusOr<std::vector<Curve>> TiledLines(const MultiPolygon& region,
                                               std::span<const LevelLine> lines,
-                                              const LineFrame& frame, double period_nm);
+                                              const LineAxes& frame, double period_nm);
 
 }  // namespace slicefarm::infill

@@ -80,7 +80,7 @@ TEST(TiledLines, CoverEveryPeriodOnce) {
                         {"Falling", falling, 0, std::sqrt(13)},
                         {"Circle", Circle(0.3, 40), 48, LengthOf(Circle(0.3, 40))}};
   for (const Case& c : cases) {
-    const auto curves = TiledLines(box, {&c.line, 1}, LineFrame(0), period);
+    const auto curves = TiledLines(box, {&c.line, 1}, LineAxes(0), period);
     ASSERT_TRUE(curves.ok());
     const auto pieces = ClipCurves(box, *curves);
     if (c.curves > 0) {
@@ -96,7 +96,7 @@ TEST(TiledLines, CoverEveryPeriodOnce) {
 TEST(TiledLines, TooManyAreRefused) {
   const MultiPolygon box = MakePolygonsOrDie("(0 0, 100 0, 100 100, 0 100)");
   const LevelLine circle = Circle(0.3, 8);
-  const auto curves = TiledLines(box, {&circle, 1}, LineFrame(0), 1e5);
+  const auto curves = TiledLines(box, {&circle, 1}, LineAxes(0), 1e5);
   EXPECT_EQ(DetailOf(curves.status()).reason, Reason::kRequestTooLarge);
 }
 

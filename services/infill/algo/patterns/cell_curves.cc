@@ -116,7 +116,7 @@ class Walker {
     cells_.clear();
   }
 
-  const LineFrame frame_;
+  const LineAxes frame_;
   const FrameBox box_;
   const double pitch_;
   std::vector<Cell> cells_;

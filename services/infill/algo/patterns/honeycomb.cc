@@ -33,7 +33,7 @@ double SideFor(double pitch, double gap) {
 /// Where rows lie that come near a region. Row r has its middle at v = r * rise; odd rows begin
 /// half a period later.
 struct Rows {
-  LineFrame frame;
+  LineAxes frame;
   FrameBox box;
   double side = 0;
 
@@ -54,7 +54,7 @@ struct Rows {
 absl::StatusOr<std::vector<Piece>> Honeycomb(const MultiPolygon& region,
                                              const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineFrame frame(place.angle_rad);
+  const LineAxes frame(place.angle_rad);
   const auto gap = static_cast<double>(place.spacing_nm);
   const Rows rows{frame, BoxIn(frame, region), SideFor(place.pitch_nm, gap)};
   if (absl::Status ok = rows.Check(); !ok.ok()) return ok;
@@ -77,7 +77,7 @@ absl::StatusOr<std::vector<Piece>> Honeycomb(const MultiPolygon& region,
 absl::StatusOr<std::vector<Piece>> HoneycombCells(const MultiPolygon& region,
                                                   const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineFrame frame(place.angle_rad);
+  const LineAxes frame(place.angle_rad);
   const Rows rows{frame, BoxIn(frame, region), 2 / kSqrt3 * place.pitch_nm};
   if (absl::Status ok = rows.Check(); !ok.ok()) return ok;
   const double s = rows.side, high = rows.Rise() / 2;

@@ -41,7 +41,7 @@ absl::StatusOr<std::vector<Piece>> Honeycomb3d(const MultiPolygon& region,
   const double apart = RowsApart(place.pitch_nm, spacing);
   const Waves waves =
       WavesAt(static_cast<double>(place.z_nm), std::max(0.0, (apart - spacing) / 2));
-  const LineFrame frame(place.angle_rad + (waves.turned ? std::numbers::pi / 2 : 0));
+  const LineAxes frame(place.angle_rad + (waves.turned ? std::numbers::pi / 2 : 0));
   const FrameBox box = BoxIn(frame, region);
   const double period = 4 * apart, a = waves.height;
   const double first = std::floor(box.min_v / apart) - 1, last = std::ceil(box.max_v / apart) + 1;

@@ -23,7 +23,7 @@ struct Radii {
   double least = 0;
   double most = 0;
 };
-Radii RadiiOf(const MultiPolygon& region, const LineFrame& frame) {
+Radii RadiiOf(const MultiPolygon& region, const LineAxes& frame) {
   const FrameBox box = BoxIn(frame, region);
   const double near_u = std::clamp(0.0, box.min_u, box.max_u);
   const double near_v = std::clamp(0.0, box.min_v, box.max_v);
@@ -51,7 +51,7 @@ double FirstTurn(double least_nm, double nm_per_turn) {
 absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
                                                const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineFrame frame(place.angle_rad);
+  const LineAxes frame(place.angle_rad);
   const Radii radii = RadiiOf(region, frame);
   const double last = std::ceil(radii.most / place.pitch_nm) + 1;
   const double chords_at_most = last * ChordsAt(last * place.pitch_nm);
@@ -74,7 +74,7 @@ absl::StatusOr<std::vector<Piece>> Archimedean(const MultiPolygon& region,
 absl::StatusOr<std::vector<Piece>> Octagram(const MultiPolygon& region,
                                             const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  const LineFrame frame(place.angle_rad);
+  const LineAxes frame(place.angle_rad);
   // Of the star whose outer corners lie at 1: how far the inner corners and the edges lie.
   const double edge = std::numbers::sqrt2 / 2;
   const double inner = edge / Cos(kTurn / kCorners);

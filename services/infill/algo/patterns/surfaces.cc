@@ -43,7 +43,7 @@ absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const Pat
       [&](Vec at) { return value(Turn(at.u), Turn(at.v), z); }, squares);
   const double tolerance = std::min(kToleranceNm / period, kTolerancePeriods);
   for (LevelLine& line : lines) line = WithLongSegments(line, tolerance);
-  const auto curves = TiledLines(region, lines, LineFrame(place.angle_rad), period);
+  const auto curves = TiledLines(region, lines, LineAxes(place.angle_rad), period);
   if (!curves.ok()) return curves.status();
   return ClipCurves(region, *curves);
 }

@@ -5,7 +5,7 @@
 #include "common/model/paths_test.h"
 #include "services/motion/algo/layer_program.h"
 #include "services/motion/algo/program/program_time.h"
-#include "services/motion/algo/program_frame.h"
+#include "services/motion/algo/program_envelope.h"
 
 namespace slicefarm::motion {
 namespace {

@@ -28,8 +28,8 @@ CubicOctree::CubicOctree(double pitch_nm, double angle_rad, double reach_nm)
     : distance_(3 * kAlong * pitch_nm),
       reach_(reach_nm),
       step_(kStepShare * distance_),
-      frames_{LineFrame(angle_rad), LineFrame(angle_rad + kThirdTurn),
-              LineFrame(angle_rad + 2 * kThirdTurn)} {
+      frames_{LineAxes(angle_rad), LineAxes(angle_rad + kThirdTurn),
+              LineAxes(angle_rad + 2 * kThirdTurn)} {
   // No coordinate along a normal is greater than this.
   const double farthest = std::sqrt(3.0) * reach_nm;
   double half = 2 * distance_;

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "common/geometry/line_frame.h"
+#include "common/geometry/line_axes.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::planning {
@@ -36,7 +36,7 @@ class CubicOctree {
   };
   using Cells = std::unordered_set<Cell, CellHash>;  ///< only asked whether it has one
 
-  LineFrame FrameOf(int family) const { return frames_[static_cast<size_t>(family)]; }
+  LineAxes FrameOf(int family) const { return frames_[static_cast<size_t>(family)]; }
   double EdgeOf(int level) const;
   bool Exists(int level, const Cell& cell) const;
   void AddLine(int family, int64_t plane, double z_nm, std::vector<Polyline>& lines) const;
@@ -44,7 +44,7 @@ class CubicOctree {
   double distance_;  ///< of neighbouring planes in space
   double reach_;
   double step_;
-  std::array<LineFrame, 3> frames_;
+  std::array<LineAxes, 3> frames_;
   int levels_ = 0;              ///< of the smallest cubes; 0 is the whole
   std::vector<Cells> divided_;  ///< cubes by level, those of level 0 left out
   Cells seen_;                  ///< steps in which there was a point

@@ -38,7 +38,7 @@ Vector ToView(const Vertex& v, Point center) {
 
 /// Where in the buffer a view position falls, in samples: x to the right, y down, z towards the
 /// viewer.
-struct Frame {
+struct Viewport {
   double scale = 0;
   double left = 0;
   double top = 0;
@@ -176,7 +176,7 @@ class DepthBuffer {
   std::vector<uint8_t> shade_;
 };
 
-Frame FitFrame(std::span<const SceneMesh> scene, int32_t width, int32_t height) {
+Viewport FitViewport(std::span<const SceneMesh> scene, int32_t width, int32_t height) {
   Vector low{HUGE_VAL, HUGE_VAL, 0}, high{-HUGE_VAL, -HUGE_VAL, 0};
   for (const SceneMesh& object : scene) {
     if (object.centers.empty()) continue;
@@ -202,11 +202,11 @@ Frame FitFrame(std::span<const SceneMesh> scene, int32_t width, int32_t height) 
 }
 
 /// The vertices in the buffer, with the object at a place.
-std::vector<Vector> CornersOf(const IndexedMesh& mesh, Point center, const Frame& frame) {
+std::vector<Vector> CornersOf(const IndexedMesh& mesh, Point center, const Viewport& viewport) {
   std::vector<Vector> corners;
   corners.reserve(mesh.vertices.size());
   for (const Vertex& vertex : mesh.vertices)
-    corners.push_back(frame.ToBuffer(ToView(vertex, center)));
+    corners.push_back(viewport.ToBuffer(ToView(vertex, center)));
   return corners;
 }
 
@@ -221,9 +221,9 @@ absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector>& corn
 }
 
 /// Draws the copies of an object: the first one into a buffer of its own, which is stamped.
-absl::Status StampCopies(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
+absl::Status StampCopies(const SceneMesh& object, const Viewport& viewport, DepthBuffer& buffer,
                          const CancelToken& cancel) {
-  std::vector<Vector> corners = CornersOf(*object.mesh, object.centers.front(), frame);
+  std::vector<Vector> corners = CornersOf(*object.mesh, object.centers.front(), viewport);
   Vector low{HUGE_VAL, HUGE_VAL, 0}, high{0, 0, 0};
   for (const Vector& corner : corners) {
     low.x = std::min(low.x, std::floor(corner.x)), low.y = std::min(low.y, std::floor(corner.y));
@@ -234,10 +234,10 @@ absl::Status StampCopies(const SceneMesh& object, const Frame& frame, DepthBuffe
   DepthBuffer stamp(static_cast<int32_t>(high.x - low.x) + 1,
                     static_cast<int32_t>(high.y - low.y) + 1);
   if (absl::Status status = DrawFacets(object, corners, stamp, cancel); !status.ok()) return status;
-  const Vector first = frame.ToBuffer(ToView({}, object.centers.front()));
+  const Vector first = viewport.ToBuffer(ToView({}, object.centers.front()));
   for (const Point center : object.centers) {
     if (cancel.Cancelled()) return cancel.Check();
-    const Vector here = frame.ToBuffer(ToView({}, center));
+    const Vector here = viewport.ToBuffer(ToView({}, center));
     buffer.Stamp(stamp, static_cast<int32_t>(std::lround(low.x + here.x - first.x)),
                  static_cast<int32_t>(std::lround(low.y + here.y - first.y)),
                  static_cast<float>(here.z - first.z));
@@ -245,11 +245,12 @@ absl::Status StampCopies(const SceneMesh& object, const Frame& frame, DepthBuffe
   return absl::OkStatus();
 }
 
-absl::Status DrawObject(const SceneMesh& object, const Frame& frame, DepthBuffer& buffer,
+absl::Status DrawObject(const SceneMesh& object, const Viewport& viewport, DepthBuffer& buffer,
                         const CancelToken& cancel) {
   if (object.centers.empty()) return absl::OkStatus();
-  if (object.centers.size() > 1) return StampCopies(object, frame, buffer, cancel);
-  return DrawFacets(object, CornersOf(*object.mesh, object.centers.front(), frame), buffer, cancel);
+  if (object.centers.size() > 1) return StampCopies(object, viewport, buffer, cancel);
+  return DrawFacets(object, CornersOf(*object.mesh, object.centers.front(), viewport), buffer,
+                    cancel);
 }
 
 absl::Status SizeError(const ThumbnailSize& size) {
@@ -273,10 +274,10 @@ absl::StatusOr<Thumbnail> RenderThumbnail(std::span<const SceneMesh> scene,
   const int32_t width = size.width_px, height = size.height_px;
   if (std::min(width, height) < 1 || std::max(width, height) > kMaxSizePx) return SizeError(size);
   const int32_t fine = std::max(width, height) <= 128 ? 4 : 2;
-  const Frame frame = FitFrame(scene, width * fine, height * fine);
+  const Viewport viewport = FitViewport(scene, width * fine, height * fine);
   DepthBuffer buffer(width * fine, height * fine);
   for (const SceneMesh& object : scene)
-    if (absl::Status status = DrawObject(object, frame, buffer, cancel); !status.ok())
+    if (absl::Status status = DrawObject(object, viewport, buffer, cancel); !status.ok())
       return status;
   std::vector<Rgba> pixels;
   pixels.reserve(static_cast<size_t>(width) * height);

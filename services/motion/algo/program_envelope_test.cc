@@ -1,4 +1,4 @@
-#include "services/motion/algo/program_frame.h"
+#include "services/motion/algo/program_envelope.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ MotionOptions Still() {
   return options;
 }
 
-ProgramFrame Framed(const ProgramSummary& summary, const MotionOptions& options = Options()) {
+ProgramEnvelope Framed(const ProgramSummary& summary, const MotionOptions& options = Options()) {
   auto frame = FrameProgram(summary, options);
   EXPECT_TRUE(frame.ok()) << frame.status();
   return *std::move(frame);
@@ -96,7 +96,7 @@ TEST(FrameProgram, EpilogueEndsThePrint) {
 }
 
 TEST(FrameProgram, TimeCountsTravelBetweenLayers) {
-  const ProgramFrame frame = Framed(Summary(), Still());
+  const ProgramEnvelope frame = Framed(Summary(), Still());
   EXPECT_NEAR(frame.times.TotalS(), 180 + 2 * RestToRest(100, 100, 3000), 1e-9);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250);
 }
@@ -126,7 +126,7 @@ TEST(FrameProgram, EmptyLayersAreNoStops) {
   summary.layers[1].empty = true;
   summary.layers[1].time_s = 0;
   summary.total.features[0].time_s = 120;
-  const ProgramFrame frame = Framed(summary, Still());
+  const ProgramEnvelope frame = Framed(summary, Still());
   EXPECT_NEAR(frame.times.TotalS(), 120 + RestToRest(200, 100, 3000), 1e-9);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250);
 }
@@ -142,7 +142,7 @@ TEST(FrameProgram, ProgressOnlyIfAskedFor) {
               testing::AllOf(testing::SizeIs(3), Each(IsEmpty())));
   MotionOptions options = Options();
   options.progress = true;
-  const ProgramFrame frame = Framed(Summary(), options);
+  const ProgramEnvelope frame = Framed(Summary(), options);
   EXPECT_THAT(frame.layer_prefixes, ElementsAre("M73 P0 R4\n", "M73 P32 R3\n", "M73 P66 R2\n"));
   EXPECT_THAT(frame.epilogue, StartsWith("M73 P100 R0\n"));
 }
@@ -151,7 +151,7 @@ TEST(FrameProgram, TemplatesKnowThePrint) {
   MotionOptions options = Options();
   options.start_gcode = "PRINT_START BED=[first_layer_bed_temperature] LAYERS={total_layer_count}";
   options.end_gcode = "G1 Z{max_layer_z + 10}";
-  const ProgramFrame frame = Framed(Summary(), options);
+  const ProgramEnvelope frame = Framed(Summary(), options);
   EXPECT_THAT(frame.prologue, HasSubstr("\nPRINT_START BED=0 LAYERS=3\n"));
   EXPECT_THAT(frame.epilogue, HasSubstr("\nG1 Z10.6\n"));
 }
@@ -183,7 +183,7 @@ ProgramSummary TwoPasses() {
 }
 
 TEST(FrameProgram, PassesAreTravelledBetween) {
-  const ProgramFrame frame = Framed(TwoPasses(), Still());
+  const ProgramEnvelope frame = Framed(TwoPasses(), Still());
   const double way = std::hypot(200, 300);
   EXPECT_DOUBLE_EQ(frame.travel_mm, 250 + way);
   // Up to 1.6 mm, over to the other copy, and down to the bed with the travel to its layer.
@@ -231,7 +231,7 @@ TEST(FrameProgram, CopiesAreDefinedBeforeTheyArePrinted) {
 }
 
 TEST(FrameProgram, NothingToPrint) {
-  const ProgramFrame frame = Framed({});
+  const ProgramEnvelope frame = Framed({});
   EXPECT_EQ(frame.times.TotalS(), frame.times.before_s) << "the filament is pulled back";
   EXPECT_THAT(frame.times.layer_s, IsEmpty());
   EXPECT_THAT(frame.layer_prefixes, IsEmpty());

@@ -1,4 +1,4 @@
-#include "services/motion/algo/program_frame.h"
+#include "services/motion/algo/program_envelope.h"
 
 #include <cmath>
 #include <string>
@@ -142,12 +142,12 @@ double TravelMm(const ProgramSummary& summary) {
 
 }  // namespace
 
-absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
-                                          const MotionOptions& options) {
+absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
+                                             const MotionOptions& options) {
   // Templates may name the time, which their moves are part of; what they name is the layers'.
   auto text = TextOf(summary, options, summary.total.TimeS());
   if (!text.ok()) return text.status();
-  ProgramFrame frame;
+  ProgramEnvelope frame;
   frame.times = TimesOf(summary, *text, options);
   const double time_s = frame.times.TotalS();
   text = TextOf(summary, options, time_s);

@@ -15,7 +15,7 @@ namespace slicefarm::motion {
 /// G-code included; heating by the settings' rates. The prefix of a pass's first layer brings the
 /// nozzle there over all that stands (pass_change.h); end G-code begins above all of it. Errors:
 /// those of the templates (gcode_template.h). REQUIRES: CheckOptions holds.
-absl::StatusOr<ProgramFrame> FrameProgram(const ProgramSummary& summary,
-                                          const MotionOptions& options);
+absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
+                                             const MotionOptions& options);
 
 }  // namespace slicefarm::motion

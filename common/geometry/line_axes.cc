@@ -1,4 +1,4 @@
-#include "common/geometry/line_frame.h"
+#include "common/geometry/line_axes.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,11 +15,11 @@ double SnapToRightAngle(double value) {
 
 }  // namespace
 
-LineFrame::LineFrame(double angle_rad)
+LineAxes::LineAxes(double angle_rad)
     : cos_(SnapToRightAngle(Cos(angle_rad))), sin_(SnapToRightAngle(Sin(angle_rad))) {}
 
-LineFrame LineFrame::OfDegrees(double angle_deg) {
-  return LineFrame((angle_deg - 360 * std::floor(angle_deg / 360)) * std::numbers::pi / 180);
+LineAxes LineAxes::OfDegrees(double angle_deg) {
+  return LineAxes((angle_deg - 360 * std::floor(angle_deg / 360)) * std::numbers::pi / 180);
 }
 
 }  // namespace slicefarm

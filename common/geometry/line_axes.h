@@ -6,11 +6,11 @@ namespace slicefarm {
 
 /// Axes turned about the origin: u runs along the direction, v across. Parallel lines are laid out
 /// in it. Multiples of a right angle are exact.
-class LineFrame {
+class LineAxes {
  public:
-  explicit LineFrame(double angle_rad);
+  explicit LineAxes(double angle_rad);
   /// Exact at right angles, however large.
-  static LineFrame OfDegrees(double angle_deg);
+  static LineAxes OfDegrees(double angle_deg);
 
   double U(Point p) const {
     return cos_ * static_cast<double>(p.x) + sin_ * static_cast<double>(p.y);
