@@ -99,7 +99,8 @@ void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickne
 void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
-        "retract_before_travel", "retract_lift"}) {
+        "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below", "wipe",
+        "retract_before_wipe"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.SetNumber(key, own.value->number);
   }

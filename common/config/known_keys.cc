@@ -41,7 +41,6 @@ constexpr KnownKey kSwitches[] = {
     {"filament_retract_layer_change", "every layer starts with the filament retracted", "1", true},
     {"filament_shrinkage_compensation_xy", kNotYet, "0", true},
     {"filament_shrinkage_compensation_z", kNotYet, "0", true},
-    {"filament_wipe", kNotYet, "nil", true},
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interface_shells", kNotYet, "0", true},
@@ -59,7 +58,6 @@ constexpr KnownKey kSwitches[] = {
     {"top_one_perimeter_type", kNotYet, "none", true},
     {"travel_ramping_lift", kNotYet, "0", true},
     {"use_relative_e_distances", "extrusion is always relative", "1", true},
-    {"wipe", kNotYet, "0", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
     {"wipe_tower", kNotYet, "0", true},
@@ -81,16 +79,14 @@ constexpr Group kGroups[] = {
      "extra_loading_move filament_abrasive "
      "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
      "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
-     "filament_ramming_parameters filament_retract_before_wipe "
-     "filament_retract_length_toolchange filament_retract_lift_above filament_retract_lift_below "
+     "filament_ramming_parameters filament_retract_length_toolchange "
      "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
      "filament_unload_time filament_unloading_* fuzzy_skin_* gcode_resolution "
      "high_current_on_filament_swap idle_temperature "
      "interlocking_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
-     "over_bridge_speed parking_pos_retraction pause_print_gcode "
-     "retract_before_wipe retract_length_toolchange retract_lift_above retract_lift_below "
+     "over_bridge_speed parking_pos_retraction pause_print_gcode retract_length_toolchange "
      "retract_restart_extra_toolchange seam_gap_distance silent_mode "
      "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "

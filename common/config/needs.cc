@@ -23,6 +23,12 @@ constexpr Need kNeeds[] = {
      "filament_retract_restart_extra filament_retract_before_travel",
      "retract_length of more than 0",
      [](const JobSettings& s) { return s.motion.retraction.length_mm > 0; }},
+    {"retract_lift_above retract_lift_below filament_retract_lift_above "
+     "filament_retract_lift_below",
+     "retract_lift of more than 0",
+     [](const JobSettings& s) { return s.motion.retraction.lift_mm > 0; }},
+    {"retract_before_wipe filament_retract_before_wipe", "wipe = 1",
+     [](const JobSettings& s) { return s.motion.retraction.wipe; }},
     // Accelerations are either all told to the firmware or all left to it.
     {"perimeter_acceleration external_perimeter_acceleration infill_acceleration "
      "solid_infill_acceleration top_solid_infill_acceleration bridge_acceleration "

@@ -71,24 +71,28 @@ std::vector<SettingSpec> WholeMachineLimits() {
 }
 
 /// A setting of retraction, and the filament's own one that overrides it (through derive.h).
-void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
-                   std::string_view filament_key, std::string_view unit, double max,
-                   std::string_view standard, std::string_view doc, Field field,
-                   double min = 0) {
-  SettingSpec spec = {.key = key,
-                      .unit = unit,
-                      .min = min,
-                      .max = max,
-                      .standard = standard,
-                      .doc = doc,
-                      .list = List::kPerExtruder,
-                      .field = field};
+void AddRetraction(std::vector<SettingSpec>& to, SettingSpec spec, std::string_view filament_key) {
+  spec.list = List::kPerExtruder;
   to.push_back(spec);
   spec.key = filament_key;
   spec.standard = kNotSet;
   spec.doc = "The filament's own value of the setting without filament_; nil: none";
   spec.field = {};
   to.push_back(spec);
+}
+
+void AddRetraction(std::vector<SettingSpec>& to, std::string_view key,
+                   std::string_view filament_key, std::string_view unit, double max,
+                   std::string_view standard, std::string_view doc, Field field, double min = 0) {
+  AddRetraction(to,
+                {.key = key,
+                 .unit = unit,
+                 .min = min,
+                 .max = max,
+                 .standard = standard,
+                 .doc = doc,
+                 .field = field},
+                filament_key);
 }
 
 std::vector<SettingSpec> Retraction() {
@@ -112,6 +116,30 @@ std::vector<SettingSpec> Retraction() {
   AddRetraction(settings, "retract_lift", "filament_retract_lift", "mm", 100, "0",
                 "How far the nozzle rises over a travel",
                 Bind([](auto& s) -> auto& { return s.motion.retraction.lift_mm; }));
+  AddRetraction(settings, "retract_lift_above", "filament_retract_lift_above", "mm", 10'000, "0",
+                "The nozzle does not rise in layers lower than this",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_above_mm; }));
+  AddRetraction(settings, "retract_lift_below", "filament_retract_lift_below", "mm", 10'000, "0",
+                "Nor in layers higher than this; 0: however high",
+                Bind([](auto& s) -> auto& { return s.motion.retraction.lift_below_mm; }));
+  AddRetraction(settings,
+                {.key = "wipe",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "The nozzle wipes along what it has printed while the filament is pulled "
+                        "back, which leaves smaller blobs",
+                 .field = Bind([](auto& s) -> auto& { return s.motion.retraction.wipe; })},
+                "filament_wipe");
+  AddRetraction(settings,
+                {.key = "retract_before_wipe",
+                 .kind = Kind::kPercent,
+                 .min = 0,
+                 .max = 100,
+                 .standard = "0%",
+                 .doc = "How much of retract_length is pulled back before the nozzle wipes",
+                 .field = Bind<Scale::kPercent>(
+                     [](auto& s) -> auto& { return s.motion.retraction.before_wipe; })},
+                "filament_retract_before_wipe");
   return settings;
 }
 

@@ -44,6 +44,10 @@ struct RetractionOptions {
   double restart_extra_mm = 0;     ///< retract_restart_extra
   double min_travel_mm = 2;        ///< retract_before_travel: shorter travels do not retract
   double lift_mm = 0;              ///< retract_lift
+  double lift_above_mm = 0;        ///< retract_lift_above: no lift where the nozzle is lower
+  double lift_below_mm = 0;        ///< retract_lift_below: nor higher than this; 0: however high
+  bool wipe = false;               ///< wipe: the nozzle goes on along the path while retracting
+  double before_wipe = 0;          ///< retract_before_wipe: share of the length, in place
 
   friend bool operator==(const RetractionOptions&, const RetractionOptions&) = default;
 };

@@ -145,6 +145,10 @@ v1::RetractionOptions ToProto(const RetractionOptions& retraction) {
   proto.set_restart_extra_mm(retraction.restart_extra_mm);
   proto.set_min_travel_mm(retraction.min_travel_mm);
   proto.set_lift_mm(retraction.lift_mm);
+  proto.set_lift_above_mm(retraction.lift_above_mm);
+  proto.set_lift_below_mm(retraction.lift_below_mm);
+  proto.set_wipe(retraction.wipe);
+  proto.set_before_wipe(retraction.before_wipe);
   return proto;
 }
 
@@ -156,6 +160,10 @@ RetractionOptions FromProto(const v1::RetractionOptions& proto) {
   retraction.restart_extra_mm = proto.restart_extra_mm();
   retraction.min_travel_mm = proto.min_travel_mm();
   retraction.lift_mm = proto.lift_mm();
+  retraction.lift_above_mm = proto.lift_above_mm();
+  retraction.lift_below_mm = proto.lift_below_mm();
+  retraction.wipe = proto.wipe();
+  retraction.before_wipe = proto.before_wipe();
   return retraction;
 }
 

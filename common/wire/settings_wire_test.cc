@@ -264,13 +264,18 @@ MachineLimits DistinctLimits() {
 
 RetractionOptions DistinctRetraction() {
   RetractionOptions retraction;
-  auto& [length, speed, restart_speed, restart_extra, min_travel, lift] = retraction;
+  auto& [length, speed, restart_speed, restart_extra, min_travel, lift, lift_above, lift_below,
+         wipe, before_wipe] = retraction;
   length = 21;
   speed = 22;
   restart_speed = 23;
   restart_extra = -24;
   min_travel = 25;
   lift = 26;
+  lift_above = 27;
+  lift_below = 28;
+  wipe = true;
+  before_wipe = 0.29;
   return retraction;
 }
 
