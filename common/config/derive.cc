@@ -102,7 +102,7 @@ void DeriveFilament(Draft& draft) {
         "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below", "wipe",
         "retract_before_wipe"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
-    if (own.value.has_value()) draft.SetNumber(key, own.value->number);
+    if (own.value.has_value()) draft.At(key).value = own.value;
   }
   FallBack(draft, "deretract_speed", "retract_speed");
 

@@ -76,6 +76,13 @@ void WriteTemperatures(const MotionOptions& options, int32_t layer_index, GcodeT
 struct BuiltBlock {
   Toolpath path;
   ProgramStats stats;
+
+  /// Where the nozzle is at the end: beyond that of the last path if it wipes there, or its seam
+  /// is a scarf.
+  Point Exit() const {
+    const Move& last = path.moves.back();
+    return {FromUm(last.x_um), FromUm(last.y_um)};
+  }
 };
 
 Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
@@ -108,8 +115,8 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
   return visit.shift + StartOf(layer.blocks[static_cast<size_t>(visit.block)].paths.front());
 }
-Point ExitOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return visit.shift + EndOf(layer.blocks[static_cast<size_t>(visit.block)].paths.back());
+Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
+  return visit.shift + built[static_cast<size_t>(visit.block)].Exit();
 }
 
 ProgramStats Moved(ProgramStats stats, Point shift) {
@@ -133,7 +140,7 @@ class PassProgram {
       stats_.Add(Moved(built[block].stats, visit.shift));
     }
     for (size_t i = 1; i < visits.size(); ++i)
-      stats_.travel_mm += ToMm(Distance(ExitOf(visits[i - 1], layer), EntryOf(visits[i], layer)));
+      stats_.travel_mm += ToMm(Distance(ExitOf(visits[i - 1], built), EntryOf(visits[i], layer)));
     const std::vector<Stretch> stretches = Stretches();
     LayerTiming timing(FirmwareOf(options.flavor), options.limits);
     AddTimes(stretches, SlowDown(options.cooling, stretches, timing, paths_), stats_);
@@ -161,9 +168,7 @@ class PassProgram {
   }
 
  private:
-  bool Lifts() const {
-    return options_.retraction.lift_mm > 0 && options_.retraction.length_mm > 0;
-  }
+  bool Lifts() const { return LiftsIn(options_.retraction, layer_.frame); }
 
   const Toolpath& PathOf(const BlockVisit& visit) const {
     return paths_[place_of_.at(visit.block)];
@@ -237,7 +242,7 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     program.stats = pass->stats();
     program.edges = pass->edges();
     program.entry = EntryOf(visits.front(), layer);
-    program.exit = ExitOf(visits.back(), layer);
+    program.exit = ExitOf(visits.back(), built);
   }
   LayerState state;
   state.fan_percent = FanPercent(options.cooling, place.index, program.stats.TimeS());

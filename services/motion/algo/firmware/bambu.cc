@@ -14,7 +14,9 @@ constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
                                     .z = "; Z_HEIGHT: ",
                                     .height = "; LAYER_HEIGHT: ",
                                     .feature = "; FEATURE: ",
-                                    .width = "; LINE_WIDTH: "};
+                                    .width = "; LINE_WIDTH: ",
+                                    .wipe_start = "; WIPE_START",
+                                    .wipe_end = "; WIPE_END"};
 
 constexpr std::array<std::string_view, kFeatureCount> kFeatures = {
     "Outer wall",  "Inner wall",       "Overhang wall",

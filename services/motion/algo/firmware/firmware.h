@@ -27,6 +27,8 @@ struct CommentWords {
   std::string_view height = ";HEIGHT:";
   std::string_view feature = ";TYPE:";
   std::string_view width = ";WIDTH:";
+  std::string_view wipe_start = ";WIPE_START";
+  std::string_view wipe_end = ";WIPE_END";
 };
 
 /// What the head of a file may tell of a whole print.

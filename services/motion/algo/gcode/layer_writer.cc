@@ -49,6 +49,13 @@ void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm
     }
     i = end;
   }
+  TellWipe(false, out);
+}
+
+void LayerWriter::TellWipe(bool wipes, GcodeText& out) {
+  if (wipes == wipes_) return;
+  wipes_ = wipes;
+  out << (wipes ? firmware_.comments().wipe_start : firmware_.comments().wipe_end) << '\n';
 }
 
 void LayerWriter::WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
@@ -128,10 +135,11 @@ void LayerWriter::WriteMove(const Move& move, ShiftUm shift, GcodeText& out) {
     const auto mm = [](int32_t um) { return static_cast<double>(um) / kUmPerMm; };
     mix_.SetFor({mm(move.x_um + shift.x), mm(move.y_um + shift.y), mm(move.z_um)}, out);
   }
+  TellWipe(move.kind == MoveKind::kWipe, out);
   const bool climbs = move.kind == MoveKind::kPrint && z_um_ != -1 && move.z_um != z_um_;
   SetAcceleration(move, out);
   out << "G1";
-  if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {
+  if (MovesInPlane(move.kind)) {
     out << " X";
     out.Micrometers(move.x_um + shift.x) << " Y";
     out.Micrometers(move.y_um + shift.y);

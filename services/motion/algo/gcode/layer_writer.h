@@ -57,6 +57,7 @@ class LayerWriter {
   void WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
   void WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
                 GcodeText& out);
+  void TellWipe(bool wipes, GcodeText& out);
   void WriteEnd(const Move& move, GcodeText& out);
   int32_t FanFor(const Move& move) const;
   void SetFan(int32_t percent, GcodeText& out);
@@ -77,6 +78,7 @@ class LayerWriter {
   int32_t height_um_;
   int32_t fan_percent_;
   int32_t z_um_ = -1;
+  bool wipes_ = false;
   float acceleration_ = -1;
 };
 

@@ -21,7 +21,7 @@ std::vector<EdgeMove> AllMoves(std::span<const Stretch> stretches, MoveWalk& wal
 }  // namespace
 
 const EdgeMove& MoveWalk::Go(const Move& move, ShiftUm shift) {
-  if (move.kind == MoveKind::kPrint || move.kind == MoveKind::kTravel) {
+  if (MovesInPlane(move.kind)) {
     at_.x_um = move.x_um + shift.x;
     at_.y_um = move.y_um + shift.y;
   }

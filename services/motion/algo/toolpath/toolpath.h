@@ -17,6 +17,8 @@ inline int32_t ToUm(Coord nm) {
   return static_cast<int32_t>((nm >= 0 ? nm + 500 : nm - 500) / 1000);
 }
 
+inline Coord FromUm(int32_t um) { return Coord{um} * 1'000; }
+
 /// What a layer of an object lies on.
 enum class Ground : uint8_t {
   kBed,
@@ -28,9 +30,14 @@ enum class MoveKind : uint8_t {
   kPrint,
   kTravel,
   kRetract,
+  kWipe,     ///< along what was printed, while the filament is pulled back
   kRestart,  ///< the filament comes back
   kLift,     ///< z alone
 };
+
+inline bool MovesInPlane(MoveKind kind) {
+  return kind == MoveKind::kPrint || kind == MoveKind::kTravel || kind == MoveKind::kWipe;
+}
 
 /// A move as it will stand in the G-code: rounded to its digits already, so that plan and text
 /// agree.

@@ -18,6 +18,9 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
+/// A wipe that ends a little early, as steps do, pulls everything back, a little faster.
+constexpr double kWholeWipe = 0.9;
+
 int32_t Units(double filament_mm) {
   return static_cast<int32_t>(std::lround(filament_mm * kFilamentUnitsPerMm));
 }
@@ -29,6 +32,12 @@ bool IsWall(Feature feature) {
 
 }  // namespace
 
+bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame) {
+  const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
+  return retraction.lift_mm > 0 && retraction.length_mm > 0 && z_mm >= retraction.lift_above_mm &&
+         (retraction.lift_below_mm == 0 || z_mm <= retraction.lift_below_mm);
+}
+
 ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame,
                                  Coord bead_height_nm, Ground ground, const LayerBelow* below)
     : options_(options),
@@ -38,14 +47,15 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
       filament_area_mm2_(std::numbers::pi / 4 * options.filament_diameter_mm *
                          options.filament_diameter_mm),
       bead_height_nm_(bead_height_nm),
-      below_(below) {
+      below_(below),
+      wipe_(WipeOf(options)) {
   const RetractionOptions& retraction = options.retraction;
   const Coord offset_nm = FromMm(options.z_offset_mm);
   z_um_ = ToUm(frame.print_z_nm + offset_nm);
   bottom_um_ = ToUm(frame.print_z_nm - bead_height_nm + offset_nm);
   retract_units_ = Units(retraction.length_mm);
   restart_units_ = retract_units_ > 0 ? retract_units_ + Units(retraction.restart_extra_mm) : 0;
-  lift_um_ = retract_units_ > 0 ? ToUm(FromMm(retraction.lift_mm)) : 0;
+  lift_um_ = LiftsIn(retraction, frame) ? ToUm(FromMm(retraction.lift_mm)) : 0;
   path_.start_z_um = ToUm(frame.print_z_nm - frame.height_nm + offset_nm);
   at_.z_um = path_.start_z_um;
 }
@@ -70,6 +80,8 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
     PrintSegments(path, speeds_.Of(path, length_mm));
   }
   moved_on_ = scarfed;
+  wipe_way_.clear();
+  if (wipe_.length_mm > 0 && !scarfed) wipe_way_ = WipeWay(path, wipe_.length_mm);
   Count(path, length_mm, filament_ - filament_before);
 }
 
@@ -168,25 +180,32 @@ void ToolpathBuilder::Approach(Point to) {
 
 void ToolpathBuilder::GoTo(Point to, const Travel& travel) {
   std::vector<PlaceUm> way;
-  double way_mm = 0;
-  PlaceUm last{at_.x_um, at_.y_um};
   const auto add = [&](Point place) {
     const PlaceUm next{ToUm(place.x), ToUm(place.y)};
-    if (next == last) return;
-    way_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
-    way.push_back(next);
-    last = next;
+    const PlaceUm last = way.empty() ? PlaceUm{at_.x_um, at_.y_um} : way.back();
+    if (next != last) way.push_back(next);
   };
   for (const Point corner : travel.corners) add(corner);
   add(to);
   if (way.empty()) return;
-  if ((!travel.hidden || moved_on_) && way_mm >= options_.retraction.min_travel_mm) {
+  if ((!travel.hidden || moved_on_) && WayMm(way) >= options_.retraction.min_travel_mm) {
     Retract();
     if (lift_um_ != 0) MoveZ(z_um_ + lift_um_);
   }
-  stats_.travel_mm += way_mm;
+  stats_.travel_mm += WayMm(way);
   ++stats_.travels;
   for (const PlaceUm place : way) MoveTo(place.x, place.y);
+}
+
+/// From where the nozzle is.
+double ToolpathBuilder::WayMm(std::span<const PlaceUm> way) const {
+  double way_mm = 0;
+  PlaceUm last{at_.x_um, at_.y_um};
+  for (const PlaceUm next : way) {
+    way_mm += Hypot(next.x - last.x, next.y - last.y) / kUmPerMm;
+    last = next;
+  }
+  return way_mm;
 }
 
 void ToolpathBuilder::MoveTo(int32_t x_um, int32_t y_um) {
@@ -208,10 +227,41 @@ void ToolpathBuilder::MoveZ(int32_t z_um) {
 void ToolpathBuilder::Retract() {
   if (retracted_ || retract_units_ == 0) return;
   retracted_ = true;
-  at_.filament = -retract_units_;
+  ++stats_.retractions;
+  const int32_t before =
+      wipe_way_.empty()
+          ? retract_units_
+          : static_cast<int32_t>(std::lround(options_.retraction.before_wipe * retract_units_));
+  PullBack(before);
+  if (before < retract_units_)
+    PullBack(retract_units_ - before - WipeBack(retract_units_ - before));
+}
+
+void ToolpathBuilder::PullBack(int32_t units) {
+  if (units <= 0) return;
+  at_.filament = -units;
   at_.feed_rate = FeedRate(options_.retraction.speed_mm_s);
   Push(MoveKind::kRetract, accelerations_.Retract(set_acceleration_));
-  ++stats_.retractions;
+}
+
+/// Pulls back `units` on the way or, of a way that is much shorter than the wipe, the share of them
+/// that it is. Returns what was pulled back.
+int32_t ToolpathBuilder::WipeBack(int32_t units) {
+  const double reach_mm = WayMm(wipe_way_);
+  const double whole_mm = reach_mm > kWholeWipe * wipe_.length_mm ? reach_mm : wipe_.length_mm;
+  int32_t pulled = 0;
+  double gone_mm = 0;
+  for (const PlaceUm place : wipe_way_) {
+    gone_mm += WayMm({&place, 1});
+    const auto until = static_cast<int32_t>(std::lround(gone_mm / whole_mm * units));
+    at_.x_um = place.x;
+    at_.y_um = place.y;
+    at_.filament = pulled - until;
+    at_.feed_rate = FeedRate(wipe_.speed_mm_s);
+    Push(MoveKind::kWipe, set_acceleration_);
+    pulled = until;
+  }
+  return pulled;
 }
 
 void ToolpathBuilder::Restart() {

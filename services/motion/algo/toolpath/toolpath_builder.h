@@ -1,13 +1,20 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "common/model/layer.h"
 #include "common/model/motion_options.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
+#include "services/motion/algo/toolpath/wipe.h"
 
 namespace slicefarm::motion {
+
+/// Whether travels rise in such a layer.
+bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
 
 /// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
 /// their filament.
@@ -16,7 +23,8 @@ namespace slicefarm::motion {
 /// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
 /// so that the sum over a layer is exact to 1e-5 mm. Segments that round to nothing are left out;
 /// their filament is not. Loops with a scarf (scarf.h) end further on; the way from there is in
-/// sight. There are none on the first layer.
+/// sight. There are none on the first layer. A retraction wipes (wipe.h) but after a scarf, which
+/// thins out by itself; travels start where the nozzle is then.
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
@@ -50,7 +58,10 @@ class ToolpathBuilder {
   void PrintSegment(Point from, Point to, const Bead& bead);
   void PrintTo(Point from, Point to, const Bead& bead);
   void MoveTo(int32_t x_um, int32_t y_um);
+  double WayMm(std::span<const PlaceUm> way) const;
   void Retract();
+  void PullBack(int32_t units);
+  int32_t WipeBack(int32_t units);
   void Restart();
   void MoveZ(int32_t z_um);
   void Push(MoveKind kind, double acceleration_mm_s2);
@@ -66,6 +77,8 @@ class ToolpathBuilder {
   const LayerBelow* below_;
   int32_t z_um_;
   int32_t lift_um_;
+  Wipe wipe_;
+  std::vector<PlaceUm> wipe_way_;  ///< from the end of the path before
   int32_t retract_units_;
   int32_t restart_units_;
 

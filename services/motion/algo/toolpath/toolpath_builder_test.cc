@@ -212,6 +212,59 @@ TEST(ToolpathBuilder, ExtraOnRestartIsPrinted) {
   EXPECT_NEAR(with.stats.FilamentMm() - without.stats.FilamentMm(), 0.05, 1e-9);
 }
 
+MotionOptions Wiping() {
+  MotionOptions options;
+  options.travel_speed_mm_s = 150;
+  options.retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true, .before_wipe = 0.5};
+  return options;
+}
+
+TEST(ToolpathBuilder, RetractsInPlaceThenOnTheWay) {
+  const Built built = Build({Line("(0 0, 10 0)"), Line("(10 50, 20 50)")}, Wiping());
+  EXPECT_THAT(
+      Kinds(built.path),
+      ElementsAre(MoveKind::kLift, MoveKind::kTravel, MoveKind::kRestart, MoveKind::kPrint,
+                  MoveKind::kRetract, MoveKind::kWipe, MoveKind::kTravel, MoveKind::kRestart,
+                  MoveKind::kPrint, MoveKind::kRetract, MoveKind::kWipe));
+  EXPECT_EQ(built.path.moves[4].filament, -35'000);
+  EXPECT_EQ(built.path.moves[5].filament, -35'000);
+  EXPECT_EQ(built.path.moves[5].x_um, 8'800);  // 0.35 mm at 35 mm/s: 0.01 s at 120 mm/s
+  EXPECT_EQ(built.path.moves[5].feed_rate, FeedRate(120));
+  EXPECT_EQ(built.path.moves[7].filament, 70'000);
+  EXPECT_EQ(built.stats.retractions, 2);
+  EXPECT_NEAR(built.stats.travel_mm, std::hypot(1.2, 50), 1e-3);
+}
+
+// What a short path leaves to do is done in place.
+TEST(ToolpathBuilder, PullsBackAsMuchWhateverTheWay) {
+  for (const std::string_view line : {"(0 0, 0.1 0)", "(0 0, 0.5 0)", "(0 0, 1.1 0)", "(0 0, 9 0)"})
+    for (const double before : {0.0, 0.31, 1.0}) {
+      MotionOptions options = Wiping();
+      options.retraction.before_wipe = before;
+      int64_t pulled = 0;
+      for (const Move& move : Build({Line(line)}, options).path.moves) {
+        if (move.kind != MoveKind::kRetract && move.kind != MoveKind::kWipe) continue;
+        EXPECT_LT(move.filament, 0);
+        pulled += move.filament;
+      }
+      EXPECT_EQ(pulled, -70'000) << line << before;
+    }
+}
+
+TEST(ToolpathBuilder, RisesBetweenTwoHeightsOnly) {
+  MotionOptions options;
+  options.retraction.lift_mm = 0.3;
+  const auto rises = [&](double above_mm, double below_mm) {
+    options.retraction.lift_above_mm = above_mm;
+    options.retraction.lift_below_mm = below_mm;
+    return Build({Line("(0 0, 10 0)")}, options).path.moves[0].z_um > 400;
+  };
+  EXPECT_TRUE(rises(0, 0));
+  EXPECT_TRUE(rises(0.4, 0.4));
+  EXPECT_FALSE(rises(0.41, 0));
+  EXPECT_FALSE(rises(0, 0.39));
+}
+
 TEST(ToolpathBuilder, ZOffsetShiftsEverything) {
   MotionOptions options;
   options.z_offset_mm = -0.05;

@@ -1,0 +1,80 @@
+#include "services/motion/algo/toolpath/wipe.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/model/paths_test.h"
+
+namespace slicefarm::motion {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Path Loop(std::string_view points) {
+  Path path = MakePathOrDie(points);
+  path.closed = true;
+  return path;
+}
+
+MotionOptions Wiping() {
+  MotionOptions options;
+  options.travel_speed_mm_s = 150;
+  options.retraction = {.length_mm = 0.7, .speed_mm_s = 35, .wipe = true};
+  return options;
+}
+
+TEST(WipeOf, TakesAsLongAsTheRetractionAlone) {
+  const Wipe wipe = WipeOf(Wiping());
+  EXPECT_DOUBLE_EQ(wipe.speed_mm_s, 120);
+  EXPECT_DOUBLE_EQ(wipe.length_mm, 2.4);
+}
+
+TEST(WipeOf, IsShorterByWhatIsPulledBackBefore) {
+  MotionOptions options = Wiping();
+  options.retraction.before_wipe = 0.75;
+  EXPECT_DOUBLE_EQ(WipeOf(options).length_mm, 0.6);
+}
+
+TEST(WipeOf, NoneWithoutTheSettingOrARetraction) {
+  for (const auto& spoil : {+[](RetractionOptions& r) { r.wipe = false; },
+                            +[](RetractionOptions& r) { r.length_mm = 0; },
+                            +[](RetractionOptions& r) { r.before_wipe = 1; }}) {
+    MotionOptions options = Wiping();
+    spoil(options.retraction);
+    EXPECT_EQ(WipeOf(options).length_mm, 0);
+  }
+}
+
+struct WayCase {
+  std::string name;
+  Path path;
+  double length_mm;
+  std::vector<PlaceUm> way;
+};
+
+TEST(WipeWay, Cases) {
+  const std::vector<WayCase> cases = {
+      {"OnAlongALoop", Loop("(0 0, 10 0, 10 10, 0 10)"), 2, {{2'000, 0}}},
+      {"RoundTheCorner", Loop("(0 0, 1 0, 1 9, 0 9)"), 2.5, {{1'000, 0}, {1'000, 1'500}}},
+      {"NotLongerThanTheLoop", Loop("(0 0, 1 0, 0 1)"), 99, {{1'000, 0}, {0, 1'000}, {0, 0}}},
+      {"BackAlongALine", MakePathOrDie("(0 0, 10 0)"), 2, {{8'000, 0}}},
+      {"NotLongerThanTheLine", MakePathOrDie("(9 0, 10 0)"), 2, {{9'000, 0}}},
+      {"ShortEdgesAreCutAcross",
+       MakePathOrDie("(0 0, 9.85 0, 10 0.1, 10 0.2)"),
+       2,
+       {{9'850, 0}, {8'100, 0}}},
+      {"ShortRestsAreLeftOut", MakePathOrDie("(0 0, 9 0, 10 0)"), 1.1, {{9'000, 0}}},
+  };
+  for (const WayCase& c : cases) {
+    SCOPED_TRACE(c.name);
+    EXPECT_EQ(WipeWay(c.path, c.length_mm), c.way);
+  }
+}
+
+TEST(WipeWay, OfADotThereIsNone) {
+  EXPECT_THAT(WipeWay(MakePathOrDie("(0 0, 0.1 0)"), 2), IsEmpty());
+}
+
+}  // namespace
+}  // namespace slicefarm::motion
