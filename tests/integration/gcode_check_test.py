@@ -25,6 +25,7 @@ FORMS = {
              "machine_limits_usage=emit_to_gcode", "remaining_times=1", "retract_lift=0.2"],
     "labelled": ["gcode_label_objects=firmware", "brim_width=3", "skirts=1", "retract_restart_extra=0.05"],
     "arcs": ["arc_fitting=emit_center"],
+    "wiped": ["wipe=1", "retract_before_wipe=30%", "retract_lift=0.2", "retract_lift_above=1", "retract_lift_below=5"],
 }
 
 

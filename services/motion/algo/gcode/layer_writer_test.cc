@@ -61,6 +61,19 @@ TEST(LayerWriter, TellsWhatChanges) {
             ";WIDTH:0.6\nG1 X3 Y0 E.03\nG1 X4 Y0 E.03\n;HEIGHT:0.3\nG1 X5 Y0 E.03\n");
 }
 
+TEST(LayerWriter, WipesAreTold) {
+  Move wipe = Print(2'000, Feature::kPerimeter);
+  wipe.kind = MoveKind::kWipe;
+  wipe.filament = -30'000;
+  Move rest = wipe;
+  rest.kind = MoveKind::kRetract;
+  rest.filament = -1'000;
+  EXPECT_EQ(Written({Travel(0), wipe, wipe, rest}),
+            "G1 X0 Y0 F9000\n;WIPE_START\nG1 X2 Y0 E-.3 F1800\nG1 X2 Y0 E-.3\n;WIPE_END\nG1 E-.01\n");
+  EXPECT_EQ(Written({Travel(0), wipe}, GcodeFlavor::kBambu),
+            "G1 X0 Y0 F9000\n; WIPE_START\nG1 X2 Y0 E-.3 F1800\n; WIPE_END\n");
+}
+
 TEST(LayerWriter, MovesOfEachKind) {
   Move lift = Travel(0);
   lift.kind = MoveKind::kLift;
