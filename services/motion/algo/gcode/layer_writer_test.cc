@@ -68,8 +68,9 @@ TEST(LayerWriter, WipesAreTold) {
   Move rest = wipe;
   rest.kind = MoveKind::kRetract;
   rest.filament = -1'000;
-  EXPECT_EQ(Written({Travel(0), wipe, wipe, rest}),
-            "G1 X0 Y0 F9000\n;WIPE_START\nG1 X2 Y0 E-.3 F1800\nG1 X2 Y0 E-.3\n;WIPE_END\nG1 E-.01\n");
+  EXPECT_EQ(
+      Written({Travel(0), wipe, wipe, rest}),
+      "G1 X0 Y0 F9000\n;WIPE_START\nG1 X2 Y0 E-.3 F1800\nG1 X2 Y0 E-.3\n;WIPE_END\nG1 E-.01\n");
   EXPECT_EQ(Written({Travel(0), wipe}, GcodeFlavor::kBambu),
             "G1 X0 Y0 F9000\n; WIPE_START\nG1 X2 Y0 E-.3 F1800\n; WIPE_END\n");
 }
