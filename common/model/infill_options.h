@@ -28,6 +28,13 @@ struct IroningOptions {
   friend bool operator==(const IroningOptions&, const IroningOptions&) = default;
 };
 
+/// ensure_vertical_shell_thickness: which slopes have solid infill behind their walls.
+enum class ShellThickness : uint8_t {
+  kDisabled,  ///< none: only what lies under (over) a surface at least a bead wide is solid
+  kPartial,   ///< gentle ones: their treads, over as many layers as are solid, are three beads wide
+  kEnabled,   ///< all
+};
+
 struct InfillOptions {
   int32_t top_solid_layers = 5;                            ///< top_solid_layers
   int32_t bottom_solid_layers = 5;                         ///< bottom_solid_layers
@@ -57,6 +64,8 @@ struct InfillOptions {
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
   int32_t every_layers = 1;          ///< infill_every_layers: that many are filled at once
   bool only_where_needed = false;    ///< infill_only_where_needed
+  ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness
+  bool overhang_lines = false;                       ///< extra_perimeters_on_overhangs
   IroningOptions ironing;
   /// density_field, stress_field: canonical texts (fields/field_text.h); empty: none.
   std::string density_field;

@@ -24,6 +24,8 @@ static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kAra
 static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
 static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
 static_assert(v1::FillPattern_MAX == kFillPatternCount);
+static_assert(v1::SHELL_THICKNESS_DISABLED == static_cast<int>(ShellThickness::kDisabled) + 1);
+static_assert(v1::SHELL_THICKNESS_ENABLED == static_cast<int>(ShellThickness::kEnabled) + 1);
 static_assert(v1::FILL_GOAL_STRENGTH == static_cast<int>(FillGoal::kStrength) + 1);
 static_assert(v1::FILL_GOAL_FLEXIBILITY == static_cast<int>(FillGoal::kFlexibility) + 1);
 static_assert(v1::IRONING_TYPE_TOP == static_cast<int>(IroningType::kTop) + 1);
@@ -288,6 +290,8 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_bridge_flow(options.bridge_flow);
   proto.set_every_layers(options.every_layers);
   proto.set_only_where_needed(options.only_where_needed);
+  proto.set_shells(EnumToProto<v1::ShellThickness>(options.shells));
+  proto.set_overhang_lines(options.overhang_lines);
   v1::IroningOptions& ironing = *proto.mutable_ironing();
   ironing.set_enabled(options.ironing.enabled);
   ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
@@ -327,6 +331,8 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.bridge_flow = proto.bridge_flow();
   options.every_layers = proto.every_layers();
   options.only_where_needed = proto.only_where_needed();
+  options.shells = Known<ShellThickness>(proto.shells());
+  options.overhang_lines = proto.overhang_lines();
   options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
                      proto.ironing().flow(), proto.ironing().spacing_nm()};
   return options;

@@ -182,8 +182,8 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         solid_every_layers, bridge_angle, bridge_flow, every_layers, only_where_needed, ironing,
-         density_field, stress_field, field_halo_layers] = options;
+         solid_every_layers, bridge_angle, bridge_flow, every_layers, only_where_needed, shells,
+         overhang_lines, ironing, density_field, stress_field, field_halo_layers] = options;
   choose_pattern = true;
   goal = FillGoal::kTime;
   angle_template = "0,45";
@@ -191,6 +191,8 @@ InfillOptions DistinctInfill() {
   bridge_flow = 0.9;
   every_layers = 321;
   only_where_needed = true;
+  shells = ShellThickness::kPartial;
+  overhang_lines = true;
   auto& [iron, iron_type, iron_flow, iron_spacing] = ironing;
   iron = true;
   iron_type = IroningType::kTopmost;
@@ -510,17 +512,14 @@ constexpr char kDistinct[] = R"pb(
     bridge_flow: 0.9
     every_layers: 321
     only_where_needed: true
+    shells: SHELL_THICKNESS_PARTIAL
+    overhang_lines: true
     ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {
     infill_first: true
     improvement_moves: 404
-    travel {
-      longest_hidden_mm: 401
-      avoid_crossing: true
-      max_detour_mm: 402
-      max_detour_ratio: 4.03
-    }
+    travel { longest_hidden_mm: 401 avoid_crossing: true max_detour_mm: 402 max_detour_ratio: 4.03 }
     walls { external_perimeters_first: true towards_holes: true stagger_seams: true }
   }
   motion {

@@ -13,6 +13,7 @@
 #include "common/model/fill_angles.h"
 #include "services/infill/algo/ironing.h"
 #include "services/infill/algo/skins/bridge_angle.h"
+#include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"
@@ -130,11 +131,12 @@ class RegionFill {
   absl::Status Fill(const FillArea& fill_area, const LayerField* field,
                     std::vector<FillGroup>& fills) const {
     static const MultiPolygon kNone;
-    const Skins skins = PartFillArea(
-        fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
-        {.width_nm = Width(options_.solid_width_nm),
-         .solid_below_area_mm2 = options_.solid_below_area_mm2,
-         .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field)});
+    const Skins skins =
+        PartFillArea(fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
+                     {.width_nm = Width(options_.solid_width_nm),
+                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
+                      .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
+                      .shells = options_.shells});
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
@@ -203,12 +205,14 @@ class RegionFill {
   absl::Status AppendBridges(const MultiPolygon& regions, std::vector<FillGroup>& fills) const {
     const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
     for (const PolygonWithHoles& region : regions) {
-      const auto angle = BridgeDirection(region, below);
+      const auto span = SpanOf(region, below);
       const size_t first = fills.size();
       const absl::Status status =
-          AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
-                            angle.value_or(SolidAngle(options_.bottom_pattern)),
-                            options_.solid_width_nm, fills);
+          options_.overhang_lines && span && !span->held
+              ? AppendOverhang(region, *below, fills)
+              : AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
+                                  span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
+                                  options_.solid_width_nm, fills);
       if (!status.ok()) return status;
       for (FillGroup& group : std::span(fills).subspan(first))
         ScaleSections(options_.bridge_flow, view_.height_nm, view_.height_nm, group.paths);
@@ -216,11 +220,22 @@ class RegionFill {
     return absl::OkStatus();
   }
 
-  std::optional<double> BridgeDirection(const PolygonWithHoles& region,
-                                        const MultiPolygon* below) const {
-    if (options_.bridge_angle_rad > 0) return options_.bridge_angle_rad;
+  /// A direction that is given holds, whatever lies at the ends.
+  std::optional<BridgeSpan> SpanOf(const PolygonWithHoles& region,
+                                   const MultiPolygon* below) const {
+    if (options_.bridge_angle_rad > 0) return BridgeSpan{options_.bridge_angle_rad, true};
     if (below == nullptr) return std::nullopt;
     return BridgeAngle(region, *below, options_.solid_width_nm);
+  }
+
+  absl::Status AppendOverhang(const PolygonWithHoles& region, const MultiPolygon& below,
+                              std::vector<FillGroup>& fills) const {
+    FillGroup group = FillOverhang(region, below,
+                                   {.width_nm = Width(options_.solid_width_nm),
+                                    .height_nm = view_.height_nm,
+                                    .overlap_nm = options_.overlap_nm});
+    if (!group.paths.empty()) fills.push_back(std::move(group));
+    return absl::OkStatus();
   }
 
   absl::Status AppendSolidRegion(const PolygonWithHoles& region, Feature feature,

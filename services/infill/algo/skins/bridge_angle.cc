@@ -39,11 +39,18 @@ bool HasNear(const std::vector<double>& sorted, double u) {
   return it != sorted.end() && *it <= u + kSamePlaceNm;
 }
 
+/// A line's span over nothing.
+struct Span {
+  double counted = 0;  ///< as so long
+  double length = 0;
+  bool held = false;
+};
+
 /// The span that nine tenths of the lines, by length, do not exceed; those that end in air count
 /// as longer. Not the mean: the short spans that slanted lines have in corners would make up for
 /// longer ones between. Infinite if no line meets the spans.
-double TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
-  std::vector<std::pair<double, double>> found;  // counted as, and length
+Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
+  std::vector<Span> found;
   double total = 0;
   for (int32_t line = 0; line < spans.LineCount(); ++line) {
     const double v = spans.first_v + line * spans.pitch;
@@ -52,21 +59,21 @@ double TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
     for (size_t i = 0; i + 1 < ends.size(); i += 2) {
       const double span = ends[i + 1] - ends[i];
       const bool held = HasNear(borne, ends[i]) && HasNear(borne, ends[i + 1]);
-      found.push_back({held ? span : kInAir * span, span});
+      found.push_back({held ? span : kInAir * span, span, held});
       total += span;
     }
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found, {}, [](const Span& s) { return std::pair(s.counted, s.length); });
   double length = 0;
-  for (const auto& [counted, span] : found)
-    if ((length += span) >= kTypical * total) return counted;
-  return std::numeric_limits<double>::infinity();
+  for (const Span& span : found)
+    if ((length += span.length) >= kTypical * total) return span;
+  return {.counted = std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace
 
-std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
-                                  Coord width_nm) {
+std::optional<BridgeSpan> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
+                                      Coord width_nm) {
   const MultiPolygon supports = Intersection({region}, below);
   const MultiPolygon spans = Difference({region}, below);
   if (supports.empty() || spans.empty()) return std::nullopt;
@@ -74,14 +81,16 @@ std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPol
   const double size =
       Hypot(static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y));
   const double pitch = std::max(static_cast<double>(width_nm), size / kMaxSamples);
-  std::optional<double> best;
+  std::optional<BridgeSpan> best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kDirections; ++i) {
     const LineFamily family{i * std::numbers::pi / kDirections, pitch / 2, pitch};
     const auto over_air = CutLines(spans, family), borne = CutLines(supports, family);
     if (!over_air.ok() || !borne.ok()) continue;
-    const double span = TypicalSpan(*over_air, *borne);
-    if (span < (1 - kRounding) * least) least = span, best = family.angle_rad;
+    const Span span = TypicalSpan(*over_air, *borne);
+    if (span.counted >= (1 - kRounding) * least) continue;
+    least = span.counted;
+    best = {family.angle_rad, span.held};
   }
   return best;
 }

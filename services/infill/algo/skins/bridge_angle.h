@@ -6,14 +6,19 @@
 
 namespace slicefarm::infill {
 
-/// The direction, in radians in [0, pi), in which lines over `region` had best span what `below`
-/// does not bear: that with the least span for nine tenths of the lines, where spans that end in
-/// air count tenfold. Nothing if no part of the region is borne, or all of it: any direction will
-/// do.
+/// How lines span what nothing bears.
+struct BridgeSpan {
+  double angle_rad = 0;  ///< of the lines, in [0, pi)
+  bool held = false;     ///< nine tenths of their length, at least, rest on something at both ends
+};
+
+/// The direction in which lines over `region` had best span what `below` does not bear: that with
+/// the least span for nine tenths of the lines, where spans that end in air count tenfold. Nothing
+/// if no part of the region is borne, or all of it: any direction will do.
 ///
 /// Tries 36 directions. Cost: two boolean operations, and O(n) a direction.
 /// Source: the idea is Slic3r's bridge detector (lines with both ends on an anchor).
-std::optional<double> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
-                                  Coord width_nm);
+std::optional<BridgeSpan> BridgeAngle(const PolygonWithHoles& region, const MultiPolygon& below,
+                                      Coord width_nm);
 
 }  // namespace slicefarm::infill

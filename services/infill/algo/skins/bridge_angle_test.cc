@@ -17,16 +17,17 @@ struct AngleCase {
   std::string region;
   std::string below;
   double degrees;
+  bool held = true;
 };
 
 class BridgeAngleTest : public testing::TestWithParam<AngleCase> {};
 
 TEST_P(BridgeAngleTest, SpansTheGap) {
   const AngleCase& c = GetParam();
-  const auto angle =
-      BridgeAngle(MakePolygonsOrDie(c.region)[0], MakePolygonsOrDie(c.below), kWidth);
-  ASSERT_TRUE(angle.has_value());
-  EXPECT_NEAR(*angle * 180 / std::numbers::pi, c.degrees, 1e-9);
+  const auto span = BridgeAngle(MakePolygonsOrDie(c.region)[0], MakePolygonsOrDie(c.below), kWidth);
+  ASSERT_TRUE(span.has_value());
+  EXPECT_NEAR(span->angle_rad * 180 / std::numbers::pi, c.degrees, 1e-9);
+  EXPECT_EQ(span->held, c.held);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -37,6 +38,8 @@ INSTANTIATE_TEST_SUITE_P(
                               "(0 0, 20 0, 20 10, 0 10) ; (0 40, 20 40, 20 50, 0 50)", 90},
                     AngleCase{"LidOfABoxGoesTheShortWay", "(0 0, 40 0, 40 12, 0 12)",
                               "(-1 -1, 41 -1, 41 13, -1 13) (1 1, 1 11, 39 11, 39 1)", 90},
+                    AngleCase{"ShelfOnOneWall", "(9 0, 20 0, 20 40, 9 40)",
+                              "(0 0, 10 0, 10 40, 0 40)", 0, false},
                     AngleCase{"BetweenSlantedLegs", "(-1 -1, 29 29, 22 36, -8 6)",
                               "(-2 -2, 4 4, -3 11, -9 5) ; (24 24, 31 31, 24 38, 17 31)", 45}),
     [](const auto& info) { return info.param.name; });

@@ -49,22 +49,31 @@ class SparseRegion {
   SparseRegion(const MultiPolygon& fill_area, Coord width_nm)
       : region_(fill_area), mask_(fill_area), width_nm_(width_nm) {}
 
-  /// Takes the parts over (or under) which `layer` is missing, if they are at least a bead wide,
-  /// and an anchor around them.
-  void TakeBareParts(const MultiPolygon& layer) {
+  /// Takes the parts over (or under) which `layer` is missing, if they are at least `least_nm`
+  /// wide, and an anchor around them.
+  void TakeBareParts(const MultiPolygon& layer, Coord least_nm) {
     if (!mask_.MayMeet(layer)) {
       MultiPolygon covered = IslandsUnder(region_, layer, true);
       if (covered.size() != region_.size()) Set(std::move(covered));
       return;
     }
-    const MultiPolygon core = FastOffset(Difference(region_, layer), -width_nm_ / 2);
-    if (core.empty()) return;
-    Set(Difference(region_, FastOffset(core, width_nm_ / 2 + kAnchorBeads * width_nm_)));
+    TakeWide(Difference(region_, layer), least_nm);
+  }
+
+  /// The same, of what `nearer` covers.
+  void TakeExposedParts(const MultiPolygon& layer, const MultiPolygon& nearer) {
+    TakeWide(Difference(Intersection(region_, nearer), layer), width_nm_);
   }
 
   const MultiPolygon& region() const { return region_; }
 
  private:
+  void TakeWide(const MultiPolygon& bare, Coord least_nm) {
+    const MultiPolygon core = FastOffset(bare, -least_nm / 2);
+    if (core.empty()) return;
+    Set(Difference(region_, FastOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
+  }
+
   void Set(MultiPolygon region) {
     region_ = std::move(region);
     mask_ = RegionMask(region_);
@@ -89,17 +98,42 @@ MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPoly
 /// solid.
 constexpr Coord kLeastSparseWidths = 4;
 
+/// How wide bare parts must be for ShellThickness::kPartial, in beads.
+constexpr Coord kPartialBeads = 3;
+
+/// What no layer of the cover exposes.
+MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
+                           const Cover& cover, const SkinOptions& options) {
+  static const MultiPolygon kAir;
+  SparseRegion sparse(fill_area, options.width_nm);
+  for (const auto* side : {&cover.above, &cover.below}) {
+    const MultiPolygon* nearer = &outline;
+    for (const MultiPolygon* layer : *side) {
+      if (IsAir(nearer)) break;
+      if (layer != nearer) sparse.TakeExposedParts(IsAir(layer) ? kAir : *layer, *nearer);
+      nearer = layer;
+    }
+  }
+  return sparse.region();
+}
+
 /// What no layer of the cover leaves bare. From far to near: what a far layer leaves bare is most
 /// often all that nearer ones do.
 MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
                          const Cover& cover, const SkinOptions& options) {
-  if (options.all_solid || HasAir(cover.above) || HasAir(cover.below)) return {};
+  if (options.all_solid) return {};
+  if (options.shells == ShellThickness::kDisabled)
+    return UnexposedPart(fill_area, outline, cover, options);
+  if (HasAir(cover.above) || HasAir(cover.below)) return {};
   SparseRegion sparse(fill_area, options.width_nm);
+  const bool partial = options.shells == ShellThickness::kPartial;
   for (const auto* side : {&cover.above, &cover.below}) {
     for (size_t i = side->size(); i-- > 0 && !sparse.region().empty();) {
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
-      if (!seen && layer != &outline) sparse.TakeBareParts(*layer);
+      // What lies open itself is a skin, however narrow.
+      const Coord least_nm = partial && i > 0 ? kPartialBeads * options.width_nm : options.width_nm;
+      if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
     }
   }
   return sparse.region();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "common/model/infill_options.h"
 
 namespace slicefarm::infill {
 
@@ -21,6 +22,7 @@ struct SkinOptions {
   Coord width_nm = 450'000;         ///< of a solid bead: narrower regions join their neighbours
   double solid_below_area_mm2 = 0;  ///< smaller sparse regions become solid
   bool all_solid = false;           ///< no sparse region is wanted at all
+  ShellThickness shells = ShellThickness::kEnabled;
 };
 
 /// A partition of a fill area by what its infill is for.
@@ -33,9 +35,11 @@ struct Skins {
 
 /// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; parts
 /// that an outline leaves bare count if they are at least a bead wide, and grow by two beads into
-/// the sparse region, so that their lines end on something. Regions too narrow for a bead go to
-/// their neighbour; sparse places narrower than four beads beside skins become solid, as their
-/// lines would be bits. Narrow places beside walls only stay sparse.
+/// the sparse region, so that their lines end on something. With shells partial, at least three
+/// beads wide; with disabled, only what a nearer outline still covers counts: slopes leave treads
+/// that are narrower than a bead from one layer to the next, and stay sparse. Regions too narrow
+/// for a bead go to their neighbour; sparse places narrower than four beads beside skins become
+/// solid, as their lines would be bits. Narrow places beside walls only stay sparse.
 ///
 /// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
 /// Cost: next to nothing for outlines that are `outline` (that of this layer) or do not come near

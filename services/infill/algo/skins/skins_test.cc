@@ -117,6 +117,51 @@ TEST(Skins, SlopeTakesTheFarthestLayer) {
   ExpectPartition(skins, kFill);
 }
 
+struct SlopeCase {
+  double step_mm;  ///< from layer to layer
+  ShellThickness shells;
+  bool solid;
+};
+
+TEST(Skins, SlopesAreAsThickAsAsked) {
+  const MultiPolygon fill = P("(0.5 0.5, 19.5 0.5, 19.5 19.5, 0.5 19.5)");
+  using enum ShellThickness;
+  for (const SlopeCase& c : {SlopeCase{0.2, kEnabled, true}, SlopeCase{0.2, kPartial, false},
+                             SlopeCase{0.2, kDisabled, false}, SlopeCase{0.4, kEnabled, true},
+                             SlopeCase{0.4, kPartial, true}, SlopeCase{0.4, kDisabled, false},
+                             SlopeCase{2, kEnabled, true}, SlopeCase{2, kPartial, true},
+                             SlopeCase{2, kDisabled, true}}) {
+    for (const bool above : {true, false}) {
+      std::vector<MultiPolygon> slope;
+      for (int i = 1; i <= 5; ++i) {
+        const Coord x = FromMm(20 - i * c.step_mm);
+        slope.push_back({{{{0, 0}, {x, 0}, {x, FromMm(20)}, {0, FromMm(20)}}, {}}});
+      }
+      Cover cover;
+      for (const MultiPolygon& layer : slope) (above ? cover.above : cover.below).push_back(&layer);
+      (above ? cover.below : cover.above) = {&kWhole};
+      const Skins skins = PartFillArea(fill, kWhole, cover, {.shells = c.shells});
+      EXPECT_EQ(skins.sparse != fill, c.solid)
+          << c.step_mm << ' ' << static_cast<int>(c.shells) << ' ' << above;
+      ExpectPartition(skins, fill);
+    }
+  }
+}
+
+// Without shells, what lies right under an open surface is as thick as ever.
+TEST(Skins, SurfacesKeepTheirLayersWithoutShells) {
+  for (const auto& above : {std::vector<const MultiPolygon*>{&kLeftHalf, &kLeftHalf},
+                            std::vector<const MultiPolygon*>{&kWhole, &kWhole, &kLeftHalf},
+                            std::vector<const MultiPolygon*>{&kWhole, nullptr},
+                            std::vector<const MultiPolygon*>{&kLeftHalf, nullptr, nullptr}}) {
+    const Cover cover{above, {&kWhole}, false};
+    const Skins all = PartFillArea(kFill, kWhole, cover, {});
+    const Skins exposed = PartFillArea(kFill, kWhole, cover, {.shells = ShellThickness::kDisabled});
+    EXPECT_NEAR(Mm2(all.sparse), Mm2(exposed.sparse), 0.01);
+    EXPECT_NEAR(Mm2(all.top), Mm2(exposed.top), 0.01);
+  }
+}
+
 TEST(Skins, IslandsNotUnderALayerAreBare) {
   const MultiPolygon fill = P("(1 1, 4 1, 4 4, 1 4) ; (6 1, 9 1, 9 4, 6 4)");
   const MultiPolygon outline = P("(0 0, 10 0, 10 5, 0 5)"), left = P("(0 0, 5 0, 5 5, 0 5)");

@@ -1,0 +1,99 @@
+#include "services/infill/algo/skins/overhang_fill.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/boolean.h"
+#include "common/geometry/clean_offset.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset.h"
+#include "common/model/bead_section.h"
+#include "services/infill/algo/lines/clip_curves.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// What lies farther than so many spacings from the region bears none of it.
+constexpr Coord kNearSpacings = 4;
+/// How far over what bears it the fill begins, in spacings: about where its anchor ends.
+constexpr int kAnchorLines = 3;
+/// Ends that lie no farther apart than so many spacings are joined.
+constexpr double kMaxLinkSpacings = 1.6;
+
+/// The edge of what lies within a distance of the bearing part.
+std::vector<Curve> LinesAt(const MultiPolygon& bearing, Coord distance_nm) {
+  std::vector<Curve> curves;
+  const auto add = [&](const Polygon& ring) { curves.push_back({ring, true}); };
+  for (const PolygonWithHoles& island : Offset(bearing, distance_nm, {.join = Join::kRound})) {
+    add(island.outer);
+    std::ranges::for_each(island.holes, add);
+  }
+  return curves;
+}
+
+/// Joins lines to paths in the order in which they are added.
+class Chain {
+ public:
+  Chain(Coord width_nm, double max_link_nm) : width_nm_(width_nm), max_link_nm_(max_link_nm) {}
+
+  /// Adds lines of one distance, the nearest to where the last one ended first.
+  void AddAll(std::vector<Piece> lines) {
+    while (!lines.empty()) {
+      const auto nearest = std::ranges::min_element(lines, {}, [this](const Piece& line) {
+        return std::min(Way(line.points.front()), Way(line.points.back()));
+      });
+      Add(std::move(*nearest));
+      lines.erase(nearest);
+    }
+  }
+
+  FillGroup Take() { return std::move(group_); }
+
+ private:
+  double Way(Point to) const {
+    return group_.paths.empty() ? 0 : Distance(EndOf(group_.paths.back()), to);
+  }
+
+  void Add(Piece line) {
+    if (!line.closed && Way(line.points.back()) < Way(line.points.front()))
+      std::ranges::reverse(line.points);
+    const bool joins = !group_.paths.empty() && !group_.paths.back().closed && !line.closed &&
+                       Way(line.points.front()) <= max_link_nm_;
+    if (!joins) {
+      Path& path = group_.paths.emplace_back();
+      path.feature = Feature::kBridgeInfill;
+      path.widths_nm = {width_nm_};
+      path.closed = line.closed;
+      path.reversible = false;
+    }
+    Polyline& points = group_.paths.back().points;
+    points.insert(points.end(), line.points.begin(), line.points.end());
+  }
+
+  Coord width_nm_;
+  double max_link_nm_;
+  FillGroup group_{.keep_order = true, .paths = {}};
+};
+
+}  // namespace
+
+FillGroup FillOverhang(const PolygonWithHoles& region, const MultiPolygon& below,
+                       const OverhangFill& fill) {
+  const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
+  const MultiPolygon bearing = Intersection(below, FastOffset({region}, kNearSpacings * spacing));
+  if (Intersection(bearing, {region}).empty()) return {};
+  const MultiPolygon area =
+      FastOffset({region}, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
+  Chain chain(fill.width_nm, kMaxLinkSpacings * static_cast<double>(spacing));
+  for (int i = -kAnchorLines;; ++i) {
+    std::vector<Piece> lines = ClipCurves(area, LinesAt(bearing, i * spacing + spacing / 2));
+    // Distances in a connected region have no gaps: where there is no line, none is farther out.
+    if (lines.empty() && i >= 0) break;
+    chain.AddAll(std::move(lines));
+  }
+  return chain.Take();
+}
+
+}  // namespace slicefarm::infill
