@@ -155,6 +155,7 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.motion.filament_density_g_cm3 = 0;
   ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
+  ours.infill[0].shells = ShellThickness::kPartial;
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();

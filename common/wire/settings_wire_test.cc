@@ -546,6 +546,10 @@ constexpr char kDistinct[] = R"pb(
       restart_extra_mm: -24
       min_travel_mm: 25
       lift_mm: 26
+      lift_above_mm: 27
+      lift_below_mm: 28
+      wipe: true
+      before_wipe: 0.29
     }
     cooling {
       enabled: false

@@ -22,11 +22,11 @@ constexpr int kAnchorLines = 3;
 /// Ends that lie no farther apart than so many spacings are joined.
 constexpr double kMaxLinkSpacings = 1.6;
 
-/// The edge of what lies within a distance of the bearing part.
-std::vector<Curve> LinesAt(const MultiPolygon& bearing, Coord distance_nm) {
+/// The edge of what lies within a distance of a region.
+std::vector<Curve> LinesAround(const MultiPolygon& region, Coord distance_nm) {
   std::vector<Curve> curves;
   const auto add = [&](const Polygon& ring) { curves.push_back({ring, true}); };
-  for (const PolygonWithHoles& island : Offset(bearing, distance_nm, {.join = Join::kRound})) {
+  for (const PolygonWithHoles& island : Offset(region, distance_nm, {.join = Join::kRound})) {
     add(island.outer);
     std::ranges::for_each(island.holes, add);
   }
@@ -84,14 +84,19 @@ FillGroup FillOverhang(const PolygonWithHoles& region, const MultiPolygon& below
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const MultiPolygon bearing = Intersection(below, FastOffset({region}, kNearSpacings * spacing));
   if (Intersection(bearing, {region}).empty()) return {};
+  const MultiPolygon air = Difference({region}, bearing);
   const MultiPolygon area =
       FastOffset({region}, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
   Chain chain(fill.width_nm, kMaxLinkSpacings * static_cast<double>(spacing));
-  for (int i = -kAnchorLines;; ++i) {
-    std::vector<Piece> lines = ClipCurves(area, LinesAt(bearing, i * spacing + spacing / 2));
-    // Distances in a connected region have no gaps: where there is no line, none is farther out.
-    if (lines.empty() && i >= 0) break;
+  const auto add = [&](const MultiPolygon& from, int line) {
+    std::vector<Piece> lines = ClipCurves(area, LinesAround(from, line * spacing + spacing / 2));
+    const bool any = !lines.empty();
     chain.AddAll(std::move(lines));
+    return any;
+  };
+  for (int i = kAnchorLines; i-- > 0;) add(air, i);
+  // Distances in a connected region have no gaps: where there is no line, none is farther out.
+  for (int i = 0; add(bearing, i); ++i) {
   }
   return chain.Take();
 }

@@ -16,6 +16,14 @@ double FirstSet(std::initializer_list<double> values) {
   return kDefaultMmS2;
 }
 
+/// Whether the firmware takes a move in the plane that pulls filament back for a travel.
+bool WipesAreTravels(const Firmware& firmware) {
+  MachineLimits limits;
+  limits.max_acceleration_extruding_mm_s2 = 1;
+  limits.max_acceleration_travel_mm_s2 = 2;
+  return firmware.AccelerationFor({.length_mm = 1, .ratio = {1, 0, 0, -0.1}}, limits) == 2;
+}
+
 }  // namespace
 
 Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
@@ -47,6 +55,7 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   if (firmware.HasRetractAcceleration())
     result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});
   result.one = !firmware.HasTravelAcceleration();
+  result.wipe_travels = WipesAreTravels(firmware);
   return result;
 }
 

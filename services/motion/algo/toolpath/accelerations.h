@@ -14,7 +14,8 @@ namespace slicefarm::motion {
 /// features' settings are; the machine limits then say what the firmware's are. Some firmwares keep
 /// travels' acceleration apart from printing's; elsewhere a travel runs as the path before it,
 /// unless travel_acceleration is set and switched to. Klipper has one for all moves: what a
-/// retraction is asked for is what was set last.
+/// retraction is asked for is what was set last. A wipe is a print or a travel, as the firmware has
+/// it.
 struct Accelerations {
   std::array<double, kFeatureCount> print = {};
   double travel = 0;   ///< 0: what was set last
@@ -22,10 +23,12 @@ struct Accelerations {
   bool told = false;   ///< the G-code sets them
   bool told_travel = false;
   bool one = false;  ///< travels and prints set the same
+  bool wipe_travels = false;
 
   double Print(Feature feature) const { return print[static_cast<size_t>(feature)]; }
   /// Of a travel, where `before` was set last.
   double Travel(double before) const { return travel > 0 ? travel : before; }
+  double Wipe(double before) const { return wipe_travels ? Travel(before) : before; }
   double Retract(double before) const { return retract > 0 ? retract : before; }
 };
 

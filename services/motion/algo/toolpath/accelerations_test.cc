@@ -42,6 +42,17 @@ TEST(Accelerations, FirstLayer) {
   EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Print(Feature::kPerimeter), 1000);
 }
 
+TEST(Accelerations, WipesAreTravelsToRepRapFirmwareAlone) {
+  for (const GcodeFlavor flavor :
+       {GcodeFlavor::kMarlin2, GcodeFlavor::kMarlinLegacy, GcodeFlavor::kKlipper,
+        GcodeFlavor::kRepRapFirmware, GcodeFlavor::kPrusaBuddy, GcodeFlavor::kBambu}) {
+    MotionOptions options = Options();
+    options.flavor = flavor;
+    EXPECT_EQ(AccelerationsFor(options, Ground::kLayers).Wipe(700),
+              flavor == GcodeFlavor::kRepRapFirmware ? 3000 : 700);
+  }
+}
+
 TEST(Accelerations, TravelApartOnlyInMarlin2) {
   for (const GcodeFlavor flavor : {GcodeFlavor::kMarlinLegacy, GcodeFlavor::kKlipper}) {
     MotionOptions options = Options();

@@ -258,7 +258,7 @@ int32_t ToolpathBuilder::WipeBack(int32_t units) {
     at_.y_um = place.y;
     at_.filament = pulled - until;
     at_.feed_rate = FeedRate(wipe_.speed_mm_s);
-    Push(MoveKind::kWipe, set_acceleration_);
+    Push(MoveKind::kWipe, accelerations_.Wipe(set_acceleration_));
     pulled = until;
   }
   return pulled;
