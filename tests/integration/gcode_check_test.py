@@ -112,15 +112,16 @@ def faults_are_found(program, corpus, folder):
 
 def times_agree(program, corpus, folder):
     output, report = folder / "timed.gcode", folder / "timed.json"
-    for flavor in ("klipper", "marlin2", "reprapfirmware"):
+    for flavor, form in ((f, s) for f in ("klipper", "marlin2", "reprapfirmware") for s in FORMS.values()):
+        sets = [word for setting in form for word in ("--set", setting)]
         done = run(program, "slice", corpus / "models" / "textbox.stl", "-o", output, "-q", "--report", report,
-                   "--set", f"gcode_flavor={flavor}", "--set", "layer_height=0.3")
+                   "--set", f"gcode_flavor={flavor}", "--set", "layer_height=0.3", *sets)
         assert done.returncode == 0, done.stderr
         own = json.loads(report.read_text())["print_time_s"]
         read = json.loads(run(program, "time", output, "--flavor", FLAVORS[flavor], "--json").stdout)
         # What comes before the first layer is not the slicer's.
         whole = read["time_s"] - read["before_layers_s"]
-        assert abs(own / whole - 1) < (5e-4 if flavor == "klipper" else 5e-3), f"{flavor}: {own} {whole}"
+        assert abs(own / whole - 1) < (5e-4 if flavor == "klipper" else 5e-3), f"{flavor} {form}: {own} {whole}"
         text = rows(run(program, "time", output, "--flavor", FLAVORS[flavor]).stdout)
         assert abs(float(text["time_s"]) - read["time_s"]) < 1e-5
 

@@ -21,6 +21,7 @@
 #include "services/motion/algo/toolpath/flow_smoothing.h"
 #include "services/motion/algo/toolpath/layer_place.h"
 #include "services/motion/algo/toolpath/layer_timing.h"
+#include "services/motion/algo/toolpath/move_arcs.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
 namespace slicefarm::motion {
@@ -106,6 +107,9 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
       builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
     Toolpath path = builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
+    // A mix holds for one move.
+    if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
+      FindArcs(path);
     built.push_back({std::move(path), builder.stats()});
   }
   return built;
@@ -153,7 +157,7 @@ class PassProgram {
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
              GcodeText& out) const {
     LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, Ground::kLayers),
-                       state, options_.arc_fitting, materials_);
+                       state, materials_);
     for (const BlockVisit& visit : visits_) {
       const Toolpath& path = PathOf(visit);
       const ShiftUm shift = ShiftOf(visit);

@@ -1,5 +1,6 @@
 #include "services/motion/algo/gcode/layer_writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -16,14 +17,6 @@ bool NeedsBridgeFan(Feature feature) {
   return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;
 }
 
-/// Whether two moves print alike, so that an arc may stand for both.
-bool SameBead(const Move& a, const Move& b) {
-  return a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint && a.feature == b.feature &&
-         a.rest == b.rest && a.width_um == b.width_um && a.height_um == b.height_um &&
-         a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
-         a.acceleration_mm_s2 == b.acceleration_mm_s2;
-}
-
 }  // namespace
 
 void WriteFan(int32_t percent, GcodeText& out) {
@@ -37,17 +30,14 @@ void WriteFan(int32_t percent, GcodeText& out) {
 
 void LayerWriter::Write(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
                         GcodeText& out) {
+  auto arc = std::ranges::lower_bound(path.arcs, first, {}, &MoveArc::first);
   for (size_t i = first; i < last;) {
-    size_t end = i + 1;
-    if (arcs_ != ArcFitting::kDisabled && i > 0 && path.moves[i].z_um == path.moves[i - 1].z_um) {
-      while (end < last && SameBead(path.moves[i], path.moves[end])) ++end;
-    }
-    if (end - i > 1) {
-      WriteBeads(path, i, end, shift, out);
+    if (arc != path.arcs.end() && arc->first == i) {
+      WriteArc(path, *arc, shift, out);
+      i = arc++->last;
     } else {
-      WriteMove(path.moves[i], shift, out);
+      WriteMove(path.moves[i++], shift, out);
     }
-    i = end;
   }
   TellWipe(false, out);
 }
@@ -58,35 +48,19 @@ void LayerWriter::TellWipe(bool wipes, GcodeText& out) {
   out << (wipes ? firmware_.comments().wipe_start : firmware_.comments().wipe_end) << '\n';
 }
 
-void LayerWriter::WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift,
-                             GcodeText& out) {
-  std::vector<PlaceUm> points;
-  points.reserve(last - first + 1);
-  for (size_t i = first - 1; i < last; ++i)
-    points.push_back({path.moves[i].x_um, path.moves[i].y_um});
-  size_t at = 0;
-  for (const CurvePiece& piece : FitArcs(points)) {
-    Move move = path.moves[first + piece.last - 1];
-    move.filament = 0;
-    for (size_t i = at; i < piece.last; ++i) move.filament += path.moves[first + i].filament;
-    if (piece.is_arc) {
-      WriteArc(move, points[at], piece, shift, out);
-    } else {
-      WriteMove(move, shift, out);
-    }
-    at = piece.last;
-  }
-}
-
-void LayerWriter::WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
+void LayerWriter::WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift,
                            GcodeText& out) {
+  const Move& from = path.moves[arc.first - 1];
+  Move move = path.moves[arc.last - 1];
+  move.filament = 0;
+  for (size_t i = arc.first; i < arc.last; ++i) move.filament += path.moves[i].filament;
   Describe(move, out);
   SetAcceleration(move, out);
   out << (arc.clockwise ? "G2 X" : "G3 X");
   out.Micrometers(move.x_um + shift.x) << " Y";
   out.Micrometers(move.y_um + shift.y) << " I";
-  out.Micrometers(arc.centre.x - from.x) << " J";
-  out.Micrometers(arc.centre.y - from.y);
+  out.Micrometers(arc.centre.x - from.x_um) << " J";
+  out.Micrometers(arc.centre.y - from.y_um);
   WriteEnd(move, out);
 }
 

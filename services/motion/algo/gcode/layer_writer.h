@@ -21,18 +21,16 @@ struct LayerState {
 
 /// Writes moves as G-code, with what previewers and the firmware have to be told on the way:
 /// `;TYPE:`, `;WIDTH:` and `;HEIGHT:` where they change, accelerations, fan. Feed rates stand only
-/// where they change. With arc_fitting, moves of equal beads are written as arcs where these fit
-/// (FitArcs), with the sum of their filament.
+/// where they change. The toolpath's arcs are written as such, with the sum of their filament.
 class LayerWriter {
  public:
   /// `firmware` must live on. `materials`: what is mixed where; null: nothing. It must outlive the
   /// writer.
   LayerWriter(const Firmware& firmware, const Accelerations& accelerations, const LayerState& state,
-              ArcFitting arcs = ArcFitting::kDisabled, const MaterialField* materials = nullptr)
+              const MaterialField* materials = nullptr)
       : firmware_(firmware),
         accelerations_(accelerations),
         state_(state),
-        arcs_(materials == nullptr ? arcs : ArcFitting::kDisabled),  // a mix holds for one move
         mix_(firmware, materials),
         height_um_(state.height_um),
         fan_percent_(state.fan_percent) {}
@@ -54,9 +52,7 @@ class LayerWriter {
 
  private:
   void WriteMove(const Move& move, ShiftUm shift, GcodeText& out);
-  void WriteBeads(const Toolpath& path, size_t first, size_t last, ShiftUm shift, GcodeText& out);
-  void WriteArc(const Move& move, PlaceUm from, const CurvePiece& arc, ShiftUm shift,
-                GcodeText& out);
+  void WriteArc(const Toolpath& path, const MoveArc& arc, ShiftUm shift, GcodeText& out);
   void TellWipe(bool wipes, GcodeText& out);
   void WriteEnd(const Move& move, GcodeText& out);
   int32_t FanFor(const Move& move) const;
@@ -69,7 +65,6 @@ class LayerWriter {
   const Firmware& firmware_;
   Accelerations accelerations_;
   LayerState state_;
-  ArcFitting arcs_;
   MaterialMix mix_;
   // What has been told; -1: nothing.
   int32_t feed_rate_ = -1;

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace slicefarm::motion {
 namespace {
 
@@ -176,36 +173,19 @@ std::string AccelerationsOnly(GcodeFlavor flavor, const Accelerations& accelerat
   return lines;
 }
 
-/// A quarter of a circle of 10 mm around the origin, in 30 moves, after a travel to its start.
-std::vector<Move> Quarter() {
-  std::vector<Move> moves = {Travel(10'000)};
-  for (int i = 1; i <= 30; ++i) {
-    const double angle = i * std::numbers::pi / 60;
-    moves.push_back(Print(static_cast<int32_t>(std::lround(10'000 * std::cos(angle))),
-                          Feature::kPerimeter));
-    moves.back().y_um = static_cast<int32_t>(std::lround(10'000 * std::sin(angle)));
-  }
-  return moves;
-}
-
 TEST(LayerWriter, ArcsWithTheSumOfTheirFilament) {
   Toolpath path;
-  path.moves = Quarter();
+  path.moves = {Travel(10'000), Print(9'000, Feature::kPerimeter),
+                Print(5'000, Feature::kPerimeter), Print(0, Feature::kPerimeter),
+                Print(-1'000, Feature::kPerimeter)};
+  path.moves[3].y_um = 10'000;
+  path.arcs = {{1, 4, {0, 0}, false}};
   GcodeText out;
-  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}, ArcFitting::kEmitCenter)
+  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {})
       .Write(path, 0, path.moves.size(), {5'000, 0}, out);
-  EXPECT_NE(out.text().find("\nG3 X5 Y10 I-10 J0 E.9 F1800\n"), std::string::npos) << out.text();
-  EXPECT_EQ(out.text().find("G1 X5 Y10"), std::string::npos);
-}
-
-TEST(LayerWriter, ArcsOfEqualBeadsOnly) {
-  Toolpath path;
-  path.moves = Quarter();
-  for (size_t i = 0; i < path.moves.size(); ++i) path.moves[i].width_um += i % 2 == 0 ? 1 : 0;
-  GcodeText out;
-  LayerWriter(FirmwareOf(GcodeFlavor::kMarlin2), {}, {}, ArcFitting::kEmitCenter)
-      .Write(path, 0, path.moves.size(), {}, out);
-  EXPECT_EQ(out.text().find("G3"), std::string::npos);
+  EXPECT_EQ(out.text(),
+            "G1 X15 Y0 F9000\n;TYPE:Perimeter\n;WIDTH:0.45\n;HEIGHT:0.2\n"
+            "G3 X5 Y10 I-10 J0 E.09 F1800\nG1 X4 Y0 E.03\n");
 }
 
 TEST(LayerWriter, AccelerationsByFlavour) {

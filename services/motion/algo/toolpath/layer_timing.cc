@@ -1,6 +1,12 @@
 #include "services/motion/algo/toolpath/layer_timing.h"
 
+#include <algorithm>
+
+#include "common/base/portable_math.h"
+#include "services/motion/algo/gcode/gcode_text.h"
+#include "services/motion/algo/program/arc_chords.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
+#include "services/motion/algo/toolpath/print_speed.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -13,6 +19,14 @@ double FirstBeadsAcceleration(std::span<const Stretch> stretches) {
   return 0;
 }
 
+double Mm(int32_t um) { return static_cast<double>(um) / kUmPerMm; }
+
+MoveArc Shifted(MoveArc arc, ShiftUm shift) {
+  arc.centre.x += shift.x;
+  arc.centre.y += shift.y;
+  return arc;
+}
+
 }  // namespace
 
 std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
@@ -21,15 +35,23 @@ std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
   const Toolpath& first = *stretches.front().path;
   MoveWalk walk({.z_um = first.start_z_um}, FirstBeadsAcceleration(stretches));
   for (const Stretch& stretch : stretches) {
-    for (size_t i = stretch.first; i < stretch.last; ++i) {
+    const Toolpath& path = *stretch.path;
+    auto arc = std::ranges::lower_bound(path.arcs, stretch.first, {}, &MoveArc::first);
+    for (size_t i = stretch.first; i < stretch.last;) {
       const EdgeMove before = walk.at();
-      const EdgeMove& move = walk.Go(stretch.path->moves[i], stretch.shift);
-      times_.push_back(0);
-      if (&stretch == &stretches.front() && i == first.approach) {
+      const bool is_arc = arc != path.arcs.end() && arc->first == i;
+      int64_t filament = 0;
+      for (const size_t end = is_arc ? arc->last : i + 1; i < end; ++i) {
+        filament += path.moves[i].filament;
+        walk.Go(path.moves[i], stretch.shift);
+        times_.push_back(0);
+      }
+      if (is_arc) {
+        QueueArc(before, walk.at(), Shifted(*arc++, stretch.shift), filament);
+      } else if (&stretch == &stretches.front() && i - 1 == first.approach) {
         PlanRun();
-      } else if (const auto kinematic = ToKinematic(before, move, 0)) {
-        planner_->Add(*kinematic);
-        run_.push_back(times_.size() - 1);
+      } else if (const auto kinematic = ToKinematic(before, walk.at(), 0)) {
+        Queue(*kinematic, times_.size() - 1);
       }
     }
   }
@@ -37,9 +59,39 @@ std::span<const double> LayerTiming::Times(std::span<const Stretch> stretches) {
   return times_;
 }
 
+void LayerTiming::Queue(const KinematicMove& move, size_t place) {
+  planner_->Add(move);
+  run_.push_back(place);
+}
+
+/// In the chords that the firmware makes of an arc.
+void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveArc& arc,
+                           int64_t filament) {
+  const Arc way{{Mm(from.x_um), Mm(from.y_um)},
+                {Mm(to.x_um), Mm(to.y_um)},
+                {Mm(arc.centre.x), Mm(arc.centre.y)},
+                arc.clockwise};
+  const double speed = SpeedOf(to.feed_rate), radius = way.StartRadius();
+  const auto ends = ArcChords(way, radius * way.Angle(), firmware_.ArcSegmentMm(radius, speed));
+  const double filament_mm =
+      static_cast<double>(filament) / kFilamentUnitsPerMm / static_cast<double>(ends.size());
+  PlaceMm at = way.from;
+  for (const PlaceMm end : ends) {
+    const double length = Hypot(end.x - at.x, end.y - at.y);
+    const double scale = 1 / length;
+    if (length > 0)
+      Queue({length,
+             {(end.x - at.x) * scale, (end.y - at.y) * scale, 0, filament_mm * scale},
+             speed,
+             to.acceleration_mm_s2},
+            times_.size() - 1);
+    at = end;
+  }
+}
+
 void LayerTiming::PlanRun() {
   const auto profiles = planner_->Stop();
-  for (size_t i = 0; i < run_.size(); ++i) times_[run_[i]] = profiles[i].time_s;
+  for (size_t i = 0; i < run_.size(); ++i) times_[run_[i]] += profiles[i].time_s;
   run_.clear();
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "services/motion/algo/kinematics/trapezoid.h"
@@ -86,6 +87,35 @@ TEST(LayerTiming, MovesWithoutTheirOwnAccelerationHaveTheOneBefore) {
   EXPECT_EQ(times[5], 0) << "is at that height";
   EXPECT_NEAR(times[6], RestToRest(std::hypot(100, 30), 100, 3000), 1e-9);
   EXPECT_NEAR(times[10], RestToRest(std::hypot(100, 30), 100, 500), 1e-9);
+}
+
+// A firmware cuts an arc to chords of its own: here half a circle of 10 mm, in chords of 1 mm whose
+// corners slow the nozzle down where they may not deviate.
+TEST(LayerTiming, ArcsAreTheFirmwaresChords) {
+  Toolpath path = Sample();
+  Move bead = path.moves[3];
+  path.moves.resize(3);
+  constexpr int kMoves = 1'000;
+  for (int i = 1; i <= kMoves; ++i) {
+    const double angle = i * std::numbers::pi / kMoves;
+    bead.x_um = static_cast<int32_t>(std::lround(90'000 + 10'000 * std::cos(angle)));
+    bead.y_um = static_cast<int32_t>(std::lround(10'000 * std::sin(angle)));
+    bead.filament = 3'000;
+    path.moves.push_back(bead);
+  }
+  const auto time_of = [&path](double deviation_mm) {
+    MachineLimits limits;
+    limits.junction_deviation_mm = deviation_mm;
+    LayerTiming timing(FirmwareOf(GcodeFlavor::kMarlin2), limits);
+    const Stretch whole = {&path, 0, path.moves.size(), {}};
+    const auto times = timing.Times({&whole, 1});
+    EXPECT_EQ(times.size(), path.moves.size());
+    return std::accumulate(times.begin() + 3, times.end(), 0.0);
+  };
+  path.arcs = {{3, path.moves.size(), {90'000, 0}, false}};
+  const double full_speed_s = 10 * std::numbers::pi / 100;
+  EXPECT_NEAR(time_of(1), full_speed_s, 0.1 * full_speed_s) << "and a ramp at each end";
+  EXPECT_GT(time_of(1e-4), 1.5 * full_speed_s);
 }
 
 TEST(AddTimes, ByFeatureAndTravel) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/model/path.h"
+#include "services/motion/algo/toolpath/arc_fit.h"
 
 namespace slicefarm::motion {
 
@@ -58,11 +59,23 @@ struct Move {
   friend bool operator==(const Move&, const Move&) = default;
 };
 
+/// Beads that are printed as one arc: moves [first, last) of a toolpath, from where the one before
+/// them ends.
+struct MoveArc {
+  size_t first = 0;
+  size_t last = 0;
+  PlaceUm centre;
+  bool clockwise = false;
+
+  friend bool operator==(const MoveArc&, const MoveArc&) = default;
+};
+
 /// The moves of a layer. It starts retracted, anywhere, at the height of the layer before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
   std::vector<Move> moves;
+  std::vector<MoveArc> arcs;  ///< in their order
   size_t approach = kNone;  ///< the travel to the entry, whose length the layer does not know
   int32_t start_z_um = 0;   ///< of the layer before
 };

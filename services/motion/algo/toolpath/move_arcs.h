@@ -1,0 +1,12 @@
+#pragma once
+
+#include "services/motion/algo/toolpath/toolpath.h"
+
+namespace slicefarm::motion {
+
+/// Finds the beads that are printed as arcs (arc_fit.h): runs of moves of one width, height, speed
+/// and feature. Sets `path.arcs`. To be called when nothing but speeds still changes, and those of
+/// equal moves alike. Cost: as FitArcs.
+void FindArcs(Toolpath& path);
+
+}  // namespace slicefarm::motion
