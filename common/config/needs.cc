@@ -20,7 +20,7 @@ struct Need {
 constexpr Need kNeeds[] = {
     {"retract_lift retract_speed deretract_speed retract_restart_extra retract_before_travel "
      "filament_retract_lift filament_retract_speed filament_deretract_speed "
-     "filament_retract_restart_extra filament_retract_before_travel",
+     "filament_retract_restart_extra filament_retract_before_travel wipe filament_wipe",
      "retract_length of more than 0",
      [](const JobSettings& s) { return s.motion.retraction.length_mm > 0; }},
     {"retract_lift_above retract_lift_below filament_retract_lift_above "
