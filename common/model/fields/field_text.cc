@@ -322,7 +322,11 @@ absl::StatusOr<DensityField> ParseDensityField(std::string_view text) {
 }
 
 absl::StatusOr<StressField> ParseStressField(std::string_view text) {
-  return Parse(text, ReadStressField);
+  auto field = Parse(text, ReadStressField);
+  if (field.ok() && field->xx.values == field->yy.values &&
+      std::ranges::all_of(field->xy.values, [](double value) { return value == 0; }))
+    return Wrong("the stress is the same in all directions everywhere: no line could follow it");
+  return field;
 }
 
 absl::StatusOr<MaterialField> ParseMaterialField(std::string_view text) {

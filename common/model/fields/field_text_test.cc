@@ -1,6 +1,7 @@
 #include "common/model/fields/field_text.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/model/limits.h"
@@ -93,6 +94,19 @@ TEST(FieldText, StressesAreThreeForEachNode) {
            R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,2,3]})",
        })
     EXPECT_FALSE(ParseStressField(text).ok()) << text;
+}
+
+TEST(FieldText, StressesSayADirectionSomewhere) {
+  const auto voxels = [](const char* stress) {
+    return ParseStressField(fmt::format(
+        R"({{"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":{}}})",
+        stress));
+  };
+  EXPECT_TRUE(voxels("[1,1,0, 1,1,0.5]").ok());
+  EXPECT_TRUE(voxels("[1,1,0, 2,1,0]").ok());
+  EXPECT_THAT(std::string(voxels("[1,1,0, 2,2,0]").status().message()),
+              testing::HasSubstr("the same in all directions everywhere"));
+  EXPECT_FALSE(ParseStressField(R"({"kind":"constant","stress":[0,0,0]})").ok());
 }
 
 TEST(FieldText, SharesOfMaterialsSumToOne) {

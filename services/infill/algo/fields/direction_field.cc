@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
-
 
 namespace slicefarm::infill {
 namespace {
@@ -26,6 +26,70 @@ void Smooth(FieldGrid& grid) {
   }
 }
 
+/// Calls visit(j) for the nodes next to node `i`.
+template <typename Visit>
+void ForEachNeighbour(const FieldGrid& grid, int64_t i, const Visit& visit) {
+  int64_t stride = 1;
+  for (const int32_t count : grid.count) {
+    const int64_t at = i / stride % count;
+    if (at > 0) visit(i - stride);
+    if (at + 1 < count) visit(i + stride);
+    stride *= count;
+  }
+}
+
+/// Directions as two grids of the same nodes; both 0: there is none.
+struct Doubled {
+  FieldGrid& cos2;
+  FieldGrid& sin2;
+
+  bool Has(int64_t i) const {
+    const auto at = static_cast<size_t>(i);
+    return cos2.values[at] != 0 || sin2.values[at] != 0;
+  }
+
+  /// That of the nodes around, of unit length; none where they cancel each other.
+  std::pair<double, double> Around(int64_t i) const {
+    double c = 0, s = 0, count = 0;
+    ForEachNeighbour(cos2, i, [&](int64_t j) {
+      c += cos2.values[static_cast<size_t>(j)];
+      s += sin2.values[static_cast<size_t>(j)];
+      count += Has(j);
+    });
+    const double length = std::sqrt(c * c + s * s);
+    if (length < DirectionField::kLeastLength * count || length == 0) return {0, 0};
+    return {c / length, s / length};
+  }
+};
+
+/// Gives nodes without a direction that of those around, wave by wave. Cost: O(nodes).
+void Continue(Doubled field) {
+  const int64_t count = std::ssize(field.cos2.values);
+  std::vector<int64_t> wave;
+  std::vector<bool> waits(static_cast<size_t>(count), true);
+  const auto add_neighbours = [&](int64_t i, std::vector<int64_t>& to) {
+    ForEachNeighbour(field.cos2, i, [&](int64_t j) {
+      if (field.Has(j) || !waits[static_cast<size_t>(j)]) return;
+      waits[static_cast<size_t>(j)] = false;
+      to.push_back(j);
+    });
+  };
+  for (int64_t i = 0; i < count; ++i)
+    if (field.Has(i)) add_neighbours(i, wave);
+  while (!wave.empty()) {
+    std::vector<std::pair<double, double>> found;
+    for (const int64_t i : wave) found.push_back(field.Around(i));
+    std::vector<int64_t> next;
+    for (size_t k = 0; k < wave.size(); ++k) {
+      field.cos2.values[static_cast<size_t>(wave[k])] = found[k].first;
+      field.sin2.values[static_cast<size_t>(wave[k])] = found[k].second;
+    }
+    for (const int64_t i : wave)
+      if (field.Has(i)) add_neighbours(i, next);
+    wave = std::move(next);
+  }
+}
+
 }  // namespace
 
 DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), sin2_(stress.xx) {
@@ -43,6 +107,7 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
     c = alike ? 0 : c / length;
     s = alike ? 0 : s / length;
   }
+  Continue({cos2_, sin2_});
   for (int32_t pass = 0; pass < stress.smoothing; ++pass) Smooth(cos2_), Smooth(sin2_);
 }
 

@@ -17,9 +17,10 @@ struct Direction {
 /// stress. Held as cos 2t and sin 2t, which are the same for opposite directions, smoothed and
 /// interpolated as such.
 ///
-/// Degenerate are the places where the stresses are alike in all directions,
-/// (sxx - syy)^2 + 4 sxy^2 below (kAlike times the greatest of the field)^2 at a node, and where
-/// directions around cancel each other: less than kLeastLength of them is left.
+/// A node where the stresses are alike in all directions, (sxx - syy)^2 + 4 sxy^2 below (kAlike
+/// times the greatest of the field)^2, says nothing: it goes on as the nodes around it. Degenerate
+/// are the places where directions around cancel each other: less than kLeastLength of them is
+/// left.
 class DirectionField {
  public:
   static constexpr double kAlike = 1e-3;

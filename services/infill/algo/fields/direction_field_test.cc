@@ -55,6 +55,40 @@ StressField Row(const std::vector<double>& degrees, int smoothing) {
   return stress;
 }
 
+// Where nothing pulls, lines go on as they come.
+TEST(DirectionField, GoesOnWhereThereIsNoStress) {
+  StressField stress = Row({30, 30, 30, 30, 30, 70}, 0);
+  for (FieldGrid* grid : {&stress.xx, &stress.yy, &stress.xy})
+    for (const size_t i : {0, 1, 3, 4}) grid->values[i] = 2;
+  stress.xy.values[0] = stress.xy.values[1] = stress.xy.values[3] = stress.xy.values[4] = 0;
+  const DirectionField field(stress);
+  const double want[] = {30, 30, 30, 30, 70, 70};
+  for (int i = 0; i < 6; ++i) {
+    const auto direction = field.At({static_cast<double>(i), 0, 0});
+    ASSERT_TRUE(direction.has_value()) << i;
+    EXPECT_NEAR(DegreesOf(*direction), want[i], 1e-6) << i;
+  }
+}
+
+// In the middle of circles there is no direction, and none is made up.
+TEST(DirectionField, SingularPointsStay) {
+  StressField stress;
+  for (FieldGrid* grid : {&stress.xx, &stress.yy, &stress.xy}) {
+    grid->count = {5, 5, 1};
+    grid->values.clear();
+  }
+  for (int y = -2; y <= 2; ++y) {
+    for (int x = -2; x <= 2; ++x) {
+      stress.xx.values.push_back(y * y);
+      stress.yy.values.push_back(x * x);
+      stress.xy.values.push_back(-x * y);
+    }
+  }
+  const DirectionField field(stress);
+  EXPECT_FALSE(field.At({2, 2, 0}).has_value());
+  EXPECT_TRUE(field.At({3, 2, 0}).has_value());
+}
+
 TEST(DirectionField, OppositeSignsAreNoJump) {
   const DirectionField field(Row({170, 10}, 0));
   const auto middle = field.At({0.5, 0, 0});

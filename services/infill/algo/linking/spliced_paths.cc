@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/geometry/measure.h"
+
 namespace slicefarm::infill {
 namespace {
 
@@ -34,6 +36,7 @@ std::optional<Point> Meeting(Point a, Point b, Point c, Point d, double margin) 
   const double det = x(u) * y(v) - y(u) * x(v);
   if (det == 0) return std::nullopt;
   const double s = (x(w) * y(v) - y(w) * x(v)) / det, t = (x(w) * y(u) - y(w) * x(u)) / det;
+  if (!(s > 0 && s < 1 && t > 0 && t < 1)) return std::nullopt;
   const double along = Distance(a, b), across = Distance(c, d);
   const auto is_inside = [margin](double share, double length) {
     return share * length >= margin && (1 - share) * length >= margin;
@@ -42,15 +45,34 @@ std::optional<Point> Meeting(Point a, Point b, Point c, Point d, double margin) 
   return Point{a.x + std::llround(s * x(u)), a.y + std::llround(s * y(u))};
 }
 
-std::optional<Crossing> FirstCrossing(const Path& path, const Path& ring, double margin,
+Box BoxOf(Point a, Point b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+/// Whether a stretch lies beside a box, by its own.
+bool IsBeside(Point a, Point b, const Box& box) {
+  return std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x ||
+         std::max(a.y, b.y) < box.min.y || std::min(a.y, b.y) > box.max.y;
+}
+
+/// A path, and where it lies.
+struct Placed {
+  Path path;
+  Box box;
+};
+
+std::optional<Crossing> FirstCrossing(const Placed& placed, const Path& ring, double margin,
                                       size_t& pairs) {
+  const Path& path = placed.path;
   for (size_t j = 0; j < StretchCount(ring); ++j) {
     const Point c = ring.points[j], d = EndOfStretch(ring, j);
-    if (Distance(c, d) < 2 * margin) continue;
+    const Box box = BoxOf(c, d);
+    if (!box.Intersects(placed.box) || Distance(c, d) < 2 * margin) continue;
     pairs += StretchCount(path);
     for (size_t i = 0; i < StretchCount(path); ++i) {
-      if (auto at = Meeting(path.points[i], EndOfStretch(path, i), c, d, margin))
-        return Crossing{i, j, *at};
+      const Point a = path.points[i], b = EndOfStretch(path, i);
+      if (IsBeside(a, b, box)) continue;
+      if (auto at = Meeting(a, b, c, d, margin)) return Crossing{i, j, *at};
     }
   }
   return std::nullopt;
@@ -76,12 +98,13 @@ void TakeIn(const Path& ring, const Crossing& crossing, Path& path) {
 }
 
 /// Whether a path other than the ring itself took it in.
-bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths, size_t& pairs) {
+bool IsTakenIn(size_t ring, double margin, std::vector<Placed>& paths, size_t& pairs) {
   for (size_t i = 0; i < paths.size() && pairs < kMostPairs; ++i) {
-    if (i == ring) continue;
-    const auto crossing = FirstCrossing(paths[i], paths[ring], margin, pairs);
+    if (i == ring || !paths[i].box.Intersects(paths[ring].box)) continue;
+    const auto crossing = FirstCrossing(paths[i], paths[ring].path, margin, pairs);
     if (!crossing) continue;
-    TakeIn(paths[ring], *crossing, paths[i]);
+    TakeIn(paths[ring].path, *crossing, paths[i].path);
+    paths[i].box.Add(paths[ring].box);
     return true;
   }
   return false;
@@ -90,11 +113,19 @@ bool IsTakenIn(size_t ring, double margin, std::vector<Path>& paths, size_t& pai
 }  // namespace
 
 std::vector<Path> SplicedPaths(std::vector<Path> paths, double margin_nm) {
-  size_t pairs = 0;
-  for (size_t ring = paths.size(); ring-- > 0 && pairs < kMostPairs;) {
-    if (paths[ring].closed && IsTakenIn(ring, margin_nm, paths, pairs))
-      paths.erase(paths.begin() + static_cast<ptrdiff_t>(ring));
+  std::vector<Placed> placed;
+  placed.reserve(paths.size());
+  for (Path& path : paths) {
+    const Box box = Bounds(path.points);
+    placed.push_back({std::move(path), box});
   }
+  size_t pairs = 0;
+  for (size_t ring = placed.size(); ring-- > 0 && pairs < kMostPairs;) {
+    if (placed[ring].path.closed && IsTakenIn(ring, margin_nm, placed, pairs))
+      placed.erase(placed.begin() + static_cast<ptrdiff_t>(ring));
+  }
+  paths.clear();
+  for (Placed& one : placed) paths.push_back(std::move(one.path));
   return paths;
 }
 
