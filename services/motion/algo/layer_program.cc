@@ -83,6 +83,20 @@ Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
   return block.object != kPlate && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
 }
 
+const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
+  return layer.blocks[static_cast<size_t>(visit.block)];
+}
+
+/// Whether a block is the first or the last of a layer that begins or ends ready.
+bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
+  return layer.begins_ready && !layer.visits.empty() &&
+         &block == &BlockOf(layer.visits.front(), layer);
+}
+bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
+  return layer.ends_ready && !layer.visits.empty() &&
+         &block == &BlockOf(layer.visits.back(), layer);
+}
+
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
   const double filament_mm2 =
@@ -94,10 +108,12 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr);
+    if (BeginsReady(block, layer)) builder.BeginReady();
     static const Travel kStraight;
     for (size_t i = 0; i < block.paths.size(); ++i)
       builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
-    Toolpath path = builder.Finish();
+    Toolpath path =
+        EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     built.push_back({std::move(path), builder.stats()});
   }
@@ -106,10 +122,12 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
 
 /// Plate coordinates of where a visit begins and ends.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return visit.shift + StartOf(layer.blocks[static_cast<size_t>(visit.block)].paths.front());
+  return visit.shift + StartOf(BlockOf(visit, layer).paths.front());
 }
 Point ExitOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return visit.shift + EndOf(layer.blocks[static_cast<size_t>(visit.block)].paths.back());
+  const PathBlock& block = BlockOf(visit, layer);
+  const bool leaves = layer.ends_ready && block.leave && &visit == &layer.visits.back();
+  return visit.shift + (leaves ? block.leave->to : EndOf(block.paths.back()));
 }
 
 ProgramStats Moved(ProgramStats stats, Point shift) {
@@ -207,6 +225,14 @@ class PassProgram {
   LayerEdges edges_;
 };
 
+/// What a layer does that prints nothing: it hands the filament on as the next one expects it.
+BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
+  ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
+  if (layer.begins_ready) builder.BeginReady();
+  Toolpath path = layer.ends_ready ? builder.FinishReady({}) : builder.Finish();
+  return {std::move(path), builder.stats()};
+}
+
 /// The visits of each pass, in order; one without visits if there are none.
 std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
   std::vector<std::span<const BlockVisit>> passes;
@@ -256,6 +282,10 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     pass->Write(*code, facts, state, out);
   } else {
     out.Lines(code->after);
+    const BuiltBlock idle = HandOver(layer, options);
+    LayerWriter(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers), state)
+        .Write(idle.path, 0, idle.path.moves.size(), {}, out);
+    program.stats = idle.stats;
   }
   program.gcode = out.Take();
   return program;

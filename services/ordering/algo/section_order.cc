@@ -109,12 +109,13 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   std::vector<FillBlock> ironing = TakeIroning(fills);
   if (options.infill_first) {
     PrintFills(std::move(fills), {}, route, budget);
-    PrintWalls(walls, rules, route, budget);
+    PrintWalls(walls, rules, gaps.empty() ? next : std::nullopt, route, budget);
     PrintFills(std::move(gaps), next, route, budget);
     PrintFills(std::move(ironing), next, route, budget);
     return;
   }
-  PrintWalls(walls, rules, route, budget);
+  const bool walls_last = fills.empty() && gaps.empty() && ironing.empty();
+  PrintWalls(walls, rules, walls_last ? next : std::nullopt, route, budget);
   // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
   std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
   PrintFills(std::move(fills), next, route, budget);
@@ -129,32 +130,41 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   std::vector<Leg> legs;
   legs.reserve(stops.size());
   for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
-  const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
+  const std::vector<Visit> visits = OrderByTravel({plan.entry, plan.exit}, legs, budget);
 
   Route route(plan.entry, section.height_nm);
   std::vector<Travel> travels;
+  std::optional<Leave> leave;
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
-    std::optional<Point> next;
-    if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
+    const bool is_first = i == 0, is_last = i + 1 == visits.size();
+    const std::optional<Point> next = is_last ? plan.exit : stops[visits[i + 1].leg].middle;
     FilledIsland& island = *stops[visits[i].leg].island;
     const IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
     route.Enter({looks_at_walls ? known : nullptr, known});
     PrintIsland(island, next, options, plan.seams, route, budget);
     const size_t first = travels.size();
-    std::ranges::move(TravelsInIsland(island.outline, edges,
-                                      std::span(route.paths()).subspan(first), options.travel,
-                                      sights),
-                      std::back_inserter(travels));
-    if (first > 0)
+    Meetings meetings;
+    if (is_first) meetings.below = plan.entry;
+    if (is_last) meetings.above = plan.exit;
+    IslandWays ways = WaysInIsland(island.outline, edges, std::span(route.paths()).subspan(first),
+                                   meetings, options.travel, sights);
+    std::ranges::move(ways.travels, std::back_inserter(travels));
+    if (is_last) leave = std::move(ways.leave);
+    if (!is_first)
       travels[first] = outside.Between(route.paths()[first - 1], route.paths()[first], sights);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();
-  return {section.object, section.layer, section.height_nm, route.TakePaths(), std::move(travels)};
+  return {.object = section.object,
+          .layer = section.layer,
+          .height_nm = section.height_nm,
+          .paths = route.TakePaths(),
+          .travels = std::move(travels),
+          .leave = std::move(leave)};
 }
 
 }  // namespace slicefarm::ordering

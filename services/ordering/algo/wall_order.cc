@@ -30,13 +30,13 @@ Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
   return {at, at, true};
 }
 
-/// Walls of one contour and inset.
-void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& route,
-                WorkBudget& budget) {
+/// Walls of one contour and inset, towards `next`.
+void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, std::optional<Point> next,
+                Route& route, WorkBudget& budget) {
   std::vector<Leg> legs;
   legs.reserve(walls.size());
   for (const Path* wall : walls) legs.push_back(LegOf(*wall, rule, route.at()));
-  for (const Visit visit : OrderByTravel(route.To(), legs, budget)) {
+  for (const Visit visit : OrderByTravel(route.To(next), legs, budget)) {
     Path& wall = *walls[visit.leg];
     if (wall.closed) {
       const LoopPlace start = rule.For(wall, route.at());
@@ -64,39 +64,67 @@ void Arrange(InsetOrder order, std::vector<std::vector<Path*>>& levels) {
     std::swap(levels.back(), levels[levels.size() - 2]);
 }
 
+/// The contours of an island, each with where its loops start.
+class Contours {
+ public:
+  Contours(std::span<Path* const> walls, const WallRules& rules, Point nozzle)
+      : groups_(GroupWalls(SortedByGeometry(walls))) {
+    for (const WallGroup& group : groups_) {
+      const Path& wall = group.Outermost();
+      StartRule start{.seam = {}, .stagger = rules.stagger};
+      if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
+        start.seam = rules.seams[static_cast<size_t>(wall.ring)];
+      starts_.push_back(start);
+      legs_.push_back(LegOf(wall, start, nozzle));
+    }
+  }
+
+  bool empty() const { return groups_.empty(); }
+
+  /// Prints the outer contour, the outermost wall first, and takes it out.
+  void TakeOuter(Route& route, WorkBudget& budget) {
+    const size_t outer = OuterGroup(groups_);
+    Print(outer, InsetOrder::kOuterFirst, {}, route, budget);
+    groups_.erase(groups_.begin() + static_cast<ptrdiff_t>(outer));
+    starts_.erase(starts_.begin() + static_cast<ptrdiff_t>(outer));
+    legs_.erase(legs_.begin() + static_cast<ptrdiff_t>(outer));
+  }
+
+  void PrintAll(InsetOrder order, std::optional<Point> next, Route& route, WorkBudget& budget) {
+    const std::vector<Visit> visits = OrderByTravel(route.To(next), legs_, budget);
+    for (size_t i = 0; i < visits.size(); ++i) {
+      const bool last = i + 1 == visits.size();
+      Print(visits[i].leg, order, last ? next : legs_[visits[i + 1].leg].start, route, budget);
+    }
+  }
+
+ private:
+  void Print(size_t i, InsetOrder order, std::optional<Point> next, Route& route,
+             WorkBudget& budget) {
+    std::vector<std::vector<Path*>>& levels = groups_[i].levels;
+    Arrange(order, levels);
+    for (const auto& level : levels) {
+      const bool last = &level == &levels.back();
+      PrintLevel(level, starts_[i], last ? next : starts_[i].seam, route, budget);
+    }
+  }
+
+  std::vector<WallGroup> groups_;
+  std::vector<StartRule> starts_;  ///< by group
+  std::vector<Leg> legs_;          ///< by group
+};
+
 }  // namespace
 
-void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
-                WorkBudget& budget) {
-  std::vector<WallGroup> groups = GroupWalls(SortedByGeometry(walls));
-  std::vector<StartRule> starts;
-  std::vector<Leg> legs;
-  for (const WallGroup& group : groups) {
-    const Path& wall = group.Outermost();
-    StartRule start{.seam = {}, .stagger = rules.stagger};
-    if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
-      start.seam = rules.seams[static_cast<size_t>(wall.ring)];
-    starts.push_back(start);
-    legs.push_back(LegOf(wall, start, route.at()));
+void PrintWalls(std::span<Path* const> walls, const WallRules& rules, std::optional<Point> next,
+                Route& route, WorkBudget& budget) {
+  Contours contours(walls, rules, route.at());
+  InsetOrder order = rules.order;
+  if (order == InsetOrder::kTowardsHoles && !contours.empty()) {
+    contours.TakeOuter(route, budget);
+    order = InsetOrder::kInnerFirst;
   }
-  const auto print = [&](size_t i, InsetOrder order) {
-    Arrange(order, groups[i].levels);
-    for (const auto& level : groups[i].levels) PrintLevel(level, starts[i], route, budget);
-  };
-  if (rules.order != InsetOrder::kTowardsHoles) {
-    for (const Visit visit : OrderByTravel(route.To(), legs, budget))
-      print(visit.leg, rules.order);
-    return;
-  }
-  if (groups.empty()) return;
-  const size_t outer = OuterGroup(groups);
-  print(outer, InsetOrder::kOuterFirst);
-  std::swap(groups[outer], groups.back());
-  std::swap(starts[outer], starts.back());
-  std::swap(legs[outer], legs.back());
-  legs.pop_back();
-  for (const Visit visit : OrderByTravel(route.To(), legs, budget))
-    print(visit.leg, InsetOrder::kInnerFirst);
+  contours.PrintAll(order, next, route, budget);
 }
 
 }  // namespace slicefarm::ordering

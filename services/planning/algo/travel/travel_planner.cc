@@ -1,6 +1,7 @@
 #include "services/planning/algo/travel/travel_planner.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "common/geometry/measure.h"
@@ -50,6 +51,25 @@ Point LikelyExit(const MultiPolygon& outlines, Point entry) {
   return at;
 }
 
+/// A wall goes on where its seam lies so near to one of the layer below.
+constexpr double kSeamStepNm = 1.0 * kNmPerMm;
+
+bool GoesOn(Point seam, const std::vector<Point>& below) {
+  return std::ranges::any_of(below,
+                             [&](Point at) { return Distance(at, seam) <= kSeamStepNm; });
+}
+
+/// The seam of a wall that goes on from the layer below, nearest to where the section is entered.
+std::optional<Point> SeamToMeetAt(const SectionPlan& section, const SectionPlan& below) {
+  std::optional<Point> nearest;
+  for (const Point seam : section.seams) {
+    const bool nearer =
+        !nearest || Distance(seam, section.entry) < Distance(*nearest, section.entry);
+    if (nearer && GoesOn(seam, below.seams)) nearest = seam;
+  }
+  return nearest;
+}
+
 bool Has(const std::vector<int32_t>& objects, int32_t object) {
   return std::ranges::binary_search(objects, object);
 }
@@ -70,6 +90,24 @@ void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   if (last < 0) return;
   const PlacedCopy& copy = copies_[static_cast<size_t>(last)];
   plate_left_at_ = copy.shift + left_at_[copy.object];
+}
+
+absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
+  (void)cancel, (void)plan;
+  if (copies_.size() != 1) return absl::OkStatus();
+  const PlacedCopy& copy = copies_.front();
+  for (int32_t i = layers.first() + 1; i < layers.end(); ++i) {
+    LayerPlan& below = layers.At(i - 1);
+    LayerPlan& above = layers.At(i);
+    SectionPlan& section = PlanOf(copy.object, above);
+    const auto meeting = SeamToMeetAt(section, PlanOf(copy.object, below));
+    if (!meeting) continue;
+    section.entry = *meeting;
+    above.entry = copy.shift + *meeting;
+    PlanOf(copy.object, below).exit = *meeting;
+    below.ends_ready = above.begins_ready = true;
+  }
+  return absl::OkStatus();
 }
 
 int32_t TravelPlanner::NearestCopy(const std::vector<int32_t>& objects) const {

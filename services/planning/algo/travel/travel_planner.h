@@ -16,6 +16,10 @@ namespace slicefarm::planning {
 /// An object's islands are visited by nearest neighbour in the object's own coordinates, whatever
 /// stands around it: its toolpaths are the same wherever it stands. Copies are visited by nearest
 /// neighbour over their places.
+///
+/// Where a single copy is all that is printed, and a wall goes on from the layer below (a planned
+/// seam near to one there), layers meet at its seam with the filament ready: of several such seams,
+/// at the one nearest to where the layer below ends. So the nozzle goes on within the part.
 /// Cost: O(points + islands^2) a section; O(copies^2) for each way in which layers begin.
 class TravelPlanner : public Planner {
  public:
@@ -23,6 +27,8 @@ class TravelPlanner : public Planner {
   explicit TravelPlanner(std::span<const PlacedCopy> copies) : copies_(copies) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
+  /// Layers that were taken before are left as they are, and so is the way to the one above them.
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   /// Objects with outlines in a layer, by number, and the copy where the layer begins.
