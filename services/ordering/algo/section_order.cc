@@ -32,11 +32,28 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
 /// An island on the way through the section.
 struct Stop {
   FilledIsland* island;
-  Point middle;
+  Point place;  ///< where the way is taken to lead
   Point least;
 };
 
-std::vector<Stop> StopsOf(FilledSection& section) {
+/// Layers meet at a seam that lies so near to one of either's.
+constexpr double kSeamStepNm = 1.0 * kNmPerMm;
+
+bool HasSeamAt(Point place, const FilledIsland& island, std::span<const Point> seams) {
+  return std::ranges::any_of(island.walls, [&](const Path& wall) {
+    return 0 <= wall.ring && wall.ring < std::ssize(seams) &&
+           Distance(seams[static_cast<size_t>(wall.ring)], place) <= kSeamStepNm;
+  });
+}
+
+/// The middle, but for islands where the section is entered and left.
+Point PlaceOf(const FilledIsland& island, const Box& box, const SectionPlan& plan) {
+  if (plan.exit && HasSeamAt(*plan.exit, island, plan.seams)) return *plan.exit;
+  if (HasSeamAt(plan.entry, island, plan.seams)) return plan.entry;
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+std::vector<Stop> StopsOf(FilledSection& section, const SectionPlan& plan) {
   std::vector<Stop> stops;
   for (FilledIsland& island : section.islands) {
     Box box;
@@ -46,9 +63,7 @@ std::vector<Stop> StopsOf(FilledSection& section) {
       least = std::min(least, LeastPoint(path));
     });
     if (box.Empty()) continue;
-    const Point middle{box.min.x + (box.max.x - box.min.x) / 2,
-                       box.min.y + (box.max.y - box.min.y) / 2};
-    stops.push_back({&island, middle, least});
+    stops.push_back({&island, PlaceOf(island, box, plan), least});
   }
   std::stable_sort(stops.begin(), stops.end(),
                    [](const Stop& a, const Stop& b) { return a.least < b.least; });
@@ -126,10 +141,10 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget) {
-  const std::vector<Stop> stops = StopsOf(section);
+  const std::vector<Stop> stops = StopsOf(section, plan);
   std::vector<Leg> legs;
   legs.reserve(stops.size());
-  for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
+  for (const Stop& stop : stops) legs.push_back({stop.place, stop.place, true});
   const std::vector<Visit> visits = OrderByTravel({plan.entry, plan.exit}, legs, budget);
 
   Route route(plan.entry, section.height_nm);
@@ -140,7 +155,7 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
-    const std::optional<Point> next = is_last ? plan.exit : stops[visits[i + 1].leg].middle;
+    const std::optional<Point> next = is_last ? plan.exit : stops[visits[i + 1].leg].place;
     FilledIsland& island = *stops[visits[i].leg].island;
     const IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;

@@ -42,6 +42,12 @@ Point Along(Point a, Point b, double length_nm) {
           a.y + std::llround(share * static_cast<double>(b.y - a.y))};
 }
 
+/// The place on the line from a through b that lies so far behind b.
+Point Beyond(Point a, Point b, double length_nm) {
+  const double whole = Distance(a, b);
+  return whole > 0 ? Along(b, b + (b - a), std::min(length_nm, whole)) : b;
+}
+
 }  // namespace
 
 ClearWays::ClearWays(const MultiPolygon& region, Coord clearance_nm) : clearance_(clearance_nm) {
@@ -89,7 +95,7 @@ std::optional<Point> ClearWays::OnLane(Point p, WillDo will_do) const {
       nearest = on;
     }
   }
-  return nearest;
+  return nearest ? std::optional(Beyond(p, *nearest, kHair)) : std::nullopt;
 }
 
 std::optional<Point> ClearWays::Indoors(Point p) const {

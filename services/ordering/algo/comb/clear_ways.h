@@ -31,7 +31,7 @@ class ClearWays {
   /// micrometres, if a and b lie between them. REQUIRES: a and b lie in the region or beside it.
   std::optional<std::vector<Point>> Find(Point a, Point b, double longest_nm, WorkBudget& budget);
 
-  /// The place between the lanes that is nearest to p, a place of the edge; nothing if it is far.
+  /// The place between the lanes nearest to p, which lies on the edge; nothing if it is far.
   std::optional<Point> FromEdge(Point p) const;
 
  private:
@@ -48,7 +48,8 @@ class ClearWays {
   void AddNodes(const Polygon& ring);
   /// The place nearest to p between the lanes; nothing if it is far away.
   std::optional<Point> Indoors(Point p) const;
-  /// The nearest place on a lane of those that will do; nothing if it is far away.
+  /// A hair inside the nearest place on a lane of those that will do: a string can run from there
+  /// along the lane. Nothing if it is far away.
   template <typename WillDo>
   std::optional<Point> OnLane(Point p, WillDo will_do) const;
   bool Sees(Point a, Point b) const { return !border_.Meets(a, b); }

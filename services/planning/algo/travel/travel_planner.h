@@ -10,6 +10,12 @@
 
 namespace slicefarm::planning {
 
+/// Rings [first, last) of a section's outline, as OutlineOf numbers them.
+struct RingRange {
+  int32_t first = 0;
+  int32_t last = 0;
+};
+
 /// Where each layer is entered: where the one before ends, as far as outlines tell. So islands of an
 /// object, and copies on the plate, are printed to and fro from layer to layer.
 ///
@@ -17,9 +23,9 @@ namespace slicefarm::planning {
 /// stands around it: its toolpaths are the same wherever it stands. Copies are visited by nearest
 /// neighbour over their places.
 ///
-/// Where a single copy is all that is printed, and a wall goes on from the layer below (a planned
-/// seam near to one there), layers meet at its seam with the filament ready: of several such seams,
-/// at the one nearest to where the layer below ends. So the nozzle goes on within the part.
+/// Where a single copy is all that is printed, and a wall goes on from the island where the layer
+/// below ends (a planned seam near to one there), layers meet at its seam with the filament ready:
+/// of several such seams at the nearest one. So the nozzle goes on within the part.
 /// Cost: O(points + islands^2) a section; O(copies^2) for each way in which layers begin.
 class TravelPlanner : public Planner {
  public:
@@ -41,6 +47,8 @@ class TravelPlanner : public Planner {
   std::map<int32_t, Point> left_at_;       ///< by object, in its own coordinates
   Point plate_left_at_;                    ///< at first the corner of the bed, where start G-code ends
   std::map<Beginning, int32_t> last_copies_;  ///< known answers
+  /// By layer, of the island where the only copy is likely to be left; none if there are several.
+  std::vector<RingRange> last_rings_;
 };
 
 }  // namespace slicefarm::planning
