@@ -59,10 +59,10 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
   LikelyExit exit{entry, {}};
   Point& at = exit.at;
   while (!left.empty()) {
-    const auto next =
-        std::min_element(left.begin(), left.end(), [&](const Island& a, const Island& b) {
-          return DistanceToBox(at, a.box) < DistanceToBox(at, b.box);
-        });
+    // Of islands one around the other, the inner one.
+    const auto next = std::ranges::min_element(left, {}, [&](const Island& island) {
+      return std::pair(DistanceToBox(at, island.box), island.box.max.x - island.box.min.x);
+    });
     at = Nearest(*next->ring, at);
     exit.rings = next->rings;
     left.erase(next);
