@@ -30,23 +30,6 @@ Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
   return {at, at, true};
 }
 
-/// Walls of one contour and inset, towards `next`.
-void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, std::optional<Point> next,
-                Route& route, WorkBudget& budget) {
-  std::vector<Leg> legs;
-  legs.reserve(walls.size());
-  for (const Path* wall : walls) legs.push_back(LegOf(*wall, rule, route.at()));
-  for (const Visit visit : OrderByTravel(route.To(next), legs, budget)) {
-    Path& wall = *walls[visit.leg];
-    if (wall.closed) {
-      const LoopPlace start = rule.For(wall, route.at());
-      route.PrintLoop(std::move(wall), start);
-    } else {
-      route.Print(std::move(wall), visit.reversed);
-    }
-  }
-}
-
 /// The group along the island's outer contour: that of the widest box.
 size_t OuterGroup(const std::vector<WallGroup>& groups) {
   const auto width = [](const WallGroup& group) {
@@ -56,12 +39,21 @@ size_t OuterGroup(const std::vector<WallGroup>& groups) {
   return static_cast<size_t>(std::ranges::max_element(groups, {}, width) - groups.begin());
 }
 
-/// Turns levels, the outermost first, into the order of printing.
-void Arrange(InsetOrder order, std::vector<std::vector<Path*>>& levels) {
-  if (order == InsetOrder::kOuterFirst) return;
-  std::reverse(levels.begin(), levels.end());
-  if (order == InsetOrder::kInnerOuterInner && levels.size() > 1)
-    std::swap(levels.back(), levels[levels.size() - 2]);
+/// Which walls of a contour come before which.
+std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
+  std::vector<Precedence> rules;
+  for (const auto [outer, inner] : group.pairs) {
+    const bool outer_first =
+        order == InsetOrder::kOuterFirst ||
+        (order == InsetOrder::kInnerOuterInner && group.walls[outer]->inset == 0);
+    rules.push_back(outer_first ? Precedence{outer, inner} : Precedence{inner, outer});
+  }
+  if (order != InsetOrder::kInnerOuterInner) return rules;
+  // The outermost but one comes last: what lies inside of it comes before what lies outside.
+  for (const auto [outer, second] : group.pairs)
+    for (const auto [middle, third] : group.pairs)
+      if (middle == second && group.walls[outer]->inset == 0) rules.push_back({third, outer});
+  return rules;
 }
 
 /// The contours of an island, each with where its loops start.
@@ -101,11 +93,21 @@ class Contours {
  private:
   void Print(size_t i, InsetOrder order, std::optional<Point> next, Route& route,
              WorkBudget& budget) {
-    std::vector<std::vector<Path*>>& levels = groups_[i].levels;
-    Arrange(order, levels);
-    for (const auto& level : levels) {
-      const bool last = &level == &levels.back();
-      PrintLevel(level, starts_[i], last ? next : starts_[i].seam, route, budget);
+    const WallGroup& group = groups_[i];
+    const std::vector<Precedence> precedence = PrecedenceOf(group, order);
+    std::vector<Leg> legs;
+    legs.reserve(group.walls.size());
+    for (const Path* wall : group.walls) legs.push_back(LegOf(*wall, starts_[i], route.at()));
+    Journey journey = route.To(next);
+    journey.precedence = precedence;
+    for (const Visit visit : OrderByTravel(journey, legs, budget)) {
+      Path& wall = *group.walls[visit.leg];
+      if (wall.closed) {
+        const LoopPlace start = starts_[i].For(wall, route.at());
+        route.PrintLoop(std::move(wall), start);
+      } else {
+        route.Print(std::move(wall), visit.reversed);
+      }
     }
   }
 
