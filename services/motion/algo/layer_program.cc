@@ -122,7 +122,11 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
 
 /// Plate coordinates of where a visit begins and ends.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return visit.shift + StartOf(BlockOf(visit, layer).paths.front());
+  const PathBlock& block = BlockOf(visit, layer);
+  const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
+                     !block.travels.empty() && !block.travels.front().corners.empty();
+  return visit.shift +
+         (turns ? block.travels.front().corners.front() : StartOf(block.paths.front()));
 }
 Point ExitOf(const BlockVisit& visit, const OrderedLayer& layer) {
   const PathBlock& block = BlockOf(visit, layer);

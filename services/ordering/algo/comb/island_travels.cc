@@ -45,21 +45,15 @@ class IslandTravels {
   /// To paths[i] from the one before.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
-    if (from == to) return {};
-    Travel travel;
-    if (clearance_ > 0 && IsToGoRound(from, to))
-      travel.corners = Around(from, to, LongestFor(from, to), budget);
-    travel.hidden = options_.hide && !IsSeen(paths_[i].feature) &&
-                    IsHidden(from, to, travel.corners, i);
-    return travel;
+    return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
   /// To the first path from where the layer below has left the nozzle.
-  Travel From(Point seam) {
+  Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
     if (Distance(seam, to) <= kAtSeamNm) return {true, {}};
     const std::optional<Point> from = BesideWall(seam);
-    return {from && !IsSeen(paths_.front().feature) && IsHidden(*from, to, {}, 0), {}};
+    return from ? Between(*from, to, 0, budget) : Travel{};
   }
 
   /// From the last path to where the layer above goes on.
@@ -68,14 +62,20 @@ class IslandTravels {
     if (Distance(from, seam) <= kAtSeamNm) return {from, {}};
     const std::optional<Point> to = BesideWall(seam);
     if (!to) return {seam, {}};
-    Leave leave{*to, {}};
-    if (edges_.Parts(from, *to))
-      leave.way.corners = Around(from, *to, LongestFor(from, *to), budget);
-    leave.way.hidden = IsHidden(from, *to, leave.way.corners, paths_.size());
-    return leave;
+    return {*to, Between(from, *to, paths_.size(), budget)};
   }
 
  private:
+  /// After the first `printed` paths, to the next one if there is one.
+  Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
+    Travel travel;
+    if (clearance_ > 0 && IsToGoRound(from, to))
+      travel.corners = Around(from, to, LongestFor(from, to), budget);
+    const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
+    travel.hidden = options_.hide && !seen && IsHidden(from, to, travel.corners, printed);
+    return travel;
+  }
+
   bool IsToGoRound(Point from, Point to) {
     return options_.avoid_crossing ? !Ways().IsClear(from, to) : edges_.Parts(from, to);
   }
@@ -135,7 +135,7 @@ IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edge
   if (edges.empty() || paths.empty()) return ways;
   if (!options.hide && !options.avoid_crossing) return ways;
   IslandTravels island(outline, edges, paths, options);
-  if (meetings.below) ways.travels[0] = island.From(*meetings.below);
+  if (meetings.below) ways.travels[0] = island.From(*meetings.below, budget);
   for (size_t i = 1; i < paths.size(); ++i) ways.travels[i] = island.To(i, budget);
   if (meetings.above) ways.leave = island.To(*meetings.above, budget);
   return ways;

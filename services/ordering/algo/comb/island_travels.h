@@ -18,8 +18,8 @@ struct Meetings {
   std::optional<Point> above;
 };
 
-/// One travel to each path; the first one, which is straight, is not hidden but where it comes from
-/// the layer below.
+/// One travel to each path; the first one is straight and in sight but where it comes from the layer
+/// below.
 struct IslandWays {
   std::vector<Travel> travels;
   std::optional<Leave> leave;  ///< to the layer above
