@@ -1,6 +1,7 @@
 #include "services/ordering/algo/comb/island_travels.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -25,6 +26,13 @@ bool IsSeen(Feature feature) {
   return feature == Feature::kExternalPerimeter || feature == Feature::kOverhangPerimeter ||
          feature == Feature::kTopSolidInfill;
 }
+
+/// How much longer than straight a way round may be where none is asked for. A retraction and its
+/// end take as long as 15 mm of travel, and leave a mark.
+constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
+
+/// Longer hidden ways to a bead that is seen would make it begin with a gap.
+constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
 /// The seam of a wall and the starts of its loops lie no further from each other: layers that meet
 /// there need no way.
@@ -72,7 +80,8 @@ class IslandTravels {
     if (clearance_ > 0 && IsToGoRound(from, to))
       travel.corners = Around(from, to, LongestFor(from, to), budget);
     const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
-    travel.hidden = options_.hide && !seen && IsHidden(from, to, travel.corners, printed);
+    const double longest = seen ? kLongestToSeenNm : LongestHidden();
+    travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest);
     return travel;
   }
 
@@ -80,10 +89,14 @@ class IslandTravels {
     return options_.avoid_crossing ? !Ways().IsClear(from, to) : edges_.Parts(from, to);
   }
 
-  /// Where no way round is asked for: one that takes less time than the retraction that it saves.
   double LongestFor(Point from, Point to) const {
     if (options_.avoid_crossing) return LongestWay(from, to, options_);
-    return options_.hide ? Distance(from, to) + static_cast<double>(kCrossingNm) : 0;
+    return options_.hide ? Distance(from, to) + kWorthOfRetractionNm : 0;
+  }
+
+  double LongestHidden() const {
+    return options_.longest_hidden_mm > 0 ? options_.longest_hidden_mm * kNmPerMm
+                                          : std::numeric_limits<double>::infinity();
   }
 
   ClearWays& Ways() {
@@ -100,7 +113,8 @@ class IslandTravels {
   }
 
   /// Of a way after the first `printed` paths.
-  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t printed) const {
+  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t printed,
+                double longest_nm) const {
     double length = 0;
     std::vector<Point> places = corners;
     places.push_back(to);
@@ -110,8 +124,7 @@ class IslandTravels {
       length += Distance(from, place);
       from = place;
     }
-    const double longest = options_.longest_hidden_mm * kNmPerMm;
-    if (longest > 0 && length > longest) return false;
+    if (length > longest_nm) return false;
     // It meets no edge: if one of its places is inside, all of it is.
     return edges_.Surrounds(to);
   }

@@ -27,11 +27,11 @@ struct IslandWays {
 
 /// The ways between the paths of one island, which are printed in this order.
 ///
-/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, is
-/// not too long, and does not lead to a visible bead, which would begin with a gap.
-/// A way that crosses a wall goes round inside the island where that is no longer than kCrossingNm
-/// more: it takes less time than a retraction. With avoid_crossing each way that is not clear of
-/// the walls goes round if a detour that is allowed leads there.
+/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, and
+/// is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options say.
+/// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
+/// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
+/// walls goes round if a detour that is allowed leads there.
 /// A seam to meet at lies on the outline: the way leads to the place nearest to it that keeps off
 /// the walls. `budget`: for lines of sight.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,

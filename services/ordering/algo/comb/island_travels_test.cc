@@ -83,7 +83,8 @@ std::vector<Case> Cases() {
       {"OverATopThatIsThere", {Top("(12 1, 12 3)"), low, far}},
       {"PastATop", {Top("(12 3, 12 5)"), low, far}, true},
       {"ToATop", {low, Top("(19 2, 23 2)")}},
-      {"ToTheOuterWall", {low, OuterWall()}},
+      {"ToTheOuterWall", {Sparse("(1 2, 6 2)"), OuterWall()}},
+      {"ToTheOuterWallNearBy", {Sparse("(1 2, 4 2)"), OuterWall()}, true},
       {"FromTheOuterWall", {OuterWall(), low}, true},
   };
 }
