@@ -100,7 +100,7 @@ void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
         "retract_before_travel", "retract_lift", "retract_lift_above", "retract_lift_below", "wipe",
-        "retract_before_wipe"}) {
+        "retract_before_wipe", "retract_layer_change"}) {
     const Draft::Entry& own = draft.At(fmt::format("filament_{}", key));
     if (own.value.has_value()) draft.At(key).value = own.value;
   }
@@ -111,6 +111,26 @@ void DeriveFilament(Draft& draft) {
   if (print_limit > 0 && (filament_limit == 0 || print_limit < filament_limit)) {
     draft.SetNumber("filament_max_volumetric_speed", print_limit);
   }
+}
+
+/// Whether G-code does anything but comment and set E to 0, which profiles do in each layer.
+bool Acts(std::string_view gcode) {
+  for (const std::string_view line : Split(gcode, "\n")) {
+    const std::string_view code = Trim(line.substr(0, line.find(';')));
+    if (!code.empty() && code != "G92 E0" && code != "G92 E0.0") return true;
+  }
+  return false;
+}
+
+/// Layers meet with the filament ready only where nothing happens between them: G-code may lead the
+/// nozzle anywhere, and a copy that is left out must leave the printer as it found it.
+void DeriveLayerChange(Draft& draft) {
+  const auto text = [&](std::string_view key) -> std::string_view {
+    return draft.At(key).value->text;
+  };
+  if (Acts(text("before_layer_gcode")) || Acts(text("layer_gcode")) ||
+      draft.Number("gcode_label_objects") != static_cast<int>(ObjectLabels::kNone))
+    draft.SetNumber("retract_layer_change", 1);
 }
 
 /// Thumbnails take the format that they do not name from thumbnails_format.
@@ -169,6 +189,7 @@ absl::Status Derive(Draft& draft) {
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
   DeriveFilament(draft);
+  DeriveLayerChange(draft);
   DeriveThumbnails(draft);
   absl::Status status = CheckPercentages(draft);
   status.Update(DeriveGcode(draft));

@@ -55,7 +55,7 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.planning.objects[0].brim.type == BrimType::kEars; }},
     {"avoid_crossing_perimeters_max_detour", "avoid_crossing_perimeters = 1",
      [](const JobSettings& s) { return s.ordering.travel.avoid_crossing; }},
-    {"retract_inside_after", "only_retract_when_crossing_perimeters = 1",
+    {"retract_inside_after retract_layer_change", "only_retract_when_crossing_perimeters = 1",
      [](const JobSettings& s) { return s.ordering.travel.hide; }},
     {"raft_contact_distance raft_expansion raft_first_layer_expansion raft_first_layer_density "
      "support_material_spacing support_material_angle",

@@ -131,6 +131,17 @@ std::vector<SettingSpec> Retraction() {
                  .field = Bind([](auto& s) -> auto& { return s.motion.retraction.wipe; })},
                 "filament_wipe");
   AddRetraction(settings,
+                {.key = "retract_layer_change",
+                 .kind = Kind::kFlag,
+                 .standard = "0",
+                 .doc = "Retracts at each change of layer, even where the way is hidden in the "
+                        "part; done in any case where copies are labelled, and where G-code of "
+                        "the settings stands between layers",
+                 .field = Bind([](auto& s) -> auto& {
+                   return s.ordering.travel.retract_layer_change;
+                 })},
+                "filament_retract_layer_change");
+  AddRetraction(settings,
                 {.key = "retract_before_wipe",
                  .kind = Kind::kPercent,
                  .min = 0,
@@ -178,7 +189,7 @@ std::vector<SettingSpec> Travels() {
        .unit = "mm",
        .min = 0,
        .max = 1000,
-       .standard = "30",
+       .standard = "100",
        .doc = "Longer travels retract inside the part as well; 0: none does",
        .field = Bind([](auto& s) -> auto& { return s.ordering.travel.longest_hidden_mm; })},
       {.key = "avoid_crossing_perimeters",

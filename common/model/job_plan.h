@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Copy {
 struct SectionPlan {
   int32_t object = 0;
   Point entry;               ///< start the section near here
+  std::optional<Point> exit;  ///< end it near here, where the section above starts
   /// Where walls start, by the ring of OutlineOf; empty: near the nozzle.
   std::vector<Point> seams;
 
@@ -47,6 +49,10 @@ struct PlannedInfill {
 /// What is decided for a layer before the fan-out, so that layers are independent afterwards.
 struct LayerPlan {
   Point entry;                        ///< start the layer near here, in plate coordinates
+  /// The layer below ends near `entry` with the filament ready to print, as does this one near the
+  /// exit of its last section; else the filament is retracted where layers meet.
+  bool begins_ready = false;
+  bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< by ascending object
   std::vector<Path> paths;            ///< finished ones in plate coordinates, printed first
   std::vector<PlannedInfill> infill;  ///< by ascending object, then row; none: nothing is decided

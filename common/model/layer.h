@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -147,6 +148,14 @@ struct Travel {
   friend bool operator==(const Travel&, const Travel&) = default;
 };
 
+/// The way on from the last path of a block.
+struct Leave {
+  Point to;
+  Travel way;
+
+  friend bool operator==(const Leave&, const Leave&) = default;
+};
+
 /// Paths of one object (or of the plate) in the order and direction of printing, around the
 /// object's own origin. A closed path starts (and ends) at its first point. INVARIANT: not empty.
 struct PathBlock {
@@ -154,9 +163,10 @@ struct PathBlock {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
-  /// To each path, or empty: all straight and in sight. The way to the first is not used: it
-  /// depends on what is printed before the block.
+  /// To each path, or empty: all straight and in sight. The way to the first is looked at only where
+  /// the block begins a layer that begins ready.
   std::vector<Travel> travels = {};
+  std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
   /// What the object's layer below covers, where motion asks for it (LooksBelow); else empty.
   MultiPolygon below = {};
 
@@ -177,6 +187,10 @@ struct OrderedLayer {
   LayerFrame frame;
   std::vector<PathBlock> blocks;
   std::vector<BlockVisit> visits;  ///< in the order of printing
+  /// The filament is ready to print where the layer begins or ends; else it is retracted. If so, no
+  /// block has two visits.
+  bool begins_ready = false;
+  bool ends_ready = false;
 
   friend bool operator==(const OrderedLayer&, const OrderedLayer&) = default;
 };

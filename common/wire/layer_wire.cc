@@ -257,12 +257,30 @@ absl::StatusOr<Travel> FromProto(const v1::Travel& proto) {
   return Travel{proto.hidden(), *std::move(corners)};
 }
 
+absl::Status ToProto(const Leave& leave, v1::Leave* proto) {
+  if (absl::Status status = ToProto(leave.to, proto->mutable_to()); !status.ok())
+    return Within("to", status);
+  const absl::Status status = ToProto(leave.way, proto->mutable_way());
+  return status.ok() ? status : Within("way", status);
+}
+
+absl::StatusOr<Leave> FromProto(const v1::Leave& proto) {
+  absl::StatusOr<Travel> way = FromProto(proto.way());
+  if (!way.ok()) return Within("way", way.status());
+  return Leave{FromProto(proto.to()), *std::move(way)};
+}
+
 absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
   PlaceToProto(block, proto);
   absl::Status status = AllToProto(block.paths, "paths", proto->mutable_paths());
   if (!status.ok()) return status;
   status = AllToProto(block.travels, "travels", proto->mutable_travels());
-  if (!status.ok() || block.below.empty()) return status;
+  if (!status.ok()) return status;
+  if (block.leave) {
+    status = ToProto(*block.leave, proto->mutable_leave());
+    if (!status.ok()) return Within("leave", status);
+  }
+  if (block.below.empty()) return status;
   status = ToProto(block.below, proto->mutable_below());
   return status.ok() ? status : Within("below", status);
 }
@@ -275,6 +293,11 @@ absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
   if (!status.ok()) return status;
   if (!block->travels.empty() && block->travels.size() != block->paths.size()) {
     return Malformed("travels", "not one for each path");
+  }
+  if (proto.has_leave()) {
+    absl::StatusOr<Leave> leave = FromProto(proto.leave());
+    if (!leave.ok()) return Within("leave", leave.status());
+    block->leave = *std::move(leave);
   }
   absl::StatusOr<MultiPolygon> below = FromProto(proto.below());
   if (!below.ok()) return Within("below", below.status());
@@ -300,6 +323,8 @@ absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto) {
 
 absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto) {
   ToProto(layer.frame, proto->mutable_frame());
+  proto->set_begins_ready(layer.begins_ready);
+  proto->set_ends_ready(layer.ends_ready);
   absl::Status status = AllToProto(layer.blocks, "blocks", proto->mutable_blocks());
   if (!status.ok()) return status;
   return AllToProto(layer.visits, "visits", proto->mutable_visits());
@@ -308,7 +333,7 @@ absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto) {
 absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
-  OrderedLayer layer{*frame, {}, {}};
+  OrderedLayer layer{*frame, {}, {}, proto.begins_ready(), proto.ends_ready()};
   absl::Status status = AllFromProto(proto.blocks(), "blocks", &layer.blocks);
   status.Update(AllFromProto(proto.visits(), "visits", &layer.visits));
   if (!status.ok()) return status;

@@ -93,7 +93,7 @@ FilledLayer Filled() {
 }
 OrderedLayer Ordered() {
   PathBlock first;
-  auto& [object, layer, height, paths, travels, below] = first;
+  auto& [object, layer, height, paths, travels, leave, below] = first;
   object = kPlate;
   layer = 2;
   height = 150'000;
@@ -103,6 +103,9 @@ OrderedLayer Ordered() {
   hidden = true;
   corners = {{1, 2}, {-3, 4}};
   travels = {travel};
+  auto& [to, way] = leave.emplace();
+  to = {5, -6};
+  way = {true, {{7, 8}}};
   below = *ParseMultiPolygon("(0 0, 9 0, 9 9)");
   BlockVisit visit;
   auto& [block, copy, pass, shift] = visit;
@@ -110,7 +113,7 @@ OrderedLayer Ordered() {
   copy = 11;
   pass = 12;
   shift = {-13'000, 14'000};
-  return {kFrame, {first, {4, 3, 200'000, {PlainPath("(0 0, 1 0, 1 1)")}}}, {{}, visit}};
+  return {kFrame, {first, {4, 3, 200'000, {PlainPath("(0 0, 1 0, 1 1)")}}}, {{}, visit}, true, true};
 }
 
 template <typename Proto, typename Model>
@@ -344,6 +347,9 @@ TEST(LayerWire, RefusesTravelsThatAreNotOneForEachPath) {
   proto = ProtoOf<v1::OrderedLayer>(Ordered());
   proto.mutable_blocks(0)->mutable_travels(0)->add_corners_xy_nm(1);
   ExpectMalformed(FromProto(proto).status(), "blocks[0].travels[0].corners_xy_nm");
+  proto = ProtoOf<v1::OrderedLayer>(Ordered());
+  proto.mutable_blocks(0)->mutable_leave()->mutable_way()->add_corners_xy_nm(1);
+  ExpectMalformed(FromProto(proto).status(), "blocks[0].leave.way.corners_xy_nm");
 }
 
 TEST(LayerWire, RefusesAnOutlineOfTwoIslands) {

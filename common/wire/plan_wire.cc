@@ -97,6 +97,10 @@ absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
   if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
+  if (plan.exit) {
+    if (absl::Status status = ToProto(*plan.exit, proto->mutable_exit()); !status.ok())
+      return Within("exit", status);
+  }
   return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
 }
 
@@ -104,7 +108,9 @@ absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
   if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
   absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
   if (!seams.ok()) return seams.status();
-  return SectionPlan{proto.object(), FromProto(proto.entry()), *std::move(seams)};
+  SectionPlan plan{proto.object(), FromProto(proto.entry()), {}, *std::move(seams)};
+  if (proto.has_exit()) plan.exit = FromProto(proto.exit());
+  return plan;
 }
 
 absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
@@ -149,6 +155,8 @@ absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
   if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
+  proto->set_begins_ready(plan.begins_ready);
+  proto->set_ends_ready(plan.ends_ready);
   absl::Status status = AllToProto(plan.sections, "sections", proto->mutable_sections());
   if (!status.ok()) return status;
   status = AllToProto(plan.paths, "paths", proto->mutable_paths());
@@ -157,7 +165,10 @@ absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
 }
 
 absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
-  LayerPlan plan{FromProto(proto.entry()), {}, {}, {}};
+  LayerPlan plan;
+  plan.entry = FromProto(proto.entry());
+  plan.begins_ready = proto.begins_ready();
+  plan.ends_ready = proto.ends_ready();
   absl::Status status = AllFromProto(proto.sections(), "sections", &plan.sections);
   status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
   status.Update(AllFromProto(proto.infill(), "infill", &plan.infill));

@@ -37,9 +37,10 @@ PlacedCopy DistinctPlaced() {
 
 SectionPlan DistinctSection(int32_t of) {
   SectionPlan plan;
-  auto& [object, entry, seams] = plan;
+  auto& [object, entry, exit, seams] = plan;
   object = of;
   entry = {2, -3};
+  exit = {-8, 9};
   seams = {{4, 5}, {-6, 7}};
   return plan;
 }
@@ -59,8 +60,10 @@ PlannedInfill DistinctInfill(int32_t of) {
 
 LayerPlan DistinctLayer() {
   LayerPlan plan;
-  auto& [entry, sections, paths, infill] = plan;
+  auto& [entry, begins_ready, ends_ready, sections, paths, infill] = plan;
   entry = {-1, 2};
+  begins_ready = true;
+  ends_ready = true;
   sections = {DistinctSection(3), DistinctSection(5)};
   paths = {MakePathOrDie("(0 0, 9 0, 9 9)", true)};
   infill = {DistinctInfill(3), DistinctInfill(4)};
@@ -313,6 +316,9 @@ TEST(PlanWire, RefusesPointsBeyondTheWire) {
   plan = DistinctLayer();
   plan.sections[1].entry = far;
   expect_refused(ToProto(plan, &proto), "sections[1].entry");
+  plan = DistinctLayer();
+  plan.sections[1].exit = far;
+  expect_refused(ToProto(plan, &proto), "sections[1].exit");
   Copy copy = DistinctCopy();
   copy.shift = far;
   v1::Copy copy_proto;

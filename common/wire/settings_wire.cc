@@ -348,6 +348,7 @@ v1::OrderingOptions ToProto(const OrderingOptions& options) {
   proto.mutable_travel()->set_avoid_crossing(travel.avoid_crossing);
   proto.mutable_travel()->set_max_detour_mm(travel.max_detour_mm);
   proto.mutable_travel()->set_max_detour_ratio(travel.max_detour_ratio);
+  proto.mutable_travel()->set_retract_layer_change(travel.retract_layer_change);
   for (const WallOrder& order : options.walls) {
     v1::WallOrder* walls = proto.add_walls();
     walls->set_external_perimeters_first(order.external_perimeters_first);
@@ -372,7 +373,8 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   options.improvement_moves = proto.improvement_moves();
   const v1::TravelOptions& travel = proto.travel();
   options.travel = {travel.hide(), travel.longest_hidden_mm(), travel.avoid_crossing(),
-                    travel.max_detour_mm(), travel.max_detour_ratio()};
+                    travel.max_detour_mm(), travel.max_detour_ratio(),
+                    travel.retract_layer_change()};
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),

@@ -226,12 +226,13 @@ OrderingOptions DistinctOrdering() {
   OrderingOptions options;
   auto& [infill_first, travel, improvement_moves, walls] = options;
   infill_first = true;
-  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio] = travel;
+  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio, layer_change] = travel;
   hide = false;
   longest_hidden = 401;
   avoid_crossing = true;
   max_detour = 402;
   max_detour_ratio = 4.03;
+  layer_change = true;
   improvement_moves = 404;
   WallOrder order;
   auto& [external_first, inner_outer_inner, towards_holes, stagger] = order;
@@ -519,7 +520,13 @@ constexpr char kDistinct[] = R"pb(
   ordering {
     infill_first: true
     improvement_moves: 404
-    travel { longest_hidden_mm: 401 avoid_crossing: true max_detour_mm: 402 max_detour_ratio: 4.03 }
+    travel {
+      longest_hidden_mm: 401
+      avoid_crossing: true
+      max_detour_mm: 402
+      max_detour_ratio: 4.03
+      retract_layer_change: true
+    }
     walls { external_perimeters_first: true towards_holes: true stagger_seams: true }
   }
   motion {

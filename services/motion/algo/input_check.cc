@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
@@ -48,9 +49,11 @@ bool InBounds(const PathBlock& block) {
   const auto has_bounds = [](const Travel& travel) {
     return std::ranges::all_of(travel.corners, [](Point p) { return InBounds(p); });
   };
+  const bool leaves_in_bounds =
+      !block.leave || (InBounds(block.leave->to) && has_bounds(block.leave->way));
   return 0 <= block.height_nm && block.height_nm <= kMaxBeadNm && !block.paths.empty() &&
          (block.travels.empty() || block.travels.size() == block.paths.size()) &&
-         std::ranges::all_of(block.travels, has_bounds) &&
+         leaves_in_bounds && std::ranges::all_of(block.travels, has_bounds) &&
          std::ranges::all_of(block.paths, [](const Path& path) { return InBounds(path); });
 }
 
@@ -65,6 +68,15 @@ bool AreInOrder(const OrderedLayer& layer) {
     pass = visit.pass;
   }
   return true;
+}
+
+/// A block is built once for all its visits: it cannot be the first of some and not of others.
+bool CanBeReady(const OrderedLayer& layer) {
+  if (!layer.begins_ready && !layer.ends_ready) return true;
+  std::vector<int32_t> blocks;
+  for (const BlockVisit& visit : layer.visits) blocks.push_back(visit.block);
+  std::ranges::sort(blocks);
+  return std::ranges::adjacent_find(blocks) == blocks.end();
 }
 
 absl::Status CheckRegions(const OrderedLayer& layer, size_t rows) {
@@ -112,7 +124,7 @@ absl::Status CheckLayer(const OrderedLayer& layer, const MotionOptions& options)
       std::abs(frame.print_z_nm) <= limits::kMaxCoord && 0 <= frame.height_nm &&
       frame.height_nm <= kMaxBeadNm &&
       std::ranges::all_of(layer.blocks, [](const PathBlock& block) { return InBounds(block); }) &&
-      AreInOrder(layer);
+      AreInOrder(layer) && CanBeReady(layer);
   if (good) return CheckRegions(layer, options.speeds.size());
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,

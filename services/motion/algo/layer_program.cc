@@ -91,6 +91,20 @@ Ground GroundOf(const LayerFrame& frame, const PathBlock& block) {
   return block.object != kPlate && block.layer == 0 ? Ground::kRaft : Ground::kLayers;
 }
 
+const PathBlock& BlockOf(const BlockVisit& visit, const OrderedLayer& layer) {
+  return layer.blocks[static_cast<size_t>(visit.block)];
+}
+
+/// Whether a block is the first or the last of a layer that begins or ends ready.
+bool BeginsReady(const PathBlock& block, const OrderedLayer& layer) {
+  return layer.begins_ready && !layer.visits.empty() &&
+         &block == &BlockOf(layer.visits.front(), layer);
+}
+bool EndsReady(const PathBlock& block, const OrderedLayer& layer) {
+  return layer.ends_ready && !layer.visits.empty() &&
+         &block == &BlockOf(layer.visits.back(), layer);
+}
+
 std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& options) {
   const FlowSlopes slopes = {options.flow_rise_mm3_s2, options.flow_fall_mm3_s2};
   const double filament_mm2 =
@@ -102,10 +116,12 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     if (!block.below.empty() && LooksBelow(options)) below.emplace(block.below);
     ToolpathBuilder builder(options, layer.frame, block.height_nm, GroundOf(layer.frame, block),
                             below ? &*below : nullptr);
+    if (BeginsReady(block, layer)) builder.BeginReady();
     static const Travel kStraight;
     for (size_t i = 0; i < block.paths.size(); ++i)
       builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
-    Toolpath path = builder.Finish();
+    Toolpath path =
+        EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     // A mix holds for one move.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())
@@ -117,7 +133,11 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
 
 /// Plate coordinates of where a visit begins and ends.
 Point EntryOf(const BlockVisit& visit, const OrderedLayer& layer) {
-  return visit.shift + StartOf(layer.blocks[static_cast<size_t>(visit.block)].paths.front());
+  const PathBlock& block = BlockOf(visit, layer);
+  const bool turns = layer.begins_ready && &visit == &layer.visits.front() &&
+                     !block.travels.empty() && !block.travels.front().corners.empty();
+  return visit.shift +
+         (turns ? block.travels.front().corners.front() : StartOf(block.paths.front()));
 }
 Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
   return visit.shift + built[static_cast<size_t>(visit.block)].Exit();
@@ -216,6 +236,14 @@ class PassProgram {
   LayerEdges edges_;
 };
 
+/// What a layer does that prints nothing: it hands the filament on as the next one expects it.
+BuiltBlock HandOver(const OrderedLayer& layer, const MotionOptions& options) {
+  ToolpathBuilder builder(options, layer.frame, layer.frame.height_nm);
+  if (layer.begins_ready) builder.BeginReady();
+  Toolpath path = layer.ends_ready ? builder.FinishReady({}) : builder.Finish();
+  return {std::move(path), builder.stats()};
+}
+
 /// The visits of each pass, in order; one without visits if there are none.
 std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> visits) {
   std::vector<std::span<const BlockVisit>> passes;
@@ -265,6 +293,10 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
     pass->Write(*code, facts, state, out);
   } else {
     out.Lines(code->after);
+    const BuiltBlock idle = HandOver(layer, options);
+    LayerWriter(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers), state)
+        .Write(idle.path, 0, idle.path.moves.size(), {}, out);
+    program.stats = idle.stats;
   }
   program.gcode = out.Take();
   return program;

@@ -491,5 +491,32 @@ TEST(ProgramLayer, CoolingCountsAllCopies) {
             Print(Programmed(Square(), options).gcode).least_feed_rate);
 }
 
+TEST(ProgramLayer, MeetsOtherLayersReady) {
+  OrderedLayer layer = Square();
+  layer.blocks[0].travels = {{true, {}}, {true, {}}};
+  layer.blocks[0].leave = {{FromMm(11), FromMm(11)}, {true, {}}};
+  layer.begins_ready = layer.ends_ready = true;
+  const LayerProgram ready = Programmed(layer);
+  EXPECT_EQ(ready.stats.retractions, 0);
+  EXPECT_THAT(ready.gcode, Not(HasSubstr("E-")));
+  EXPECT_EQ(ready.exit, (Point{FromMm(11), FromMm(11)}));
+  layer.begins_ready = false;
+  EXPECT_EQ(Programmed(layer).stats.retractions, 0);
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E0.8"));
+  layer.ends_ready = false;
+  EXPECT_EQ(Programmed(layer).stats.retractions, 1);
+  EXPECT_EQ(Programmed(layer).exit, (Point{FromMm(28), FromMm(28)}));
+}
+
+TEST(ProgramLayer, AnEmptyLayerHandsTheFilamentOnAsItShould) {
+  OrderedLayer layer;
+  layer.frame = {2, 600'000, 200'000};
+  EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
+  layer.begins_ready = true;
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E-0.8"));
+  layer.ends_ready = true;
+  EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
+}
+
 }  // namespace
 }  // namespace slicefarm::motion

@@ -106,7 +106,12 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
                                         const OrderingOptions& options) {
   if (absl::Status ok = CheckPaths(layer, plan, options.walls.size()); !ok.ok()) return ok;
   std::ranges::stable_sort(layer.sections, {}, &FilledSection::object);
-  OrderedLayer ordered{layer.frame, {}, {}};
+  const bool may_be_ready = options.travel.hide && !options.travel.retract_layer_change;
+  OrderedLayer ordered{.frame = layer.frame,
+                       .blocks = {},
+                       .visits = {},
+                       .begins_ready = plan.begins_ready && may_be_ready,
+                       .ends_ready = plan.ends_ready && may_be_ready};
   if (!plan.paths.empty())
     ordered.blocks.push_back({kPlate, layer.frame.index, layer.frame.height_nm, plan.paths, {}});
   for (FilledSection& section : layer.sections) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::ordering {
@@ -100,6 +101,32 @@ TEST(OrderLayer, ThePlateComesFirst) {
   EXPECT_THAT(both.blocks[1].paths, SizeIs(1));
   EXPECT_THAT(CopiesOf(both), ElementsAre(-1, -1, 0));
   EXPECT_EQ(both.visits[1].block, 1);
+}
+
+TEST(OrderLayer, MeetsOtherLayersReadyUnlessTheSettingsForbidIt) {
+  LayerPlan plan;
+  plan.begins_ready = true;
+  FilledLayer layer = LayerOf({SectionOf(0, kSquare)});
+  layer.sections[0].islands[0].outline = MakePolygonsOrDie(kSquare).front();
+  plan.sections = {{0, Mm(-5, -5), Mm(5, 5), {}}};
+  plan.ends_ready = true;
+  const auto order = [&](const TravelOptions& travel) {
+    OrderingOptions options;
+    options.travel = travel;
+    return *OrderLayer(layer, plan, std::vector<Copy>{{0, {}, 0}}, options);
+  };
+  const OrderedLayer ready = order({});
+  EXPECT_TRUE(ready.begins_ready);
+  EXPECT_TRUE(ready.ends_ready);
+  ASSERT_TRUE(ready.blocks[0].leave);
+  for (const TravelOptions& travel :
+       {TravelOptions{.hide = false}, TravelOptions{.retract_layer_change = true}}) {
+    EXPECT_FALSE(order(travel).begins_ready);
+    EXPECT_FALSE(order(travel).ends_ready);
+  }
+  plan = {};
+  EXPECT_FALSE(order({}).begins_ready);
+  EXPECT_FALSE(order({}).ends_ready);
 }
 
 TEST(OrderLayer, RefusesBrokenPaths) {

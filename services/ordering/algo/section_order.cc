@@ -32,11 +32,28 @@ void ForEachPath(FilledIsland& island, const Visitor& visit) {
 /// An island on the way through the section.
 struct Stop {
   FilledIsland* island;
-  Point middle;
+  Point place;  ///< where the way is taken to lead
   Point least;
 };
 
-std::vector<Stop> StopsOf(FilledSection& section) {
+/// Layers meet at a seam that lies so near to one of either's.
+constexpr double kSeamStepNm = 1.0 * kNmPerMm;
+
+bool HasSeamAt(Point place, const FilledIsland& island, std::span<const Point> seams) {
+  return std::ranges::any_of(island.walls, [&](const Path& wall) {
+    return 0 <= wall.ring && wall.ring < std::ssize(seams) &&
+           Distance(seams[static_cast<size_t>(wall.ring)], place) <= kSeamStepNm;
+  });
+}
+
+/// The middle, but for islands where the section is entered and left.
+Point PlaceOf(const FilledIsland& island, const Box& box, const SectionPlan& plan) {
+  if (plan.exit && HasSeamAt(*plan.exit, island, plan.seams)) return *plan.exit;
+  if (HasSeamAt(plan.entry, island, plan.seams)) return plan.entry;
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+std::vector<Stop> StopsOf(FilledSection& section, const SectionPlan& plan) {
   std::vector<Stop> stops;
   for (FilledIsland& island : section.islands) {
     Box box;
@@ -46,9 +63,7 @@ std::vector<Stop> StopsOf(FilledSection& section) {
       least = std::min(least, LeastPoint(path));
     });
     if (box.Empty()) continue;
-    const Point middle{box.min.x + (box.max.x - box.min.x) / 2,
-                       box.min.y + (box.max.y - box.min.y) / 2};
-    stops.push_back({&island, middle, least});
+    stops.push_back({&island, PlaceOf(island, box, plan), least});
   }
   std::stable_sort(stops.begin(), stops.end(),
                    [](const Stop& a, const Stop& b) { return a.least < b.least; });
@@ -109,12 +124,13 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
   std::vector<FillBlock> ironing = TakeIroning(fills);
   if (options.infill_first) {
     PrintFills(std::move(fills), {}, route, budget);
-    PrintWalls(walls, rules, route, budget);
+    PrintWalls(walls, rules, gaps.empty() ? next : std::nullopt, route, budget);
     PrintFills(std::move(gaps), next, route, budget);
     PrintFills(std::move(ironing), next, route, budget);
     return;
   }
-  PrintWalls(walls, rules, route, budget);
+  const bool walls_last = fills.empty() && gaps.empty() && ironing.empty();
+  PrintWalls(walls, rules, walls_last ? next : std::nullopt, route, budget);
   // Gap fill lies among the fills: in one order with them it costs less travel than on its own.
   std::move(gaps.begin(), gaps.end(), std::back_inserter(fills));
   PrintFills(std::move(fills), next, route, budget);
@@ -125,36 +141,45 @@ void PrintIsland(FilledIsland& island, std::optional<Point> next, const Ordering
 
 PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
                        const OrderingOptions& options, WorkBudget& budget) {
-  const std::vector<Stop> stops = StopsOf(section);
+  const std::vector<Stop> stops = StopsOf(section, plan);
   std::vector<Leg> legs;
   legs.reserve(stops.size());
-  for (const Stop& stop : stops) legs.push_back({stop.middle, stop.middle, true});
-  const std::vector<Visit> visits = OrderByTravel({plan.entry, {}}, legs, budget);
+  for (const Stop& stop : stops) legs.push_back({stop.place, stop.place, true});
+  const std::vector<Visit> visits = OrderByTravel({plan.entry, plan.exit}, legs, budget);
 
   Route route(plan.entry, section.height_nm);
   std::vector<Travel> travels;
+  std::optional<Leave> leave;
   WorkBudget sights{kSights};
   const bool looks_at_walls = options.travel.hide || options.travel.avoid_crossing;
   OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
-    std::optional<Point> next;
-    if (i + 1 < visits.size()) next = stops[visits[i + 1].leg].middle;
+    const bool is_first = i == 0, is_last = i + 1 == visits.size();
+    const std::optional<Point> next = is_last ? plan.exit : stops[visits[i + 1].leg].place;
     FilledIsland& island = *stops[visits[i].leg].island;
     const IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;
     route.Enter({looks_at_walls ? known : nullptr, known});
     PrintIsland(island, next, options, plan.seams, route, budget);
     const size_t first = travels.size();
-    std::ranges::move(TravelsInIsland(island.outline, edges,
-                                      std::span(route.paths()).subspan(first), options.travel,
-                                      sights),
-                      std::back_inserter(travels));
-    if (first > 0)
+    Meetings meetings;
+    if (is_first) meetings.below = plan.entry;
+    if (is_last) meetings.above = plan.exit;
+    IslandWays ways = WaysInIsland(island.outline, edges, std::span(route.paths()).subspan(first),
+                                   meetings, options.travel, sights);
+    std::ranges::move(ways.travels, std::back_inserter(travels));
+    if (is_last) leave = std::move(ways.leave);
+    if (!is_first)
       travels[first] = outside.Between(route.paths()[first - 1], route.paths()[first], sights);
   }
   if (std::ranges::all_of(travels, [](const Travel& travel) { return travel == Travel{}; }))
     travels.clear();
-  return {section.object, section.layer, section.height_nm, route.TakePaths(), std::move(travels)};
+  return {.object = section.object,
+          .layer = section.layer,
+          .height_nm = section.height_nm,
+          .paths = route.TakePaths(),
+          .travels = std::move(travels),
+          .leave = std::move(leave)};
 }
 
 }  // namespace slicefarm::ordering

@@ -14,6 +14,7 @@ struct Member {
   Path* path;
   Box box;
   size_t group;
+  uint32_t index;  ///< in its group
 };
 
 double DistanceToBox(Point p, const Box& box) {
@@ -57,18 +58,15 @@ std::vector<WallGroup> GroupWalls(const std::vector<Path*>& walls) {
   for (const auto& [inset, paths] : by_inset) {
     if (inset != inset_outside + 1) outside.clear();
     std::vector<Member> members;
-    std::vector<bool> has_level(groups.size(), false);
     for (Path* path : paths) {
       const Member* parent = Nearest(LeastPoint(*path), outside);
-      const size_t group = parent != nullptr ? parent->group : groups.size();
-      if (parent == nullptr) {
-        groups.emplace_back();
-        has_level.push_back(false);
-      }
-      if (!has_level[group]) groups[group].levels.emplace_back();
-      has_level[group] = true;
-      groups[group].levels.back().push_back(path);
-      members.push_back({path, Bounds(path->points), group});
+      const size_t i = parent != nullptr ? parent->group : groups.size();
+      if (parent == nullptr) groups.emplace_back();
+      WallGroup& group = groups[i];
+      const auto index = static_cast<uint32_t>(group.walls.size());
+      if (parent != nullptr) group.pairs.push_back({parent->index, index});
+      group.walls.push_back(path);
+      members.push_back({path, Bounds(path->points), i, index});
     }
     outside = std::move(members);
     inset_outside = inset;

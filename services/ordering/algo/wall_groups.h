@@ -1,16 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "common/model/path.h"
 
 namespace slicefarm::ordering {
 
-/// The walls along one contour of an island, by inset: levels[0] holds the outermost.
-struct WallGroup {
-  std::vector<std::vector<Path*>> levels;  ///< none empty
+/// Two walls side by side, of successive insets.
+struct WallPair {
+  uint32_t outer = 0;
+  uint32_t inner = 0;
 
-  const Path& Outermost() const { return *levels.front().front(); }
+  friend bool operator==(const WallPair&, const WallPair&) = default;
+};
+
+/// The walls along one contour of an island.
+struct WallGroup {
+  std::vector<Path*> walls;     ///< by inset, the outermost first; not empty
+  std::vector<WallPair> pairs;  ///< indices into `walls`: each but the outermost is inner in one
+
+  const Path& Outermost() const { return *walls.front(); }
 };
 
 /// Groups the walls of an island: those of inset 0 begin a group each; a wall of inset k belongs

@@ -26,8 +26,8 @@ TEST(GroupWalls, NestedLoopsAreOneGroup) {
   Path inner = Wall(2, "(2 2, 18 2, 18 18, 2 18)");
   const auto groups = GroupWalls({&inner, &outer, &middle});
   ASSERT_THAT(groups, SizeIs(1));
-  EXPECT_THAT(groups[0].levels,
-              ElementsAre(ElementsAre(&outer), ElementsAre(&middle), ElementsAre(&inner)));
+  EXPECT_THAT(groups[0].walls, ElementsAre(&outer, &middle, &inner));
+  EXPECT_THAT(groups[0].pairs, ElementsAre(WallPair{0, 1}, WallPair{1, 2}));
   EXPECT_EQ(&groups[0].Outermost(), &outer);
 }
 
@@ -38,8 +38,8 @@ TEST(GroupWalls, AHoleHasItsOwn) {
   Path hole_inside = Wall(1, "(14 14, 14 26, 26 26, 26 14)");
   const auto groups = GroupWalls({&outer, &outer_inside, &hole, &hole_inside});
   ASSERT_THAT(groups, SizeIs(2));
-  EXPECT_THAT(groups[0].levels, ElementsAre(ElementsAre(&outer), ElementsAre(&outer_inside)));
-  EXPECT_THAT(groups[1].levels, ElementsAre(ElementsAre(&hole), ElementsAre(&hole_inside)));
+  EXPECT_THAT(groups[0].walls, ElementsAre(&outer, &outer_inside));
+  EXPECT_THAT(groups[1].walls, ElementsAre(&hole, &hole_inside));
 }
 
 TEST(GroupWalls, ALoopThatSplitsInsideStaysOneGroup) {
@@ -49,8 +49,8 @@ TEST(GroupWalls, ALoopThatSplitsInsideStaysOneGroup) {
   Path right_inside = Wall(2, "(26 2, 38 2, 38 8, 26 8)");
   const auto groups = GroupWalls({&outer, &left, &right, &right_inside});
   ASSERT_THAT(groups, SizeIs(1));
-  EXPECT_THAT(groups[0].levels, ElementsAre(ElementsAre(&outer), ElementsAre(&left, &right),
-                                            ElementsAre(&right_inside)));
+  EXPECT_THAT(groups[0].walls, ElementsAre(&outer, &left, &right, &right_inside));
+  EXPECT_THAT(groups[0].pairs, ElementsAre(WallPair{0, 1}, WallPair{0, 2}, WallPair{2, 3}));
 }
 
 TEST(GroupWalls, AWallWithoutOneOutsideBeginsAGroup) {

@@ -30,23 +30,6 @@ Leg LegOf(const Path& wall, const StartRule& rule, Point nozzle) {
   return {at, at, true};
 }
 
-/// Walls of one contour and inset.
-void PrintLevel(const std::vector<Path*>& walls, const StartRule& rule, Route& route,
-                WorkBudget& budget) {
-  std::vector<Leg> legs;
-  legs.reserve(walls.size());
-  for (const Path* wall : walls) legs.push_back(LegOf(*wall, rule, route.at()));
-  for (const Visit visit : OrderByTravel(route.To(), legs, budget)) {
-    Path& wall = *walls[visit.leg];
-    if (wall.closed) {
-      const LoopPlace start = rule.For(wall, route.at());
-      route.PrintLoop(std::move(wall), start);
-    } else {
-      route.Print(std::move(wall), visit.reversed);
-    }
-  }
-}
-
 /// The group along the island's outer contour: that of the widest box.
 size_t OuterGroup(const std::vector<WallGroup>& groups) {
   const auto width = [](const WallGroup& group) {
@@ -56,47 +39,94 @@ size_t OuterGroup(const std::vector<WallGroup>& groups) {
   return static_cast<size_t>(std::ranges::max_element(groups, {}, width) - groups.begin());
 }
 
-/// Turns levels, the outermost first, into the order of printing.
-void Arrange(InsetOrder order, std::vector<std::vector<Path*>>& levels) {
-  if (order == InsetOrder::kOuterFirst) return;
-  std::reverse(levels.begin(), levels.end());
-  if (order == InsetOrder::kInnerOuterInner && levels.size() > 1)
-    std::swap(levels.back(), levels[levels.size() - 2]);
+/// Which walls of a contour come before which.
+std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
+  std::vector<Precedence> rules;
+  for (const auto [outer, inner] : group.pairs) {
+    const bool outer_first =
+        order == InsetOrder::kOuterFirst ||
+        (order == InsetOrder::kInnerOuterInner && group.walls[outer]->inset == 0);
+    rules.push_back(outer_first ? Precedence{outer, inner} : Precedence{inner, outer});
+  }
+  if (order != InsetOrder::kInnerOuterInner) return rules;
+  // The outermost but one comes last: what lies inside of it comes before what lies outside.
+  for (const auto [outer, second] : group.pairs)
+    for (const auto [middle, third] : group.pairs)
+      if (middle == second && group.walls[outer]->inset == 0) rules.push_back({third, outer});
+  return rules;
 }
+
+/// The contours of an island, each with where its loops start.
+class Contours {
+ public:
+  Contours(std::span<Path* const> walls, const WallRules& rules, Point nozzle)
+      : groups_(GroupWalls(SortedByGeometry(walls))) {
+    for (const WallGroup& group : groups_) {
+      const Path& wall = group.Outermost();
+      StartRule start{.seam = {}, .stagger = rules.stagger};
+      if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
+        start.seam = rules.seams[static_cast<size_t>(wall.ring)];
+      starts_.push_back(start);
+      legs_.push_back(LegOf(wall, start, nozzle));
+    }
+  }
+
+  bool empty() const { return groups_.empty(); }
+
+  /// Prints the outer contour, the outermost wall first, and takes it out.
+  void TakeOuter(Route& route, WorkBudget& budget) {
+    const size_t outer = OuterGroup(groups_);
+    Print(outer, InsetOrder::kOuterFirst, {}, route, budget);
+    groups_.erase(groups_.begin() + static_cast<ptrdiff_t>(outer));
+    starts_.erase(starts_.begin() + static_cast<ptrdiff_t>(outer));
+    legs_.erase(legs_.begin() + static_cast<ptrdiff_t>(outer));
+  }
+
+  void PrintAll(InsetOrder order, std::optional<Point> next, Route& route, WorkBudget& budget) {
+    const std::vector<Visit> visits = OrderByTravel(route.To(next), legs_, budget);
+    for (size_t i = 0; i < visits.size(); ++i) {
+      const bool last = i + 1 == visits.size();
+      Print(visits[i].leg, order, last ? next : legs_[visits[i + 1].leg].start, route, budget);
+    }
+  }
+
+ private:
+  void Print(size_t i, InsetOrder order, std::optional<Point> next, Route& route,
+             WorkBudget& budget) {
+    const WallGroup& group = groups_[i];
+    const std::vector<Precedence> precedence = PrecedenceOf(group, order);
+    std::vector<Leg> legs;
+    legs.reserve(group.walls.size());
+    for (const Path* wall : group.walls) legs.push_back(LegOf(*wall, starts_[i], route.at()));
+    Journey journey = route.To(next);
+    journey.precedence = precedence;
+    for (const Visit visit : OrderByTravel(journey, legs, budget)) {
+      Path& wall = *group.walls[visit.leg];
+      if (wall.closed) {
+        const LoopPlace start = starts_[i].For(wall, route.at());
+        route.PrintLoop(std::move(wall), start);
+      } else {
+        route.Print(std::move(wall), visit.reversed);
+      }
+    }
+  }
+
+  std::vector<WallGroup> groups_;
+  std::vector<StartRule> starts_;  ///< by group
+  std::vector<Leg> legs_;          ///< by group
+};
 
 }  // namespace
 
-void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
-                WorkBudget& budget) {
-  std::vector<WallGroup> groups = GroupWalls(SortedByGeometry(walls));
-  std::vector<StartRule> starts;
-  std::vector<Leg> legs;
-  for (const WallGroup& group : groups) {
-    const Path& wall = group.Outermost();
-    StartRule start{.seam = {}, .stagger = rules.stagger};
-    if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
-      start.seam = rules.seams[static_cast<size_t>(wall.ring)];
-    starts.push_back(start);
-    legs.push_back(LegOf(wall, start, route.at()));
+void PrintWalls(std::span<Path* const> walls, const WallRules& rules, std::optional<Point> next,
+                Route& route, WorkBudget& budget) {
+  Contours contours(walls, rules, route.at());
+  InsetOrder order = rules.order;
+  if (order == InsetOrder::kTowardsHoles && !contours.empty()) {
+    contours.TakeOuter(route, budget);
+    order = InsetOrder::kInnerFirst;
   }
-  const auto print = [&](size_t i, InsetOrder order) {
-    Arrange(order, groups[i].levels);
-    for (const auto& level : groups[i].levels) PrintLevel(level, starts[i], route, budget);
-  };
-  if (rules.order != InsetOrder::kTowardsHoles) {
-    for (const Visit visit : OrderByTravel(route.To(), legs, budget))
-      print(visit.leg, rules.order);
-    return;
-  }
-  if (groups.empty()) return;
-  const size_t outer = OuterGroup(groups);
-  print(outer, InsetOrder::kOuterFirst);
-  std::swap(groups[outer], groups.back());
-  std::swap(starts[outer], starts.back());
-  std::swap(legs[outer], legs.back());
-  legs.pop_back();
-  for (const Visit visit : OrderByTravel(route.To(), legs, budget))
-    print(visit.leg, InsetOrder::kInnerFirst);
+  contours.PrintAll(order, next, route, budget);
 }
 
 }  // namespace slicefarm::ordering

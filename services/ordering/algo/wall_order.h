@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct WallRules {
   bool stagger = false;
 };
 
-/// Prints the walls of an island, contour by contour, each in the order of the rules. The paths are
-/// moved from. Deterministic; does not depend on the order of the walls.
-void PrintWalls(std::span<Path* const> walls, const WallRules& rules, Route& route,
-                WorkBudget& budget);
+/// Prints the walls of an island, contour by contour, each in the order of the rules, towards `next`
+/// if there is such a place. The paths are moved from. Deterministic; does not depend on the order
+/// of the walls.
+void PrintWalls(std::span<Path* const> walls, const WallRules& rules, std::optional<Point> next,
+                Route& route, WorkBudget& budget);
 
 }  // namespace slicefarm::ordering

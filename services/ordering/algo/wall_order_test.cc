@@ -25,12 +25,13 @@ std::vector<Path> TwoContours() {
           Wall(0, "(15 15, 15 25, 25 25, 25 15)"), Wall(1, "(14 14, 14 26, 26 26, 26 14)")};
 }
 
-std::vector<Path> Printed(std::vector<Path> walls, const WallRules& rules, Point from) {
+std::vector<Path> Printed(std::vector<Path> walls, const WallRules& rules, Point from,
+                          std::optional<Point> next = {}) {
   std::vector<Path*> pointers;
   for (Path& wall : walls) pointers.push_back(&wall);
   Route route(from);
   WorkBudget budget{10'000};
-  PrintWalls(pointers, rules, route, budget);
+  PrintWalls(pointers, rules, next, route, budget);
   return route.TakePaths();
 }
 
@@ -45,6 +46,29 @@ TEST(PrintWalls, InsideOutContourByContour) {
   EXPECT_THAT(Insets(printed), ElementsAre(1, 0, 1, 0));
   EXPECT_EQ(printed[0].points[0], Mm(1, 1));
   EXPECT_EQ(printed[1].points[0], Mm(0, 0));
+}
+
+// A middle bead between the long sides of a thin wall ends where the outer wall starts, not at the
+// other end of the wall.
+TEST(PrintWalls, APieceOfAWallEndsAtTheSeamOfTheOneOutside) {
+  Path middle = MakePathOrDie("(1 0.5, 39 0.5)", false);
+  middle.inset = 1;
+  std::vector<Path> walls = {Wall(0, "(0 0, 40 0, 40 1, 0 1)"), middle};
+  walls[0].ring = 0;
+  const std::vector<Point> seams = {Mm(0, 0)};
+  for (const Point from : {Mm(0, 0), Mm(40, 0)}) {
+    const auto printed = Printed(walls, {InsetOrder::kInnerFirst, seams}, from);
+    EXPECT_THAT(Insets(printed), ElementsAre(1, 0));
+    EXPECT_EQ(EndOf(printed[0]), Mm(1, 0.5));
+  }
+}
+
+TEST(PrintWalls, TheLastPieceEndsOnTheWayToWhatIsNext) {
+  std::vector<Path> walls = {MakePathOrDie("(0 0, 40 0)", false)};
+  for (const Point next : {Mm(-5, 0), Mm(45, 0)}) {
+    const auto printed = Printed(walls, {}, Mm(20, 20), next);
+    EXPECT_EQ(EndOf(printed[0]), Mm(next.x < 0 ? 0 : 40, 0));
+  }
 }
 
 TEST(PrintWalls, OutsideIn) {

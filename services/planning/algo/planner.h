@@ -22,6 +22,8 @@ class OpenLayers {
   /// REQUIRES: the layer was added, and is not taken.
   LayerPlan& At(int32_t layer) { return plans_[static_cast<size_t>(layer - first_)]; }
 
+  int32_t first() const { return first_; }
+
   /// One above the last.
   int32_t end() const { return first_ + static_cast<int32_t>(plans_.size()); }
 

@@ -67,7 +67,7 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
   at_.height_um = ToUm(bead_height_nm_);
   const int64_t filament_before = filament_;
   if (path_.approach == Toolpath::kNone) {
-    Approach(StartOf(path));
+    Approach(StartOf(path), retracted_ ? Travel{} : travel);
   } else {
     GoTo(StartOf(path), travel);
   }
@@ -86,7 +86,13 @@ void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
 }
 
 Toolpath ToolpathBuilder::Finish() {
-  if (!path_.moves.empty()) Retract();
+  Retract();
+  return std::move(path_);
+}
+
+Toolpath ToolpathBuilder::FinishReady(const std::optional<Leave>& leave) {
+  if (leave && !path_.moves.empty()) GoTo(leave->to, leave->way);
+  if (retracted_) Restart();
   return std::move(path_);
 }
 
@@ -171,11 +177,18 @@ void ToolpathBuilder::PrintTo(Point from, Point to, const Bead& bead) {
   Push(MoveKind::kPrint, print_acceleration_);
 }
 
-void ToolpathBuilder::Approach(Point to) {
-  MoveZ(z_um_ + lift_um_);
+void ToolpathBuilder::Approach(Point to, const Travel& travel) {
+  if (!travel.hidden) Retract();
+  MoveZ(z_um_ + (retracted_ ? lift_um_ : 0));
   path_.approach = path_.moves.size();
-  MoveTo(ToUm(to.x), ToUm(to.y));
   ++stats_.travels;
+  for (size_t i = 0; i < travel.corners.size(); ++i) {
+    const Point corner = travel.corners[i];
+    const Point next = i + 1 < travel.corners.size() ? travel.corners[i + 1] : to;
+    stats_.travel_mm += ToMm(Distance(corner, next));
+    MoveTo(ToUm(corner.x), ToUm(corner.y));
+  }
+  MoveTo(ToUm(to.x), ToUm(to.y));
 }
 
 void ToolpathBuilder::GoTo(Point to, const Travel& travel) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
 /// their filament is not. Loops with a scarf (scarf.h) end further on; the way from there is in
 /// sight. There are none on the first layer. A retraction wipes (wipe.h) but after a scarf, which
 /// thins out by itself; travels start where the nozzle is then.
+///
+/// Where the block meets another layer with the filament ready, it starts or ends there so.
 class ToolpathBuilder {
  public:
   /// `options` must outlive the builder, and so must `below`, by which walls are slowed down over
@@ -32,11 +35,17 @@ class ToolpathBuilder {
   ToolpathBuilder(const MotionOptions& options, const LayerFrame& frame, Coord bead_height_nm,
                   Ground ground = Ground::kLayers, const LayerBelow* below = nullptr);
 
-  /// `travel`: the way to it; of the first path it is not looked at.
+  /// The filament is ready to print. To be called before anything is added.
+  void BeginReady() { retracted_ = false; }
+
+  /// `travel`: the way to it; of the first path it is looked at after BeginReady alone.
   void Add(const Path& path, const Travel& travel = {});
 
-  /// Retracts, and hands over what was added. To be called once.
+  /// Hands over what was added, after a retraction. To be called once.
   Toolpath Finish();
+
+  /// The same, with the filament ready to print, and the nozzle where `leave` says if it does.
+  Toolpath FinishReady(const std::optional<Leave>& leave);
 
   /// Of what was added: lengths, volumes, travels, retractions and bounds; no times.
   const ProgramStats& stats() const { return stats_; }
@@ -50,7 +59,7 @@ class ToolpathBuilder {
   };
 
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
-  void Approach(Point to);
+  void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
   void PrintSegments(const Path& path, double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);

@@ -71,6 +71,41 @@ TEST(ToolpathBuilder, OneLineFromAndToTheCanonicalState) {
   EXPECT_EQ(built.stats.travel_mm, 0);
 }
 
+std::vector<MoveKind> KindsReady(const Travel& way_in, const std::optional<Leave>& leave) {
+  MotionOptions options;
+  options.retraction.lift_mm = 0.3;
+  ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+  builder.BeginReady();
+  builder.Add(Line("(10 10, 20 10)"), way_in);
+  return Kinds(builder.FinishReady(leave));
+}
+
+TEST(ToolpathBuilder, WhereTheFilamentIsReadyItGoesBackForWaysInSightAlone) {
+  using enum MoveKind;
+  const Travel hidden{true, {}}, in_sight{};
+  const Point far{FromMm(30), FromMm(10)};
+  EXPECT_THAT(KindsReady(hidden, {}), ElementsAre(kLift, kTravel, kPrint));
+  EXPECT_THAT(KindsReady(in_sight, {}),
+              ElementsAre(kRetract, kLift, kTravel, kLift, kRestart, kPrint));
+  EXPECT_THAT(KindsReady(hidden, Leave{far, hidden}),
+              ElementsAre(kLift, kTravel, kPrint, kTravel));
+  EXPECT_THAT(KindsReady(hidden, Leave{far, in_sight}),
+              ElementsAre(kLift, kTravel, kPrint, kRetract, kLift, kTravel, kLift, kRestart));
+}
+
+TEST(ToolpathBuilder, NothingToPrintHandsTheFilamentOnAsItShould) {
+  const auto kinds = [](bool begins, bool ends) {
+    const MotionOptions options;
+    ToolpathBuilder builder(options, kFrame, kFrame.height_nm);
+    if (begins) builder.BeginReady();
+    return Kinds(ends ? builder.FinishReady({}) : builder.Finish());
+  };
+  EXPECT_THAT(kinds(false, false), ElementsAre());
+  EXPECT_THAT(kinds(true, true), ElementsAre());
+  EXPECT_THAT(kinds(true, false), ElementsAre(MoveKind::kRetract));
+  EXPECT_THAT(kinds(false, true), ElementsAre(MoveKind::kLift, MoveKind::kRestart));
+}
+
 TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {
   MotionOptions options;
   options.extrusion_multiplier = 0.95;

@@ -42,6 +42,12 @@ Point Along(Point a, Point b, double length_nm) {
           a.y + std::llround(share * static_cast<double>(b.y - a.y))};
 }
 
+/// The place on the line from a through b that lies so far behind b.
+Point Beyond(Point a, Point b, double length_nm) {
+  const double whole = Distance(a, b);
+  return whole > 0 ? Along(b, b + (b - a), std::min(length_nm, whole)) : b;
+}
+
 }  // namespace
 
 ClearWays::ClearWays(const MultiPolygon& region, Coord clearance_nm) : clearance_(clearance_nm) {
@@ -76,21 +82,30 @@ bool ClearWays::IsClear(Point a, Point b) const {
   return border_.Surrounds(from) && Sees(from, to);
 }
 
-std::optional<Point> ClearWays::Indoors(Point p) const {
-  if (lane_.Surrounds(p)) return p;
-  const bool in_region = edge_.Surrounds(p);
+template <typename WillDo>
+std::optional<Point> ClearWays::OnLane(Point p, WillDo will_do) const {
   std::optional<Point> nearest;
   double least = kWayIndoors * static_cast<double>(clearance_);
   for (const Polygon& ring : lanes_) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point on = NearestOnSegment(p, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
       const double distance = Distance(p, on);
-      if (distance >= least || (in_region && edge_.Meets(p, on))) continue;
+      if (distance >= least || !will_do(on)) continue;
       least = distance;
       nearest = on;
     }
   }
-  return nearest;
+  return nearest ? std::optional(Beyond(p, *nearest, kHair)) : std::nullopt;
+}
+
+std::optional<Point> ClearWays::Indoors(Point p) const {
+  if (lane_.Surrounds(p)) return p;
+  const bool in_region = edge_.Surrounds(p);
+  return OnLane(p, [&](Point on) { return !in_region || !edge_.Meets(p, on); });
+}
+
+std::optional<Point> ClearWays::FromEdge(Point p) const {
+  return OnLane(p, [](Point) { return true; });
 }
 
 const std::vector<ClearWays::Link>& ClearWays::LinksOf(uint32_t node, WorkBudget& budget) {

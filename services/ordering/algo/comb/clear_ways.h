@@ -31,6 +31,9 @@ class ClearWays {
   /// micrometres, if a and b lie between them. REQUIRES: a and b lie in the region or beside it.
   std::optional<std::vector<Point>> Find(Point a, Point b, double longest_nm, WorkBudget& budget);
 
+  /// The place between the lanes nearest to p, which lies on the edge; nothing if it is far.
+  std::optional<Point> FromEdge(Point p) const;
+
  private:
   /// A corner, and those before and after it on its ring.
   struct Node {
@@ -45,6 +48,10 @@ class ClearWays {
   void AddNodes(const Polygon& ring);
   /// The place nearest to p between the lanes; nothing if it is far away.
   std::optional<Point> Indoors(Point p) const;
+  /// A hair inside the nearest place on a lane of those that will do: a string can run from there
+  /// along the lane. Nothing if it is far away.
+  template <typename WillDo>
+  std::optional<Point> OnLane(Point p, WillDo will_do) const;
   bool Sees(Point a, Point b) const { return !border_.Meets(a, b); }
   const std::vector<Link>& LinksOf(uint32_t node, WorkBudget& budget);
 

@@ -1,6 +1,7 @@
 #include "services/ordering/algo/comb/island_travels.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,17 @@ bool IsSeen(Feature feature) {
          feature == Feature::kTopSolidInfill;
 }
 
+/// How much longer than straight a way round may be where none is asked for. A retraction and its
+/// end take as long as 15 mm of travel, and leave a mark.
+constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
+
+/// Longer hidden ways to a bead that is seen would make it begin with a gap.
+constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
+
+/// The seam of a wall and the starts of its loops lie no further from each other: layers that meet
+/// there need no way.
+constexpr double kAtSeamNm = 2.5 * kNmPerMm;
+
 class IslandTravels {
  public:
   /// All must outlive this.
@@ -41,28 +53,50 @@ class IslandTravels {
   /// To paths[i] from the one before.
   Travel To(size_t i, WorkBudget& budget) {
     const Point from = EndOf(paths_[i - 1]), to = StartOf(paths_[i]);
-    if (from == to) return {};
-    if (options_.avoid_crossing) {
-      std::vector<Point> corners;
-      if (clearance_ > 0 && !Ways().IsClear(from, to))
-        corners = Around(from, to, LongestWay(from, to, options_), budget);
-      const bool hidden = CanHide(i) && IsHidden(from, to, corners, i);
-      return {hidden, std::move(corners)};
-    }
-    if (!CanHide(i)) return {};
-    if (!edges_.Parts(from, to)) return {IsHidden(from, to, {}, i), {}};
-    if (clearance_ == 0) return {};
-    std::vector<Point> corners = Around(from, to, LongestHiddenWay(from, to), budget);
-    if (corners.empty() || !IsHidden(from, to, corners, i)) return {};
-    return {true, std::move(corners)};
+    return from == to ? Travel{} : Between(from, to, i, budget);
+  }
+
+  /// To the first path from where the layer below has left the nozzle.
+  Travel From(Point seam, WorkBudget& budget) {
+    const Point to = StartOf(paths_.front());
+    if (Distance(seam, to) <= kAtSeamNm) return {true, {}};
+    const std::optional<Point> from = BesideWall(seam);
+    return from ? Between(*from, to, 0, budget) : Travel{};
+  }
+
+  /// From the last path to where the layer above goes on.
+  Leave To(Point seam, WorkBudget& budget) {
+    const Point from = EndOf(paths_.back());
+    if (Distance(from, seam) <= kAtSeamNm) return {from, {}};
+    const std::optional<Point> to = BesideWall(seam);
+    if (!to) return {seam, {}};
+    return {*to, Between(from, *to, paths_.size(), budget)};
   }
 
  private:
-  bool CanHide(size_t i) const { return options_.hide && !IsSeen(paths_[i].feature); }
+  /// After the first `printed` paths, to the next one if there is one.
+  Travel Between(Point from, Point to, size_t printed, WorkBudget& budget) {
+    Travel travel;
+    if (clearance_ > 0 && IsToGoRound(from, to))
+      travel.corners = Around(from, to, LongestFor(from, to), budget);
+    const bool seen = printed < paths_.size() && IsSeen(paths_[printed].feature);
+    const double longest = seen ? kLongestToSeenNm : LongestHidden();
+    travel.hidden = options_.hide && IsHidden(from, to, travel.corners, printed, longest);
+    return travel;
+  }
 
-  /// Where no way round is asked for: one that takes less time than the retraction that it saves.
-  static double LongestHiddenWay(Point from, Point to) {
-    return Distance(from, to) + static_cast<double>(kCrossingNm);
+  bool IsToGoRound(Point from, Point to) {
+    return options_.avoid_crossing ? !Ways().IsClear(from, to) : edges_.Parts(from, to);
+  }
+
+  double LongestFor(Point from, Point to) const {
+    if (options_.avoid_crossing) return LongestWay(from, to, options_);
+    return options_.hide ? Distance(from, to) + kWorthOfRetractionNm : 0;
+  }
+
+  double LongestHidden() const {
+    return options_.longest_hidden_mm > 0 ? options_.longest_hidden_mm * kNmPerMm
+                                          : std::numeric_limits<double>::infinity();
   }
 
   ClearWays& Ways() {
@@ -70,22 +104,27 @@ class IslandTravels {
     return *ways_;
   }
 
+  std::optional<Point> BesideWall(Point seam) {
+    return clearance_ > 0 ? Ways().FromEdge(seam) : std::nullopt;
+  }
+
   std::vector<Point> Around(Point from, Point to, double longest_nm, WorkBudget& budget) {
     return Ways().Find(from, to, longest_nm, budget).value_or(std::vector<Point>{});
   }
 
-  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t i) const {
+  /// Of a way after the first `printed` paths.
+  bool IsHidden(Point from, Point to, const std::vector<Point>& corners, size_t printed,
+                double longest_nm) const {
     double length = 0;
     std::vector<Point> places = corners;
     places.push_back(to);
     for (const Point place : places) {
       if (edges_.Parts(from, place)) return false;
-      if (tops_.Crosses(from, place, static_cast<uint32_t>(i))) return false;
+      if (tops_.Crosses(from, place, static_cast<uint32_t>(printed))) return false;
       length += Distance(from, place);
       from = place;
     }
-    const double longest = options_.longest_hidden_mm * kNmPerMm;
-    if (longest > 0 && length > longest) return false;
+    if (length > longest_nm) return false;
     // It meets no edge: if one of its places is inside, all of it is.
     return edges_.Surrounds(to);
   }
@@ -101,15 +140,18 @@ class IslandTravels {
 
 }  // namespace
 
-std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
-                                    std::span<const Path> paths, const TravelOptions& options,
-                                    WorkBudget& budget) {
-  std::vector<Travel> travels(paths.size());
-  if (edges.empty() || paths.size() < 2) return travels;
-  if (!options.hide && !options.avoid_crossing) return travels;
+IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                        std::span<const Path> paths, const Meetings& meetings,
+                        const TravelOptions& options, WorkBudget& budget) {
+  IslandWays ways{std::vector<Travel>(paths.size()), {}};
+  if (meetings.above) ways.leave = Leave{*meetings.above, {}};
+  if (edges.empty() || paths.empty()) return ways;
+  if (!options.hide && !options.avoid_crossing) return ways;
   IslandTravels island(outline, edges, paths, options);
-  for (size_t i = 1; i < paths.size(); ++i) travels[i] = island.To(i, budget);
-  return travels;
+  if (meetings.below) ways.travels[0] = island.From(*meetings.below, budget);
+  for (size_t i = 1; i < paths.size(); ++i) ways.travels[i] = island.To(i, budget);
+  if (meetings.above) ways.leave = island.To(*meetings.above, budget);
+  return ways;
 }
 
 }  // namespace slicefarm::ordering

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,17 +11,31 @@
 
 namespace slicefarm::ordering {
 
-/// The ways between the paths of one island, which are printed in this order: one for each path,
-/// the first one's straight and in sight.
+/// The seams at which an island's paths go on from the layer below, and at which the layer above
+/// goes on from them, where layers meet with the filament ready.
+struct Meetings {
+  std::optional<Point> below;
+  std::optional<Point> above;
+};
+
+/// One travel to each path; the first one is straight and in sight but where it comes from the layer
+/// below.
+struct IslandWays {
+  std::vector<Travel> travels;
+  std::optional<Leave> leave;  ///< to the layer above
+};
+
+/// The ways between the paths of one island, which are printed in this order.
 ///
-/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, is
-/// not too long, and does not lead to a visible bead, which would begin with a gap.
-/// A way that would be hidden if it crossed no wall goes round inside the island where that is no
-/// longer than kCrossingNm more: it takes less time than the retraction. With avoid_crossing each
-/// way that is not clear of the walls goes round if a detour that is allowed leads there. `budget`:
-/// for lines of sight.
-std::vector<Travel> TravelsInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
-                                    std::span<const Path> paths, const TravelOptions& options,
-                                    WorkBudget& budget);
+/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, and
+/// is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options say.
+/// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
+/// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
+/// walls goes round if a detour that is allowed leads there.
+/// A seam to meet at lies on the outline: the way leads to the place nearest to it that keeps off
+/// the walls. `budget`: for lines of sight.
+IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
+                        std::span<const Path> paths, const Meetings& meetings,
+                        const TravelOptions& options, WorkBudget& budget);
 
 }  // namespace slicefarm::ordering

@@ -30,14 +30,19 @@ Path OuterWall() {
                 true);
 }
 
-std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
-                            int64_t sights = 100'000) {
+IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
+                const TravelOptions& options = {}, int64_t sights = 100'000) {
   WorkBudget budget{sights};
   FilledIsland island;
   island.outline = MakePolygonsOrDie(kFork).front();
   for (const Path& path : paths)
     if (IsOuterWall(path)) island.walls.push_back(path);
-  return TravelsInIsland(island.outline, IslandEdges(island), paths, options, budget);
+  return WaysInIsland(island.outline, IslandEdges(island), paths, meetings, options, budget);
+}
+
+std::vector<Travel> Travels(const std::vector<Path>& paths, const TravelOptions& options = {},
+                            int64_t sights = 100'000) {
+  return Ways(paths, {}, options, sights).travels;
 }
 
 struct Case {
@@ -78,7 +83,8 @@ std::vector<Case> Cases() {
       {"OverATopThatIsThere", {Top("(12 1, 12 3)"), low, far}},
       {"PastATop", {Top("(12 3, 12 5)"), low, far}, true},
       {"ToATop", {low, Top("(19 2, 23 2)")}},
-      {"ToTheOuterWall", {low, OuterWall()}},
+      {"ToTheOuterWall", {Sparse("(1 2, 6 2)"), OuterWall()}},
+      {"ToTheOuterWallNearBy", {Sparse("(1 2, 4 2)"), OuterWall()}, true},
       {"FromTheOuterWall", {OuterWall(), low}, true},
   };
 }
@@ -123,7 +129,46 @@ TEST(IslandTravels, TheWayRoundHasCorners) {
 TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   WorkBudget budget{1'000};
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
-  EXPECT_EQ(TravelsInIsland({}, IslandEdges({}), paths, {}, budget), std::vector<Travel>(2));
+  const IslandWays ways =
+      WaysInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
+  EXPECT_EQ(ways.travels, std::vector<Travel>(2));
+  EXPECT_EQ(ways.leave, Leave{});
+}
+
+// A part whose layers meet at the seam in the corner at the origin.
+TEST(IslandTravels, GoesOnFromTheLayerBelow) {
+  const auto from = [](const std::vector<Path>& paths, Point seam) {
+    return Ways(paths, {seam, {}}).travels.front().hidden;
+  };
+  EXPECT_TRUE(from({Sparse("(1 1, 5 2)"), OuterWall()}, {0, 0})) << "beside the seam";
+  EXPECT_TRUE(from({OuterWall()}, {0, 0})) << "a wall that starts at its seam";
+  EXPECT_TRUE(from({Sparse("(20 2, 5 2)"), OuterWall()}, {0, 0})) << "inside all the way";
+  EXPECT_FALSE(from({Sparse("(19 18, 19 12)"), OuterWall()}, {0, FromMm(20)})) << "over the slot";
+  EXPECT_FALSE(from({Top("(20 2, 5 2)"), OuterWall()}, {0, 0})) << "would begin with a gap";
+  EXPECT_FALSE(from({Sparse("(20 2, 5 2)")}, {0, 0})) << "no wall to keep off";
+}
+
+TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
+  const Point seam{0, 0};
+  const auto leave = [&](const std::vector<Path>& paths, const TravelOptions& options = {}) {
+    return *Ways(paths, {{}, seam}, options).leave;
+  };
+  const Leave beside = leave({OuterWall()});
+  EXPECT_EQ(beside.to, EndOf(OuterWall())) << "is there already";
+  const Leave inside = leave({OuterWall(), Sparse("(5 2, 20 2)")});
+  EXPECT_TRUE(inside.way.hidden);
+  EXPECT_TRUE(inside.way.corners.empty());
+  EXPECT_GT(inside.to.x, 0);
+  EXPECT_LT(Norm(inside.to - seam), FromMm(1));
+  const Leave around = leave({OuterWall(), Sparse("(19 12, 19 18)")});
+  EXPECT_TRUE(around.way.hidden);
+  EXPECT_FALSE(around.way.corners.empty());
+  EXPECT_FALSE(leave({OuterWall(), Top("(12 1, 12 3)"), Sparse("(19 2, 23 2)")}).way.hidden)
+      << "over a top that is seen if nothing lies on it";
+  TravelOptions options;
+  options.longest_hidden_mm = 10;
+  EXPECT_FALSE(leave({OuterWall(), Sparse("(5 2, 20 2)")}, options).way.hidden);
+  EXPECT_EQ(leave({Sparse("(5 2, 20 2)")}).to, seam) << "no wall to keep off";
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "services/planning/algo/travel/travel_planner.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "common/geometry/measure.h"
@@ -24,30 +26,70 @@ Point Nearest(const Polygon& ring, Point to) {
   });
 }
 
+/// A place, and the rings of its island.
+struct LikelyExit {
+  Point at;
+  RingRange rings;
+};
+
 struct Island {
   const Polygon* ring = nullptr;
   Box box;
+  RingRange rings;
 };
+
+std::vector<Island> IslandsOf(const MultiPolygon& outlines) {
+  std::vector<Island> islands;
+  int32_t rings = 0;
+  for (const PolygonWithHoles& island : outlines) {
+    const int32_t first = rings;
+    rings += 1 + static_cast<int32_t>(island.holes.size());
+    islands.push_back({&island.outer, Bounds(island.outer), {first, rings}});
+  }
+  return islands;
+}
 
 /// Where a section that is entered at `entry` is left: its islands by nearest neighbour, each left
 /// where it was entered. To guess that fill ends at an island's far side costs up to a quarter more
 /// travel.
-Point LikelyExit(const MultiPolygon& outlines, Point entry) {
-  std::vector<Island> left;
-  for (const PolygonWithHoles& island : outlines)
-    left.push_back({&island.outer, Bounds(island.outer)});
-  if (left.empty()) return entry;
-  if (left.size() > kMaxVisited) return left.back().ring->front();
-  Point at = entry;
+LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
+  std::vector<Island> left = IslandsOf(outlines);
+  if (left.empty()) return {entry, {}};
+  if (left.size() > kMaxVisited) return {left.back().ring->front(), left.back().rings};
+  LikelyExit exit{entry, {}};
+  Point& at = exit.at;
   while (!left.empty()) {
-    const auto next =
-        std::min_element(left.begin(), left.end(), [&](const Island& a, const Island& b) {
-          return DistanceToBox(at, a.box) < DistanceToBox(at, b.box);
-        });
+    // Of islands one around the other, the inner one.
+    const auto next = std::ranges::min_element(left, {}, [&](const Island& island) {
+      return std::pair(DistanceToBox(at, island.box), island.box.max.x - island.box.min.x);
+    });
     at = Nearest(*next->ring, at);
+    exit.rings = next->rings;
     left.erase(next);
   }
-  return at;
+  return exit;
+}
+
+/// A wall goes on where its seam lies so near to one of the layer below.
+constexpr double kSeamStepNm = 1.0 * kNmPerMm;
+
+/// The seam of a wall that goes on from one of these seams, nearest to where the section is entered.
+std::optional<Point> SeamToMeetAt(const SectionPlan& section, std::span<const Point> below) {
+  std::optional<Point> nearest;
+  for (const Point seam : section.seams) {
+    const auto goes_on = [&](Point from) { return Distance(from, seam) <= kSeamStepNm; };
+    if (nearest && Distance(seam, section.entry) >= Distance(*nearest, section.entry)) continue;
+    if (std::ranges::any_of(below, goes_on)) nearest = seam;
+  }
+  return nearest;
+}
+
+/// The seams of a section's rings, as far as there are any.
+std::span<const Point> SeamsOf(const SectionPlan& section, RingRange rings) {
+  const auto last = static_cast<size_t>(rings.last);
+  if (last > section.seams.size()) return {};
+  const auto first = static_cast<size_t>(rings.first);
+  return std::span(section.seams).subspan(first, last - first);
 }
 
 bool Has(const std::vector<int32_t>& objects, int32_t object) {
@@ -58,10 +100,14 @@ bool Has(const std::vector<int32_t>& objects, int32_t object) {
 
 void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   std::vector<int32_t> objects;
+  const bool is_single = copies_.size() == 1;
+  if (is_single) last_rings_.emplace_back();
   for (const ObjectSection& section : layer.sections) {
     const auto [left_at, is_new] = left_at_.try_emplace(section.object, kFrontLeft);
     PlanOf(section.object, plan).entry = left_at->second;
-    left_at->second = LikelyExit(OutlineOf(section), left_at->second);
+    const LikelyExit exit = ExitOf(OutlineOf(section), left_at->second);
+    left_at->second = exit.at;
+    if (is_single && section.object == copies_.front().object) last_rings_.back() = exit.rings;
     if (!section.regions.empty()) objects.push_back(section.object);
   }
   plan.entry = plate_left_at_;
@@ -70,6 +116,25 @@ void TravelPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   if (last < 0) return;
   const PlacedCopy& copy = copies_[static_cast<size_t>(last)];
   plate_left_at_ = copy.shift + left_at_[copy.object];
+}
+
+absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
+  (void)cancel, (void)plan;
+  if (copies_.size() != 1) return absl::OkStatus();
+  const PlacedCopy& copy = copies_.front();
+  for (int32_t i = layers.first() + 1; i < layers.end(); ++i) {
+    LayerPlan& below = layers.At(i - 1);
+    LayerPlan& above = layers.At(i);
+    SectionPlan& section = PlanOf(copy.object, above);
+    const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
+    const auto meeting = SeamToMeetAt(section, SeamsOf(PlanOf(copy.object, below), rings));
+    if (!meeting) continue;
+    section.entry = *meeting;
+    above.entry = copy.shift + *meeting;
+    PlanOf(copy.object, below).exit = *meeting;
+    below.ends_ready = above.begins_ready = true;
+  }
+  return absl::OkStatus();
 }
 
 int32_t TravelPlanner::NearestCopy(const std::vector<int32_t>& objects) const {

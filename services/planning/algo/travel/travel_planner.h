@@ -10,12 +10,22 @@
 
 namespace slicefarm::planning {
 
+/// Rings [first, last) of a section's outline, as OutlineOf numbers them.
+struct RingRange {
+  int32_t first = 0;
+  int32_t last = 0;
+};
+
 /// Where each layer is entered: where the one before ends, as far as outlines tell. So islands of an
 /// object, and copies on the plate, are printed to and fro from layer to layer.
 ///
 /// An object's islands are visited by nearest neighbour in the object's own coordinates, whatever
 /// stands around it: its toolpaths are the same wherever it stands. Copies are visited by nearest
 /// neighbour over their places.
+///
+/// Where a single copy is all that is printed, and a wall goes on from the island where the layer
+/// below ends (a planned seam near to one there), layers meet at its seam with the filament ready:
+/// of several such seams at the nearest one. So the nozzle goes on within the part.
 /// Cost: O(points + islands^2) a section; O(copies^2) for each way in which layers begin.
 class TravelPlanner : public Planner {
  public:
@@ -23,6 +33,8 @@ class TravelPlanner : public Planner {
   explicit TravelPlanner(std::span<const PlacedCopy> copies) : copies_(copies) {}
 
   void Look(const SlicedLayer& layer, LayerPlan& plan) override;
+  /// Layers that were taken before are left as they are, and so is the way to the one above them.
+  absl::Status Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) override;
 
  private:
   /// Objects with outlines in a layer, by number, and the copy where the layer begins.
@@ -35,6 +47,8 @@ class TravelPlanner : public Planner {
   std::map<int32_t, Point> left_at_;       ///< by object, in its own coordinates
   Point plate_left_at_;                    ///< at first the corner of the bed, where start G-code ends
   std::map<Beginning, int32_t> last_copies_;  ///< known answers
+  /// By layer, of the island where the only copy is likely to be left; none if there are several.
+  std::vector<RingRange> last_rings_;
 };
 
 }  // namespace slicefarm::planning

@@ -59,5 +59,54 @@ TEST(TravelPlanner, AThousandCopiesAreNoBurden) {
   EXPECT_EQ(plans[499].entry, plans[497].entry);
 }
 
+/// Plans after Finish, of layers with these seams each.
+OpenLayers Meeting(const std::vector<std::vector<Point>>& seams,
+                   const std::vector<PlacedCopy>& copies) {
+  TravelPlanner planner(copies);
+  OpenLayers layers;
+  const auto outlines =
+      LayersOrDie(std::vector<std::string_view>(seams.size(), kTwoTowers));
+  for (size_t i = 0; i < seams.size(); ++i) {
+    LayerPlan& plan = layers.Add();
+    PlanOf(0, plan).seams = seams[i];
+    planner.Look(outlines[i], plan);
+  }
+  JobPlan job;
+  EXPECT_TRUE(planner.Finish({}, layers, job).ok());
+  return layers;
+}
+
+constexpr Point kLeft{20'000'000, 10'000'000}, kRight{90'000'000, 10'000'000};
+
+TEST(TravelPlanner, LayersMeetAtASeamThatGoesOn) {
+  const Point step{900'000, 0};
+  const PlacedCopy copy{0, {FromMm(1), FromMm(2)}, {}};
+  OpenLayers layers = Meeting({{kLeft, kRight}, {kLeft - step, kRight + step}, {}}, {copy});
+  EXPECT_FALSE(layers.At(0).begins_ready);
+  EXPECT_TRUE(layers.At(0).ends_ready);
+  EXPECT_TRUE(layers.At(1).begins_ready);
+  EXPECT_FALSE(layers.At(1).ends_ready) << "no seam above";
+  EXPECT_FALSE(layers.At(2).begins_ready);
+  const SectionPlan& above = layers.At(1).sections[0];
+  EXPECT_EQ(layers.At(0).sections[0].exit, above.entry);
+  EXPECT_EQ(above.entry, kRight + step) << "where the layer below ends";
+  EXPECT_EQ(layers.At(1).entry, copy.shift + above.entry);
+  EXPECT_FALSE(above.exit);
+}
+
+TEST(TravelPlanner, LayersDoNotMeetAtWallsThatBegin) {
+  const Point jump{1'100'000, 0};
+  OpenLayers layers = Meeting({{kLeft, kRight}, {kLeft - jump, kRight + jump}}, {{0, {}, {}}});
+  EXPECT_FALSE(layers.At(0).ends_ready);
+  EXPECT_FALSE(layers.At(1).begins_ready);
+  EXPECT_FALSE(layers.At(0).sections[0].exit);
+}
+
+TEST(TravelPlanner, LayersOfSeveralCopiesDoNotMeet) {
+  OpenLayers layers = Meeting({{kLeft}, {kLeft}}, {{0, {}, {}}, {0, {FromMm(200), 0}, {}}});
+  EXPECT_FALSE(layers.At(0).ends_ready);
+  EXPECT_FALSE(layers.At(1).begins_ready);
+}
+
 }  // namespace
 }  // namespace slicefarm::planning
