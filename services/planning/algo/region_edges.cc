@@ -49,8 +49,9 @@ std::optional<RegionEdges::Hit> RegionEdges::Nearest(Point to, Coord reach_nm) c
   if (index_.size() == 0 || !bounds.Grown(reach_nm).Intersects({to, to})) return std::nullopt;
   const auto reach = static_cast<double>(reach_nm);
   Best best{reach * reach, -1, 0};
-  // What is not in the box is further than its half width.
-  for (Coord half = std::min(index_.square_nm(), reach_nm);; half = std::min(2 * half, reach_nm)) {
+  // What is not in the box is further than its half width. Most who ask stand close to an edge.
+  for (Coord half = std::min(index_.square_nm() / 8, reach_nm);;
+       half = std::min(4 * half, reach_nm)) {
     const Box box = Box{to, to}.Grown(half);
     index_.ForEachNear(box, [&](int32_t edge) { LookAt(edge, to, best); });
     const auto seen = static_cast<double>(half);

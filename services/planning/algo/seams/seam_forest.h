@@ -17,7 +17,7 @@ struct SeamNode {
 
 /// What it costs that a seam does not stand over that of the ring below.
 struct StepCost {
-  double longest_mm = 0.8;  ///< up to here a step costs by its length
+  double longest_mm = 0.8;  ///< up to here a step costs by its length, no more than a jump
   double per_mm = 4;
   double jump = 60;         ///< of longer ones, however far
 
@@ -28,7 +28,8 @@ struct StepCost {
 /// steps from each ring to its parent. Where an island splits, each part follows it; where islands
 /// meet, the ring follows one of them: so rings are trees. Exact, by dynamic programming from the
 /// leaves down; the first of equals.
-/// Shapes: an index into `places` for each node. Cost: O(sum over steps of places * places).
+/// Shapes: an index into `places` for each node. Cost: O(places * log places), for places
+/// that stand no closer together than steps are long.
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step);
 
 }  // namespace slicefarm::planning

@@ -128,11 +128,13 @@ class LayerRings {
     const RingShape& shape = shapes_[ring];
     const bool painted = !section_.seam_enforcers.empty() || !section_.seam_blockers.empty();
     std::vector<SeamPlace> places;
-    for (const double nm : Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted))) {
+    const auto along = Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted));
+    places.reserve(along.size());
+    for (const Bend& bend : shape.BendsAt(along)) {
       SeamPlace& place = places.emplace_back();
-      place.at = shape.At(nm);
-      place.turn_rad = static_cast<float>(shape.TurnAt(nm));
-      place.outward = static_cast<uint8_t>(shape.OutwardAt(nm));
+      place.at = bend.at;
+      place.turn_rad = static_cast<float>(bend.TurnRad());
+      place.outward = static_cast<uint8_t>(bend.Outward());
       place.enforced = Holds(section_.seam_enforcers, place.at);
       place.blocked = Holds(section_.seam_blockers, place.at);
     }

@@ -12,9 +12,9 @@ namespace slicefarm::planning {
 /// A place on a ring where its seam may be, and what speaks for and against it.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;     ///< RingShape::TurnAt
+  float turn_rad = 0;     ///< Bend::TurnRad
   float overhang = 0;     ///< how far it hangs over the layer below, in heights of the layer
-  uint8_t outward = 0;    ///< RingShape::OutwardAt
+  uint8_t outward = 0;    ///< Bend::Outward
   bool enforced = false;
   bool blocked = false;
 };
