@@ -91,8 +91,8 @@ TEST(SeamCosts, RandomIsTheSameForTheSameRingAndElseAnything) {
     taken.insert(static_cast<size_t>(std::ranges::min_element(costs) - costs.begin()));
   }
   EXPECT_GT(taken.size(), 40u);
-  EXPECT_EQ(StepCostOf(SeamPosition::kRandom).Of({}, Mm(50, 0)), 0);
-  EXPECT_GT(StepCostOf(SeamPosition::kAligned).Of({}, Mm(50, 0)), 1);
+  EXPECT_EQ(StepCostOf(SeamPosition::kRandom).Of({}, Mm(50, 0), 0), 0);
+  EXPECT_GT(StepCostOf(SeamPosition::kAligned).Of({}, Mm(50, 0), 0), 1);
 }
 
 TEST(SeamCosts, TellsCornersAndOverhangs) {

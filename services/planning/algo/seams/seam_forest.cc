@@ -32,7 +32,9 @@ Message Below(const SeamNode& node, const std::vector<double>& costs, const Seam
   const auto x_of = [&](int32_t p) { return node.places[static_cast<size_t>(p)].x; };
   const std::vector<int32_t> by_x = ByX(node.places);
   const auto cheapest = static_cast<int32_t>(FirstLeast(costs));
-  const Coord reach = FromMm(step.longest_mm);
+  const auto away_of = [&](size_t p) { return node.away_mm.empty() ? 0 : node.away_mm[p]; };
+  const double most_away = node.away_mm.empty() ? 0 : std::ranges::max(node.away_mm);
+  const Coord reach = FromMm(step.longest_mm + most_away);
   const size_t count = parent.places.size();
   Message message{std::vector<double>(count, costs[static_cast<size_t>(cheapest)] + step.jump),
                   std::vector<int32_t>(count, cheapest)};
@@ -43,7 +45,7 @@ Message Below(const SeamNode& node, const std::vector<double>& costs, const Seam
     for (auto p = std::ranges::lower_bound(by_x, from.x - reach, {}, x_of);
          p != by_x.end() && x_of(*p) <= from.x + reach; ++p) {
       const auto at = static_cast<size_t>(*p);
-      const double cost = costs[at] + step.Of(from, node.places[at]);
+      const double cost = costs[at] + step.Of(from, node.places[at], away_of(at));
       if (cost > best || (cost == best && *p > place)) continue;
       best = cost;
       place = *p;
@@ -54,9 +56,14 @@ Message Below(const SeamNode& node, const std::vector<double>& costs, const Seam
 
 }  // namespace
 
-double StepCost::Of(Point from, Point to) const {
+bool StepCost::Reaches(Point from, Point to, double away_mm) const {
   const double mm = ToMm(Distance(from, to));
-  return mm <= longest_mm ? std::min(per_mm * mm, jump) : jump;
+  return mm * mm - away_mm * away_mm <= longest_mm * longest_mm;
+}
+
+double StepCost::Of(Point from, Point to, double away_mm) const {
+  if (!Reaches(from, to, away_mm)) return jump;
+  return std::min(per_mm * ToMm(Distance(from, to)), jump);
 }
 
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step) {

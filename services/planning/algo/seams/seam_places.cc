@@ -151,10 +151,14 @@ class LayerRings {
 
 namespace {
 
-/// How far a place lies outside of the layer below, in nm; no more than kReachNm.
-double Outside(Point at, const MultiPolygon& below, const RegionEdges& edges) {
-  if (const auto hit = edges.Nearest(at, kReachNm)) return hit->inside ? 0 : hit->distance_nm;
-  return Holds(below, at) ? 0 : static_cast<double>(kReachNm);
+/// How a place lies to the layer below, as far as kReachNm.
+void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord height_nm,
+                 SeamPlace& place) {
+  const auto hit = edges.Nearest(place.at, kReachNm);
+  const double away_nm = hit ? hit->distance_nm : static_cast<double>(kReachNm);
+  const bool inside = hit ? hit->inside : Holds(below, place.at);
+  place.away_mm = static_cast<float>(ToMm(away_nm));
+  place.overhang = inside ? 0 : static_cast<float>(away_nm / static_cast<double>(height_nm));
 }
 
 }  // namespace
@@ -175,9 +179,7 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
   if (below_) {
     for (RingPlaces& ring : found)
       for (SeamPlace& place : ring.places)
-        place.overhang =
-            static_cast<float>(Outside(place.at, below_->outlines, below_->edges) /
-                               static_cast<double>(std::max<Coord>(section.height_nm, 1)));
+        MeasureOver(below_->outlines, below_->edges, std::max<Coord>(section.height_nm, 1), place);
   }
   std::vector<std::vector<Point>> places;
   for (const RingPlaces& ring : found) {

@@ -14,6 +14,7 @@ struct SeamPlace {
   Point at;
   float turn_rad = 0;     ///< Bend::TurnRad
   float overhang = 0;     ///< how far it hangs over the layer below, in heights of the layer
+  float away_mm = 0;      ///< how far from the outlines of the layer below; 0 without one
   uint8_t outward = 0;    ///< Bend::Outward
   bool enforced = false;
   bool blocked = false;
