@@ -16,7 +16,7 @@ namespace {
 constexpr int32_t kMostCells = 256;  // along each side
 constexpr double kReachMm = 30;
 /// How large the patches of the surface are that are seen alike.
-constexpr int32_t kPatchMm = 2;
+constexpr int32_t kPatchMm = 4;
 /// Outlines with more crossings of rows are taken to hide nothing: a bound on the work.
 constexpr double kMostCrossings = 20e6;
 /// Rays start this far from the middle of the cell, so that the surface in it does not hide itself.

@@ -22,7 +22,7 @@ class Occupancy {
 
   /// Which share of the directions from a place on the surface leads out of the object, or 30 mm
   /// far: of twelve, up to 60 degrees to the sides and 45 up and down. As seen from the first place
-  /// that was asked for of those in a patch, a cube of 2 mm, with the same direction `outward`
+  /// that was asked for of those in a patch, a cube of 4 mm, with the same direction `outward`
   /// (Bend::Outward). In [0, 1]. Cost: O(30 mm) for a new patch.
   double Visibility(Point at, Coord z_nm, int outward);
 

@@ -23,7 +23,7 @@ struct StepCost {
   double longest_mm = 0.8;  ///< how far a step may go sideways; it costs by its length then, no
                             ///< more than a jump
   double per_mm = 4;
-  double jump = 60;         ///< of steps further to the side, however far
+  double jump = 40;         ///< of steps further to the side, however far
 
   /// Whether it is a step. `away_mm`: how far `to` lies from the ring of `from` anyway, where a wall
   /// leans: that part of the way is not sideways.

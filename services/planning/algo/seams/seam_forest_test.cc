@@ -85,7 +85,8 @@ TEST(SeamForest, StepsThatAWallAsksForAreNoJumps) {
   std::vector<SeamNode> nodes;
   for (int i = 0; i < 8; ++i) {
     const double radius = 10 - i;
-    nodes.push_back({i - 1, {Mm(radius, 0), Mm(0, radius)}, {0.1, i == 4 ? 0.0 : 0.1}, {1, 1}});
+    nodes.push_back({i - 1, {Mm(radius, 0), Mm(0, radius)}, {0, i == 4 ? 0.0 : 0.5}, {1, 1}});
+    nodes.back().costs[0] = i == 4 ? 1 : 0;
   }
   nodes[0].away_mm = {0, 0};
   EXPECT_THAT(CheapestSeams(nodes, {}), testing::Each(0)) << "in line in spite of a better place";

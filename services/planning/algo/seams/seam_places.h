@@ -20,6 +20,9 @@ struct SeamPlace {
   bool blocked = false;
 };
 
+/// Corners that count as such: inner ones from 15 degrees on, outer ones from 30.
+bool IsCorner(const SeamPlace& place);
+
 /// An outline of a layer.
 struct RingPlaces {
   int32_t below =
@@ -29,7 +32,7 @@ struct RingPlaces {
 
 /// Goes up the layers of one object and finds places for seams: corners, places straight above
 /// those of the layer below, so that seams can stand upright on any wall, and others where there
-/// are no such, a millimetre apart, no more than about a hundred on a ring. Where the part is
+/// are no such, two millimetres apart, no more than about a hundred on a ring. Where the part is
 /// painted, four times as many. Memory: of one layer.
 class PlaceFinder {
  public:
@@ -40,7 +43,7 @@ class PlaceFinder {
   struct Below {
     MultiPolygon outlines;
     RegionEdges edges;
-    std::vector<std::vector<Point>> places;  ///< by ring
+    std::vector<RingPlaces> rings;
   };
 
   std::optional<Below> below_;
