@@ -1,6 +1,7 @@
 #include "common/geometry/edge_index.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "common/geometry/predicates.h"
@@ -34,9 +35,9 @@ EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
   const double most = kSquaresAnyway + kSquaresPerEdge * static_cast<double>(edges_.size());
   const double square = std::max({static_cast<double>(square_nm), std::sqrt(width * height / most),
                                   width / most, height / most});
-  square_nm_ = static_cast<Coord>(square) + 1;
-  columns_ = static_cast<int32_t>((box_.max.x - box_.min.x) / square_nm_) + 1;
-  rows_ = static_cast<int32_t>((box_.max.y - box_.min.y) / square_nm_) + 1;
+  square_bits_ = std::bit_width(static_cast<uint64_t>(square));
+  columns_ = Column(box_.max.x) + 1;
+  rows_ = Row(box_.max.y) + 1;
   begin_.assign(static_cast<size_t>(rows_) * columns_ + 1, 0);
   for (const Edge& edge : edges_)
     ForEachSquare(edge, [this](size_t square_number) { ++begin_[square_number + 1]; });
@@ -48,16 +49,6 @@ EdgeIndex::EdgeIndex(const MultiPolygon& region, Coord square_nm) {
                   [&](size_t number) { items_[at[number]++] = static_cast<int32_t>(i); });
 }
 
-int32_t EdgeIndex::Column(Coord x) const {
-  return static_cast<int32_t>(std::clamp<Coord>(x - box_.min.x, 0, box_.max.x - box_.min.x) /
-                              square_nm_);
-}
-
-int32_t EdgeIndex::Row(Coord y) const {
-  return static_cast<int32_t>(std::clamp<Coord>(y - box_.min.y, 0, box_.max.y - box_.min.y) /
-                              square_nm_);
-}
-
 /// Row by row: the columns between the places at which the edge enters and leaves it, and one
 /// nanometre more.
 template <typename Visit>
@@ -67,16 +58,18 @@ void EdgeIndex::ForEachSquare(const Edge& edge, Visit visit) const {
   const auto [left, right] = std::minmax(low.x, high.x);
   const double rise = static_cast<double>(high.y - low.y);
   const double slope = rise > 0 ? static_cast<double>(high.x - low.x) / rise : 0;
-  for (int32_t row = Row(low.y); row <= Row(high.y); ++row) {
-    const Coord bottom = box_.min.y + static_cast<Coord>(row) * square_nm_;
+  const int32_t last_row = Row(high.y);
+  for (int32_t row = Row(low.y); row <= last_row; ++row) {
+    const Coord bottom = box_.min.y + (static_cast<Coord>(row) << square_bits_);
     Coord from = left, to = right;
     if (rise > 0) {
       const double x0 = slope * static_cast<double>(std::max(bottom, low.y) - low.y);
-      const double x1 = slope * static_cast<double>(std::min(bottom + square_nm_, high.y) - low.y);
+      const double x1 = slope * static_cast<double>(std::min(bottom + square_nm(), high.y) - low.y);
       from = std::max(left, low.x + static_cast<Coord>(std::floor(std::min(x0, x1))) - 1);
       to = std::min(right, low.x + static_cast<Coord>(std::ceil(std::max(x0, x1))) + 1);
     }
-    for (int32_t column = Column(from); column <= Column(to); ++column)
+    const int32_t last_column = Column(to);
+    for (int32_t column = Column(from); column <= last_column; ++column)
       visit(static_cast<size_t>(row) * columns_ + column);
   }
 }

@@ -49,13 +49,16 @@ std::optional<RegionEdges::Hit> RegionEdges::Nearest(Point to, Coord reach_nm) c
   if (index_.size() == 0 || !bounds.Grown(reach_nm).Intersects({to, to})) return std::nullopt;
   const auto reach = static_cast<double>(reach_nm);
   Best best{reach * reach, -1, 0};
-  // What is not in the box is further than its half width.
-  for (Coord half = std::min(index_.square_nm(), reach_nm);; half = std::min(2 * half, reach_nm)) {
+  // What is not in the box is further than its half width. Most who ask stand close to an edge.
+  for (Coord half = std::min(index_.square_nm() / 8, reach_nm);;) {
     const Box box = Box{to, to}.Grown(half);
     index_.ForEachNear(box, [&](int32_t edge) { LookAt(edge, to, best); });
-    const auto seen = static_cast<double>(half);
-    if (best.edge >= 0 && best.distance2 <= seen * seen) break;
     if (half == reach_nm || Holds(box, bounds)) break;
+    const double seen = static_cast<double>(half), least = std::sqrt(best.distance2);
+    if (best.edge >= 0 && least <= seen) break;
+    // What is found is far; what is nearer lies no further away.
+    const Coord next = best.edge >= 0 ? static_cast<Coord>(least) + 1 : 4 * half;
+    half = std::min(next, reach_nm);
   }
   if (best.edge < 0) return std::nullopt;
   const Edge& edge = index_.At(best.edge);

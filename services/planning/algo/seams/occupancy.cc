@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 
 #include "common/base/portable_math.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int32_t kMostCells = 256;  // along each side
 constexpr double kReachMm = 30;
+/// How large the patches of the surface are that are seen alike.
+constexpr int32_t kPatchMm = 4;
 /// Outlines with more crossings of rows are taken to hide nothing: a bound on the work.
 constexpr double kMostCrossings = 20e6;
 /// Rays start this far from the middle of the cell, so that the surface in it does not hide itself.
@@ -172,9 +175,10 @@ double Occupancy::Visibility(Point at, Coord z_nm, int outward) {
                   FloorDiv(FloorMm(static_cast<double>(at.y)) - least_.y, cell_mm_),
                   FloorMm(static_cast<double>(std::max<Coord>(z_nm - 1, 0))) / cell_mm_};
   // Cells of the surface lie in the grid or beside it.
-  const auto number = static_cast<uint64_t>(cell.x + 1) +
-                      static_cast<uint64_t>(cell.y + 1) * 1024 +
-                      static_cast<uint64_t>(cell.z) * 1024 * 1024;
+  const int32_t patch = std::max(kPatchMm / cell_mm_, 1);
+  const auto number = static_cast<uint64_t>((cell.x + 1) / patch) +
+                      static_cast<uint64_t>((cell.y + 1) / patch) * 1024 +
+                      static_cast<uint64_t>(cell.z / patch) * 1024 * 1024;
   const uint64_t key = number * kOutwards + static_cast<uint64_t>(outward);
   const auto [known, is_new] = seen_.try_emplace(key);
   if (is_new) known->second = static_cast<float>(SeenFrom(cell, outward));

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <vector>
 
+#include "absl/container/flat_hash_map.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::planning {
@@ -21,9 +21,9 @@ class Occupancy {
   void Build();
 
   /// Which share of the directions from a place on the surface leads out of the object, or 30 mm
-  /// far: of twelve, up to 60 degrees to the sides and 45 up and down. The same for all places in a
-  /// cell with the same direction `outward` (RingShape::OutwardAt). In [0, 1]. Cost: O(30 mm) for a
-  /// new cell.
+  /// far: of twelve, up to 60 degrees to the sides and 45 up and down. As seen from the first place
+  /// that was asked for of those in a patch, a cube of 4 mm, with the same direction `outward`
+  /// (Bend::Outward). In [0, 1]. Cost: O(30 mm) for a new patch.
   double Visibility(Point at, Coord z_nm, int outward);
 
  private:
@@ -50,7 +50,7 @@ class Occupancy {
   Cell least_;
   Cell size_;
   std::vector<uint64_t> solid_;  ///< a bit for each cell
-  std::map<uint64_t, float> seen_;
+  absl::flat_hash_map<uint64_t, float> seen_;  ///< by patch and direction
 };
 
 }  // namespace slicefarm::planning

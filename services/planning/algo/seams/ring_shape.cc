@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "common/base/portable_math.h"
 
@@ -19,9 +20,30 @@ constexpr double kSameTurnRad = std::numbers::pi / 90;
 /// A corner that is longer than this part of its ring is none.
 constexpr double kLongestCorner = 1.0 / 3;
 
-double TurnOf(Point in, Point out) { return Atan2(Cross(in, out), Dot(in, out)); }
+/// tan 22.5 degrees.
+constexpr double kSixteenth = std::numbers::sqrt2 - 1;
+/// cos^2 of kLeastTurnRad.
+constexpr double kStraightCosine2 = 0.95677;
+
+/// Whether it turns by less than kLeastTurnRad, without the angle.
+bool IsStraight(const Bend& bend) {
+  const double cosine = Dot(bend.in, bend.out);
+  return cosine > 0 &&
+         cosine * cosine > kStraightCosine2 * SquaredNorm(bend.in) * SquaredNorm(bend.out);
+}
 
 }  // namespace
+
+double Bend::TurnRad() const { return Atan2(Cross(in, out), Dot(in, out)); }
+
+int Bend::Outward() const {
+  const Point along = in + out;  // the solid is to its left
+  auto x = static_cast<double>(along.y), y = static_cast<double>(-along.x);
+  if (x == 0 && y == 0) return 0;
+  int quarter = 0;
+  for (; x <= 0 || y < 0; ++quarter) x = std::exchange(y, -x);  // a quarter turn back
+  return 4 * quarter + (y >= kSixteenth * x) + (y >= x) + (kSixteenth * y >= x);
+}
 
 double OutwardAngleRad(int outward) {
   return (outward + 0.5) * 2 * std::numbers::pi / kOutwards;
@@ -36,11 +58,11 @@ RingShape::RingShape(const Polygon& ring) : ring_(&ring) {
   arm_nm_ = std::min(kArmNm, length_nm_ * kArmOfLength);
 }
 
-Point RingShape::At(double along_nm) const {
+Point RingShape::At(double along_nm, size_t& edge) const {
   if (along_nm < 0) along_nm += length_nm_;
   if (along_nm >= length_nm_) along_nm -= length_nm_;
-  const auto end = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, along_nm);
-  const auto edge = static_cast<size_t>(end - ends_.begin()) - 1;
+  if (along_nm < ends_[edge]) edge = 0;
+  while (edge + 1 < ring_->size() && along_nm >= ends_[edge + 1]) ++edge;
   const Point from = (*ring_)[edge], to = (*ring_)[edge + 1 < ring_->size() ? edge + 1 : 0];
   const double length = ends_[edge + 1] - ends_[edge];
   if (length <= 0) return from;
@@ -49,29 +71,23 @@ Point RingShape::At(double along_nm) const {
           from.y + std::llround(share * static_cast<double>(to.y - from.y))};
 }
 
-RingShape::Arms RingShape::ArmsAt(double along_nm) const {
-  const Point at = At(along_nm);
-  return {at - At(along_nm - arm_nm_), At(along_nm + arm_nm_) - at};
-}
-
-double RingShape::TurnAt(double along_nm) const {
-  const Arms arms = ArmsAt(along_nm);
-  return TurnOf(arms.in, arms.out);
-}
-
-int RingShape::OutwardAt(double along_nm) const {
-  const Arms arms = ArmsAt(along_nm);
-  const Point along = arms.in + arms.out;  // the solid is to its left
-  const double angle = Atan2(static_cast<double>(-along.x), static_cast<double>(along.y));
-  const double turns = angle / (2 * std::numbers::pi);
-  const int direction = static_cast<int>(std::floor((turns < 0 ? turns + 1 : turns) * kOutwards));
-  return std::clamp(direction, 0, kOutwards - 1);
+std::vector<Bend> RingShape::BendsAt(std::span<const double> along_nm) const {
+  std::vector<Bend> bends;
+  bends.reserve(along_nm.size());
+  size_t before = 0, here = 0, after = 0;  // edges
+  for (const double nm : along_nm) {
+    const Point at = At(nm, here);
+    bends.push_back({at, at - At(nm - arm_nm_, before), At(nm + arm_nm_, after) - at});
+  }
+  return bends;
 }
 
 std::vector<Corner> RingShape::Turns() const {
   const size_t n = ring_->size();
   std::vector<Corner> all;
-  for (size_t i = 0; i < n; ++i) all.push_back({ends_[i], TurnAt(ends_[i])});
+  all.reserve(n);
+  for (const Bend& bend : BendsAt(std::span(ends_).first(n)))
+    all.push_back({ends_[all.size()], IsStraight(bend) ? 0 : bend.TurnRad()});
   // From a straight place on, so that no corner is cut in two.
   const auto is_straight = [](const Corner& corner) {
     return std::abs(corner.turn_rad) < kLeastTurnRad;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/geometry/polygon.h"
@@ -12,6 +13,26 @@ struct Corner {
   double turn_rad = 0;  ///< > 0: the solid's corner sticks out
 };
 
+/// A place on a ring, and how the ring runs there: the arms are half a millimetre long, so that fine
+/// facets do not hide a corner; shorter on small rings.
+struct Bend {
+  Point at;
+  Point in;   ///< the arm from the point before it
+  Point out;  ///< the arm to the point after it
+
+  /// In [-pi, pi]; > 0 where the solid sticks out.
+  double TurnRad() const;
+
+  /// Away from the solid: the outward direction, as a sixteenth of the full turn in [0, kOutwards).
+  int Outward() const;
+};
+
+/// How many directions Bend::Outward tells apart.
+inline constexpr int kOutwards = 16;
+
+/// The middle of such a direction.
+double OutwardAngleRad(int outward);
+
 /// A ring by the length along it.
 class RingShape {
  public:
@@ -23,29 +44,17 @@ class RingShape {
   /// How far along the ring its point `i` lies.
   double AlongTo(size_t i) const { return ends_[i]; }
 
-  /// Any along_nm within a length of the ring's ends. Cost: O(log points).
-  Point At(double along_nm) const;
-
-  /// How much the ring turns over half a millimetre on either side, so that fine facets do not hide
-  /// a corner; less on small rings. In [-pi, pi]; > 0 where the solid sticks out. Cost: O(log
-  /// points).
-  double TurnAt(double along_nm) const;
-
-  /// Away from the solid: the outward direction of the ring at a place, as a sixteenth of the full
-  /// turn in [0, 16).
-  int OutwardAt(double along_nm) const;
+  /// The places so far along. REQUIRES: ascending, within [0, length). Cost: O(points + places).
+  std::vector<Bend> BendsAt(std::span<const double> along_nm) const;
 
   /// Where the ring turns most, by ascending length; of a rounded corner its middle. None on a ring
   /// that turns alike everywhere. Cost: O(points).
   std::vector<Corner> Corners() const;
 
  private:
-  /// The two arms of a place: from the point before it, and to the point after it.
-  struct Arms {
-    Point in;
-    Point out;
-  };
-  Arms ArmsAt(double along_nm) const;
+  /// Any along_nm within a length of the ring's ends. `edge` is where the search begins, and then
+  /// where it ended: who goes round the ring looks at each edge once.
+  Point At(double along_nm, size_t& edge) const;
   /// The points where the ring turns, from a straight place on: beyond the ring's end, more than a
   /// length along.
   std::vector<Corner> Turns() const;
@@ -55,11 +64,5 @@ class RingShape {
   double length_nm_ = 0;
   double arm_nm_ = 0;
 };
-
-/// How many directions OutwardAt tells apart.
-inline constexpr int kOutwards = 16;
-
-/// The middle of such a direction.
-double OutwardAngleRad(int outward);
 
 }  // namespace slicefarm::planning

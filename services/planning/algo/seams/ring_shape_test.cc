@@ -13,33 +13,49 @@ using std::numbers::pi;
 
 Polygon RingOf(std::string_view text) { return MakePolygonsOrDie(text)[0].outer; }
 
+Bend BendAt(const RingShape& shape, double along_nm) {
+  return shape.BendsAt(std::vector{along_nm})[0];
+}
+
 TEST(RingShape, GoesByTheLengthAlong) {
   const Polygon ring = RingOf("(0 0, 10 0, 10 5, 0 5)");
   const RingShape shape(ring);
   EXPECT_EQ(shape.length_nm(), 30e6);
   EXPECT_EQ(shape.AlongTo(2), 15e6);
-  EXPECT_EQ(shape.At(12e6), Mm(10, 2));
-  EXPECT_EQ(shape.At(29e6), Mm(0, 1));
-  EXPECT_EQ(shape.At(-1e6), Mm(0, 1));
-  EXPECT_EQ(shape.At(31e6), Mm(1, 0));
+  const std::vector<Bend> bends = shape.BendsAt(std::vector<double>{0, 12e6, 29.8e6});
+  EXPECT_EQ(bends[0].at, Mm(0, 0));
+  EXPECT_EQ(bends[0].in, Mm(0, -0.5)) << "from the ring's end";
+  EXPECT_EQ(bends[1].at, Mm(10, 2));
+  EXPECT_EQ(bends[2].at, Mm(0, 0.2));
+  EXPECT_EQ(bends[2].out, Mm(0.3, -0.2)) << "beyond the ring's end";
 }
 
 TEST(RingShape, TurnsToTheLeftWhereTheSolidSticksOut) {
   const Polygon ring = RingOf("(0 0, 10 0, 10 5, 5 5, 5 10, 0 10)");
   const RingShape shape(ring);
-  EXPECT_NEAR(shape.TurnAt(10e6), pi / 2, 1e-12);
-  EXPECT_NEAR(shape.TurnAt(20e6), -pi / 2, 1e-12);
-  EXPECT_NEAR(shape.TurnAt(5e6), 0, 1e-12);
+  EXPECT_NEAR(BendAt(shape, 10e6).TurnRad(), pi / 2, 1e-12);
+  EXPECT_NEAR(BendAt(shape, 20e6).TurnRad(), -pi / 2, 1e-12);
+  EXPECT_NEAR(BendAt(shape, 5e6).TurnRad(), 0, 1e-12);
 }
 
 TEST(RingShape, OutwardIsToTheRight) {
   const Polygon ring = RingOf("(0 0, 10 0, 10 5, 0 5)");
   const RingShape shape(ring);
-  const auto angle_at = [&](double mm) { return OutwardAngleRad(shape.OutwardAt(mm * 1e6)); };
+  const auto angle_at = [&](double mm) { return OutwardAngleRad(BendAt(shape, mm * 1e6).Outward()); };
   EXPECT_NEAR(angle_at(5), 1.5 * pi, 0.2);
   EXPECT_NEAR(angle_at(12.5), 0, 0.2);
   EXPECT_NEAR(angle_at(20), 0.5 * pi, 0.2);
   EXPECT_NEAR(angle_at(27.5), pi, 0.2);
+}
+
+TEST(RingShape, OutwardIsTheSixteenthOfTheTurnThatTheAngleLiesIn) {
+  for (int i = 0; i < 720; ++i) {
+    const double angle = (i + 0.5) * pi / 360;  // of the way; outwards is a quarter turn less
+    const Point arm = Mm(std::cos(angle), std::sin(angle));
+    const double outward = angle - pi / 2;
+    const auto want = static_cast<int>((outward < 0 ? outward + 2 * pi : outward) / (2 * pi) * 16);
+    EXPECT_EQ((Bend{{}, arm, arm}).Outward(), want) << i;
+  }
 }
 
 TEST(RingShape, FindsCornersThroughFineFacets) {
@@ -54,7 +70,7 @@ TEST(RingShape, FindsCornersThroughFineFacets) {
   const std::vector<Corner> corners = shape.Corners();
   ASSERT_EQ(corners.size(), 4u);
   EXPECT_NEAR(corners[2].turn_rad, pi / 2, 0.1);
-  EXPECT_LT(Distance(shape.At(corners[2].along_nm), ring[2 + 8]), 1000);
+  EXPECT_LT(Distance(BendAt(shape, corners[2].along_nm).at, ring[2 + 8]), 1000);
 }
 
 TEST(RingShape, ACornerIsWholeWhereverTheRingStarts) {
@@ -71,7 +87,7 @@ TEST(RingShape, ACornerIsWholeWhereverTheRingStarts) {
     const std::vector<Corner> corners = shape.Corners();
     ASSERT_EQ(corners.size(), 4u) << turn;
     EXPECT_TRUE(std::ranges::any_of(corners, [&](const Corner& corner) {
-      return Distance(shape.At(corner.along_nm), middle) < 250'000;
+      return Distance(BendAt(shape, corner.along_nm).at, middle) < 250'000;
     })) << turn;
   }
 }

@@ -21,10 +21,10 @@ constexpr double kFromRear = 4;
 /// Decide between equals.
 constexpr double kRearOfEqual = 1e-4;
 constexpr double kLeftOfEqual = 1e-7;
-/// Overhangs, in heights of a layer: from the first on they cost something, from the second on all.
+/// Overhangs cost something from so many heights of a layer on, and so much for each height more:
+/// where all of a ring hangs over, the seam is best where it does the least.
 constexpr double kSomeOverhang = 0.6;
-constexpr double kFullOverhang = 1.2;
-constexpr double kOverhang = 6;
+constexpr double kOverhang = 20;
 /// tan 55 degrees.
 constexpr double kSteep = 1.43;
 /// More than all others of a job together.
@@ -39,8 +39,7 @@ double Shape(const SeamPlace& place) {
 }
 
 double Overhang(const SeamPlace& place) {
-  const double share = (place.overhang - kSomeOverhang) / (kFullOverhang - kSomeOverhang);
-  return kOverhang * std::clamp(share, 0.0, 1.0);
+  return kOverhang * std::max(place.overhang - kSomeOverhang, 0.0);
 }
 
 /// Even bits in, even bits out (splitmix64's finish: Steele, Lea, Flood 2014).
@@ -101,10 +100,6 @@ std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::v
 StepCost StepCostOf(SeamPosition position) {
   if (position == SeamPosition::kRandom) return {.longest_mm = 0, .per_mm = 0, .jump = 0};
   return {};
-}
-
-bool IsCorner(const SeamPlace& place) {
-  return place.turn_rad <= -std::numbers::pi / 12 || place.turn_rad >= std::numbers::pi / 6;
 }
 
 bool Overhangs(const SeamPlace& place) { return place.overhang > kSteep; }

@@ -16,8 +16,9 @@ struct RingNumber {
 };
 
 /// How little each place suits a seam: 0 at a sharp inner corner, 0.5 at a sharp outer one, 3 on a
-/// straight wall, all in plain view and less out of it; 6 more where it hangs over the layer below.
-/// A step of a millimetre from layer to layer costs 4, a jump 60 (StepCostOf).
+/// straight wall, all in plain view and less out of it; 20 more for each height of the layer that it
+/// hangs over the layer below, beyond 0.6.
+/// A step of a millimetre from layer to layer costs 4, a jump 40 (StepCostOf).
 ///   aligned  corner first, then how much is seen of it; of equals the rear-most, then left-most
 ///   rear     how far it is from the rear
 ///   hidden   how much is seen of it first
@@ -29,9 +30,6 @@ std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::v
 
 /// What steps cost in this mode: nothing if seams need not be in line.
 StepCost StepCostOf(SeamPosition position);
-
-/// Corners that count as such: inner ones, and outer ones from 30 degrees on.
-bool IsCorner(const SeamPlace& place);
 
 /// Whether it hangs over the layer below at more than 55 degrees from upright.
 bool Overhangs(const SeamPlace& place);

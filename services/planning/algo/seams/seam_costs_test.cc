@@ -91,14 +91,18 @@ TEST(SeamCosts, RandomIsTheSameForTheSameRingAndElseAnything) {
     taken.insert(static_cast<size_t>(std::ranges::min_element(costs) - costs.begin()));
   }
   EXPECT_GT(taken.size(), 40u);
-  EXPECT_EQ(StepCostOf(SeamPosition::kRandom).Of({}, Mm(50, 0)), 0);
-  EXPECT_GT(StepCostOf(SeamPosition::kAligned).Of({}, Mm(50, 0)), 1);
+  EXPECT_EQ(StepCostOf(SeamPosition::kRandom).Of({}, Mm(50, 0), 0), 0);
+  EXPECT_GT(StepCostOf(SeamPosition::kAligned).Of({}, Mm(50, 0), 0), 1);
 }
 
-TEST(SeamCosts, TellsCornersAndOverhangs) {
-  EXPECT_TRUE(IsCorner(PlaceAt(0, 0, -0.3F)));
-  EXPECT_FALSE(IsCorner(PlaceAt(0, 0, 0.3F)));
-  EXPECT_TRUE(IsCorner(PlaceAt(0, 0, 0.6F)));
+TEST(SeamCosts, WhereAllHangsOverTheLeastIsBest) {
+  std::vector<SeamPlace> places = {PlaceAt(0, 0, -kRightAngle), PlaceAt(0, 0)};
+  places[0].overhang = 5;
+  places[1].overhang = 4;
+  EXPECT_EQ(Cheapest(places, {1, 1}, SeamPosition::kAligned), 1u);
+}
+
+TEST(SeamCosts, TellsOverhangs) {
   SeamPlace place;
   place.overhang = 1.4F;
   EXPECT_FALSE(Overhangs(place));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace slicefarm::planning {
@@ -18,41 +17,53 @@ struct Message {
   std::vector<int32_t> best;
 };
 
-/// The places from the cheapest on; the first of equals first.
-std::vector<size_t> ByCost(const std::vector<double>& costs) {
-  std::vector<size_t> order(costs.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::ranges::stable_sort(order, {}, [&](size_t place) { return costs[place]; });
+/// The places from left to right; the first of equals first.
+std::vector<int32_t> ByX(const std::vector<Point>& places) {
+  std::vector<int32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int32_t p) { return places[static_cast<size_t>(p)].x; });
   return order;
 }
 
-/// `costs`: of the tree from `node` up, by its place.
+/// `costs`: of the tree from `node` up, by its place. A step leads to a place near to the parent's,
+/// or is a jump to the cheapest of all.
 Message Below(const SeamNode& node, const std::vector<double>& costs, const SeamNode& parent,
               const StepCost& step) {
-  const std::vector<size_t> order = ByCost(costs);
+  const auto x_of = [&](int32_t p) { return node.places[static_cast<size_t>(p)].x; };
+  const std::vector<int32_t> by_x = ByX(node.places);
+  const auto cheapest = static_cast<int32_t>(FirstLeast(costs));
+  const auto away_of = [&](size_t p) { return node.away_mm.empty() ? 0 : node.away_mm[p]; };
+  const double most_away = node.away_mm.empty() ? 0 : std::ranges::max(node.away_mm);
+  const Coord reach = FromMm(step.longest_mm + most_away);
   const size_t count = parent.places.size();
-  Message message{std::vector<double>(count), std::vector<int32_t>(count)};
+  Message message{std::vector<double>(count, costs[static_cast<size_t>(cheapest)] + step.jump),
+                  std::vector<int32_t>(count, cheapest)};
   for (size_t q = 0; q < count; ++q) {
-    double best = std::numeric_limits<double>::infinity();
-    size_t place = order.front();
-    for (const size_t p : order) {
-      if (costs[p] > best) break;  // and so are all that follow
-      const double cost = costs[p] + step.Of(parent.places[q], node.places[p]);
-      if (cost > best || (cost == best && p > place)) continue;
+    const Point from = parent.places[q];
+    double& best = message.costs[q];
+    int32_t& place = message.best[q];
+    for (auto p = std::ranges::lower_bound(by_x, from.x - reach, {}, x_of);
+         p != by_x.end() && x_of(*p) <= from.x + reach; ++p) {
+      const auto at = static_cast<size_t>(*p);
+      const double cost = costs[at] + step.Of(from, node.places[at], away_of(at));
+      if (cost > best || (cost == best && *p > place)) continue;
       best = cost;
-      place = p;
+      place = *p;
     }
-    message.costs[q] = best;
-    message.best[q] = static_cast<int32_t>(place);
   }
   return message;
 }
 
 }  // namespace
 
-double StepCost::Of(Point from, Point to) const {
+bool StepCost::Reaches(Point from, Point to, double away_mm) const {
   const double mm = ToMm(Distance(from, to));
-  return mm <= longest_mm ? per_mm * mm : jump;
+  return mm * mm - away_mm * away_mm <= longest_mm * longest_mm;
+}
+
+double StepCost::Of(Point from, Point to, double away_mm) const {
+  if (!Reaches(from, to, away_mm)) return jump;
+  return std::min(per_mm * ToMm(Distance(from, to)), jump);
 }
 
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step) {

@@ -22,7 +22,8 @@ double CostOf(const std::vector<SeamNode>& nodes, const std::vector<int32_t>& ch
   for (size_t i = 0; i < nodes.size(); ++i) {
     cost += nodes[i].costs[static_cast<size_t>(chosen[i])];
     if (nodes[i].parent >= 0)
-      cost += step.Of(place(static_cast<size_t>(nodes[i].parent)), place(i));
+      cost += step.Of(place(static_cast<size_t>(nodes[i].parent)), place(i),
+                      nodes[i].away_mm[static_cast<size_t>(chosen[i])]);
   }
   return cost;
 }
@@ -50,6 +51,7 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
       for (int p = up_to(4); p >= 0; --p) {
         nodes[i].places.push_back(Mm(0.25 * up_to(20), 0.25 * up_to(4)));
         nodes[i].costs.push_back(0.5 * up_to(8));
+        nodes[i].away_mm.push_back(0.25 * up_to(4));
       }
     }
     const StepCost step{.longest_mm = 1, .per_mm = 0.5 * up_to(5), .jump = 0.5 * up_to(9)};
@@ -63,7 +65,7 @@ TEST(SeamForest, JumpsOnceForAWallThatIsBetterFromThereOn) {
   std::vector<SeamNode> nodes;
   for (int i = 0; i < 20; ++i) {
     const bool low = i < 10;
-    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {low ? 0.0 : 2.0, low ? 2.0 : 0.0}});
+    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {low ? 0.0 : 2.0, low ? 2.0 : 0.0}, {}});
   }
   const std::vector<int32_t> chosen = CheapestSeams(nodes, {0.8, 4, 5});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(chosen[static_cast<size_t>(i)], i < 10 ? 0 : 1);
@@ -73,20 +75,35 @@ TEST(SeamForest, StaysForAFewLayersThatAreBetterElsewhere) {
   std::vector<SeamNode> nodes;
   for (int i = 0; i < 20; ++i) {
     const bool bad = i == 9 || i == 10;
-    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {bad ? 2.0 : 0.0, 1}});
+    nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {bad ? 2.0 : 0.0, 1}, {}});
   }
   EXPECT_THAT(CheapestSeams(nodes, {0.8, 4, 5}), testing::Each(0));
 }
 
+// As on the flat top of a dome: each ring lies a millimetre inside of the one below.
+TEST(SeamForest, StepsThatAWallAsksForAreNoJumps) {
+  std::vector<SeamNode> nodes;
+  for (int i = 0; i < 8; ++i) {
+    const double radius = 10 - i;
+    nodes.push_back({i - 1, {Mm(radius, 0), Mm(0, radius)}, {0, i == 4 ? 0.0 : 0.5}, {1, 1}});
+    nodes.back().costs[0] = i == 4 ? 1 : 0;
+  }
+  nodes[0].away_mm = {0, 0};
+  EXPECT_THAT(CheapestSeams(nodes, {}), testing::Each(0)) << "in line in spite of a better place";
+  const StepCost step;
+  EXPECT_EQ(step.Of(Mm(10, 0), Mm(9, 0), 1), step.per_mm);
+  EXPECT_EQ(step.Of(Mm(10, 0), Mm(9, 0.9), 1), step.jump);
+}
+
 TEST(SeamForest, BothPartsOfASplitFollowTheirCommonRing) {
-  const std::vector<SeamNode> nodes = {{-1, {Mm(0, 0), Mm(10, 0)}, {0, 0.5}},
-                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}},
-                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}}};
+  const std::vector<SeamNode> nodes = {{-1, {Mm(0, 0), Mm(10, 0)}, {0, 0.5}, {}},
+                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}, {}},
+                                       {0, {Mm(0, 0), Mm(10, 0)}, {1, 0}, {}}};
   EXPECT_THAT(CheapestSeams(nodes, {}), ElementsAre(1, 1, 1));
 }
 
 TEST(SeamForest, TakesTheFirstOfEquals) {
-  const SeamNode node{-1, {Mm(3, 0), Mm(1, 0), Mm(2, 0)}, {1, 1, 1}};
+  const SeamNode node{-1, {Mm(3, 0), Mm(1, 0), Mm(2, 0)}, {1, 1, 1}, {}};
   SeamNode follower = node;
   follower.parent = 0;
   EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0, 0}), ElementsAre(0, 0));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "services/planning/algo/seams/ring_shape.h"
@@ -11,7 +12,7 @@
 namespace slicefarm::planning {
 namespace {
 
-constexpr double kSpacingNm = 1'000'000;
+constexpr double kSpacingNm = 2'000'000;
 constexpr double kPaintedSpacingNm = 250'000;
 constexpr double kMostPlaces = 100;
 constexpr double kMostPaintedPlaces = 400;
@@ -24,13 +25,18 @@ constexpr Coord kReachNm = 2'000'000;
 constexpr double kTooClose = 0.4;
 /// What is further apart than this many spacings gets a place between.
 constexpr double kTooFar = 1.5;
-/// Places this close to each other are the same.
-constexpr double kSameNm = 1'000;
+/// Corners this close to each other are the same.
+constexpr double kSameCornerNm = 100'000;
+
+/// Why a place should be on a ring, from the least on. A place over a corner of the layer below stays
+/// beside a corner close to it: of a bevel's two, first the one and then the other is the sharper by
+/// a hair, and a line of seams must be able to stay on either.
+enum class Wish { kOver, kOverCorner, kCorner };
 
 /// A place to be, by its length along a ring.
 struct Along {
   double nm = 0;
-  bool corner = false;
+  Wish wish = Wish::kOver;
 };
 
 std::vector<Corner> CornersOf(const RingShape& shape) {
@@ -51,13 +57,17 @@ double SpacingOn(const RingShape& shape, bool painted) {
 
 /// Thins out and fills up: corners stay.
 std::vector<double> Spread(std::vector<Along> wanted, const RingShape& shape, double spacing) {
-  std::ranges::sort(wanted, {}, [](const Along& a) { return std::pair(a.nm, !a.corner); });
+  std::ranges::sort(wanted, {}, [](const Along& a) { return std::pair(a.nm, a.wish); });
   std::vector<Along> kept;
   for (const Along& along : wanted) {
-    const double gap = kept.empty() ? spacing : along.nm - kept.back().nm;
-    if (gap < kSameNm) continue;
-    if (gap < kTooClose * spacing && !along.corner) continue;
-    if (gap < kTooClose * spacing && !kept.back().corner) kept.pop_back();
+    if (!kept.empty()) {
+      Along& last = kept.back();
+      const bool two_corners = along.wish != Wish::kOver && last.wish != Wish::kOver;
+      if (along.nm - last.nm < (two_corners ? kSameCornerNm : kTooClose * spacing)) {
+        if (along.wish > last.wish) last = along;
+        continue;
+      }
+    }
     kept.push_back(along);
   }
   if (kept.empty()) kept.push_back({});
@@ -84,6 +94,10 @@ bool Holds(const MultiPolygon& polygons, Point p) {
 
 }  // namespace
 
+bool IsCorner(const SeamPlace& place) {
+  return place.turn_rad <= -std::numbers::pi / 12 || place.turn_rad >= std::numbers::pi / 6;
+}
+
 /// The rings of one layer while their places are sought.
 class LayerRings {
  public:
@@ -93,10 +107,10 @@ class LayerRings {
       shapes_.emplace_back(ring);
       std::vector<Along>& wanted = wanted_.emplace_back();
       for (const Corner& corner : CornersOf(shapes_.back()))
-        wanted.push_back({corner.along_nm, true});
+        wanted.push_back({corner.along_nm, Wish::kCorner});
       const auto rear = std::ranges::min_element(
           ring, {}, [](Point p) { return std::pair(-p.y, p.x); });
-      wanted.push_back({shapes_.back().AlongTo(static_cast<size_t>(rear - ring.begin())), false});
+      wanted.push_back({shapes_.back().AlongTo(static_cast<size_t>(rear - ring.begin()))});
     });
     votes_.resize(shapes_.size());
   }
@@ -104,11 +118,11 @@ class LayerRings {
   size_t size() const { return shapes_.size(); }
 
   /// A place of ring `ring_below` of the layer below wants to go on here.
-  void Continue(int32_t ring_below, const RegionEdges::Hit& hit) {
+  void Continue(int32_t ring_below, Wish wish, const RegionEdges::Hit& hit) {
     const auto ring = static_cast<size_t>(hit.ring);
     const auto edge = static_cast<size_t>(hit.edge);
     const double from = shapes_[ring].AlongTo(edge), to = shapes_[ring].AlongTo(edge + 1);
-    wanted_[ring].push_back({from + hit.share * (to - from), false});
+    wanted_[ring].push_back({from + hit.share * (to - from), wish});
     votes_[ring][ring_below] += kReachNm - hit.distance_nm;
   }
 
@@ -128,11 +142,13 @@ class LayerRings {
     const RingShape& shape = shapes_[ring];
     const bool painted = !section_.seam_enforcers.empty() || !section_.seam_blockers.empty();
     std::vector<SeamPlace> places;
-    for (const double nm : Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted))) {
+    const auto along = Spread(std::move(wanted_[ring]), shape, SpacingOn(shape, painted));
+    places.reserve(along.size());
+    for (const Bend& bend : shape.BendsAt(along)) {
       SeamPlace& place = places.emplace_back();
-      place.at = shape.At(nm);
-      place.turn_rad = static_cast<float>(shape.TurnAt(nm));
-      place.outward = static_cast<uint8_t>(shape.OutwardAt(nm));
+      place.at = bend.at;
+      place.turn_rad = static_cast<float>(bend.TurnRad());
+      place.outward = static_cast<uint8_t>(bend.Outward());
       place.enforced = Holds(section_.seam_enforcers, place.at);
       place.blocked = Holds(section_.seam_blockers, place.at);
     }
@@ -149,10 +165,18 @@ class LayerRings {
 
 namespace {
 
-/// How far a place lies outside of the layer below, in nm; no more than kReachNm.
-double Outside(Point at, const MultiPolygon& below, const RegionEdges& edges) {
-  if (const auto hit = edges.Nearest(at, kReachNm)) return hit->inside ? 0 : hit->distance_nm;
-  return Holds(below, at) ? 0 : static_cast<double>(kReachNm);
+Wish WishOver(const SeamPlace& place) {
+  return IsCorner(place) ? Wish::kOverCorner : Wish::kOver;
+}
+
+/// How a place lies to the layer below, as far as kReachNm.
+void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord height_nm,
+                 SeamPlace& place) {
+  const auto hit = edges.Nearest(place.at, kReachNm);
+  const double away_nm = hit ? hit->distance_nm : static_cast<double>(kReachNm);
+  const bool inside = hit ? hit->inside : Holds(below, place.at);
+  place.away_mm = static_cast<float>(ToMm(away_nm));
+  place.overhang = inside ? 0 : static_cast<float>(away_nm / static_cast<double>(height_nm));
 }
 
 }  // namespace
@@ -162,10 +186,10 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
   RegionEdges edges(outlines);
   LayerRings rings(section);
   if (below_) {
-    for (size_t ring = 0; ring < below_->places.size(); ++ring)
-      for (const Point place : below_->places[ring])
-        if (const auto hit = edges.Nearest(place, kReachNm))
-          rings.Continue(static_cast<int32_t>(ring), *hit);
+    for (size_t ring = 0; ring < below_->rings.size(); ++ring)
+      for (const SeamPlace& place : below_->rings[ring].places)
+        if (const auto hit = edges.Nearest(place.at, kReachNm))
+          rings.Continue(static_cast<int32_t>(ring), WishOver(place), *hit);
   }
   std::vector<RingPlaces> found;
   for (size_t ring = 0; ring < rings.size(); ++ring)
@@ -173,16 +197,9 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
   if (below_) {
     for (RingPlaces& ring : found)
       for (SeamPlace& place : ring.places)
-        place.overhang =
-            static_cast<float>(Outside(place.at, below_->outlines, below_->edges) /
-                               static_cast<double>(std::max<Coord>(section.height_nm, 1)));
+        MeasureOver(below_->outlines, below_->edges, std::max<Coord>(section.height_nm, 1), place);
   }
-  std::vector<std::vector<Point>> places;
-  for (const RingPlaces& ring : found) {
-    std::vector<Point>& points = places.emplace_back();
-    for (const SeamPlace& place : ring.places) points.push_back(place.at);
-  }
-  below_.emplace(outlines, std::move(edges), std::move(places));
+  below_.emplace(outlines, std::move(edges), found);
   return found;
 }
 

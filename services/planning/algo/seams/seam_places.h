@@ -12,12 +12,16 @@ namespace slicefarm::planning {
 /// A place on a ring where its seam may be, and what speaks for and against it.
 struct SeamPlace {
   Point at;
-  float turn_rad = 0;     ///< RingShape::TurnAt
+  float turn_rad = 0;     ///< Bend::TurnRad
   float overhang = 0;     ///< how far it hangs over the layer below, in heights of the layer
-  uint8_t outward = 0;    ///< RingShape::OutwardAt
+  float away_mm = 0;      ///< how far from the outlines of the layer below; 0 without one
+  uint8_t outward = 0;    ///< Bend::Outward
   bool enforced = false;
   bool blocked = false;
 };
+
+/// Corners that count as such: inner ones from 15 degrees on, outer ones from 30.
+bool IsCorner(const SeamPlace& place);
 
 /// An outline of a layer.
 struct RingPlaces {
@@ -28,7 +32,7 @@ struct RingPlaces {
 
 /// Goes up the layers of one object and finds places for seams: corners, places straight above
 /// those of the layer below, so that seams can stand upright on any wall, and others where there
-/// are no such, a millimetre apart, no more than about a hundred on a ring. Where the part is
+/// are no such, two millimetres apart, no more than about a hundred on a ring. Where the part is
 /// painted, four times as many. Memory: of one layer.
 class PlaceFinder {
  public:
@@ -39,7 +43,7 @@ class PlaceFinder {
   struct Below {
     MultiPolygon outlines;
     RegionEdges edges;
-    std::vector<std::vector<Point>> places;  ///< by ring
+    std::vector<RingPlaces> rings;
   };
 
   std::optional<Below> below_;

@@ -4,12 +4,29 @@
 #include <utility>
 
 #include "services/planning/algo/seams/seam_costs.h"
+#include "services/planning/algo/seams/seam_lines.h"
 
 namespace slicefarm::planning {
 namespace {
 
 /// Longer steps are jumps.
 constexpr double kJumpMm = 1;
+/// A seam does not move to where the wall hangs over by so many heights of a layer more.
+constexpr float kMoreOverhang = 0.1F;
+
+/// Seams on corners and those near paint stay.
+SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
+  const auto count = static_cast<int32_t>(places.size());
+  const SeamPlace& seam = places[static_cast<size_t>(chosen)];
+  const auto end_towards = [&](int32_t neighbour) {
+    const SeamPlace& place = places[static_cast<size_t>((neighbour + count) % count)];
+    const bool suits = !IsCorner(seam) && place.enforced == seam.enforced &&
+                       place.blocked == seam.blocked &&
+                       place.overhang <= seam.overhang + kMoreOverhang;
+    return suits ? place.at : seam.at;
+  };
+  return {-1, seam.at, end_towards(chosen - 1), end_towards(chosen + 1)};
+}
 
 }  // namespace
 
@@ -43,6 +60,7 @@ std::vector<SeamNode> SeamPlanner::NodesOf(ObjectSeams& seams, SeamPosition posi
     std::vector<double> seen;
     for (const SeamPlace& place : ring.places) {
       node.places.push_back(place.at);
+      node.away_mm.push_back(place.away_mm);
       seen.push_back(seams.occupancy.Visibility(place.at, ring.z_nm, place.outward));
     }
     node.costs = SeamCosts(ring.places, seen, position, ring.number);
@@ -50,22 +68,34 @@ std::vector<SeamNode> SeamPlanner::NodesOf(ObjectSeams& seams, SeamPosition posi
   return nodes;
 }
 
-void SeamPlanner::Count(const std::vector<Ring>& rings, size_t ring,
-                        const std::vector<int32_t>& chosen) {
-  const auto seam_of = [&](size_t i) -> const SeamPlace& {
-    return rings[i].places[static_cast<size_t>(chosen[i])];
-  };
-  const SeamPlace& seam = seam_of(ring);
-  ++quality_.loops;
-  if (Overhangs(seam)) ++quality_.overhanging;
-  if (std::ranges::any_of(rings[ring].places, IsCorner)) {
-    ++quality_.with_corner;
-    if (IsCorner(seam)) ++quality_.on_corner;
+void SeamPlanner::Choose(ObjectSeams& seams, SeamPosition position) {
+  const StepCost step = StepCostOf(position);
+  const std::vector<int32_t> chosen = CheapestSeams(NodesOf(seams, position), step);
+  std::vector<SeamChoice> choices;
+  choices.reserve(seams.rings.size());
+  for (size_t i = 0; i < seams.rings.size(); ++i) {
+    Ring& ring = seams.rings[i];
+    ring.seam = ring.places[static_cast<size_t>(chosen[i])];
+    SeamChoice& choice = choices.emplace_back(ChoiceOf(ring.places, chosen[i]));
+    if (ring.parent < 0) continue;
+    const Ring& below = seams.rings[static_cast<size_t>(ring.parent)];
+    if (step.Reaches(below.seam.at, ring.seam.at, ring.seam.away_mm)) choice.parent = ring.parent;
   }
-  if (rings[ring].parent < 0) return;
+  const std::vector<Point> smooth = SmoothSeams(choices);
+  for (size_t i = 0; i < smooth.size(); ++i) seams.rings[i].seam.at = smooth[i];
+}
+
+void SeamPlanner::Count(const std::vector<Ring>& rings, const Ring& ring) {
+  ++quality_.loops;
+  if (Overhangs(ring.seam)) ++quality_.overhanging;
+  if (std::ranges::any_of(ring.places, IsCorner)) {
+    ++quality_.with_corner;
+    if (IsCorner(ring.seam)) ++quality_.on_corner;
+  }
+  if (ring.parent < 0) return;
   ++quality_.followers;
-  const double step_mm =
-      ToMm(Distance(seam.at, seam_of(static_cast<size_t>(rings[ring].parent)).at));
+  const Ring& below = rings[static_cast<size_t>(ring.parent)];
+  const double step_mm = ToMm(Distance(ring.seam.at, below.seam.at));
   if (step_mm > kJumpMm) {
     ++quality_.jumps;
   } else {
@@ -76,28 +106,26 @@ void SeamPlanner::Count(const std::vector<Ring>& rings, size_t ring,
 void SeamPlanner::SettleBelow(int32_t end, int32_t object, ObjectSeams& seams,
                               OpenLayers& layers) {
   seams.occupancy.Build();
-  const SeamPosition position = PositionOf(object);
-  const std::vector<int32_t> chosen = CheapestSeams(NodesOf(seams, position), StepCostOf(position));
+  Choose(seams, PositionOf(object));
   size_t i = seams.settled;
   for (; i < seams.rings.size() && seams.rings[i].layer < end; ++i) {
     const Ring& ring = seams.rings[i];
-    PlanOf(object, layers.At(ring.layer))
-        .seams.push_back(ring.places[static_cast<size_t>(chosen[i])].at);
-    Count(seams.rings, i, chosen);
+    PlanOf(object, layers.At(ring.layer)).seams.push_back(ring.seam.at);
+    Count(seams.rings, ring);
     places_ -= ring.places.size();
   }
-  Forget(i, chosen, seams);
+  Forget(i, seams);
 }
 
 /// Of the first `rings` rings the last layer stays, with the seams as their only places: what comes
 /// above follows them.
-void SeamPlanner::Forget(size_t rings, const std::vector<int32_t>& chosen, ObjectSeams& seams) {
+void SeamPlanner::Forget(size_t rings, ObjectSeams& seams) {
   if (rings == 0) return;
   size_t first = rings;
   while (first > 0 && seams.rings[first - 1].layer == seams.rings[rings - 1].layer) --first;
   for (size_t i = first; i < rings; ++i) {
     Ring& ring = seams.rings[i];
-    ring.places = {ring.places[static_cast<size_t>(chosen[i])]};
+    ring.places = {ring.seam};
     ring.parent = -1;
   }
   seams.rings.erase(seams.rings.begin(), seams.rings.begin() + static_cast<ptrdiff_t>(first));

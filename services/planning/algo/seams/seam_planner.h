@@ -15,10 +15,10 @@ namespace slicefarm::planning {
 /// Where the walls of each ring start, by the object's seam position. `nearest`: nothing is
 /// planned, so each layer decides. Else: places on each ring (seam_places.h), what they cost
 /// (seam_costs.h), how much is seen of them (occupancy.h), and of all the choice that costs least
-/// over the whole object (seam_forest.h).
+/// over the whole object (seam_forest.h), in straight lines (seam_lines.h).
 /// Where places come to more than `most_places`, the lower half of the layers is settled: with all
 /// that is known by then, though not with what is still to come above.
-/// Cost: O(points + places * places) a layer. Memory: about 100 bytes a place, of which there are
+/// Cost: O((points + places) * log places) a layer. Memory: about 100 bytes a place, of which there are
 /// one for each millimetre of outline, but about 100 on a ring.
 class SeamPlanner : public Planner {
  public:
@@ -40,6 +40,7 @@ class SeamPlanner : public Planner {
     Coord z_nm = 0;
     int32_t parent = -1;  ///< among the object's rings
     std::vector<SeamPlace> places;
+    SeamPlace seam = {};  ///< the choice, once it is made
   };
   struct ObjectSeams {
     PlaceFinder finder;
@@ -53,10 +54,12 @@ class SeamPlanner : public Planner {
     return options_.objects[static_cast<size_t>(object)].seam;
   }
   static std::vector<SeamNode> NodesOf(ObjectSeams& seams, SeamPosition position);
+  /// Sets `seam` of all rings.
+  static void Choose(ObjectSeams& seams, SeamPosition position);
   /// Chooses the seams of the rings below layer `end`, with a view to all.
   void SettleBelow(int32_t end, int32_t object, ObjectSeams& seams, OpenLayers& layers);
-  static void Forget(size_t rings, const std::vector<int32_t>& chosen, ObjectSeams& seams);
-  void Count(const std::vector<Ring>& rings, size_t ring, const std::vector<int32_t>& chosen);
+  static void Forget(size_t rings, ObjectSeams& seams);
+  void Count(const std::vector<Ring>& rings, const Ring& ring);
 
   const PlanningOptions& options_;
   const size_t most_places_;
