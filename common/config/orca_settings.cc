@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "common/base/text.h"
+#include "common/config/orca_placeholders.h"
 #include "common/config/orca_table.h"
+#include "common/config/settings_table.h"
 #include "common/config/value.h"
 
 namespace slicefarm::config {
@@ -64,7 +67,8 @@ class OrcaReader {
     if (!value.exact || !value.text) inexact_.emplace(row.from);
     if (value.text && !value.text->empty()) Set(row.to, *value.text, setting.source);
     // An empty text is one for G-code and the like; a choice without a value says nothing.
-    if (value.text && value.text->empty() && row.value == OrcaValue::kSame)
+    if (value.text && value.text->empty() &&
+        (row.value == OrcaValue::kSame || row.value == OrcaValue::kGcode))
       Set(row.to, "", setting.source);
   }
 
@@ -95,11 +99,51 @@ class OrcaReader {
         return {*first == "0" ? "1" : "0"};
       case OrcaValue::kChoice:
         return Choice(row.to, *first);
+      case OrcaValue::kGcode:
+        return {Escape(ReplacePlaceholders(
+            Unescape(*first), [this](std::string_view name) { return MeaningOf(name); }))};
       case OrcaValue::kSame:
       case OrcaValue::kPoints:
         break;
     }
     return {first};
+  }
+
+  /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
+  std::optional<Placeholder> MeaningOf(std::string_view name) const {
+    if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    for (const OrcaVariable& variable : OrcaVariables()) {
+      if (variable.from != name) continue;
+      return MeaningOf(variable.to).value_or(Placeholder{std::string(variable.to)});
+    }
+    for (const OrcaRow& row : OrcaRows()) {
+      const bool same = row.from == name && row.value == OrcaValue::kSame;
+      if (same && FindSetting(row.to) >= 0) return Placeholder{std::string(row.to)};
+    }
+    const auto found = by_key_.find(name);
+    if (found == by_key_.end()) return std::nullopt;
+    return ValuePlaceholder(Unescape(FirstOf(found->second->value).value_or("")));
+  }
+
+  /// In mm3/s: the outer wall's speed times its cross-section, at most what the filament stands.
+  std::optional<Placeholder> OuterWallFlow() const {
+    const auto speed = NumberOf("outer_wall_speed");
+    const auto width = NumberOf("outer_wall_line_width");
+    const auto height = NumberOf("layer_height");
+    if (!speed || !width || !height) return std::nullopt;
+    const double flow = *speed * *height * (*width - *height * (1 - std::numbers::pi / 4));
+    const double most = NumberOf("filament_max_volumetric_speed").value_or(0);
+    return ValuePlaceholder(PrintNumber(Quantise(most > 0 ? std::min(flow, most) : flow)));
+  }
+
+  /// Percentages are those of the nozzle.
+  std::optional<double> NumberOf(std::string_view key) const {
+    const auto found = by_key_.find(key);
+    if (found == by_key_.end()) return std::nullopt;
+    const std::optional<std::string> first = FirstOf(found->second->value);
+    const std::optional<std::string> text =
+        first ? PercentOf(*first, "nozzle_diameter") : std::nullopt;
+    return text ? ToNumber(*text) : std::nullopt;
   }
 
   std::optional<std::string> PercentOf(std::string_view text, std::string_view whole) const {

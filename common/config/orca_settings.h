@@ -14,7 +14,8 @@ namespace slicefarm::config {
 /// A list, as JSON (`["220","230"]`), counts with its first item. Widths and accelerations in
 /// percent become numbers, because PrusaSlicer relates them to other things; for that the settings
 /// they are percentages of must be among `settings`. Of the temperatures of several beds that of
-/// `curr_bed_type` counts. G-code keeps its placeholders, which PrusaSlicer has other ones for.
+/// `curr_bed_type` counts. Placeholders in G-code become PrusaSlicer's, or, where it has none, the
+/// value that `settings` have; others stay, and are an error when the G-code is made.
 /// `unknown`: takes, in their order, the keys that PrusaSlicer has nothing for, and `key = value`
 /// where it has the setting and not the value. Cost: O(n log n).
 std::vector<Setting> FromOrca(std::span<const Setting> settings, std::vector<std::string>* unknown);

@@ -42,6 +42,29 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
       {"GcodeInList",
        {{"filament_start_gcode", R"(["G1\nM104"])"}},
        {R"(start_filament_gcode = G1\nM104)"}},
+      {"PlaceholdersByName",
+       {{"machine_start_gcode",
+         "M140 S[bed_temperature_initial_layer_single]\\nM109 "
+         "S{nozzle_temperature_initial_layer[initial_no_support_extruder]-5}"}},
+       {"start_gcode = M140 S[first_layer_bed_temperature]\\nM109 "
+        "S{first_layer_temperature[initial_extruder]-5}"}},
+      {"PlaceholdersByValue",
+       {{"machine_start_gcode",
+         R"({if curr_bed_type=="Cool Plate" && timelapse_type == 1}M1{endif}[scan_first_layer])"},
+        {"curr_bed_type", "Cool Plate"},
+        {"timelapse_type", "0"},
+        {"scan_first_layer", R"(["1"])"}},
+       {R"(start_gcode = {if "Cool Plate"=="Cool Plate" && 0 == 1}M1{endif}{1})"},
+       {"timelapse_type", "scan_first_layer"}},
+      {"FlowOfOuterWall",
+       {{"machine_end_gcode", "F{outer_wall_volumetric_speed/2.4053*60}"},
+        {"layer_height", "0.2"},
+        {"outer_wall_line_width", "0.4"},
+        {"outer_wall_speed", R"(["200"])"},
+        {"filament_max_volumetric_speed", R"(["12"])"}},
+       {"layer_height = 0.2", "external_perimeter_extrusion_width = 0.4",
+        "external_perimeter_speed = 200", "filament_max_volumetric_speed = 12",
+        "end_gcode = F{12/2.4053*60}"}},
       {"EmptyGcode", {{"layer_change_gcode", ""}}, {"layer_gcode = "}},
       {"Pattern", {{"sparse_infill_pattern", "tri-hexagon"}}, {"fill_pattern = stars"}},
       {"PatternNobodyElseHas",
@@ -110,6 +133,12 @@ TEST(OrcaTable, LeadsToKnownKeys) {
   for (const OrcaRow& row : OrcaRows()) {
     const bool known = FindSetting(row.to) >= 0 || FindKnownKey(row.to) != nullptr;
     EXPECT_TRUE(known || of_objects.contains(row.to)) << row.to;
+  }
+}
+
+TEST(OrcaTable, VariablesAreNoSettings) {
+  for (const OrcaVariable& variable : OrcaVariables()) {
+    for (const OrcaRow& row : OrcaRows()) EXPECT_NE(row.from, variable.from);
   }
 }
 

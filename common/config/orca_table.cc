@@ -209,8 +209,8 @@ constexpr OrcaRow kRows[] = {
     {"reduce_fan_stop_start_freq", "fan_always_on"},
     {"close_fan_the_first_x_layers", "disable_fan_first_layers"},
     {"full_fan_speed_layer", "full_fan_speed_layer"},
-    {"filament_start_gcode", "start_filament_gcode"},
-    {"filament_end_gcode", "end_filament_gcode"},
+    {"filament_start_gcode", "start_filament_gcode", OrcaValue::kGcode},
+    {"filament_end_gcode", "end_filament_gcode", OrcaValue::kGcode},
     {"filament_retraction_length", "filament_retract_length"},
     {"filament_retraction_speed", "filament_retract_speed"},
     {"filament_deretraction_speed", "filament_deretract_speed"},
@@ -228,12 +228,12 @@ constexpr OrcaRow kRows[] = {
     {"printer_settings_id", "printer_settings_id"},
     {"print_settings_id", "print_settings_id"},
     {"gcode_flavor", "gcode_flavor"},
-    {"machine_start_gcode", "start_gcode"},
-    {"machine_end_gcode", "end_gcode"},
-    {"before_layer_change_gcode", "before_layer_gcode"},
-    {"layer_change_gcode", "layer_gcode"},
-    {"change_filament_gcode", "toolchange_gcode"},
-    {"machine_pause_gcode", "pause_print_gcode"},
+    {"machine_start_gcode", "start_gcode", OrcaValue::kGcode},
+    {"machine_end_gcode", "end_gcode", OrcaValue::kGcode},
+    {"before_layer_change_gcode", "before_layer_gcode", OrcaValue::kGcode},
+    {"layer_change_gcode", "layer_gcode", OrcaValue::kGcode},
+    {"change_filament_gcode", "toolchange_gcode", OrcaValue::kGcode},
+    {"machine_pause_gcode", "pause_print_gcode", OrcaValue::kGcode},
     {"retraction_length", "retract_length"},
     {"retraction_speed", "retract_speed"},
     {"deretraction_speed", "deretract_speed"},
@@ -383,9 +383,19 @@ constexpr OrcaChoice kChoices[] = {
     {"bottom_fill_pattern", "octagramspiral", "octagramspiral"},
 };
 
+constexpr OrcaVariable kVariables[] = {
+    {"bed_temperature_initial_layer", "first_layer_bed_temperature"},
+    {"bed_temperature_initial_layer_single", "first_layer_bed_temperature"},
+    {"bed_temperature_initial_layer_vector", "first_layer_bed_temperature"},
+    {"initial_no_support_extruder", "initial_extruder"},
+    {"initial_no_support_tool", "initial_tool"},
+    {"overall_chamber_temperature", "chamber_temperature"},
+};
+
 }  // namespace
 
 std::span<const OrcaRow> OrcaRows() { return kRows; }
 std::span<const OrcaChoice> OrcaChoices() { return kChoices; }
+std::span<const OrcaVariable> OrcaVariables() { return kVariables; }
 
 }  // namespace slicefarm::config

@@ -13,6 +13,7 @@ enum class OrcaValue {
   kNot,        ///< a flag that means the opposite
   kPoints,     ///< a list counts as a whole
   kChoice,     ///< one of those that OrcaChoices lists for the row's `from`
+  kGcode,      ///< G-code, whose placeholders have other names
 };
 
 struct OrcaRow {
@@ -30,7 +31,14 @@ struct OrcaChoice {
   bool exact = true;  ///< else it is not quite the same, and is reported
 };
 
+/// What G-code may name besides settings.
+struct OrcaVariable {
+  std::string_view from;
+  std::string_view to;  ///< PrusaSlicer's variable or setting
+};
+
 std::span<const OrcaRow> OrcaRows();
 std::span<const OrcaChoice> OrcaChoices();
+std::span<const OrcaVariable> OrcaVariables();
 
 }  // namespace slicefarm::config

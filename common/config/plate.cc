@@ -62,6 +62,7 @@ class Resolver {
     plate_.no_effect = base->no_effect;
     plate_.warnings = base->warnings;
     told_.insert(base->no_effect.begin(), base->no_effect.end());
+    warned_.insert(base->warnings.begin(), base->warnings.end());
     known_[Settings{}] = base->settings;
     return absl::OkStatus();
   }
@@ -77,6 +78,8 @@ class Resolver {
     for (const std::string& note : resolved->no_effect)
       if (told_.insert(note).second && !IsOverride(note, own))
         plate_.no_effect.push_back(object + ": " + note);
+    for (const std::string& warning : resolved->warnings)
+      if (warned_.insert(warning).second) plate_.warnings.push_back(object + ": " + warning);
     known_[own] = resolved->settings;
     return resolved->settings;
   }
@@ -131,7 +134,7 @@ class Resolver {
   const Settings job_;
   const Process process_;
   ResolvedPlate& plate_;
-  std::set<std::string> told_;
+  std::set<std::string> told_, warned_;
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
 };
 

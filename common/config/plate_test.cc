@@ -70,6 +70,15 @@ double Density(const ResolvedPlate& plate, int32_t row) {
   return plate.settings.infill[static_cast<size_t>(row)].density;
 }
 
+TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
+  SceneObject a = ObjectOfFile("a", 0, {}, 1), b = ObjectOfFile("b", 1, {}, 1);
+  a.settings = b.settings = {{"fuzzy_skin", "external", Source::kProfile}};
+  EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
+              testing::ElementsAre(testing::StartsWith("a: fuzzy_skin = external")));
+  EXPECT_THAT(PlateOrDie({{"fuzzy_skin", "external"}}, {a, b}).warnings,
+              testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+}
+
 TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
   const std::vector<Setting> job = {{"raft_expansion", "4"}};
   SceneObject plain = ObjectOfFile("a", 0, {}, 1);

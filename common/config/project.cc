@@ -163,6 +163,8 @@ absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   if (!project.plates.empty())
     std::ranges::move(project.plates[*chosen].settings, std::back_inserter(job.settings));
   job.without_effect = std::move(project.without_effect);
+  for (const std::string& part : given.without_effect)
+    job.warnings.push_back(part + ": without effect");
   return job;
 }
 

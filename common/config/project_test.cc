@@ -45,6 +45,17 @@ TEST(JobOfProject, TakesWhatIsPrintedWithTheSourceOfAProfile) {
   EXPECT_EQ(*JobOfProject(TwoObjects(), 1), *job);
 }
 
+TEST(JobOfProject, WarnsOfWhatIsNoSetting) {
+  Project project = TwoObjects();
+  project.dialect = SettingsDialect::kOrca;
+  project.settings = {{"no_such", "1"}};
+  project.without_effect = {"painted seams of `b`"};
+  const auto job = JobOfProject(project, 0);
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_THAT(job->without_effect, ElementsAre("painted seams of `b`", "no_such"));
+  EXPECT_THAT(job->warnings, ElementsAre("painted seams of `b`: without effect"));
+}
+
 TEST(JobOfProject, NothingToPrintIsAnError) {
   Project project = TwoObjects();
   for (SceneObject& object : project.objects)

@@ -246,8 +246,8 @@ TEST(KnownKeys, KnowWhichValueAsksForNothing) {
   EXPECT_TRUE(IsNeutral(*FindKnownKey("support_material"), "0"));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material"), "1"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("overhangs"), "0.0"));
-  EXPECT_TRUE(IsNeutral(*FindKnownKey("use_relative_e_distances"), "1,1"));
-  EXPECT_FALSE(IsNeutral(*FindKnownKey("use_relative_e_distances"), "1,0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,0x0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,1x0"));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));
   EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
   EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));

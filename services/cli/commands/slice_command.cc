@@ -93,6 +93,7 @@ void PrintSummary(const SliceOptions& options, const coordinator::JobReport& rep
 ExitCode SlicePlate(const SliceOptions& options, std::vector<MeshFile> files,
                     const GivenPlate& given, const std::vector<Setting>& settings,
                     Interrupt& interrupt) {
+  Warn(given.warnings);
   const auto resolved = Resolve(given, settings, options.job.process);
   if (!resolved.ok()) return Fail(resolved.status());
   auto output = Run(options, InputOf(std::move(files), *resolved), interrupt);

@@ -136,6 +136,7 @@ absl::StatusOr<std::vector<v1::Job>> Create(const SubmitOptions& options, JobsCl
     if (absl::Status may = CheckWritable(options.job, options.output, i); !may.ok()) return may;
   std::vector<v1::CreateJobRequest> requests;
   for (const GivenPlate& plate : models->plates) {
+    Warn(plate.warnings);
     auto request = RequestOf(options, plate, *settings);
     if (!request.ok()) return request.status();
     requests.push_back(*std::move(request));

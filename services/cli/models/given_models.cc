@@ -94,6 +94,7 @@ class PlateReader {
     }
     std::ranges::move(job->settings, std::back_inserter(plate_.settings));
     std::ranges::move(job->without_effect, std::back_inserter(plate_.without_effect));
+    std::ranges::move(job->warnings, std::back_inserter(plate_.warnings));
     return absl::OkStatus();
   }
 

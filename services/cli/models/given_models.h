@@ -15,6 +15,7 @@ struct GivenPlate {
   std::vector<SceneObject> objects;
   std::vector<Setting> settings;            ///< of projects; those given by hand win
   std::vector<std::string> without_effect;  ///< what projects have besides
+  std::vector<std::string> warnings;        ///< of projects, to be shown
 };
 
 /// The files of the models, and the objects that are made of them. A model that is named twice is

@@ -195,6 +195,7 @@ TEST(ReadModels, TakesAProjectAsItIs) {
   EXPECT_THAT(models->plates[0].settings,
               testing::Contains(Setting{"layer_height", "0.2", Source::kProfile}));
   EXPECT_FALSE(models->plates[0].without_effect.empty());
+  EXPECT_THAT(models->plates[0].warnings, testing::Each(testing::EndsWith(": without effect")));
 }
 
 TEST(ReadModels, AsksForOnePlateOfSeveral) {
