@@ -103,8 +103,8 @@ WorkStart Work() {
   call = Call();
   settings = Settings();
   range = kRange;
-  plans = {{{1, 2}, {{0, {3, 4}, {{5, 6}}}}, {}, {}},
-           {{7, 8}, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
+  plans = {{{1, 2}, false, true, {{0, {3, 4}, Point{9, 9}, {{5, 6}}}}, {}, {}},
+           {{7, 8}, true, false, {}, {MakePathOrDie("(0 0, 9 0)")}, {}}};
   copies = Copies();
   facts = Facts();
   return start;
