@@ -19,13 +19,23 @@ namespace {
 constexpr double kLeastStretch = 0.85;
 constexpr double kMostStretch = 1.2;
 /// Ends that lie farther apart along the edge than this many spacings are not joined.
-constexpr double kMaxLinkSpacings = 3.0;
-constexpr double kMinLengthWidths = 0.5;
+constexpr double kMaxLinkSpacings = 8.0;
+/// A path shorter than this many widths covers less than the round ends of its neighbours leave.
+constexpr double kMinLengthWidths = 1.0;
+/// Straight lines end at this share of the distance from the edge that the overlap leaves. Their
+/// links hold what is missing there, so the volume is the same; but ends that are nearer leave
+/// smaller gaps where a line meets the edge at a flat angle.
+constexpr double kEndShare = 0.5;
 /// Links are not made thinner than this many spacings.
-constexpr double kLeastLinkSpacings = 0.3;
+constexpr double kLeastLinkSpacings = 0.1;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing
+
+/// How far from the region's edge lines end.
+Coord EndDistance(Coord spacing, Coord overlap) {
+  return std::max<Coord>(0, spacing / 2 - overlap);
+}
 
 /// Lines across a region that fill it from edge to edge, if that takes no more stretch than
 /// allowed; else as many as come nearest, in its middle.
@@ -85,7 +95,8 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   const LineFamily family = FittingLines(
       region, fill.angle_rad, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
   const Coord spacing = std::llround(family.pitch_nm);
-  const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
+  const auto inset = static_cast<Coord>(
+      kEndShare * static_cast<double>(EndDistance(spacing, fill.overlap_nm)));
   const MultiPolygon area = FastOffset({region}, -inset);
   const auto lines = CutLines(area, family);
   if (!lines.ok()) return lines.status();
@@ -112,8 +123,7 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   // Lines along the edge lie half a spacing from it by themselves, side by side with the wall: no
   // end of theirs needs to reach into it.
   const bool along_edge = InfoOf(fill.pattern).solid == SolidWay::kAlongEdge;
-  const Coord inset =
-      along_edge ? 0 : std::max<Coord>(0, std::llround(pitch / 2) - fill.overlap_nm);
+  const Coord inset = along_edge ? 0 : EndDistance(std::llround(pitch), fill.overlap_nm);
   const MultiPolygon area = FastOffset({region}, -inset);
   if (area.empty()) return FillGroup{};
   if (fill.pattern == FillPattern::kConcentric) pitch = FittingLoops(area, pitch);

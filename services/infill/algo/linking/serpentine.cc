@@ -106,18 +106,21 @@ class Walker {
     return best;
   }
 
+  /// The path that begins with a piece, at `place` or, if only that leads on, at its other end.
   SerpentinePath Walk(int32_t place) {
     SerpentinePath path;
+    Finish(place / 2);
+    if (!BestLink(lines_.order[place ^ 1]) && BestLink(lines_.order[place])) place ^= 1;
     while (true) {
       path.pieces.push_back(static_cast<int32_t>(path.points.size()));
       path.points.push_back(PlaceAt(place));
       path.points.push_back(PlaceAt(place ^ 1));
-      Finish(place / 2);
       const int32_t from = lines_.order[place ^ 1];
       const std::optional<Link> link = BestLink(from);
       if (!link) return path;
       AppendLink(from, *link, path.points);
       place = lines_.crossings[link->to].place;
+      Finish(place / 2);
     }
   }
 

@@ -51,6 +51,17 @@ TEST(Serpentine, LinksFollowTheBoundary) {
   EXPECT_TRUE(std::count(paths[0].begin(), paths[0].end(), Point{11'000'000, 1'000'000}));
 }
 
+// The lowest line ends on the left where the next one does, and on the right far from it: so it
+// begins there.
+TEST(Serpentine, BeginsWhereTheOtherEndLeadsOn) {
+  const MultiPolygon pocket = P("(0 0, 2 0, 8 1, 8 2, 0 2)");
+  for (const bool monotonic : {false, true}) {
+    const auto paths = Paths(pocket, {0, 0.2e6, 1e6}, monotonic, 1.5);
+    ASSERT_EQ(paths.size(), 1u);
+    EXPECT_EQ(paths[0][0], (Point{3'200'000, 200'000}));
+  }
+}
+
 TEST(Serpentine, LongLinksAreLeftToTravel) {
   const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
   EXPECT_EQ(Paths(square, {0, 0.5e6, 1e6}, false, 0.9).size(), 10u);
