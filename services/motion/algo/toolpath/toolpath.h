@@ -51,7 +51,7 @@ struct Move {
   friend bool operator==(const Move&, const Move&) = default;
 };
 
-/// The moves of a layer. It starts retracted, or ready, anywhere, at the height of the layer before.
+/// The moves of a layer. It starts anywhere, retracted or ready, at the height of the layer before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
