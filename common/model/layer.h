@@ -163,8 +163,8 @@ struct PathBlock {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<Path> paths;
-  /// To each path, or empty: all straight and in sight. The way to the first is looked at only where
-  /// the block begins a layer that begins ready.
+  /// To each path, or empty: all straight and in sight. The way to the first is looked at only
+  /// where the block begins a layer that begins ready.
   std::vector<Travel> travels = {};
   std::optional<Leave> leave = {};  ///< where the block may end a layer that ends ready
   /// What the object's layer below covers, where motion asks for it (LooksBelow); else empty.

@@ -113,7 +113,8 @@ OrderedLayer Ordered() {
   copy = 11;
   pass = 12;
   shift = {-13'000, 14'000};
-  return {kFrame, {first, {4, 3, 200'000, {PlainPath("(0 0, 1 0, 1 1)")}}}, {{}, visit}, true, true};
+  return {
+      kFrame, {first, {4, 3, 200'000, {PlainPath("(0 0, 1 0, 1 1)")}}}, {{}, visit}, true, true};
 }
 
 template <typename Proto, typename Model>

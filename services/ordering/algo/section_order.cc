@@ -155,7 +155,8 @@ PathBlock OrderSection(FilledSection section, const SectionPlan& plan,
   OutsideTravels outside(section, options.travel);
   for (size_t i = 0; i < visits.size(); ++i) {
     const bool is_first = i == 0, is_last = i + 1 == visits.size();
-    const std::optional<Point> next = is_last ? plan.exit : stops[visits[i + 1].leg].place;
+    const std::optional<Point> next =
+        !is_last ? std::optional(stops[visits[i + 1].leg].place) : plan.exit;
     FilledIsland& island = *stops[visits[i].leg].island;
     const IslandEdges edges(island);
     const Barrier* known = edges.empty() ? nullptr : &edges;

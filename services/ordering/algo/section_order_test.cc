@@ -183,9 +183,9 @@ TEST(OrderSection, SeamsOfThePlanAreThoseOfTheRing) {
   FilledSection section;
   section.islands.push_back(Island(0, 0));
   section.islands[0].walls[0].ring = 1;
-  EXPECT_EQ(Order(section, {}, {0, {}, {Mm(0, 20), Mm(20, 20)}})[1].points[0], Mm(20, 20));
-  EXPECT_EQ(Order(section, {}, {0, {}, {}})[1].points[0], Mm(0, 0)) << "none: near the nozzle";
-  EXPECT_EQ(Order(section, {}, {0, {}, {Mm(0, 20)}})[1].points[0], Mm(0, 0)) << "no such ring";
+  EXPECT_EQ(Order(section, {}, {0, {}, {}, {Mm(0, 20), Mm(20, 20)}})[1].points[0], Mm(20, 20));
+  EXPECT_EQ(Order(section, {}, {0, {}, {}, {}})[1].points[0], Mm(0, 0)) << "none: near the nozzle";
+  EXPECT_EQ(Order(section, {}, {0, {}, {}, {Mm(0, 20)}})[1].points[0], Mm(0, 0)) << "no such ring";
 }
 
 TEST(OrderSection, WallsGoByTheirRegionsOrder) {

@@ -29,9 +29,9 @@ struct WallRules {
   bool stagger = false;
 };
 
-/// Prints the walls of an island, contour by contour, each in the order of the rules, towards `next`
-/// if there is such a place. The paths are moved from. Deterministic; does not depend on the order
-/// of the walls.
+/// Prints the walls of an island, contour by contour, each in the order of the rules, towards
+/// `next` if there is such a place. The paths are moved from. Deterministic; does not depend on the
+/// order of the walls.
 void PrintWalls(std::span<Path* const> walls, const WallRules& rules, std::optional<Point> next,
                 Route& route, WorkBudget& budget);
 

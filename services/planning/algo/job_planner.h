@@ -18,7 +18,7 @@ namespace slicefarm::planning {
 /// which they look at a layer:
 ///
 ///   1 seams    where walls start (seams/seam_planner.h)
-///   2 travel   where layers, objects and copies are entered (travel/travel_planner.h)
+///   2 travel   where layers, objects and copies are entered and meet (travel/travel_planner.h)
 ///   3 sequence with complete_objects: which copy is printed when (sequence/sequence_planner.h)
 ///   4 adhesion rafts, brims and the skirt (adhesion/adhesion_planner.h)
 ///   5 infill   lines and places of sparse infill that depend on many layers

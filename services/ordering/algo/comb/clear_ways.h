@@ -13,9 +13,9 @@ namespace slicefarm::ordering {
 ///
 /// The nozzle keeps off the edge by more than the clearance: it stays between lanes, which are
 /// insets of the edge of few points. Only places that lie closer to the edge are left, and come to,
-/// straight. The graph's nodes are the lanes' corners that the way can bend around; two are joined if they see each other and a string
-/// pulled tight could run along the line between them. Lines of sight are looked at when they are
-/// first asked for, and kept.
+/// straight. The graph's nodes are the lanes' corners that the way can bend around; two are joined
+/// if they see each other and a string pulled tight could run along the line between them. Lines of
+/// sight are looked at when they are first asked for, and kept.
 /// Source: T. Lozano-Perez, M. A. Wesley, "An Algorithm for Planning Collision-Free Paths among
 /// Polyhedral Obstacles", CACM 22 (1979).
 class ClearWays {

@@ -188,6 +188,22 @@ TEST(ClearWays, FromWallToWallGoesRoundASlot) {
   for (size_t k = 1; k < way.size(); ++k) EXPECT_FALSE(MeetsAnEdge(way[k - 1], way[k], {Fork()}));
 }
 
+// From beside a seam on one side of a hole to the other side: a string along the lane.
+TEST(ClearWays, FromBesideTheWallOfAHoleGoesRoundIt) {
+  const PolygonWithHoles island =
+      MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 12 12, 12 8)").front();
+  ClearWays ways({island}, kClearance);
+  for (const Point seam : {Mm(8, 10), Mm(8, 8), Mm(10, 8), Mm(8, 11.9)}) {
+    const auto beside = ways.FromEdge(seam);
+    ASSERT_TRUE(beside);
+    EXPECT_LT(Distance(*beside, seam), 2.5 * kClearance);
+    EXPECT_GT(Distance(*beside, seam), kClearance);
+    EXPECT_TRUE(Find(ways, *beside, Mm(19, 19))) << ToText(seam);
+    EXPECT_TRUE(Find(ways, Mm(19, 11), *beside)) << ToText(seam);
+  }
+  EXPECT_FALSE(ways.FromEdge(Mm(-5, 10))) << "far from all lanes";
+}
+
 TEST(ClearWays, FindsNothingLongerThanAllowed) {
   ClearWays ways({Fork()}, kClearance);
   const Point a = Mm(5, 18), b = Mm(19, 18);

@@ -18,8 +18,8 @@ struct Meetings {
   std::optional<Point> above;
 };
 
-/// One travel to each path; the first one is straight and in sight but where it comes from the layer
-/// below.
+/// One travel to each path; the first one is straight and in sight but where it comes from the
+/// layer below.
 struct IslandWays {
   std::vector<Travel> travels;
   std::optional<Leave> leave;  ///< to the layer above
@@ -27,8 +27,9 @@ struct IslandWays {
 
 /// The ways between the paths of one island, which are printed in this order.
 ///
-/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface, and
-/// is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options say.
+/// A way is hidden if it crosses no outline, no outer wall and no printed bead of a top surface,
+/// and is not too long: 5 mm to a visible bead, which would begin with a gap, else as the options
+/// say.
 /// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
 /// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
 /// walls goes round if a detour that is allowed leads there.

@@ -73,7 +73,7 @@ LikelyExit ExitOf(const MultiPolygon& outlines, Point entry) {
 /// A wall goes on where its seam lies so near to one of the layer below.
 constexpr double kSeamStepNm = 0.3 * kNmPerMm;
 
-/// The seam of a wall that goes on from one of these seams, nearest to where the section is entered.
+/// The seam of a wall that goes on from one of these, nearest to where the section is entered.
 std::optional<Point> SeamToMeetAt(const SectionPlan& section, std::span<const Point> below) {
   std::optional<Point> nearest;
   for (const Point seam : section.seams) {
