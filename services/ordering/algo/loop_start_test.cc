@@ -36,7 +36,8 @@ TEST(NearestToSeam, IsACornerThatIsNear) {
 
 TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
   // Around the corner (5 5) of a hole; whichever of the arc's points is a hair nearer.
-  const Path around = Loop("(0 5.2, 5 5.2, 5.077 5.185, 5.141 5.141, 5.185 5.077, 5.2 5, 5.2 0, 0 0)");
+  const Path around =
+      Loop("(0 5.2, 5 5.2, 5.077 5.185, 5.141 5.141, 5.185 5.077, 5.2 5, 5.2 0, 0 0)");
   for (size_t nearer = 1; nearer <= 5; ++nearer) {
     Path loop = around;
     Point& point = loop.points[nearer];

@@ -41,7 +41,9 @@ TEST(RingShape, TurnsToTheLeftWhereTheSolidSticksOut) {
 TEST(RingShape, OutwardIsToTheRight) {
   const Polygon ring = RingOf("(0 0, 10 0, 10 5, 0 5)");
   const RingShape shape(ring);
-  const auto angle_at = [&](double mm) { return OutwardAngleRad(BendAt(shape, mm * 1e6).Outward()); };
+  const auto angle_at = [&](double mm) {
+    return OutwardAngleRad(BendAt(shape, mm * 1e6).Outward());
+  };
   EXPECT_NEAR(angle_at(5), 1.5 * pi, 0.2);
   EXPECT_NEAR(angle_at(12.5), 0, 0.2);
   EXPECT_NEAR(angle_at(20), 0.5 * pi, 0.2);

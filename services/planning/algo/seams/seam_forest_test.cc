@@ -55,8 +55,10 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
         nodes[i].away_mm.push_back(0.25 * up_to(4));
       }
     }
-    const StepCost step{.longest_mm = 1, .per_mm = 0.5 * up_to(5),
-                        .per_mm2_sideways = 0.5 * up_to(3), .jump = 0.5 * up_to(9)};
+    const StepCost step{.longest_mm = 1,
+                        .per_mm = 0.5 * up_to(5),
+                        .per_mm2_sideways = 0.5 * up_to(3),
+                        .jump = 0.5 * up_to(9)};
     const std::vector<int32_t> chosen = CheapestSeams(nodes, step);
     ASSERT_EQ(chosen.size(), nodes.size());
     EXPECT_DOUBLE_EQ(CostOf(nodes, chosen, step), LeastCost(nodes, step)) << turn;

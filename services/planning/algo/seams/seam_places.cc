@@ -31,9 +31,9 @@ constexpr double kSameCornerNm = 100'000;
 /// A place this close to a point of the ring lies on it.
 constexpr double kSamePointNm = 50'000;
 
-/// Why a place should be on a ring, from the least on. A point of the ring over a corner of the layer
-/// below stays beside a corner close to it: of a bevel's two, first the one and then the other is the
-/// sharper by a hair, and a line of seams must be able to stay on either.
+/// Why a place should be on a ring, from the least on. A point of the ring over a corner of the
+/// layer below stays beside a corner close to it: of a bevel's two, first the one and then the
+/// other is the sharper by a hair, and a line of seams must be able to stay on either.
 enum class Wish { kOver, kOverCorner, kCorner };
 
 /// A place to be, by its length along a ring.
