@@ -56,13 +56,13 @@ void EdgeIndex::ForEachSquare(const Edge& edge, Visit visit) const {
   const Point low = edge.a.y <= edge.b.y ? edge.a : edge.b;
   const Point high = edge.a.y <= edge.b.y ? edge.b : edge.a;
   const auto [left, right] = std::minmax(low.x, high.x);
+  const int32_t first_row = Row(low.y), last_row = Row(high.y);
   const double rise = static_cast<double>(high.y - low.y);
-  const double slope = rise > 0 ? static_cast<double>(high.x - low.x) / rise : 0;
-  const int32_t last_row = Row(high.y);
-  for (int32_t row = Row(low.y); row <= last_row; ++row) {
-    const Coord bottom = box_.min.y + (static_cast<Coord>(row) << square_bits_);
+  const double slope = first_row < last_row ? static_cast<double>(high.x - low.x) / rise : 0;
+  for (int32_t row = first_row; row <= last_row; ++row) {
     Coord from = left, to = right;
-    if (rise > 0) {
+    if (first_row < last_row) {
+      const Coord bottom = box_.min.y + (static_cast<Coord>(row) << square_bits_);
       const double x0 = slope * static_cast<double>(std::max(bottom, low.y) - low.y);
       const double x1 = slope * static_cast<double>(std::min(bottom + square_nm(), high.y) - low.y);
       from = std::max(left, low.x + static_cast<Coord>(std::floor(std::min(x0, x1))) - 1);

@@ -16,6 +16,9 @@ constexpr double kCornerPreference = 1.5;
 constexpr double kNearEnoughNm = 100'000;
 /// Any vertex this near: shorter moves are not worth it.
 constexpr double kSameNm = 50'000;
+/// Corners whose distances differ by less are as near: those of the arc in which a loop goes around
+/// the corner of an outline, which is the seam.
+constexpr double kAsNearNm = 20'000;
 /// What makes a corner: so much of a turn, between the points so far before and after.
 constexpr double kArmNm = 300'000;
 constexpr double kCornerCosine = 0.906;  // of 25 degrees
@@ -32,21 +35,30 @@ Point ArmEnd(std::span<const Point> loop, size_t vertex, size_t step) {
   return loop[i];
 }
 
-bool IsCorner(std::span<const Point> loop, size_t vertex) {
+/// Of the turn; where the arms have no length, 0.
+double TurnCosine(std::span<const Point> loop, size_t vertex) {
   const Point in = loop[vertex] - ArmEnd(loop, vertex, loop.size() - 1);
   const Point out = ArmEnd(loop, vertex, 1) - loop[vertex];
-  return Dot(in, out) <= kCornerCosine * Norm(in) * Norm(out);
+  const double lengths = Norm(in) * Norm(out);
+  return lengths > 0 ? Dot(in, out) / lengths : 0;
 }
 
-/// The corner nearest to `to` and no further than `reach_nm`; or the loop's size.
+/// The corner nearest to `to` and no further than `reach_nm`, the sharpest of those as near; or the
+/// loop's size.
 size_t NearestCorner(std::span<const Point> loop, Point to, double reach_nm) {
-  size_t best = loop.size();
+  double nearest = reach_nm;
   for (size_t i = 0; i < loop.size(); ++i) {
     const double distance = Distance(loop[i], to);
-    if (distance > reach_nm || (best < loop.size() && distance == reach_nm)) continue;
-    if (!IsCorner(loop, i)) continue;
+    if (distance < nearest && TurnCosine(loop, i) <= kCornerCosine) nearest = distance;
+  }
+  size_t best = loop.size();
+  double sharpest = kCornerCosine;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    if (Distance(loop[i], to) > std::min(nearest + kAsNearNm, reach_nm)) continue;
+    const double cosine = TurnCosine(loop, i);
+    if (cosine > sharpest || (cosine == sharpest && best < loop.size())) continue;
     best = i;
-    reach_nm = distance;
+    sharpest = cosine;
   }
   return best;
 }

@@ -34,6 +34,18 @@ TEST(NearestToSeam, IsACornerThatIsNear) {
   EXPECT_EQ(away, (LoopPlace{2, Mm(7, 4.8)}));
 }
 
+TEST(NearestToSeam, IsTheMiddleOfAnArcAroundIt) {
+  // Around the corner (5 5) of a hole; whichever of the arc's points is a hair nearer.
+  const Path around =
+      Loop("(0 5.2, 5 5.2, 5.077 5.185, 5.141 5.141, 5.185 5.077, 5.2 5, 5.2 0, 0 0)");
+  for (size_t nearer = 1; nearer <= 5; ++nearer) {
+    Path loop = around;
+    Point& point = loop.points[nearer];
+    point.x -= 2'000, point.y -= 2'000;
+    EXPECT_EQ(NearestToSeam(loop.points, Mm(5, 5)).at, loop.points[3]) << nearer;
+  }
+}
+
 TEST(NearestToSeam, DoesNotCareForVerticesThatAreNoCorners) {
   // A wall of short facets that hardly turn.
   const Path wall = Loop("(0 0, 5 0, 5.3 0.01, 5.6 0.03, 20 0, 20 9, 0 9)");

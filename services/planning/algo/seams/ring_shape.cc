@@ -67,8 +67,9 @@ Point RingShape::At(double along_nm, size_t& edge) const {
   const double length = ends_[edge + 1] - ends_[edge];
   if (length <= 0) return from;
   const double share = std::clamp((along_nm - ends_[edge]) / length, 0.0, 1.0);
-  return {from.x + std::llround(share * static_cast<double>(to.x - from.x)),
-          from.y + std::llround(share * static_cast<double>(to.y - from.y))};
+  // Whole nanometres will do: seams go to the nearest place of a wall anyway.
+  return {from.x + static_cast<Coord>(share * static_cast<double>(to.x - from.x)),
+          from.y + static_cast<Coord>(share * static_cast<double>(to.y - from.y))};
 }
 
 std::vector<Bend> RingShape::BendsAt(std::span<const double> along_nm) const {

@@ -13,8 +13,8 @@ struct Corner {
   double turn_rad = 0;  ///< > 0: the solid's corner sticks out
 };
 
-/// A place on a ring, and how the ring runs there: the arms are half a millimetre long, so that fine
-/// facets do not hide a corner; shorter on small rings.
+/// A place on a ring, and how the ring runs there: the arms are half a millimetre long, so that
+/// fine facets do not hide a corner; shorter on small rings.
 struct Bend {
   Point at;
   Point in;   ///< the arm from the point before it

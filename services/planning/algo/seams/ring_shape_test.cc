@@ -24,10 +24,10 @@ TEST(RingShape, GoesByTheLengthAlong) {
   EXPECT_EQ(shape.AlongTo(2), 15e6);
   const std::vector<Bend> bends = shape.BendsAt(std::vector<double>{0, 12e6, 29.8e6});
   EXPECT_EQ(bends[0].at, Mm(0, 0));
-  EXPECT_EQ(bends[0].in, Mm(0, -0.5)) << "from the ring's end";
-  EXPECT_EQ(bends[1].at, Mm(10, 2));
-  EXPECT_EQ(bends[2].at, Mm(0, 0.2));
-  EXPECT_EQ(bends[2].out, Mm(0.3, -0.2)) << "beyond the ring's end";
+  EXPECT_LE(Distance(bends[0].in, Mm(0, -0.5)), 1) << "from the ring's end";
+  EXPECT_LE(Distance(bends[1].at, Mm(10, 2)), 1);
+  EXPECT_LE(Distance(bends[2].at, Mm(0, 0.2)), 1);
+  EXPECT_LE(Distance(bends[2].out, Mm(0.3, -0.2)), 2) << "beyond the ring's end";
 }
 
 TEST(RingShape, TurnsToTheLeftWhereTheSolidSticksOut) {
@@ -41,7 +41,9 @@ TEST(RingShape, TurnsToTheLeftWhereTheSolidSticksOut) {
 TEST(RingShape, OutwardIsToTheRight) {
   const Polygon ring = RingOf("(0 0, 10 0, 10 5, 0 5)");
   const RingShape shape(ring);
-  const auto angle_at = [&](double mm) { return OutwardAngleRad(BendAt(shape, mm * 1e6).Outward()); };
+  const auto angle_at = [&](double mm) {
+    return OutwardAngleRad(BendAt(shape, mm * 1e6).Outward());
+  };
   EXPECT_NEAR(angle_at(5), 1.5 * pi, 0.2);
   EXPECT_NEAR(angle_at(12.5), 0, 0.2);
   EXPECT_NEAR(angle_at(20), 0.5 * pi, 0.2);

@@ -98,7 +98,7 @@ std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::v
 }
 
 StepCost StepCostOf(SeamPosition position) {
-  if (position == SeamPosition::kRandom) return {.longest_mm = 0, .per_mm = 0, .jump = 0};
+  if (position == SeamPosition::kRandom) return {0, 0, 0, 0};
   return {};
 }
 

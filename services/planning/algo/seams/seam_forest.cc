@@ -11,6 +11,11 @@ size_t FirstLeast(const std::vector<double>& costs) {
   return static_cast<size_t>(std::ranges::min_element(costs) - costs.begin());
 }
 
+/// The square of what is sideways of a step, in mm^2.
+double Sideways2(double step_mm, double away_mm) {
+  return std::max(step_mm * step_mm - away_mm * away_mm, 0.0);
+}
+
 /// What the tree above a node comes to, by the place of its parent; and the node's place for each.
 struct Message {
   std::vector<double> costs;
@@ -57,13 +62,14 @@ Message Below(const SeamNode& node, const std::vector<double>& costs, const Seam
 }  // namespace
 
 bool StepCost::Reaches(Point from, Point to, double away_mm) const {
-  const double mm = ToMm(Distance(from, to));
-  return mm * mm - away_mm * away_mm <= longest_mm * longest_mm;
+  return Sideways2(ToMm(Distance(from, to)), away_mm) <= longest_mm * longest_mm;
 }
 
 double StepCost::Of(Point from, Point to, double away_mm) const {
-  if (!Reaches(from, to, away_mm)) return jump;
-  return std::min(per_mm * ToMm(Distance(from, to)), jump);
+  const double mm = ToMm(Distance(from, to));
+  const double sideways2 = Sideways2(mm, away_mm);
+  if (sideways2 > longest_mm * longest_mm) return jump;
+  return std::min(per_mm * mm + per_mm2_sideways * sideways2, jump);
 }
 
 std::vector<int32_t> CheapestSeams(std::span<const SeamNode> nodes, const StepCost& step) {

@@ -18,15 +18,14 @@ struct SeamNode {
   std::vector<double> away_mm;
 };
 
-/// What it costs that a seam does not stand over that of the ring below.
+/// What it costs that a seam does not stand over that of the ring below. Where a wall leans, a part
+/// of each step is not sideways: `away_mm`, how far its end lies from all of the ring below.
 struct StepCost {
-  double longest_mm = 0.8;  ///< how far a step may go sideways; it costs by its length then, no
-                            ///< more than a jump
+  double longest_mm = 0.8;  ///< how far a step may go sideways; no step costs more than a jump
   double per_mm = 4;
-  double jump = 40;         ///< of steps further to the side, however far
+  double per_mm2_sideways = 4;  ///< several small steps are better than one
+  double jump = 40;             ///< of steps further to the side, however far
 
-  /// Whether it is a step. `away_mm`: how far `to` lies from the ring of `from` anyway, where a wall
-  /// leans: that part of the way is not sideways.
   bool Reaches(Point from, Point to, double away_mm) const;
   double Of(Point from, Point to, double away_mm) const;
 };

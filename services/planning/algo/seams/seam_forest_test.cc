@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -54,7 +55,10 @@ TEST(SeamForest, CostsNoMoreThanTheBestOfAllChoices) {
         nodes[i].away_mm.push_back(0.25 * up_to(4));
       }
     }
-    const StepCost step{.longest_mm = 1, .per_mm = 0.5 * up_to(5), .jump = 0.5 * up_to(9)};
+    const StepCost step{.longest_mm = 1,
+                        .per_mm = 0.5 * up_to(5),
+                        .per_mm2_sideways = 0.5 * up_to(3),
+                        .jump = 0.5 * up_to(9)};
     const std::vector<int32_t> chosen = CheapestSeams(nodes, step);
     ASSERT_EQ(chosen.size(), nodes.size());
     EXPECT_DOUBLE_EQ(CostOf(nodes, chosen, step), LeastCost(nodes, step)) << turn;
@@ -67,7 +71,7 @@ TEST(SeamForest, JumpsOnceForAWallThatIsBetterFromThereOn) {
     const bool low = i < 10;
     nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {low ? 0.0 : 2.0, low ? 2.0 : 0.0}, {}});
   }
-  const std::vector<int32_t> chosen = CheapestSeams(nodes, {0.8, 4, 5});
+  const std::vector<int32_t> chosen = CheapestSeams(nodes, {0.8, 4, 0, 5});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(chosen[static_cast<size_t>(i)], i < 10 ? 0 : 1);
 }
 
@@ -77,7 +81,7 @@ TEST(SeamForest, StaysForAFewLayersThatAreBetterElsewhere) {
     const bool bad = i == 9 || i == 10;
     nodes.push_back({i - 1, {Mm(0, 0), Mm(30, 0)}, {bad ? 2.0 : 0.0, 1}, {}});
   }
-  EXPECT_THAT(CheapestSeams(nodes, {0.8, 4, 5}), testing::Each(0));
+  EXPECT_THAT(CheapestSeams(nodes, {0.8, 4, 0, 5}), testing::Each(0));
 }
 
 // As on the flat top of a dome: each ring lies a millimetre inside of the one below.
@@ -92,6 +96,7 @@ TEST(SeamForest, StepsThatAWallAsksForAreNoJumps) {
   EXPECT_THAT(CheapestSeams(nodes, {}), testing::Each(0)) << "in line in spite of a better place";
   const StepCost step;
   EXPECT_EQ(step.Of(Mm(10, 0), Mm(9, 0), 1), step.per_mm);
+  EXPECT_NEAR(step.Of(Mm(10, 0), Mm(9, 0.5), 1), 4 * std::sqrt(1.25) + 4 * 0.25, 1e-9);
   EXPECT_EQ(step.Of(Mm(10, 0), Mm(9, 0.9), 1), step.jump);
 }
 
@@ -106,7 +111,7 @@ TEST(SeamForest, TakesTheFirstOfEquals) {
   const SeamNode node{-1, {Mm(3, 0), Mm(1, 0), Mm(2, 0)}, {1, 1, 1}, {}};
   SeamNode follower = node;
   follower.parent = 0;
-  EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0, 0}), ElementsAre(0, 0));
+  EXPECT_THAT(CheapestSeams(std::vector{node, follower}, StepCost{0, 0, 0, 0}), ElementsAre(0, 0));
   EXPECT_THAT(CheapestSeams({}, {}), ElementsAre());
 }
 

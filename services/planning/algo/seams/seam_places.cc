@@ -28,9 +28,12 @@ constexpr double kTooFar = 1.5;
 /// Corners this close to each other are the same.
 constexpr double kSameCornerNm = 100'000;
 
-/// Why a place should be on a ring, from the least on. A place over a corner of the layer below stays
-/// beside a corner close to it: of a bevel's two, first the one and then the other is the sharper by
-/// a hair, and a line of seams must be able to stay on either.
+/// A place this close to a point of the ring lies on it.
+constexpr double kSamePointNm = 50'000;
+
+/// Why a place should be on a ring, from the least on. A point of the ring over a corner of the
+/// layer below stays beside a corner close to it: of a bevel's two, first the one and then the
+/// other is the sharper by a hair, and a line of seams must be able to stay on either.
 enum class Wish { kOver, kOverCorner, kCorner };
 
 /// A place to be, by its length along a ring.
@@ -118,11 +121,14 @@ class LayerRings {
   size_t size() const { return shapes_.size(); }
 
   /// A place of ring `ring_below` of the layer below wants to go on here.
-  void Continue(int32_t ring_below, Wish wish, const RegionEdges::Hit& hit) {
+  void Continue(int32_t ring_below, bool from_corner, const RegionEdges::Hit& hit) {
     const auto ring = static_cast<size_t>(hit.ring);
     const auto edge = static_cast<size_t>(hit.edge);
     const double from = shapes_[ring].AlongTo(edge), to = shapes_[ring].AlongTo(edge + 1);
-    wanted_[ring].push_back({from + hit.share * (to - from), wish});
+    const double nm = from + hit.share * (to - from);
+    const double end = hit.share < 0.5 ? from : to;
+    const bool over_corner = from_corner && std::abs(end - nm) < kSamePointNm;
+    wanted_[ring].push_back(over_corner ? Along{end, Wish::kOverCorner} : Along{nm, Wish::kOver});
     votes_[ring][ring_below] += kReachNm - hit.distance_nm;
   }
 
@@ -165,10 +171,6 @@ class LayerRings {
 
 namespace {
 
-Wish WishOver(const SeamPlace& place) {
-  return IsCorner(place) ? Wish::kOverCorner : Wish::kOver;
-}
-
 /// How a place lies to the layer below, as far as kReachNm.
 void MeasureOver(const MultiPolygon& below, const RegionEdges& edges, Coord height_nm,
                  SeamPlace& place) {
@@ -189,7 +191,7 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
     for (size_t ring = 0; ring < below_->rings.size(); ++ring)
       for (const SeamPlace& place : below_->rings[ring].places)
         if (const auto hit = edges.Nearest(place.at, kReachNm))
-          rings.Continue(static_cast<int32_t>(ring), WishOver(place), *hit);
+          rings.Continue(static_cast<int32_t>(ring), IsCorner(place), *hit);
   }
   std::vector<RingPlaces> found;
   for (size_t ring = 0; ring < rings.size(); ++ring)

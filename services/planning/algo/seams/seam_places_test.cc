@@ -58,9 +58,9 @@ TEST(PlaceFinder, PlacesOfARoundWallStandOverEachOther) {
 TEST(PlaceFinder, LinesCanStayOnEitherEndOfABevel) {
   // The sharper end is first the one, then the other.
   PlaceFinder finder;
-  finder.Next(SectionOrDie(0, 0, "(0 0, 19.8 0, 20 0.1, 20 10, 0 10)"));
-  const auto rings = finder.Next(SectionOrDie(0, 1, "(0 0, 19.9 0, 20 0.2, 20 10, 0 10)"));
-  const auto again = finder.Next(SectionOrDie(0, 2, "(0 0, 19.8 0, 20 0.1, 20 10, 0 10)"));
+  finder.Next(SectionOrDie(0, 0, "(0 0, 19.84 0, 20 0.13, 20 10, 0 10)"));
+  const auto rings = finder.Next(SectionOrDie(0, 1, "(0 0, 19.88 0, 20 0.17, 20 10, 0 10)"));
+  const auto again = finder.Next(SectionOrDie(0, 2, "(0 0, 19.84 0, 20 0.13, 20 10, 0 10)"));
   int near = 0, near_again = 0;
   for (const SeamPlace& place : rings[0].places) near += Distance(place.at, Mm(20, 0)) < 3e5;
   for (const SeamPlace& place : again[0].places) near_again += Distance(place.at, Mm(20, 0)) < 3e5;
