@@ -25,7 +25,7 @@ std::string Advice(const absl::Status& status) {
     case Reason::kOutOfRange:
     case Reason::kOutOfBuildVolume:
       return "use --scale or --rotate, or another bed_shape and max_print_height; --units if the "
-             "file is not in mm";
+             "file is not in mm; --plates for more copies than fit on a bed";
     case Reason::kNothingToPrint:
       return "is the model empty, or much smaller than a layer? --units says what its numbers mean";
     case Reason::kUnavailable:

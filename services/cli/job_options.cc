@@ -153,10 +153,17 @@ void AddOutputFormat(const std::string& output, std::vector<config::Setting>& se
       settings.push_back({"output_format", std::string(format), config::Source::kRequest});
 }
 
+/// Whether nothing but a laser's file has such a name.
+bool IsOfLaser(std::string_view output) {
+  return output.ends_with(".cli") || output.ends_with(".svg") || output.ends_with(".dxf");
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output) {
+  if (options.process != Process::kLaser && IsOfLaser(output))
+    return Malformed(fmt::format("--output {}: --machine laser makes such files", output));
   auto settings = GivenSettings(options);
   if (!settings.ok()) return settings.status();
   const FieldOptions& fields = options.fields;

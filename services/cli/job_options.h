@@ -54,7 +54,8 @@ void AddMachineOption(CLI::App& app, Process& process);
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
 /// All of them: those, the fields, and of lasers the output_format that the name of `output` stands
-/// for, unless one is set: .cli, .nc, .gcode, .svg, .dxf. Errors: those of ReadFieldFile too.
+/// for, unless one is set: .cli, .nc, .gcode, .svg, .dxf. Errors: those of ReadFieldFile too;
+/// REQUEST_MALFORMED for such a name (.cli, .svg, .dxf) where the job is not of lasers.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
 

@@ -62,5 +62,20 @@ TEST(GivenSettings, AreUtf8) {
   EXPECT_EQ(DetailOf(settings.status()).metadata["setting"], "start_gcode");
 }
 
+TEST(GivenJobSettings, NamesOfLasersFilesAreForLasers) {
+  JobOptions options;
+  for (const std::string suffix : {"cli", "svg", "dxf"}) {
+    options.process = Process::kFdm;
+    const auto fdm = GivenJobSettings(options, "part." + suffix);
+    EXPECT_EQ(DetailOf(fdm.status()).reason, Reason::kRequestMalformed);
+    EXPECT_THAT(std::string(fdm.status().message()), HasSubstr("--machine laser"));
+    options.process = Process::kLaser;
+    EXPECT_THAT(*GivenJobSettings(options, "part." + suffix),
+                ElementsAre(Setting{"output_format", suffix, Source::kRequest}));
+  }
+  options.process = Process::kFdm;
+  EXPECT_TRUE(GivenJobSettings(options, "part.nc").ok());
+}
+
 }  // namespace
 }  // namespace slicefarm::cli

@@ -1,9 +1,11 @@
 #include "services/cli/program/machine_config.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "common/config/ini.h"
+#include "common/config/orca_settings.h"
 #include "common/config/resolve.h"
 #include "services/cli/files.h"
 #include "services/cli/program/klipper_config.h"
@@ -12,6 +14,9 @@ namespace slicefarm::cli {
 namespace {
 
 constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
+
+/// In mm: as high as the finest nozzle is wide.
+constexpr std::string_view kFinestLayer = "0.05";
 
 /// What settings say of a machine.
 constexpr std::string_view kMachineKeys[] = {"bed_shape",
@@ -49,7 +54,11 @@ bool QuotesSettings(std::string_view gcode) {
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text) {
   auto given = config::ReadIni(text);
   if (!given.ok()) return given.status();
+  if (Has(*given, "printable_area")) *given = config::FromOrca(*given, nullptr);
   std::erase_if(*given, [](const config::Setting& s) { return !IsOfMachine(s.key); });
+  // No layer is made of them, but the usual ones would be refused for fine nozzles.
+  given->push_back({"layer_height", std::string(kFinestLayer)});
+  given->push_back({"first_layer_height", std::string(kFinestLayer)});
   const auto resolved = config::Resolve(*given);
   if (!resolved.ok()) return resolved.status();
   const MotionOptions& options = resolved->settings.motion;

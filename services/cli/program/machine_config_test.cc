@@ -20,6 +20,25 @@ TEST(SetupOfSettings, TakesWhatItSaysOfTheMachineAlone) {
   EXPECT_EQ(setup->filament_mm, 2.85);
 }
 
+TEST(SetupOfSettings, TakesAnyNozzle) {
+  for (const char* nozzle : {"0.05", "0.15", "0.25,0.4", "0.4", "1.8"}) {
+    const auto setup = SetupOfSettings(std::string("nozzle_diameter = ") + nozzle + "\n");
+    ASSERT_TRUE(setup.ok()) << setup.status();
+    EXPECT_EQ(setup->nozzle_mm, std::stod(nozzle));
+  }
+}
+
+TEST(SetupOfSettings, TakesThoseOfOrcaSlicer) {
+  const auto setup = SetupOfSettings(
+      "; printable_area = 0x0,256x0,256x256,0x256\n; machine_max_speed_x = 321,200\n"
+      "; retraction_length = 1.5\n; nozzle_diameter = 0.2\n; printable_height = 250\n");
+  ASSERT_TRUE(setup.ok()) << setup.status();
+  EXPECT_EQ(setup->machine.limits.max_feedrate_mm_s[0], 321);
+  EXPECT_EQ(setup->machine.retraction.length_mm, 1.5);
+  EXPECT_EQ(setup->bed.size(), 4);
+  EXPECT_EQ(setup->max_height_mm, 250);
+}
+
 TEST(ReadMachine, ByFileByTheGcodeByDefault) {
   const TempDirectory folder;
   const std::string path = folder.path() + "/printer.cfg";

@@ -68,6 +68,8 @@ class Firmware {
   virtual ExtruderMode extruder_mode() const = 0;
   /// Whether it knows the command.
   virtual bool Knows(const GcodeLine& line) const = 0;
+  /// Whether a word may have several numbers (`E1:0`), or a text in quotes.
+  virtual bool HasLists() const { return false; }
   /// Whether a command of any name may be one of the user's macros.
   virtual bool has_macros() const { return false; }
   /// Takes over what a command says of limits; nothing of other commands.

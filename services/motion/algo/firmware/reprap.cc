@@ -54,6 +54,7 @@ class RepRapFirmware : public NumberedObjects {
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kApart; }
   bool Knows(const GcodeLine& line) const override { return kKnown.Contain(line); }
+  bool HasLists() const override { return true; }
 
   void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const override {
     if (line.letter != 'M') return;

@@ -73,6 +73,16 @@ void GcodeLine::ReadWords(std::string_view text) {
     }
     present_ |= Bit(word);
     if (text.empty() || IsLetter(text.front())) continue;
+    if (text.front() == '"') {
+      const size_t end = text.find('"', 1);
+      if (end == text.npos) {
+        fault = "a text has no end";
+        return;
+      }
+      has_lists = true;
+      text.remove_prefix(end + 1);
+      continue;
+    }
     double& value = values_[static_cast<size_t>(word - 'A')];
     if (!TakeNumber(text, value)) {
       fault = "a word's number cannot be read";
@@ -83,6 +93,12 @@ void GcodeLine::ReadWords(std::string_view text) {
       return;
     }
     valued_ |= Bit(word);
+    for (double next = 0; text.starts_with(':'); has_lists = true) {
+      text.remove_prefix(1);
+      if (TakeNumber(text, next)) continue;
+      fault = "a list's number cannot be read";
+      return;
+    }
   }
 }
 

@@ -18,10 +18,12 @@ struct GcodeLine {
   std::string_view parameters;  ///< what follows the command, up to the comment
   std::string_view comment;     ///< behind `;`
   std::string_view fault;       ///< why words cannot be read; empty: they can
+  bool has_lists = false;       ///< a word has several numbers (`E1:0`) or a text in quotes
 
   bool Is(char l, int n) const { return letter == l && number == n; }
   bool Has(char word) const { return (present_ & Bit(word)) != 0; }
-  /// The number of a word; nothing if it is not there, or bare as in `G28 X`.
+  /// The number of a word, of a list the first; nothing if it is not there, bare as in `G28 X`, or
+  /// a text.
   std::optional<double> operator[](char word) const {
     if ((valued_ & Bit(word)) == 0) return std::nullopt;
     return values_[static_cast<size_t>(word - 'A')];

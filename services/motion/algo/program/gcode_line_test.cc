@@ -54,9 +54,22 @@ TEST(ParseGcodeLine, TextIsNoWords) {
   EXPECT_EQ(ParseGcodeLine("  \t").command, "");
 }
 
+TEST(ParseGcodeLine, ListsAndTextsInQuotes) {
+  const GcodeLine list = ParseGcodeLine("M567 P0 E0.8:.2");
+  EXPECT_EQ(list.fault, "");
+  EXPECT_EQ(list['E'], 0.8);
+  EXPECT_TRUE(list.has_lists);
+  const GcodeLine text = ParseGcodeLine("M950 H0 C\"out0 + out1\" T1");
+  EXPECT_EQ(text.fault, "");
+  EXPECT_EQ(text['C'], std::nullopt);
+  EXPECT_EQ(text['T'], 1);
+  EXPECT_TRUE(text.has_lists);
+  EXPECT_FALSE(ParseGcodeLine("M92 E420").has_lists);
+}
+
 TEST(ParseGcodeLine, Faults) {
   for (const char* text : {"G1 X1 X2", "G1 X1.2.3", "G1 X-", "G1 Xnan", "G1 10",
-                           "G1 X1 %", "G1 X99999999999"}) {
+                           "G1 X1 %", "G1 X99999999999", "M567 E1:", "M567 E:1", "M567 E1:x", "M950 C\"out0"}) {
     EXPECT_NE(ParseGcodeLine(text).fault, "") << text;
   }
 }

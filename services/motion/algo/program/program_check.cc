@@ -88,6 +88,9 @@ class Checker {
   }
 
   void CheckCommand(const GcodeLine& line) {
+    if (line.has_lists && !firmware_.HasLists())
+      Find(absl::StrFormat("%s: a list or a text in quotes, which %s does not read", line.command,
+                           firmware_.name()));
     if (firmware_.Knows(line)) return;
     if (firmware_.has_macros() && labels_.Custom() && line.letter == 0) {
       heated_ = true;  // a macro may do anything

@@ -53,6 +53,8 @@ TEST(CheckProgram, WordsAndCommands) {
   EXPECT_THAT(Check("M1234\n"), One("M1234"));
   EXPECT_THAT(Check("M205 X8\n", Klipper()), One("M205"));
   EXPECT_THAT(Check("M900 K.1\n", RepRap()), One("M900"));
+  EXPECT_THAT(Check("M567 P0 E.8:.2\nM950 H0 C\"out0\"\n", RepRap()), IsEmpty());
+  EXPECT_THAT(Check("M92 E420:420\n"), One("a list"));
   EXPECT_THAT(Check("SET_VELOCITY_LIMIT ACCEL=3000\n"), One("SET_VELOCITY_LIMIT"));
   EXPECT_THAT(Check("SET_VELOCITY_LIMIT ACCEL=3000\n", Klipper()), IsEmpty());
   EXPECT_THAT(Check("MY_MACRO A=1\n", Klipper()), One("MY_MACRO"));
