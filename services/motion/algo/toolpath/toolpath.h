@@ -70,7 +70,7 @@ struct MoveArc {
   friend bool operator==(const MoveArc&, const MoveArc&) = default;
 };
 
-/// The moves of a layer. It starts retracted, or ready, anywhere, at the height of the layer before.
+/// The moves of a layer. It starts anywhere, retracted or ready, at the height of the layer before.
 struct Toolpath {
   static constexpr size_t kNone = std::numeric_limits<size_t>::max();
 
