@@ -19,7 +19,7 @@ namespace slicefarm::planning {
 /// Where places come to more than `most_places`, the lower half of the layers is settled: with all
 /// that is known by then, though not with what is still to come above.
 /// Cost: O((points + places) * log places) a layer. Memory: about 100 bytes a place, of which there
-/// are one for each millimetre of outline, but about 100 on a ring.
+/// are one for every two millimetres of outline, but about 100 on a ring.
 class SeamPlanner : public Planner {
  public:
   static constexpr size_t kMostPlaces = 4'000'000;
