@@ -13,9 +13,8 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Links may bring a region's plastic this far over what its density asks for. Between round beads
-/// a region is up to 0.4 % smaller than it is here, which makes 1 % in all.
-constexpr double kMostExcess = 0.006;
+/// Links are left out where they bring a region's plastic this far over what its density asks for.
+constexpr double kMostExcess = 0.01;
 /// The same where links lie all over it, and not in the band along its edge.
 constexpr double kMostExcessInside = 0.005;
 /// Thinner links than this share of a bead would not hold.
@@ -51,14 +50,13 @@ double LengthOf(const std::vector<Piece>& pieces) {
 }
 
 /// What the links may add to the length of the pieces: the pattern's length over the whole region,
-/// and a little more, less that of the pieces.
+/// and `excess` of it more, less that of the pieces.
 double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const SparseFill& fill,
-                  double pitch, const FieldPieces& filled) {
-  if (IsByLaw(fill))
-    return ((1 + kMostExcess) * Area(region) - Area(area)) / pitch;
+                  double pitch, const FieldPieces& filled, double excess) {
+  if (IsByLaw(fill)) return ((1 + excess) * Area(region) - Area(area)) / pitch;
   if (filled.in_cells) return kMostExcessInside * LengthOf(filled.pieces);
   const double whole = Area(area);
-  return whole <= 0 ? 0 : ((1 + kMostExcess) * Area(region) / whole - 1) * LengthOf(filled.pieces);
+  return whole <= 0 ? 0 : ((1 + excess) * Area(region) / whole - 1) * LengthOf(filled.pieces);
 }
 
 }  // namespace
@@ -83,7 +81,8 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
        .max_link_nm = static_cast<double>(fill.anchor_max_nm),
        .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
        .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
-       .budget_nm = LinkBudget(region, area, fill, pitch, *filled),
+       .budget_nm = LinkBudget(region, area, fill, pitch, *filled, kMostExcess),
+       .aim_nm = LinkBudget(region, area, fill, pitch, *filled, 0),
        .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
        .least_flow = kLeastFlow,
        .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinLengthWidths) * width});

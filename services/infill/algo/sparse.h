@@ -30,8 +30,9 @@ struct SparseFill {
 ///
 /// Links count as plastic. Inside, two widths from the edge, the density is the pattern's own; the
 /// links lie in the band around that. They are no wider than the wall leaves room, cut their
-/// corners off, and are thinned, so that the region as a whole comes to within 1 % of what is
-/// asked for; what cannot be paid so is not linked.
+/// corners off, and are thinned, so that the region as a whole has what is asked for; what brings
+/// it more than 1 % over that is not linked. Of a pattern with a law, lone paths shorter than two
+/// and a half widths are left out.
 ///
 /// With a field the same holds at each place, as PiecesOfField says.
 ///

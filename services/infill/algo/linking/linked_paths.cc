@@ -57,7 +57,7 @@ Plan MakePlan(const EdgeEnds& ends, Links links, const EdgeIndex& edges,
   plan.links = std::move(links);
   for (const double cut : {0.0, options.most_cut_nm / 2, options.most_cut_nm}) {
     plan.shapes = ShapeLinks(ends, plan.links, edges, cut);
-    plan.flow = FlowFor(plan.shapes, options.budget_nm);
+    plan.flow = FlowFor(plan.shapes, options.aim_nm);
     if (plan.flow >= options.most_flow || options.most_cut_nm <= 0) break;
   }
   plan.flow = std::clamp(plan.flow, options.least_flow, options.most_flow);
@@ -79,7 +79,7 @@ class Assembler {
       : ends_(ends),
         plan_(plan),
         options_(options),
-        left_nm_(options.budget_nm - plan.net_nm),
+        left_nm_(options.aim_nm - plan.net_nm),
         link_of_(static_cast<size_t>(ends.size()), nullptr),
         cut_(static_cast<size_t>(ends.size()), 0),
         done_(static_cast<size_t>(ends.PieceCount()), false) {
