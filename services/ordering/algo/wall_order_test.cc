@@ -56,7 +56,7 @@ TEST(PrintWalls, APieceOfAWallEndsAtTheSeamOfTheOneOutside) {
   std::vector<Path> walls = {Wall(0, "(0 0, 40 0, 40 1, 0 1)"), middle};
   walls[0].ring = 0;
   const std::vector<Point> seams = {Mm(0, 0)};
-  for (const Point from : {Mm(0, 0), Mm(40, 0)}) {
+  for (const Point from : {Mm(0, 5), Mm(40, 0)}) {
     const auto printed = Printed(walls, {InsetOrder::kInnerFirst, seams}, from);
     EXPECT_THAT(Insets(printed), ElementsAre(1, 0));
     EXPECT_EQ(EndOf(printed[0]), Mm(1, 0.5));
