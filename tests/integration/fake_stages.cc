@@ -76,7 +76,9 @@ void AddLayer(int32_t index, Sample* sample) {
   sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
   sample->filled.push_back({frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}}}});
   sample->plans.push_back({{1, 2},
-                           {{0, {3, 4}, {{5, index}}}, {2, {6, 7}, {}}},
+                           index % 2 != 0,
+                           index % 2 == 0,
+                           {{0, {3, 4}, Point{8, index}, {{5, index}}}, {2, {6, 7}, {}, {}}},
                            {skirt},
                            {{0, 0, FillPattern::kLightning, {{{1, 2}, {3, index}}}, {}, {}, 0}}});
   sample->ordered.push_back({frame,
@@ -133,7 +135,8 @@ JobSettings SettingsWithAll() {
 
 JobPlan PlanWithAll() {
   JobPlan plan;
-  for (int32_t i = 0; i < 3; ++i) plan.layers.push_back({{1, i}, {{0, {2, 3}, {{4, 5}}}}, {}, {}});
+  for (int32_t i = 0; i < 3; ++i)
+    plan.layers.push_back({{1, i}, false, false, {{0, {2, 3}, {}, {{4, 5}}}}, {}, {}});
   plan.additions = {{0,
                      kHeightNm,
                      {{Role::kBrim, 1, 0, Islands()}},
