@@ -247,7 +247,8 @@ class RegionFill {
                                     .width_nm = Width(width_nm),
                                     .height_nm = view_.height_nm,
                                     .layer = view_.layer,
-                                    .overlap_nm = options_.overlap_nm});
+                                    .overlap_nm = options_.overlap_nm,
+                                    .beside_walls = view_.object != kPlate});
     if (!group.ok()) return group.status();
     if (!group->paths.empty()) fills.push_back(*std::move(group));
     return absl::OkStatus();

@@ -22,7 +22,7 @@ constexpr double kMostStretch = 1.2;
 constexpr double kMaxLinkSpacings = 8.0;
 /// A path shorter than this many widths covers less than the round ends of its neighbours leave.
 constexpr double kMinLengthWidths = 1.0;
-/// Straight lines end at this share of the distance from the edge that the overlap leaves. Their
+/// Beside walls, straight lines end at this share of the distance that the overlap leaves. Their
 /// links hold what is missing there, so the volume is the same; but ends that are nearer leave
 /// smaller gaps where a line meets the edge at a flat angle.
 constexpr double kEndShare = 0.5;
@@ -95,8 +95,9 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   const LineFamily family = FittingLines(
       region, fill.angle_rad, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
   const Coord spacing = std::llround(family.pitch_nm);
-  const auto inset = static_cast<Coord>(
-      kEndShare * static_cast<double>(EndDistance(spacing, fill.overlap_nm)));
+  const double share = fill.beside_walls ? kEndShare : 1;
+  const auto inset =
+      static_cast<Coord>(share * static_cast<double>(EndDistance(spacing, fill.overlap_nm)));
   const MultiPolygon area = FastOffset({region}, -inset);
   const auto lines = CutLines(area, family);
   if (!lines.ok()) return lines.status();

@@ -14,6 +14,8 @@ struct SolidFill {
   Coord height_nm = 200'000;
   int32_t layer = 0;     ///< of the object's own
   Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
+  /// Walls lie around the region, into which the ends of lines may reach.
+  bool beside_walls = true;
 };
 
 /// Whether a pattern's lines run the same way in all layers.

@@ -79,7 +79,7 @@ OpenLayers Meeting(const std::vector<std::vector<Point>>& seams,
 constexpr Point kLeft{20'000'000, 10'000'000}, kRight{90'000'000, 10'000'000};
 
 TEST(TravelPlanner, LayersMeetAtASeamThatGoesOn) {
-  const Point step{900'000, 0};
+  const Point step{250'000, 0};
   const PlacedCopy copy{0, {FromMm(1), FromMm(2)}, {}};
   OpenLayers layers = Meeting({{kLeft, kRight}, {kLeft - step, kRight + step}, {}}, {copy});
   EXPECT_FALSE(layers.At(0).begins_ready);
