@@ -502,7 +502,7 @@ TEST(ProgramLayer, MeetsOtherLayersReady) {
   EXPECT_EQ(ready.exit, (Point{FromMm(11), FromMm(11)}));
   layer.begins_ready = false;
   EXPECT_EQ(Programmed(layer).stats.retractions, 0);
-  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E0.8"));
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E.8"));
   layer.ends_ready = false;
   EXPECT_EQ(Programmed(layer).stats.retractions, 1);
   EXPECT_EQ(Programmed(layer).exit, (Point{FromMm(28), FromMm(28)}));
@@ -513,7 +513,7 @@ TEST(ProgramLayer, AnEmptyLayerHandsTheFilamentOnAsItShould) {
   layer.frame = {2, 600'000, 200'000};
   EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
   layer.begins_ready = true;
-  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E-0.8"));
+  EXPECT_THAT(Programmed(layer).gcode, HasSubstr("E-.8"));
   layer.ends_ready = true;
   EXPECT_THAT(Programmed(layer).gcode, Not(HasSubstr("G1")));
 }
