@@ -372,9 +372,9 @@ absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
   options.infill_first = proto.infill_first();
   options.improvement_moves = proto.improvement_moves();
   const v1::TravelOptions& travel = proto.travel();
-  options.travel = {travel.hide(), travel.longest_hidden_mm(), travel.avoid_crossing(),
-                    travel.max_detour_mm(), travel.max_detour_ratio(),
-                    travel.retract_layer_change()};
+  options.travel = {
+      travel.hide(),          travel.longest_hidden_mm(), travel.avoid_crossing(),
+      travel.max_detour_mm(), travel.max_detour_ratio(),  travel.retract_layer_change()};
   options.walls.clear();
   for (const v1::WallOrder& walls : proto.walls())
     options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),

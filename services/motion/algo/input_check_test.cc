@@ -97,8 +97,12 @@ TEST(CheckLayer, NamesTheLayer) {
       [](auto& l) { l.visits[0].pass = -1; },
       [](auto& l) { l.begins_ready = true; },  // its block has two visits
       [](auto& l) { l.ends_ready = true; },
-      [](auto& l) { l.blocks[0].leave = {{INT64_MAX, 0}, {}}; },
-      [](auto& l) { l.blocks[0].leave = {{}, {true, {{0, INT64_MAX}}}}; },
+      [](auto& l) {
+        l.blocks[0].leave = {{INT64_MAX, 0}, {}};
+      },
+      [](auto& l) {
+        l.blocks[0].leave = {{}, {true, {{0, INT64_MAX}}}};
+      },
   };
   for (size_t i = 0; i < spoils.size(); ++i) {
     OrderedLayer layer = Layer();

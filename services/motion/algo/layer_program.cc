@@ -120,8 +120,7 @@ std::vector<BuiltBlock> Build(const OrderedLayer& layer, const MotionOptions& op
     static const Travel kStraight;
     for (size_t i = 0; i < block.paths.size(); ++i)
       builder.Add(block.paths[i], block.travels.empty() ? kStraight : block.travels[i]);
-    Toolpath path =
-        EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
+    Toolpath path = EndsReady(block, layer) ? builder.FinishReady(block.leave) : builder.Finish();
     if (slopes.rise_mm3_s2 > 0 || slopes.fall_mm3_s2 > 0) SmoothFlow(slopes, filament_mm2, path);
     // A mix holds for one move.
     if (options.arc_fitting != ArcFitting::kDisabled && options.material_field.empty())

@@ -87,8 +87,7 @@ TEST(ToolpathBuilder, WhereTheFilamentIsReadyItGoesBackForWaysInSightAlone) {
   EXPECT_THAT(KindsReady(hidden, {}), ElementsAre(kLift, kTravel, kPrint));
   EXPECT_THAT(KindsReady(in_sight, {}),
               ElementsAre(kRetract, kLift, kTravel, kLift, kRestart, kPrint));
-  EXPECT_THAT(KindsReady(hidden, Leave{far, hidden}),
-              ElementsAre(kLift, kTravel, kPrint, kTravel));
+  EXPECT_THAT(KindsReady(hidden, Leave{far, hidden}), ElementsAre(kLift, kTravel, kPrint, kTravel));
   EXPECT_THAT(KindsReady(hidden, Leave{far, in_sight}),
               ElementsAre(kLift, kTravel, kPrint, kRetract, kLift, kTravel, kLift, kRestart));
 }

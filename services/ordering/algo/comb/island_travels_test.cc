@@ -144,8 +144,7 @@ TEST(IslandTravels, TheWayRoundHasCorners) {
 TEST(IslandTravels, WithoutAnOutlineAllAreInSight) {
   WorkBudget budget{1'000};
   const std::vector<Path> paths = {Sparse("(1 2, 5 2)"), Sparse("(19 2, 23 2)")};
-  const IslandWays ways =
-      WaysInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
+  const IslandWays ways = WaysInIsland({}, IslandEdges({}), paths, {Point{}, Point{}}, {}, budget);
   EXPECT_EQ(ways.travels, std::vector<Travel>(2));
   EXPECT_EQ(ways.leave, Leave{});
 }

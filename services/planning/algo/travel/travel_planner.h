@@ -16,8 +16,8 @@ struct RingRange {
   int32_t last = 0;
 };
 
-/// Where each layer is entered: where the one before ends, as far as outlines tell. So islands of an
-/// object, and copies on the plate, are printed to and fro from layer to layer.
+/// Where each layer is entered: where the one before ends, as far as outlines tell. So islands of
+/// an object, and copies on the plate, are printed to and fro from layer to layer.
 ///
 /// An object's islands are visited by nearest neighbour in the object's own coordinates, whatever
 /// stands around it: its toolpaths are the same wherever it stands. Copies are visited by nearest

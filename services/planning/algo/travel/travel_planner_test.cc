@@ -64,8 +64,7 @@ OpenLayers Meeting(const std::vector<std::vector<Point>>& seams,
                    const std::vector<PlacedCopy>& copies) {
   TravelPlanner planner(copies);
   OpenLayers layers;
-  const auto outlines =
-      LayersOrDie(std::vector<std::string_view>(seams.size(), kTwoTowers));
+  const auto outlines = LayersOrDie(std::vector<std::string_view>(seams.size(), kTwoTowers));
   for (size_t i = 0; i < seams.size(); ++i) {
     LayerPlan& plan = layers.Add();
     PlanOf(0, plan).seams = seams[i];
