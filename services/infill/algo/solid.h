@@ -13,7 +13,9 @@ struct SolidFill {
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
   int32_t layer = 0;     ///< of the object's own
-  Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
+  /// How much nearer than half a spacing lines come to the region's edge; straight ones go half of
+  /// the way that is left, too.
+  Coord overlap_nm = 0;
 };
 
 /// Whether a pattern's lines run the same way in all layers.
