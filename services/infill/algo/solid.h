@@ -13,9 +13,10 @@ struct SolidFill {
   Coord width_nm = 450'000;
   Coord height_nm = 200'000;
   int32_t layer = 0;     ///< of the object's own
-  Coord overlap_nm = 0;  ///< how much nearer than half a spacing lines come to the region's edge
-  /// Walls lie around the region, into which the ends of lines may reach.
-  bool beside_walls = true;
+  /// How much nearer than half a spacing lines come to the region's edge; beside walls, straight ones
+  /// go half of the way that is left, too.
+  Coord overlap_nm = 0;
+  bool beside_walls = true;  ///< they lie around the region: ends of lines may reach into them
 };
 
 /// Whether a pattern's lines run the same way in all layers.

@@ -77,6 +77,7 @@ TEST(Sparse, NoLoneDots) {
 }
 
 // Links hold what the lines, which end before the edge, do not: no more and no less. On average over
+// Links hold what the lines, which end before the edge, do not: no more and no less, on average over
 // the places that a region can have among the lines.
 TEST(Sparse, LinksAreAsThickAsTheDensityAsks) {
   constexpr int kPlaces = 10;

@@ -106,7 +106,8 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
                                         const OrderingOptions& options) {
   if (absl::Status ok = CheckPaths(layer, plan, options.walls.size()); !ok.ok()) return ok;
   std::ranges::stable_sort(layer.sections, {}, &FilledSection::object);
-  const bool may_be_ready = options.travel.hide && !options.travel.retract_layer_change;
+  const bool may_be_ready =
+      options.travel.hide && !options.travel.retract_layer_change && copies.size() == 1;
   OrderedLayer ordered{.frame = layer.frame,
                        .blocks = {},
                        .visits = {},
@@ -117,9 +118,13 @@ absl::StatusOr<OrderedLayer> OrderLayer(FilledLayer layer, const LayerPlan& plan
   for (FilledSection& section : layer.sections) {
     WorkBudget budget{options.improvement_moves};
     SectionPlan section_plan = PlanOf(section.object, plan);
-    if (section.object == kPlate)
+    if (section.object == kPlate) {
       section_plan.entry =
           ordered.blocks.empty() ? plan.entry : EndOf(ordered.blocks.back().paths.back());
+    } else if (ordered.begins_ready) {  // where the layer below has led
+      section_plan.entry = plan.entry - copies.front().shift;
+    }
+    if (!ordered.ends_ready) section_plan.exit.reset();
     PathBlock block = OrderSection(std::move(section), section_plan, options, budget);
     if (!block.paths.empty()) ordered.blocks.push_back(std::move(block));
   }

