@@ -15,7 +15,7 @@ struct MachineConfig {
 };
 
 /// Of a PrusaSlicer config.ini (machine_max_*, bed_shape, ...; other keys say nothing here) or a
-/// G-code file that quotes one. Errors: those of ReadIni and Resolve.
+/// G-code file that quotes one, PrusaSlicer's or OrcaSlicer's. Errors: those of ReadIni and Resolve.
 absl::StatusOr<motion::CheckSetup> SetupOfSettings(std::string_view text);
 
 /// By --config: Klipper's printer.cfg if it has its [printer], else settings. Without one

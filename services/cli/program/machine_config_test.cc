@@ -30,8 +30,9 @@ TEST(SetupOfSettings, TakesAnyNozzle) {
 
 TEST(SetupOfSettings, TakesThoseOfOrcaSlicer) {
   const auto setup = SetupOfSettings(
-      "printable_area = 0x0,256x0,256x256,0x256\nmachine_max_speed_x = 321,200\n"
-      "retraction_length = 1.5\nnozzle_diameter = 0.2\nprintable_height = 250\n");
+      ";LAYER_CHANGE\nG1 X1\n; printable_area = 0x0,256x0,256x256,0x256\n"
+      "; machine_max_speed_x = 321,200\n"
+      "; retraction_length = 1.5\n; nozzle_diameter = 0.2\n; printable_height = 250\n");
   ASSERT_TRUE(setup.ok()) << setup.status();
   EXPECT_EQ(setup->machine.limits.max_feedrate_mm_s[0], 321);
   EXPECT_EQ(setup->machine.retraction.length_mm, 1.5);
