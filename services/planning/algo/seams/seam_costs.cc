@@ -18,9 +18,10 @@ constexpr double kSeen = 6;
 constexpr double kLittle = 0.25;
 /// For each mm that a place lies before the rear-most one of its ring.
 constexpr double kFromRear = 4;
-/// Decide between equals.
-constexpr double kRearOfEqual = 1e-4;
-constexpr double kLeftOfEqual = 1e-7;
+/// Per mm: decide between places that are nearly equal. So the seams of contours one inside the
+/// other, and of holes side by side, lie near to each other, and the way between them is short.
+constexpr double kRearOfEqual = 2e-3;
+constexpr double kLeftOfEqual = 1e-3;
 /// Overhangs cost something from so many heights of a layer on, and so much for each height more:
 /// where all of a ring hangs over, the seam is best where it does the least.
 constexpr double kSomeOverhang = 0.6;

@@ -19,7 +19,8 @@ struct RingNumber {
 /// straight wall, all in plain view and less out of it; 20 more for each height of the layer that
 /// it hangs over the layer below, beyond 0.6. A step of a millimetre from layer to layer costs 4,
 /// and 4 more if it goes sideways; a jump 40 (StepCostOf).
-///   aligned  corner first, then how much is seen of it; of equals the rear-most, then left-most
+///   aligned  corner first, then how much is seen of it; of those that are nearly equal the
+///            rear-most, then left-most
 ///   rear     how far it is from the rear
 ///   hidden   how much is seen of it first
 ///   random   a number that depends on nothing but `number`
