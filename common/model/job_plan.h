@@ -49,8 +49,9 @@ struct PlannedInfill {
 /// What is decided for a layer before the fan-out, so that layers are independent afterwards.
 struct LayerPlan {
   Point entry;                        ///< start the layer near here, in plate coordinates
-  /// The layer below ends near `entry` with the filament ready to print, as does this one near the
-  /// exit of its last section; else the filament is retracted where layers meet.
+  /// The layer below ends near `entry` with the filament ready to print, and the section of the
+  /// only copy begins there; as does this one near the exit of its last section. Else the filament
+  /// is retracted where layers meet.
   bool begins_ready = false;
   bool ends_ready = false;
   std::vector<SectionPlan> sections;  ///< by ascending object

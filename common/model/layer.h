@@ -248,7 +248,8 @@ struct LayerEdges {
 };
 
 /// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament
-/// retracted, relative extrusion, absolute coordinates; so layers are joined by concatenation.
+/// retracted, or ready to print where OrderedLayer says so; relative extrusion, absolute
+/// coordinates. So layers are joined by concatenation.
 struct LayerProgram {
   LayerFrame frame;
   int32_t pass = 0;  ///< see Copy::pass

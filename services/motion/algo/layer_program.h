@@ -17,8 +17,9 @@ namespace slicefarm::motion {
 ///   3 times (layer_timing.h), and the moves at both ends (edge_moves.h)
 ///   4 text, each copy with its shift and label (layer_writer.h, object_labels.h)
 ///
-/// A program starts retracted, at the height of the layer below or over its entry, with relative
-/// E and absolute coordinates, and ends so; so does each copy in it. It depends on nothing but its
+/// A program starts retracted, or ready to print if the layer begins so, at the height of the layer
+/// below or over its entry, with relative E and absolute coordinates, and ends so; so does each
+/// copy in it. It depends on nothing but its
 /// arguments: programs are joined by concatenation. A copy's text depends on its place only by that
 /// shift. A layer without paths moves nothing, but still says that it is a layer. Times: the layer
 /// begins and ends at rest; the travel to its entry is not counted, the one up to its height is
