@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/geometry/between.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm {
@@ -80,6 +81,14 @@ TEST(Box, GrowsAndMeets) {
   EXPECT_TRUE(box.Intersects({{1, 5}, {9, 9}}));
   EXPECT_FALSE(box.Intersects({{2, 5}, {9, 9}}));
   EXPECT_TRUE(box.Grown(1).Intersects({{2, 5}, {9, 9}}));
+}
+
+TEST(PointBetween, HasItsShareOfTheWayBehind) {
+  const Point a{10, -20}, b{-10, 21};
+  EXPECT_EQ(PointBetween(a, b, 0), a);
+  EXPECT_EQ(PointBetween(a, b, 1), b);
+  EXPECT_EQ(PointBetween(a, b, 0.5), (Point{0, 1})) << "half a nanometre away from zero";
+  EXPECT_EQ(PointBetween(a, a, 0.3), a);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/shortened.h"
 
@@ -16,11 +17,6 @@ constexpr double kLeastKept = 0.2;
 constexpr double kLeastCutNm = 50'000;
 /// A cut ends on the edge; looked at is what lies before that.
 constexpr double kBeforeEdge = 0.99;
-
-Point Between(Point a, Point b, double t) {
-  return {a.x + std::llround(t * static_cast<double>(b.x - a.x)),
-          a.y + std::llround(t * static_cast<double>(b.y - a.y))};
-}
 
 /// Where a piece ends once `cut_nm` is cut off at one of its ends.
 Point CutEnd(const Piece& piece, double length, bool at_start, double cut_nm) {
@@ -67,7 +63,7 @@ class Shaper {
     const double cut_nm = std::min(along_nm, (1 - kLeastKept) / 2 * length);
     if (cut_nm < kLeastCutNm) return {};
     const Point inside = CutEnd(piece, length, end % 2 == 0, cut_nm);
-    if (edges_.Meets(inside, Between(inside, on_edge, kBeforeEdge))) return {};
+    if (edges_.Meets(inside, PointBetween(inside, on_edge, kBeforeEdge))) return {};
     return {inside, cut_nm};
   }
 

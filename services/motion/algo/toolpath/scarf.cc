@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 
 namespace slicefarm::motion {
@@ -33,12 +34,7 @@ Line Opened(const Path& path) {
 Point Along(const std::vector<Point>& line, double length_nm) {
   for (size_t i = 0; i + 1 < line.size(); ++i) {
     const double edge = Distance(line[i], line[i + 1]);
-    if (edge > 0 && length_nm < edge) {
-      const Point way = line[i + 1] - line[i];
-      const double share = length_nm / edge;
-      return line[i] + Point{std::llround(share * static_cast<double>(way.x)),
-                             std::llround(share * static_cast<double>(way.y))};
-    }
+    if (edge > 0 && length_nm < edge) return PointBetween(line[i], line[i + 1], length_nm / edge);
     length_nm -= edge;
   }
   return line.back();

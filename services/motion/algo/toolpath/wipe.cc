@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
@@ -24,12 +25,6 @@ std::vector<Point> WayOn(const Path& path) {
   return way;
 }
 
-Point Between(Point from, Point to, double share) {
-  const Point way = to - from;
-  return from + Point{std::llround(share * static_cast<double>(way.x)),
-                      std::llround(share * static_cast<double>(way.y))};
-}
-
 }  // namespace
 
 Wipe WipeOf(const MotionOptions& options) {
@@ -49,7 +44,7 @@ std::vector<PlaceUm> WipeWay(const Path& path, double length_mm) {
   for (size_t i = 1; i < way.size() && left_nm >= kLeastStepNm; ++i) {
     const double step_nm = Distance(last, way[i]);
     if (step_nm < kLeastStepNm) continue;
-    last = step_nm <= left_nm ? way[i] : Between(last, way[i], left_nm / step_nm);
+    last = step_nm <= left_nm ? way[i] : PointBetween(last, way[i], left_nm / step_nm);
     left_nm -= step_nm;
     add(last);
   }

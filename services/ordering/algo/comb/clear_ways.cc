@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/geometry/between.h"
 #include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/predicates.h"
@@ -36,10 +37,7 @@ bool IsTangent(Point other, Point corner, Point before, Point after) {
 
 Point Along(Point a, Point b, double length_nm) {
   const double whole = Distance(a, b);
-  if (whole <= length_nm) return b;
-  const double share = length_nm / whole;
-  return {a.x + std::llround(share * static_cast<double>(b.x - a.x)),
-          a.y + std::llround(share * static_cast<double>(b.y - a.y))};
+  return whole <= length_nm ? b : PointBetween(a, b, length_nm / whole);
 }
 
 /// The place on the line from a through b that lies so far behind b.

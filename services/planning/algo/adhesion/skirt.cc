@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/between.h"
 #include "common/geometry/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
@@ -51,11 +52,6 @@ std::vector<double> Crossings(Point a, Point b, const MultiPolygon& bed) {
   return at;
 }
 
-Point Between(Point a, Point b, double t) {
-  return {a.x + std::llround(t * static_cast<double>(b.x - a.x)),
-          a.y + std::llround(t * static_cast<double>(b.y - a.y))};
-}
-
 /// Collects the pieces of a line that lie within a region.
 class LineClipper {
  public:
@@ -66,7 +62,8 @@ class LineClipper {
     at.push_back(1);
     double from = 0;
     for (const double to : at) {
-      AddPiece(Between(a, b, from), Between(a, b, to), Between(a, b, (from + to) / 2));
+      AddPiece(PointBetween(a, b, from), PointBetween(a, b, to),
+               PointBetween(a, b, (from + to) / 2));
       from = to;
     }
   }

@@ -18,9 +18,9 @@ struct SeamChoice {
   bool IsFixed() const { return before == at && after == at; }
 };
 
-/// Seams in straight lines up the walls: places stand a millimetre apart, so a line of seams that
-/// leans goes up in steps of about that much; here each seam moves to the mean of those around it
-/// in its line, up to eight below and above. Fixed seams and the ends of lines stay, and no mean
+/// Seams in straight lines up the walls: places stand two millimetres apart, so a line of seams
+/// that leans goes up in steps of about that much; here each seam moves to the mean of those around
+/// it in its line, up to eight below and above. Fixed seams and the ends of lines stay, and no mean
 /// reaches beyond them. Where lines part, the first goes on through the ring below.
 /// Shapes: one a choice. Cost: O(choices).
 std::vector<Point> SmoothSeams(std::span<const SeamChoice> choices);
