@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm {

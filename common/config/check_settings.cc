@@ -10,9 +10,9 @@
 
 #include "common/base/error.h"
 #include "common/config/value.h"
-#include "common/model/adhesion_options.h"
-#include "common/model/exposure_options.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/exposure_options.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::config {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "common/base/text.h"
-#include "common/config/setting_limits.h"
-#include "common/config/settings_table.h"
+#include "common/config/table/setting_limits.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 namespace {

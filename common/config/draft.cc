@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "common/config/settings_table.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 

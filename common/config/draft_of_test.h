@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/config/draft.h"
-#include "common/config/settings_table.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 

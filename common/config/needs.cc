@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "common/config/settings_table.h"
 #include "common/base/text.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/config/draft.h"
-#include "common/model/settings.h"
+#include "common/model/options/settings.h"
 
 namespace slicefarm::config {
 

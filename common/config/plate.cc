@@ -11,11 +11,11 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
-#include "common/config/adhesion_rows.h"
-#include "common/config/known_keys.h"
-#include "common/config/region_table.h"
-#include "common/config/setting_scope.h"
-#include "common/config/settings_table.h"
+#include "common/config/table/adhesion_rows.h"
+#include "common/config/table/known_keys.h"
+#include "common/config/table/region_table.h"
+#include "common/config/table/setting_scope.h"
+#include "common/config/table/settings_table.h"
 #include "common/stage/copy_groups.h"
 
 namespace slicefarm::config {

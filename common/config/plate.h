@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::config {

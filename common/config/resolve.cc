@@ -9,19 +9,19 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/error.h"
+#include "common/base/text.h"
 #include "common/config/check_settings.h"
 #include "common/config/derive.h"
 #include "common/config/draft.h"
-#include "common/config/known_keys.h"
 #include "common/config/needs.h"
-#include "common/config/setting_limits.h"
-#include "common/config/settings_table.h"
 #include "common/config/suggest.h"
-#include "common/base/error.h"
+#include "common/config/table/known_keys.h"
+#include "common/config/table/setting_limits.h"
+#include "common/config/table/settings_table.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
-#include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "absl/status/statusor.h"
 #include "common/config/told_settings.h"
-#include "common/model/setting.h"
-#include "common/model/settings.h"
+#include "common/model/options/setting.h"
+#include "common/model/options/settings.h"
 
 namespace slicefarm::config {
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "common/config/ini.h"
-#include "common/config/settings_table.h"
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/text.h"
+#include "common/config/projects/ini.h"
+#include "common/config/table/settings_table.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {

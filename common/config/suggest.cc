@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/config/settings_table.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "common/config/known_keys.h"
-#include "common/config/settings_table.h"
 #include "common/base/text.h"
+#include "common/config/table/known_keys.h"
+#include "common/config/table/settings_table.h"
 
 namespace slicefarm::config {
 namespace {

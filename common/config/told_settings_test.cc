@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/config/ini.h"
+#include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
 
 namespace slicefarm::config {

@@ -8,10 +8,10 @@
 #include <iterator>
 
 #include "absl/status/status.h"
-#include "common/geometry/measure.h"
-#include "common/geometry/simple_rings.h"
-#include "common/model/limits.h"
 #include "common/base/text.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/rings/simple_rings.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::config {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/model/layer.h"
-#include "common/model/settings.h"
+#include "common/model/options/settings.h"
 
 namespace slicefarm {
 

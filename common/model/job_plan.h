@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/fill_patterns.h"
+#include "common/model/options/fill_patterns.h"
 #include "common/model/path.h"
 #include "common/model/region.h"
 

@@ -6,7 +6,7 @@
 
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

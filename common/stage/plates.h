@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/scene.h"
-#include "common/model/slicing_options.h"
+#include "common/model/options/slicing_options.h"
+#include "common/model/scene/scene.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

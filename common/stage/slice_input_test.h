@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm {

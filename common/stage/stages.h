@@ -8,16 +8,16 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
+#include "common/base/trace_context.h"
 #include "common/model/exposed_program.h"
 #include "common/model/job_facts.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
-#include "common/model/mesh.h"
-#include "common/model/orientation_advice.h"
+#include "common/model/options/settings.h"
 #include "common/model/program_summary.h"
-#include "common/model/scene.h"
-#include "common/model/settings.h"
-#include "common/base/trace_context.h"
+#include "common/model/scene/mesh.h"
+#include "common/model/scene/orientation_advice.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm {
 

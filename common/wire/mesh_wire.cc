@@ -5,9 +5,9 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/enum_wire.h"
 #include "common/wire/geometry_wire.h"
-#include "common/wire/repeated_wire.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/mesh.h"
-#include "common/model/orientation_advice.h"
-#include "common/model/placement.h"
+#include "common/model/scene/mesh.h"
+#include "common/model/scene/orientation_advice.h"
+#include "common/model/scene/placement.h"
 #include "slicefarm/v1/mesh.pb.h"
 
 namespace slicefarm {

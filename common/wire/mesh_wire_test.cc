@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "common/base/error.h"
-#include "common/wire/every_field.h"
+#include "common/wire/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
 
 namespace slicefarm {

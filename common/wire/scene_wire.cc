@@ -8,11 +8,11 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
-#include "common/wire/enum_wire.h"
-#include "common/wire/given_settings_wire.h"
 #include "common/wire/mesh_wire.h"
+#include "common/wire/options/given_settings_wire.h"
 #include "common/wire/slice_object_wire.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/wire/round_trip_test.h"
+#include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm {
 namespace {

@@ -6,13 +6,13 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
+#include "common/wire/layers/plan_wire.h"
 #include "common/wire/mesh_wire.h"
-#include "common/wire/plan_wire.h"
-#include "common/wire/repeated_wire.h"
-#include "common/wire/settings_wire.h"
+#include "common/wire/options/settings_wire.h"
 #include "common/wire/slice_object_wire.h"
 #include "common/wire/stage_call_wire.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/repeated_wire.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
 namespace {

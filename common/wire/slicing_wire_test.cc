@@ -8,7 +8,7 @@
 
 #include "common/model/limits.h"
 #include "common/stage/slice_input_test.h"
-#include "common/wire/round_trip_test.h"
+#include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm {
 namespace {

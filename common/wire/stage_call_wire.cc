@@ -6,7 +6,7 @@
 
 #include "common/base/build_info.h"
 #include "common/base/error.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm {
 namespace {

@@ -6,15 +6,15 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/exposure_options_wire.h"
-#include "common/wire/layer_wire.h"
-#include "common/wire/motion_options_wire.h"
-#include "common/wire/object_names.h"
-#include "common/wire/plan_wire.h"
-#include "common/wire/planning_options_wire.h"
-#include "common/wire/repeated_wire.h"
-#include "common/wire/settings_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/plan_wire.h"
+#include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/motion_options_wire.h"
+#include "common/wire/options/planning_options_wire.h"
+#include "common/wire/options/settings_wire.h"
 #include "common/wire/stage_call_wire.h"
+#include "common/wire/support/object_names.h"
+#include "common/wire/support/repeated_wire.h"
 
 namespace slicefarm {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/paths_test.h"
-#include "common/wire/round_trip_test.h"
+#include "common/wire/support/round_trip_test.h"
 
 namespace slicefarm {
 namespace {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "common/geometry/boolean.h"
 #include "common/base/error.h"
+#include "common/geometry/boolean/boolean.h"
 #include "services/cli/files.h"
 
 namespace slicefarm::cli {

@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "common/config/ini.h"
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/text.h"
+#include "common/config/projects/ini.h"
+#include "common/model/limits.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/field_files.h"
 #include "services/cli/files.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "services/cli/poly_files.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 #include "services/exposure/algo/scan/ring_scan.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/offset.h"
-#include "services/beading/algo/skeleton/boundary.h"
+#include "common/geometry/offset/offset.h"
 #include "services/beading/algo/sample_outlines_test.h"
+#include "services/beading/algo/skeleton/boundary.h"
 #include "services/cli/bead_files.h"
 #include "services/cli/bead_maker.h"
 #include "tests/bench/benchmarks.h"

@@ -1,5 +1,5 @@
-#include "common/wire/message_stream.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 #include "services/beading/algo/local_beading_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

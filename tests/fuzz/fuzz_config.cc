@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "common/config/ini.h"
+#include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
 
 // Whatever resolves has a text that resolves to the same settings.

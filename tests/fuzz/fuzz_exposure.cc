@@ -1,9 +1,9 @@
 #include <vector>
 
-#include "common/wire/exposure_options_wire.h"
-#include "common/wire/exposure_wire.h"
-#include "common/wire/message_stream.h"
+#include "common/wire/layers/exposure_wire.h"
+#include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 #include "services/exposure/algo/local_exposure_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

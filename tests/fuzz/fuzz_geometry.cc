@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/cgal_judge_test.h"
-#include "common/geometry/clean_offset.h"
-#include "common/geometry/clipper_oracle_test.h"
-#include "common/geometry/region_pairs_test.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/cgal_judge_test.h"
+#include "common/geometry/boolean/clipper_oracle_test.h"
+#include "common/geometry/boolean/region_pairs_test.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/text_format.h"
 
 namespace {
@@ -25,7 +25,7 @@ using slicefarm::RegionPair;
   std::abort();
 }
 
-/// The bounds are those of common/geometry/differential_test.cc.
+/// The bounds are those of common/geometry/boolean/differential_test.cc.
 void CheckBooleans(const RegionPair& pair) {
   for (const Operation op : {Operation::kUnion, Operation::kIntersection, Operation::kDifference}) {
     const auto got = TryBoolean(pair.a, pair.b, op);

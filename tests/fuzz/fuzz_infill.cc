@@ -1,7 +1,7 @@
 #include <vector>
 
-#include "common/wire/message_stream.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 #include "services/infill/algo/local_infill_stage.h"
 #include "tests/fuzz/calls.pb.h"
 #include "tests/fuzz/proto_mutator.h"

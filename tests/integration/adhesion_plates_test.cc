@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/config/plate.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
-#include "common/geometry/random_islands_test.h"
 #include "common/model/bead_section.h"
 #include "common/stage/layer_chain.h"
 #include "common/stage/object_layers.h"

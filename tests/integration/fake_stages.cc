@@ -4,10 +4,10 @@
 
 #include "common/geometry/text_format.h"
 #include "common/stage/slice_input_test.h"
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
-#include "common/wire/plan_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm {
 namespace {

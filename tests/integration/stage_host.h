@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "common/rpc/server/call_gate.h"
 #include "common/rpc/observe/metrics.h"
+#include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
 #include "common/stage/task.h"
 #include "services/beading/server/beading_service.h"
@@ -15,7 +15,7 @@
 #include "services/motion/server/motion_service.h"
 #include "services/ordering/server/ordering_service.h"
 #include "services/planning/server/planning_service.h"
-#include "services/slicing/algo/placement/local_arranging_stage.h"
+#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 #include "services/slicing/server/slicing_service.h"
 #include "services/worker/server/worker_service.h"
 

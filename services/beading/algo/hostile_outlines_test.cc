@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "services/beading/algo/arachne/variable_walls.h"
 #include "services/beading/algo/sample_outlines_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"

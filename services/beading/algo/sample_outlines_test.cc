@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/model/bead_section.h"
 #include "services/beading/algo/arachne/arachne_island.h"
 #include "services/beading/algo/classic/classic_island.h"

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/wire/message_stream.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm::beading {
 

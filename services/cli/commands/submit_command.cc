@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/wire/enum_wire.h"
-#include "common/wire/given_settings_wire.h"
+#include "common/wire/options/given_settings_wire.h"
 #include "common/wire/scene_wire.h"
+#include "common/wire/support/enum_wire.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/job_options.h"

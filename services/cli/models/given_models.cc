@@ -9,13 +9,13 @@
 
 #include "common/base/error.h"
 #include "common/config/plate.h"
-#include "common/config/project.h"
+#include "common/config/projects/project.h"
 #include "common/model/limits.h"
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/placement/local_arranging_stage.h"
+#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 
 namespace slicefarm::cli {
 namespace {

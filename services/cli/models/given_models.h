@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/mesh.h"
-#include "common/model/scene.h"
+#include "common/model/scene/mesh.h"
+#include "common/model/scene/scene.h"
 #include "services/cli/job_options.h"
 
 namespace slicefarm::cli {

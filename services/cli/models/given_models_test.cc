@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "services/cli/files.h"
 #include "services/cli/models/model_arguments.h"
-#include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
 namespace slicefarm::cli {
 namespace {

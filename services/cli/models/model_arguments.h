@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
 #include "services/cli/job_options.h"
 
 namespace slicefarm::cli {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/config/project.h"
+#include "common/config/projects/project.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::cli {
 

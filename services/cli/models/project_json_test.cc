@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
 namespace slicefarm::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/config/ini.h"
-#include "common/config/orca_settings.h"
+#include "common/config/projects/ini.h"
+#include "common/config/projects/orca_settings.h"
 #include "common/config/resolve.h"
 #include "services/cli/files.h"
 #include "services/cli/program/klipper_config.h"

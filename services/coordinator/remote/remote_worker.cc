@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "common/wire/exposure_wire.h"
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
-#include "common/wire/program_wire.h"
+#include "common/wire/layers/exposure_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 #include "slicefarm/v1/worker.grpc.pb.h"
 
 namespace slicefarm::coordinator {

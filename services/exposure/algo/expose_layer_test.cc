@@ -8,9 +8,9 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 

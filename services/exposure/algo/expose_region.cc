@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/hatch.h"
 #include "services/exposure/algo/scan/ring_scan.h"

@@ -8,7 +8,7 @@
 #include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
 #include "common/model/exposed_layer.h"
-#include "common/model/exposure_options.h"
+#include "common/model/options/exposure_options.h"
 #include "services/exposure/algo/scan/skins.h"
 
 namespace slicefarm::exposure {

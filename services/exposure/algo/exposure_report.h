@@ -3,7 +3,7 @@
 #include <span>
 
 #include "common/model/exposed_layer.h"
-#include "common/model/exposure_options.h"
+#include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {
 

@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "common/wire/exposure_options_wire.h"
-#include "common/wire/exposure_wire.h"
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
+#include "common/wire/layers/exposure_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm::exposure {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "common/geometry/clean_offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/random_islands_test.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/path.h"
 
 namespace slicefarm::infill {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/scan_lines.h"
 #include "services/infill/algo/linking/serpentine.h"

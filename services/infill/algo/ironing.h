@@ -1,8 +1,8 @@
 #pragma once
 
 #include "absl/status/statusor.h"
-#include "common/model/infill_options.h"
 #include "common/model/layer.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "common/base/from_environment_test.h"
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/inside_checks_test.h"
 #include "services/infill/algo/solid.h"
 #include "services/infill/algo/sparse.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/model/bead_section.h"
-#include "common/model/fill_angles.h"
+#include "common/model/options/fill_angles.h"
 #include "services/infill/algo/ironing.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/overhang_fill.h"

@@ -3,9 +3,9 @@
 #include <span>
 
 #include "absl/status/statusor.h"
-#include "common/model/infill_options.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
+#include "common/model/options/infill_options.h"
 #include "common/stage/object_layers.h"
 #include "services/infill/algo/fields/region_fields.h"
 

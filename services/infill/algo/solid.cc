@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/frame_box.h"
 #include "services/infill/algo/lines/scan_lines.h"

@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 

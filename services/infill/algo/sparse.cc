@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/fields/field_pieces.h"
 #include "services/infill/algo/linking/linked_paths.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/fill_patterns.h"
+#include "common/model/options/fill_patterns.h"
 #include "common/model/path.h"
 #include "services/infill/algo/fields/layer_field.h"
 

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 

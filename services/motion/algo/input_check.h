@@ -2,7 +2,7 @@
 
 #include "absl/status/status.h"
 #include "common/model/layer.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/model/fields/material_field.h"
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
-#include "common/model/fields/material_field.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 
 namespace slicefarm::motion {
 

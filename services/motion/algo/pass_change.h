@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 #include "services/motion/algo/macro/template_value.h"
 

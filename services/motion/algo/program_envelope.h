@@ -2,7 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/model/layer.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 
 namespace slicefarm::motion {

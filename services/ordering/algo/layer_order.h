@@ -5,7 +5,7 @@
 #include "absl/status/statusor.h"
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
-#include "common/model/ordering_options.h"
+#include "common/model/options/ordering_options.h"
 
 namespace slicefarm::ordering {
 

@@ -2,7 +2,7 @@
 
 #include "common/model/job_plan.h"
 #include "common/model/layer.h"
-#include "common/model/ordering_options.h"
+#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/travel_order.h"
 
 namespace slicefarm::ordering {

@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
-#include "common/wire/plan_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm::ordering {
 

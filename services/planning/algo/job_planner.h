@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/planning_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/planner.h"
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
 #include "services/planning/algo/seams/rings_test.h"
 

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
-#include "common/wire/plan_wire.h"
-#include "common/wire/repeated_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/message_stream.h"
+#include "common/wire/support/repeated_wire.h"
 #include "services/planning/algo/job_planner.h"
 
 namespace slicefarm::planning {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "common/geometry/measure.h"
-#include "common/geometry/predicates.h"
 #include "common/base/error.h"
+#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 #include "common/stage/slice_input_test.h"
 #include "services/slicing/algo/sample_meshes_test.h"

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "common/model/rotation.h"
+#include "common/model/scene/rotation.h"
 
 namespace slicefarm::slicing {
 namespace {

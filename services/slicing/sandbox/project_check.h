@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::slicing {
 

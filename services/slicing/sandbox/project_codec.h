@@ -5,7 +5,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::slicing {
 

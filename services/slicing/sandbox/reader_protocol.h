@@ -10,7 +10,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/mesh_file_contents.h"
 #include "services/slicing/sandbox/confinement.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "absl/status/statusor.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/mesh_file_contents.h"
 
 namespace slicefarm::slicing {

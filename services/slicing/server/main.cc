@@ -4,7 +4,7 @@
 
 #include "common/rpc/server/serve.h"
 #include "services/slicing/algo/local_slicing_stage.h"
-#include "services/slicing/algo/placement/local_arranging_stage.h"
+#include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
 #include "services/slicing/server/mesh_sandbox.h"
 #include "services/slicing/server/slicing_service.h"
 

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/wire/layer_wire.h"
-#include "common/wire/message_stream.h"
+#include "common/wire/layers/layer_wire.h"
 #include "common/wire/slicing_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "common/base/build_info.h"
-#include "common/wire/enum_wire.h"
-#include "common/wire/exposure_wire.h"
-#include "common/wire/message_stream.h"
-#include "common/wire/program_wire.h"
+#include "common/wire/layers/exposure_wire.h"
+#include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/message_stream.h"
 
 namespace slicefarm::worker {
 namespace {

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "absl/status/statusor.h"
-#include "common/model/beading_options.h"
 #include "common/base/cancel_token.h"
-#include "services/beading/algo/island_beads.h"
+#include "common/model/options/beading_options.h"
+#include "services/beading/algo/arachne/variable_walls.h"
 #include "services/beading/algo/classic/constant_walls.h"
 #include "services/beading/algo/classic/gap_fill.h"
+#include "services/beading/algo/island_beads.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
-#include "services/beading/algo/arachne/variable_walls.h"
 
 namespace slicefarm::beading {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/offset.h"
 #include "services/beading/algo/arachne/bead_counts.h"
 #include "services/beading/algo/arachne/bead_tracing.h"
 #include "services/beading/algo/arachne/beading_field.h"

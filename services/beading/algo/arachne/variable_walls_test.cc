@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/text_format.h"
 #include "services/beading/algo/bead_raster_test.h"
 #include "services/beading/algo/strategy/strategy_factory.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 #include "services/beading/algo/strategy/strategy_factory.h"

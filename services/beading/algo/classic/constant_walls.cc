@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::beading {

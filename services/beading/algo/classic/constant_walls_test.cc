@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 

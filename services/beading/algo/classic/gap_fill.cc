@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/simplify.h"
+#include "common/geometry/rings/simplify.h"
 #include "common/model/bead_section.h"
 #include "services/beading/algo/skeleton/medial_axis.h"
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/predicates.h"
-#include "common/geometry/ring_cleaning.h"
-#include "common/geometry/simple_rings.h"
+#include "common/geometry/rings/ring_cleaning.h"
+#include "common/geometry/rings/simple_rings.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "common/model/filament_use.h"
 #include "common/model/layer.h"
-#include "common/model/settings.h"
+#include "common/model/options/settings.h"
 #include "common/stage/stages.h"
 
 namespace slicefarm::coordinator {

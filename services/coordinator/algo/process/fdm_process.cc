@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
 #include "common/base/text.h"
-#include "common/wire/wire_error.h"
+#include "common/model/limits.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 
 namespace slicefarm::coordinator {

@@ -5,19 +5,19 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
-#include "common/rpc/status_mapping.h"
+#include "common/model/limits.h"
 #include "common/rpc/observe/trace_metadata.h"
-#include "common/wire/wire_error.h"
+#include "common/rpc/status_mapping.h"
+#include "common/wire/support/wire_error.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
-#include "services/coordinator/server/observe/job_log.h"
-#include "services/coordinator/server/execution/job_meshes.h"
-#include "services/coordinator/server/observe/job_traces.h"
 #include "services/coordinator/server/api/job_watch.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/profile_settings.h"
+#include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/observe/job_log.h"
+#include "services/coordinator/server/observe/job_traces.h"
 #include "services/coordinator/store/jobs/job_steps.h"
 
 namespace slicefarm::coordinator {

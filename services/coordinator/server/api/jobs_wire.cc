@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "common/model/limits.h"
-#include "common/wire/enum_wire.h"
-#include "common/wire/given_settings_wire.h"
 #include "common/wire/mesh_wire.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/options/given_settings_wire.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -1,10 +1,10 @@
 #include "services/coordinator/server/api/meshes_service.h"
 
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
+#include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 
 namespace slicefarm::coordinator {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/wire/scene_wire.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/execution/job_meshes.h"
 

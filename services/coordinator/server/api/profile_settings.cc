@@ -9,7 +9,7 @@
 #include "absl/strings/ascii.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/support/wire_error.h"
 
 namespace slicefarm::coordinator {
 namespace {

@@ -4,13 +4,13 @@
 #include <string>
 #include <utility>
 
-#include "common/config/resolve.h"
 #include "common/base/error.h"
-#include "common/model/limits.h"
 #include "common/base/sha256.h"
+#include "common/config/resolve.h"
+#include "common/model/limits.h"
 #include "common/rpc/status_mapping.h"
-#include "common/wire/given_settings_wire.h"
-#include "common/wire/wire_error.h"
+#include "common/wire/options/given_settings_wire.h"
+#include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/server/api/profile_settings.h"
 

@@ -9,9 +9,9 @@
 #include <list>
 
 #include "common/base/error.h"
+#include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/predicates.h"
-#include "common/geometry/ring_cleaning.h"
+#include "common/geometry/rings/ring_cleaning.h"
 
 namespace slicefarm::exposure {
 namespace {

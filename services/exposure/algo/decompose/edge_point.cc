@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "common/geometry/predicates.h"
+#include "common/geometry/boolean/predicates.h"
 
 namespace slicefarm::exposure {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/ring_cleaning.h"
+#include "common/geometry/rings/ring_cleaning.h"
 #include "services/exposure/algo/decompose/cut_region.h"
 #include "services/exposure/algo/decompose/exact_vector.h"
 

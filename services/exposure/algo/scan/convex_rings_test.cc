@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::exposure {

@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
-#include "common/model/exposure_options.h"
+#include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 

@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "common/base/error.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::exposure {

@@ -1,8 +1,8 @@
 #include "services/exposure/algo/scan/scan_pieces.h"
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/simplify.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simplify.h"
 
 namespace slicefarm::exposure {
 namespace {

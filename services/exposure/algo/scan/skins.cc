@@ -1,7 +1,7 @@
 #include "services/exposure/algo/scan/skins.h"
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/offset.h"
 
 namespace slicefarm::exposure {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "services/exposure/algo/scan/convex_rings.h"
 #include "services/exposure/algo/scan/scan_pieces.h"
 

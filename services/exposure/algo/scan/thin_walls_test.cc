@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::exposure {

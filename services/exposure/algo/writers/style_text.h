@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/model/exposure_options.h"
+#include "common/model/options/exposure_options.h"
 
 namespace slicefarm::exposure {
 

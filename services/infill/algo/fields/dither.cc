@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/blue_noise.h"
 #include "services/infill/algo/fields/cell_limit.h"

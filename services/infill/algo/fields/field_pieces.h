@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/fill_patterns.h"
+#include "common/model/options/fill_patterns.h"
 #include "services/infill/algo/fields/layer_field.h"
 #include "services/infill/algo/lines/piece.h"
 #include "services/infill/algo/patterns/pattern.h"

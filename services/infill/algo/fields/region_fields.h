@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/infill_options.h"
 #include "common/model/layer.h"
+#include "common/model/options/infill_options.h"
 #include "services/infill/algo/fields/layer_field.h"
 
 namespace slicefarm::infill {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/geometry/simplify.h"
+#include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/fields/cell_limit.h"
 #include "services/infill/algo/lines/line_limit.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/scan_lines.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {

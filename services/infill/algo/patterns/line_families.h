@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/fill_patterns.h"
+#include "common/model/options/fill_patterns.h"
 #include "services/infill/algo/lines/scan_lines.h"
 #include "services/infill/algo/patterns/pattern.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/geometry/clean_offset.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/inside_checks_test.h"

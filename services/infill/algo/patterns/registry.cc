@@ -56,7 +56,8 @@ constexpr bool InOrder() {
     if (static_cast<size_t>(kRows[i].pattern) != i) return false;
   return std::size(kRows) == kFillPatternCount;
 }
-static_assert(InOrder(), "each pattern of common/model/fill_patterns.h has a row, in their order");
+static_assert(InOrder(),
+              "each pattern of common/model/options/fill_patterns.h has a row, in their order");
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/fill_patterns.h"
+#include "common/model/options/fill_patterns.h"
 #include "services/infill/algo/patterns/pattern.h"
 
 namespace slicefarm::infill {

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 
 namespace slicefarm::infill {

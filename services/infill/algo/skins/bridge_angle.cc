@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/scan_lines.h"
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/clip_curves.h"
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::infill {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/skins/region_mask.h"
 
 namespace slicefarm::infill {

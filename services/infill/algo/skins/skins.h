@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/infill_options.h"
+#include "common/model/options/infill_options.h"
 
 namespace slicefarm::infill {
 

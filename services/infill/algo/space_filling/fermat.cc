@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/space_filling/depth_rings.h"
 
 namespace slicefarm::infill {

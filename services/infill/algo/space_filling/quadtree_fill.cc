@@ -4,8 +4,8 @@
 #include <iterator>
 #include <map>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/space_filling/cell_cover.h"
 #include "services/infill/algo/space_filling/closed_curve.h"
 #include "services/infill/algo/space_filling/depth_rings.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/space_filling/fill_checks_test.h"
 
 namespace slicefarm::infill {

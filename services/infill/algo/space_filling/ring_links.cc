@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "common/geometry/predicates.h"
+#include "common/geometry/boolean/predicates.h"
 #include "services/infill/algo/space_filling/ring_places.h"
 
 namespace slicefarm::infill {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::infill {

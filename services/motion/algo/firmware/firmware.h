@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/kinematics/planner.h"

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 
 namespace slicefarm::motion {

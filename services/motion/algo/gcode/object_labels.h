@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/model/job_facts.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 
 namespace slicefarm::motion {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::motion {
 

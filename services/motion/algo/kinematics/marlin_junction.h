@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/kinematics/kinematic_move.h"
 
 namespace slicefarm::motion {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/kinematics/kinematic_move.h"
 
 namespace slicefarm::motion {

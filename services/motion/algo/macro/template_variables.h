@@ -2,7 +2,7 @@
 
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 #include "services/motion/algo/macro/template_value.h"
 #include "services/motion/algo/toolpath/layer_place.h"

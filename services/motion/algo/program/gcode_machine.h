@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/kinematics/kinematic_move.h"
 #include "services/motion/algo/program/arc_chords.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
 #include "services/motion/algo/kinematics/planner.h"
 #include "services/motion/algo/program/gcode_machine.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/motion_options.h"
+#include "common/model/options/motion_options.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {

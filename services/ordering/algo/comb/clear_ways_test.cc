@@ -7,10 +7,10 @@
 #include <random>
 #include <vector>
 
-#include "common/geometry/offset.h"
-#include "common/geometry/predicates.h"
-#include "common/geometry/random_islands_test.h"
-#include "common/geometry/simplify.h"
+#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/boolean/random_islands_test.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simplify.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::ordering {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/model/ordering_options.h"
+#include "common/model/options/ordering_options.h"
 
 namespace slicefarm::ordering {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::ordering {

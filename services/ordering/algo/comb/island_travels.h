@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/model/layer.h"
-#include "common/model/ordering_options.h"
+#include "common/model/options/ordering_options.h"
 #include "services/ordering/algo/comb/island_edges.h"
 #include "services/ordering/algo/travel_order.h"
 

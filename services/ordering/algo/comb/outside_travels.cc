@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "services/ordering/algo/comb/detour.h"
 #include "services/ordering/algo/comb/island_edges.h"

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 #include "services/planning/algo/adhesion/brim.h"
 #include "services/planning/algo/adhesion/skirt.h"

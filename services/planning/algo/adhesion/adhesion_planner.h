@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "common/model/adhesion_options.h"
-#include "common/model/planning_options.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/planning_options.h"
 #include "common/stage/stages.h"
 #include "services/planning/algo/adhesion/raft.h"
 #include "services/planning/algo/planner.h"

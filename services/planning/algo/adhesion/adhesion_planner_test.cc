@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/random_islands_test.h"
 #include "common/geometry/text_format.h"
 #include "services/planning/algo/layers_test.h"
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/simplify.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simplify.h"
 
 namespace slicefarm::planning {
 namespace {

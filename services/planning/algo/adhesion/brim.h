@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "common/geometry/polygon.h"
-#include "common/model/adhesion_options.h"
+#include "common/model/options/adhesion_options.h"
 
 namespace slicefarm::planning {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
 namespace slicefarm::planning {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 
 namespace slicefarm::planning {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "common/model/adhesion_options.h"
+#include "common/model/options/adhesion_options.h"
 
 namespace slicefarm::planning {
 
@@ -27,7 +27,7 @@ struct RaftLayer {
 /// Layers: of n the upper (n + 1) / 2 are interface, the others base. With B = `carried` grown by
 /// raft_expansion, the top layer is B; the others B grown by 0.5 mm, as each layer carries the
 /// next; the first B grown by raft_first_layer_expansion. A raft of one layer is B alone,
-/// interface. Density and angle of the lines: common/config/adhesion_rows.h.
+/// interface. Density and angle of the lines: common/config/table/adhesion_rows.h.
 ///
 /// Units: nm, in plate coordinates; joins are round, distances exact to 0.008 mm.
 /// Errors: none; no layers if there is nothing to carry, or none are asked for.

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "common/geometry/between.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
 #include "common/model/limits.h"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "common/model/fill_patterns.h"
-#include "common/model/planning_options.h"
+#include "common/model/options/fill_patterns.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/infill/object_stack.h"
 
 namespace slicefarm::planning {

@@ -1,7 +1,7 @@
 #include "services/planning/algo/infill/infill_places.h"
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
 
 namespace slicefarm::planning {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "common/model/planning_options.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/infill/infill_places.h"
 #include "services/planning/algo/infill/object_stack.h"
 #include "services/planning/algo/planner.h"

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/planning/algo/infill/branches.h"
 #include "services/planning/algo/infill/grid_points.h"
 #include "services/planning/algo/infill/sparse_areas.h"

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/offset/clean_offset.h"
 
 namespace slicefarm::planning {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/clean_offset.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/planning/algo/infill/grid_points.h"
 
 namespace slicefarm::planning {

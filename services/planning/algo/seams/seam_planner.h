@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "common/model/planning_options.h"
+#include "common/model/options/planning_options.h"
 #include "services/planning/algo/planner.h"
 #include "services/planning/algo/seams/occupancy.h"
 #include "services/planning/algo/seams/seam_costs.h"

@@ -9,11 +9,11 @@
 #include <random>
 
 #include "common/base/error.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/convex.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::planning {

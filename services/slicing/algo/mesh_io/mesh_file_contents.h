@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "absl/status/statusor.h"
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {

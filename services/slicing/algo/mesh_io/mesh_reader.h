@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/mesh_io/mesh_file_contents.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 

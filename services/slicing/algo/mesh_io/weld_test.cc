@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <set>
 
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::slicing {
 namespace {

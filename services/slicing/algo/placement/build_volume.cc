@@ -6,9 +6,9 @@
 #include <string>
 
 #include "absl/strings/escaping.h"
-#include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::slicing {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "common/model/mesh.h"
-#include "common/model/slicing_options.h"
+#include "common/model/options/slicing_options.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::slicing {
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "common/model/rotation.h"
-#include "services/slicing/algo/placement/footprint.h"
+#include "common/model/scene/rotation.h"
+#include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 

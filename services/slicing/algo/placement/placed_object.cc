@@ -6,7 +6,7 @@
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/mesh_part.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/placement/footprint.h"
+#include "services/slicing/algo/placement/arranging/footprint.h"
 #include "services/slicing/algo/placement/placement.h"
 
 namespace slicefarm::slicing {

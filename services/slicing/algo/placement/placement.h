@@ -6,8 +6,8 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/geometry/measure.h"
-#include "common/model/mesh.h"
-#include "common/model/transform.h"
+#include "common/model/scene/mesh.h"
+#include "common/model/scene/transform.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
 
 namespace slicefarm::slicing {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/base/error.h"
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {

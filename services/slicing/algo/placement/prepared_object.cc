@@ -7,8 +7,8 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/placement/arranging/copy_places.h"
 #include "services/slicing/algo/placement/build_volume.h"
-#include "services/slicing/algo/placement/copy_places.h"
 #include "services/slicing/algo/placement/placed_object.h"
 
 namespace slicefarm::slicing {

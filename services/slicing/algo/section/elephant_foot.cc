@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/base/portable_math.h"
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 #include "services/slicing/algo/section/local_width.h"
 
 namespace slicefarm::slicing {

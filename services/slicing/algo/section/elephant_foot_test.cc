@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/boolean.h"
-#include "common/geometry/offset.h"
-#include "common/geometry/random_islands_test.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 #include "services/slicing/algo/section/local_width.h"
 

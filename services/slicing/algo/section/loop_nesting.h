@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/polygon.h"
 
 namespace slicefarm::slicing {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "common/geometry/offset.h"
-#include "common/geometry/ring_cleaning.h"
-#include "common/geometry/simplify.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/ring_cleaning.h"
+#include "common/geometry/rings/simplify.h"
 #include "services/slicing/algo/section/elephant_foot.h"
 #include "services/slicing/algo/section/loop_nesting.h"
 

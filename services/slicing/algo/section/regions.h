@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/polygon.h"
-#include "common/model/slicing_options.h"
+#include "common/model/options/slicing_options.h"
 
 namespace slicefarm::slicing {
 

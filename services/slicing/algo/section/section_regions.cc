@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "common/geometry/offset.h"
+#include "common/geometry/offset/offset.h"
 
 namespace slicefarm::slicing {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/model/region.h"
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "services/slicing/algo/section/regions.h"
 
 namespace slicefarm::slicing {

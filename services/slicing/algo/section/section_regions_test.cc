@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "common/geometry/boolean.h"
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/measure.h"
 #include "common/base/error.h"
+#include "common/geometry/measure.h"
 #include "common/model/limits.h"
-#include "services/slicing/algo/topology/mesh_measure.h"
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
+#include "services/slicing/algo/topology/mesh_measure.h"
 
 namespace slicefarm::slicing {
 namespace {

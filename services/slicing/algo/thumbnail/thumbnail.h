@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/geometry/point.h"
 #include "common/base/cancel_token.h"
-#include "common/model/mesh.h"
+#include "common/geometry/point.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::slicing {
 

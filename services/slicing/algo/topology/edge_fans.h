@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/topology/edge_table.h"
 
 namespace slicefarm::slicing {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/model/placement.h"
+#include "common/model/scene/placement.h"
+#include "common/model/scene/rotation.h"
 #include "services/slicing/algo/placement/placement.h"
-#include "common/model/rotation.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing {

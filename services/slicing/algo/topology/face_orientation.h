@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/topology/edge_table.h"
 
 namespace slicefarm::slicing {

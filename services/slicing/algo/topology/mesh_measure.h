@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 
 namespace slicefarm::slicing {
 

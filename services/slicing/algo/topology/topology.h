@@ -5,7 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
-#include "common/model/mesh.h"
+#include "common/model/scene/mesh.h"
 #include "services/slicing/algo/topology/edge_table.h"
 
 namespace slicefarm::slicing {

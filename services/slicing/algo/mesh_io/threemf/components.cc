@@ -6,9 +6,9 @@
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 #include "services/slicing/algo/mesh_io/threemf/place.h"
 #include "services/slicing/algo/mesh_io/threemf/transform_text.h"
-#include "services/slicing/algo/mesh_io/threemf/xml.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "absl/status/status.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
-#include "services/slicing/algo/mesh_io/threemf/xml.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
 

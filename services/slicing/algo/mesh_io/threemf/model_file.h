@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -11,7 +11,7 @@
 #include "common/base/text.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
-#include "services/slicing/algo/mesh_io/threemf/names.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/names.h"
 #include "services/slicing/algo/mesh_io/threemf/transform_text.h"
 
 namespace slicefarm::slicing::threemf {

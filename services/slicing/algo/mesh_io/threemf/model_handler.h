@@ -8,7 +8,7 @@
 #include "absl/status/statusor.h"
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
 #include "services/slicing/algo/mesh_io/threemf/model_file.h"
-#include "services/slicing/algo/mesh_io/threemf/xml.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "services/slicing/algo/mesh_io/threemf/element_scan.h"
 #include "services/slicing/algo/mesh_io/threemf/model_handler.h"
-#include "services/slicing/algo/mesh_io/threemf/xml.h"
+#include "services/slicing/algo/mesh_io/threemf/package/element_scan.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

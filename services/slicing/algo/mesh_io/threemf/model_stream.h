@@ -5,9 +5,9 @@
 #include "absl/status/statusor.h"
 #include "common/base/cancel_token.h"
 #include "services/slicing/algo/mesh_io/raw_mesh.h"
-#include "services/slicing/algo/mesh_io/threemf/archive.h"
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
 #include "services/slicing/algo/mesh_io/threemf/model_file.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive.h"
 
 namespace slicefarm::slicing::threemf {
 

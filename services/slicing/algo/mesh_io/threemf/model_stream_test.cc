@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "common/base/error.h"
-#include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

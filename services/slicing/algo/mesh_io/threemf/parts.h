@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/model/scene.h"
+#include "common/model/scene/scene.h"
 #include "services/slicing/algo/mesh_io/threemf/components.h"
-#include "services/slicing/algo/mesh_io/threemf/notes.h"
-#include "services/slicing/algo/mesh_io/threemf/object_settings.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/object_settings.h"
 
 namespace slicefarm::slicing::threemf {
 

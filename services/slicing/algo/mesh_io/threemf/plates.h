@@ -3,9 +3,9 @@
 #include <map>
 #include <vector>
 
-#include "common/model/scene.h"
-#include "services/slicing/algo/mesh_io/threemf/notes.h"
-#include "services/slicing/algo/mesh_io/threemf/object_settings.h"
+#include "common/model/scene/scene.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/object_settings.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -7,10 +7,10 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/threemf/components.h"
-#include "services/slicing/algo/mesh_io/threemf/notes.h"
 #include "services/slicing/algo/mesh_io/threemf/parts.h"
 #include "services/slicing/algo/mesh_io/threemf/place.h"
 #include "services/slicing/algo/mesh_io/threemf/plates.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {

@@ -1,9 +1,9 @@
 #include "services/slicing/algo/mesh_io/threemf/threemf_reader.h"
 
-#include "services/slicing/algo/mesh_io/threemf/archive.h"
-#include "services/slicing/algo/mesh_io/threemf/metadata.h"
-#include "services/slicing/algo/mesh_io/threemf/package.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive.h"
+#include "services/slicing/algo/mesh_io/threemf/package/package.h"
 #include "services/slicing/algo/mesh_io/threemf/project.h"
+#include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
 
 namespace slicefarm::slicing {
 

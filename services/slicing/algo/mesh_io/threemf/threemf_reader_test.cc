@@ -10,7 +10,7 @@
 
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
-#include "services/slicing/algo/mesh_io/threemf/archive_files_test.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "tests/corpus_file.h"
 
 namespace slicefarm::slicing::threemf {

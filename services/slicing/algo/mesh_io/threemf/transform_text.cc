@@ -7,7 +7,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
-#include "services/slicing/algo/mesh_io/threemf/xml.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
 
 namespace slicefarm::slicing::threemf {
 

@@ -1,0 +1,226 @@
+#include "common/config/projects/orca_settings.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "common/base/text.h"
+#include "common/config/projects/orca_placeholders.h"
+#include "common/config/projects/orca_table.h"
+#include "common/config/table/settings_table.h"
+#include "common/config/value.h"
+
+namespace slicefarm::config {
+namespace {
+
+using ByKey = std::map<std::string_view, const Setting*>;
+
+/// The items of a list as OrcaSlicer's files have it; nothing for what is no list.
+std::optional<std::vector<std::string>> ItemsOf(std::string_view text) {
+  if (!text.starts_with('[')) return std::nullopt;
+  const auto list = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+  if (!list.is_array()) return std::nullopt;
+  std::vector<std::string> items;
+  for (const auto& item : list)
+    items.push_back(item.is_string() ? Escape(item.get_ref<const std::string&>()) : item.dump());
+  return items;
+}
+
+/// The value, or the first item of a list of them; nothing for a list without any.
+std::optional<std::string> FirstOf(std::string_view text) {
+  const std::optional<std::vector<std::string>> items = ItemsOf(text);
+  if (!items) return std::string(text);
+  return items->empty() ? std::nullopt : std::optional(items->front());
+}
+
+std::string Joined(std::string_view text) {
+  const std::optional<std::vector<std::string>> items = ItemsOf(text);
+  if (!items) return std::string(text);
+  std::string joined;
+  for (const std::string& item : *items) joined += (joined.empty() ? "" : ",") + item;
+  return joined;
+}
+
+/// A value of PrusaSlicer's, and whether it is quite the same.
+struct Converted {
+  std::optional<std::string> text;
+  bool exact = true;
+};
+
+class OrcaReader {
+ public:
+  explicit OrcaReader(std::span<const Setting> settings) {
+    for (const Setting& setting : settings) by_key_[setting.key] = &setting;
+    TakeTemperaturesOfBed();
+  }
+
+  void Apply(const OrcaRow& row) {
+    const auto found = by_key_.find(row.from);
+    if (found == by_key_.end()) return;
+    const Setting& setting = *found->second;
+    known_.emplace(row.from);
+    const Converted value = Convert(row, setting.value);
+    if (!value.exact || !value.text) inexact_.emplace(row.from);
+    if (value.text && !value.text->empty()) Set(row.to, *value.text, setting.source);
+    // An empty text is one for G-code and the like; a choice without a value says nothing.
+    if (value.text && value.text->empty() &&
+        (row.value == OrcaValue::kSame || row.value == OrcaValue::kGcode))
+      Set(row.to, "", setting.source);
+  }
+
+  std::vector<Setting> Take() && { return std::move(settings_); }
+
+  std::vector<std::string> Unknown(std::span<const Setting> settings) const {
+    std::vector<std::string> unknown;
+    for (const Setting& setting : settings) {
+      if (!known_.contains(setting.key))
+        unknown.push_back(setting.key);
+      else if (inexact_.contains(setting.key))
+        unknown.push_back(setting.key + " = " + FirstOf(setting.value).value_or(""));
+    }
+    return unknown;
+  }
+
+ private:
+  Converted Convert(const OrcaRow& row, std::string_view text) const {
+    if (row.value == OrcaValue::kPoints) return {Joined(text)};
+    const std::optional<std::string> first = FirstOf(text);
+    if (!first) return {};
+    switch (row.value) {
+      case OrcaValue::kPercent:
+        return {first->empty() || first->ends_with('%') ? *first : *first + "%"};
+      case OrcaValue::kPercentOf:
+        return {PercentOf(*first, row.detail)};
+      case OrcaValue::kNot:
+        return {*first == "0" ? "1" : "0"};
+      case OrcaValue::kChoice:
+        return Choice(row.to, *first);
+      case OrcaValue::kGcode:
+        return {Escape(ReplacePlaceholders(
+            Unescape(*first), [this](std::string_view name) { return MeaningOf(name); }))};
+      case OrcaValue::kSame:
+      case OrcaValue::kPoints:
+        break;
+    }
+    return {first};
+  }
+
+  /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
+  std::optional<Placeholder> MeaningOf(std::string_view name) const {
+    if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    for (const OrcaVariable& variable : OrcaVariables()) {
+      if (variable.from != name) continue;
+      return MeaningOf(variable.to).value_or(Placeholder{std::string(variable.to)});
+    }
+    for (const OrcaRow& row : OrcaRows()) {
+      const bool same = row.from == name && row.value == OrcaValue::kSame;
+      if (same && FindSetting(row.to) >= 0) return Placeholder{std::string(row.to)};
+    }
+    const auto found = by_key_.find(name);
+    if (found == by_key_.end()) return std::nullopt;
+    return ValuePlaceholder(Unescape(FirstOf(found->second->value).value_or("")));
+  }
+
+  /// In mm3/s: the outer wall's speed times its cross-section, at most what the filament stands.
+  std::optional<Placeholder> OuterWallFlow() const {
+    const auto speed = NumberOf("outer_wall_speed");
+    const auto width = NumberOf("outer_wall_line_width");
+    const auto height = NumberOf("layer_height");
+    if (!speed || !width || !height) return std::nullopt;
+    const double flow = *speed * *height * (*width - *height * (1 - std::numbers::pi / 4));
+    const double most = NumberOf("filament_max_volumetric_speed").value_or(0);
+    return ValuePlaceholder(PrintNumber(Quantise(most > 0 ? std::min(flow, most) : flow)));
+  }
+
+  /// Percentages are those of the nozzle.
+  std::optional<double> NumberOf(std::string_view key) const {
+    const auto found = by_key_.find(key);
+    if (found == by_key_.end()) return std::nullopt;
+    const std::optional<std::string> first = FirstOf(found->second->value);
+    const std::optional<std::string> text =
+        first ? PercentOf(*first, "nozzle_diameter") : std::nullopt;
+    return text ? ToNumber(*text) : std::nullopt;
+  }
+
+  std::optional<std::string> PercentOf(std::string_view text, std::string_view whole) const {
+    if (!text.ends_with('%')) return std::string(text);
+    text.remove_suffix(1);
+    const std::optional<double> percent = ToNumber(Trim(text));
+    const auto found = by_key_.find(whole);
+    if (!percent || found == by_key_.end()) return std::nullopt;
+    const std::optional<std::string> of = FirstOf(found->second->value);
+    const std::optional<double> number = of ? ToNumber(*of) : std::nullopt;
+    if (!number) return std::nullopt;
+    return PrintNumber(Quantise(*percent / 100 * *number));
+  }
+
+  static Converted Choice(std::string_view row, std::string_view text) {
+    const std::span<const OrcaChoice> all = OrcaChoices();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const OrcaChoice& choice) {
+      return choice.row == row && choice.from == text;
+    });
+    if (found == all.end()) return {};
+    return {std::string(found->to), found->exact};
+  }
+
+  /// Each kind of bed has two temperatures; those of the one that is in the printer count.
+  void TakeTemperaturesOfBed() {
+    struct Bed {
+      std::string_view type, key;
+    };
+    constexpr Bed kBeds[] = {{"High Temp Plate", "hot_plate_temp"},
+                             {"Cool Plate", "cool_plate_temp"},
+                             {"Engineering Plate", "eng_plate_temp"},
+                             {"Textured PEI Plate", "textured_plate_temp"},
+                             {"Textured Cool Plate", "textured_cool_plate_temp"},
+                             {"Supertack Plate", "supertack_plate_temp"}};
+    const auto type = by_key_.find("curr_bed_type");
+    const std::string in_printer =
+        type == by_key_.end() ? "" : FirstOf(type->second->value).value_or("");
+    const Bed* chosen = &kBeds[0];
+    for (const Bed& bed : kBeds) {
+      if (bed.type == in_printer) chosen = &bed;
+      for (const std::string_view ending : {"", "_initial_layer"}) {
+        const auto found = by_key_.find(std::string(bed.key) + std::string(ending));
+        if (found != by_key_.end()) known_.emplace(found->first);
+      }
+    }
+    known_.insert("curr_bed_type");
+    TakeTemperature(std::string(chosen->key), "bed_temperature");
+    TakeTemperature(std::string(chosen->key) + "_initial_layer", "first_layer_bed_temperature");
+  }
+
+  void TakeTemperature(const std::string& from, std::string_view to) {
+    const auto found = by_key_.find(from);
+    if (found == by_key_.end()) return;
+    if (const std::optional<std::string> first = FirstOf(found->second->value))
+      Set(to, *first, found->second->source);
+  }
+
+  void Set(std::string_view key, const std::string& value, Source source) {
+    const auto [at, first] = index_.emplace(key, settings_.size());
+    if (first) settings_.emplace_back();
+    settings_[at->second] = {std::string(key), value, source};
+  }
+
+  ByKey by_key_;
+  std::vector<Setting> settings_;
+  std::map<std::string, size_t, std::less<>> index_;  ///< into settings_
+  std::set<std::string, std::less<>> known_, inexact_;
+};
+
+}  // namespace
+
+std::vector<Setting> FromOrca(std::span<const Setting> settings,
+                              std::vector<std::string>* unknown) {
+  OrcaReader reader(settings);
+  for (const OrcaRow& row : OrcaRows()) reader.Apply(row);
+  if (unknown != nullptr) *unknown = reader.Unknown(settings);
+  return std::move(reader).Take();
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/model/options/setting.h"
+
+namespace slicefarm::config {
+
+/// Settings of OrcaSlicer or Bambu Studio under PrusaSlicer's names and with its values, in the
+/// order of our table, each once; what they were given for stays (`source`).
+///
+/// A list, as JSON (`["220","230"]`), counts with its first item. Widths and accelerations in
+/// percent become numbers, because PrusaSlicer relates them to other things; for that the settings
+/// they are percentages of must be among `settings`. Of the temperatures of several beds that of
+/// `curr_bed_type` counts. Placeholders in G-code become PrusaSlicer's, or, where it has none, the
+/// value that `settings` have; others stay, and are an error when the G-code is made.
+/// `unknown`: takes, in their order, the keys that PrusaSlicer has nothing for, and `key = value`
+/// where it has the setting and not the value. Cost: O(n log n).
+std::vector<Setting> FromOrca(std::span<const Setting> settings, std::vector<std::string>* unknown);
+
+}  // namespace slicefarm::config

@@ -1,0 +1,160 @@
+#include "common/config/projects/orca_settings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "common/config/projects/orca_table.h"
+#include "common/config/table/known_keys.h"
+#include "common/config/table/settings_table.h"
+
+namespace slicefarm::config {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct Case {
+  std::string name;
+  std::vector<Setting> from;
+  std::vector<std::string> to;  ///< "key = value"
+  std::vector<std::string> unknown = {};
+};
+
+std::vector<std::string> Lines(const std::vector<Setting>& settings) {
+  std::vector<std::string> lines;
+  for (const Setting& setting : settings) lines.push_back(setting.key + " = " + setting.value);
+  return lines;
+}
+
+TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
+  const std::vector<Case> cases = {
+      {"Nothing", {}, {}},
+      {"SameName", {{"layer_height", "0.2"}}, {"layer_height = 0.2"}},
+      {"Renamed", {{"wall_loops", "3"}}, {"perimeters = 3"}},
+      {"Percent", {{"sparse_infill_density", "15%"}}, {"fill_density = 15%"}},
+      {"PercentWithoutSign", {{"sparse_infill_density", "15"}}, {"fill_density = 15%"}},
+      {"FirstOfList", {{"nozzle_temperature", R"(["220","230"])"}}, {"temperature = 220"}},
+      {"EmptyList", {{"nozzle_temperature", "[]"}}, {}, {"nozzle_temperature = "}},
+      {"NotAList", {{"machine_start_gcode", "[wait] G28"}}, {"start_gcode = [wait] G28"}},
+      {"GcodeInList",
+       {{"filament_start_gcode", R"(["G1\nM104"])"}},
+       {R"(start_filament_gcode = G1\nM104)"}},
+      {"PlaceholdersByName",
+       {{"machine_start_gcode",
+         "M140 S[bed_temperature_initial_layer_single]\\nM109 "
+         "S{nozzle_temperature_initial_layer[initial_no_support_extruder]-5}"}},
+       {"start_gcode = M140 S[first_layer_bed_temperature]\\nM109 "
+        "S{first_layer_temperature[initial_extruder]-5}"}},
+      {"PlaceholdersByValue",
+       {{"machine_start_gcode",
+         R"({if curr_bed_type=="Cool Plate" && timelapse_type == 1}M1{endif}[scan_first_layer])"},
+        {"curr_bed_type", "Cool Plate"},
+        {"timelapse_type", "0"},
+        {"scan_first_layer", R"(["1"])"}},
+       {R"(start_gcode = {if "Cool Plate"=="Cool Plate" && 0 == 1}M1{endif}{1})"},
+       {"timelapse_type", "scan_first_layer"}},
+      {"FlowOfOuterWall",
+       {{"machine_end_gcode", "F{outer_wall_volumetric_speed/2.4053*60}"},
+        {"layer_height", "0.2"},
+        {"outer_wall_line_width", "0.4"},
+        {"outer_wall_speed", R"(["200"])"},
+        {"filament_max_volumetric_speed", R"(["12"])"}},
+       {"layer_height = 0.2", "external_perimeter_extrusion_width = 0.4",
+        "external_perimeter_speed = 200", "filament_max_volumetric_speed = 12",
+        "end_gcode = F{12/2.4053*60}"}},
+      {"EmptyGcode", {{"layer_change_gcode", ""}}, {"layer_gcode = "}},
+      {"Pattern", {{"sparse_infill_pattern", "tri-hexagon"}}, {"fill_pattern = stars"}},
+      {"PatternNobodyElseHas",
+       {{"sparse_infill_pattern", "crosshatch"}},
+       {},
+       {"sparse_infill_pattern = crosshatch"}},
+      {"AlmostTheSame",
+       {{"brim_type", "auto_brim"}},
+       {"brim_type = no_brim"},
+       {"brim_type = auto_brim"}},
+      {"Brim", {{"brim_type", "outer_only"}}, {"brim_type = outer_only"}},
+      {"Ears",
+       {{"brim_type", "brim_ears"}, {"brim_ears_max_angle", "90"}},
+       {"brim_type = brim_ears", "brim_ears_max_angle = 90"}},
+      {"Area",
+       {{"printable_area", R"(["0x0","256x0","256x256","0x256"])"}},
+       {"bed_shape = 0x0,256x0,256x256,0x256"}},
+      {"Flag",
+       {{"independent_support_layer_height", "1"}},
+       {"support_material_synchronize_layers = 0"}},
+      {"WidthInMm", {{"line_width", "0.42"}}, {"extrusion_width = 0.42"}},
+      {"WidthInPercent",
+       {{"line_width", "105%"}, {"nozzle_diameter", R"(["0.4"])"}},
+       {"extrusion_width = 0.42", "nozzle_diameter = 0.4"}},
+      {"WidthOfNothing", {{"line_width", "105%"}}, {}, {"line_width = 105%"}},
+      {"Acceleration",
+       {{"inner_wall_acceleration", "50%"}, {"default_acceleration", "5000"}},
+       {"default_acceleration = 5000", "perimeter_acceleration = 2500"}},
+      {"TwoOfOne", {{"ironing_type", "topmost"}}, {"ironing = 1", "ironing_type = topmost"}},
+      {"OneOfTwo", {{"ironing_type", "no ironing"}}, {"ironing = 0"}},
+      {"StyleOfSupports",
+       {{"support_style", "snug"}, {"support_type", "normal(manual)"}},
+       {"support_material_auto = 0", "support_material_style = snug"}},
+      {"UsualStyle",
+       {{"support_style", "default"}, {"support_type", "tree(auto)"}},
+       {"support_material_auto = 1", "support_material_style = organic"}},
+      {"BedInPrinter",
+       {{"curr_bed_type", "Textured PEI Plate"},
+        {"hot_plate_temp", R"(["50"])"},
+        {"textured_plate_temp", R"(["65"])"},
+        {"textured_plate_temp_initial_layer", R"(["70"])"}},
+       {"bed_temperature = 65", "first_layer_bed_temperature = 70"}},
+      {"UsualBed",
+       {{"hot_plate_temp", R"(["50"])"}, {"cool_plate_temp", R"(["35"])"}},
+       {"bed_temperature = 50"}},
+      {"Unknown", {{"z_foo", "1"}, {"a_bar", "2"}}, {}, {"z_foo", "a_bar"}},
+      {"LastOfTwo", {{"wall_loops", "3"}, {"wall_loops", "4"}}, {"perimeters = 4"}},
+  };
+  for (const Case& c : cases) {
+    std::vector<std::string> unknown;
+    EXPECT_EQ(Lines(FromOrca(c.from, &unknown)), c.to) << c.name;
+    EXPECT_EQ(unknown, c.unknown) << c.name;
+  }
+}
+
+TEST(FromOrca, KeepsWhoAsks) {
+  const std::vector<Setting> from = {{"wall_loops", "3", Source::kProfile},
+                                     {"layer_height", "0.1"}};
+  for (const Setting& setting : FromOrca(from, nullptr))
+    EXPECT_EQ(setting.source, setting.key == "perimeters" ? Source::kProfile : Source::kRequest);
+}
+
+/// No name of the table is misspelt: PrusaSlicer has it, or we do.
+TEST(OrcaTable, LeadsToKnownKeys) {
+  const std::set<std::string_view> of_objects = {"extruder"};  // in no config.ini
+  for (const OrcaRow& row : OrcaRows()) {
+    const bool known = FindSetting(row.to) >= 0 || FindKnownKey(row.to) != nullptr;
+    EXPECT_TRUE(known || of_objects.contains(row.to)) << row.to;
+  }
+}
+
+TEST(OrcaTable, VariablesAreNoSettings) {
+  for (const OrcaVariable& variable : OrcaVariables()) {
+    for (const OrcaRow& row : OrcaRows()) EXPECT_NE(row.from, variable.from);
+  }
+}
+
+TEST(OrcaTable, ChoicesBelongToRows) {
+  for (const OrcaChoice& choice : OrcaChoices()) {
+    const bool has_row = std::ranges::any_of(OrcaRows(), [&](const OrcaRow& row) {
+      return row.to == choice.row && row.value == OrcaValue::kChoice;
+    });
+    EXPECT_TRUE(has_row) << choice.row;
+  }
+  for (const OrcaRow& row : OrcaRows()) {
+    const bool has_choice = std::ranges::any_of(
+        OrcaChoices(), [&](const OrcaChoice& choice) { return choice.row == row.to; });
+    EXPECT_EQ(has_choice, row.value == OrcaValue::kChoice) << row.from;
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::config

@@ -1,0 +1,170 @@
+#include "common/config/projects/project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "absl/strings/escaping.h"
+#include "common/base/error.h"
+#include "common/config/projects/orca_settings.h"
+
+namespace slicefarm::config {
+namespace {
+
+using Settings = std::vector<Setting>;
+
+void SetSource(Source source, Settings& settings) {
+  for (Setting& setting : settings) setting.source = source;
+}
+
+/// Translates settings of a project in OrcaSlicer's dialect.
+class Translator {
+ public:
+  explicit Translator(Project& project) : project_(project), project_settings_(project.settings) {
+    SetSource(Source::kProfile, project_settings_);
+  }
+
+  void Run() {
+    project_.settings = OfProject();
+    for (ProjectPlate& plate : project_.plates) Translate(plate.name, plate.settings);
+    for (SceneObject& object : project_.objects) {
+      Translate(object.name, object.settings);
+      for (Part& part : object.parts) Translate(object.name + ", " + part.name, part.settings);
+      for (HeightRange& range : object.ranges)
+        Translate(fmt::format("{}, {} mm to {} mm", object.name, range.from_mm, range.to_mm),
+                  range.settings);
+    }
+  }
+
+ private:
+  Settings OfProject() {
+    std::vector<std::string> unknown;
+    Settings settings = FromOrca(project_settings_, &unknown);
+    Tell("", unknown);
+    told_.insert(unknown.begin(), unknown.end());
+    return settings;
+  }
+
+  /// Percentages relate to settings of the project, which must be at hand; the source tells the
+  /// place's own from them.
+  void Translate(const std::string& place, Settings& own) {
+    if (own.empty()) return;
+    SetSource(Source::kRequest, own);
+    Settings all = project_settings_;
+    all.insert(all.end(), own.begin(), own.end());
+    std::vector<std::string> unknown;
+    own = FromOrca(all, &unknown);
+    std::erase_if(unknown, [this](const std::string& text) { return told_.contains(text); });
+    Tell(place, unknown);
+    std::erase_if(own, [](const Setting& setting) { return setting.source != Source::kRequest; });
+  }
+
+  void Tell(const std::string& place, const std::vector<std::string>& unknown) {
+    for (const std::string& text : unknown)
+      project_.without_effect.push_back(place.empty() ? text : place + ": " + text);
+  }
+
+  Project& project_;
+  Settings project_settings_;
+  std::set<std::string> told_;  ///< of the project
+};
+
+/// That a part is printed with the usual tool, or the first one, says nothing yet.
+bool IsUsualTool(const Setting& setting) {
+  return setting.key == "extruder" && (setting.value == "0" || setting.value == "1");
+}
+
+void MakeProfile(Settings& settings) {
+  SetSource(Source::kProfile, settings);
+  std::erase_if(settings, IsUsualTool);
+}
+
+void MakeProfiles(Project& project) {
+  MakeProfile(project.settings);
+  for (ProjectPlate& plate : project.plates) MakeProfile(plate.settings);
+  for (SceneObject& object : project.objects) {
+    MakeProfile(object.settings);
+    for (Part& part : object.parts) MakeProfile(part.settings);
+    for (HeightRange& range : object.ranges) MakeProfile(range.settings);
+  }
+}
+
+absl::Status NotAPlate(const Project& project, const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message,
+                   {{"field", "plate"}, {"plates", fmt::format("{}", project.plates.size())}});
+}
+
+std::string PlatesText(const Project& project) {
+  std::string text;
+  for (size_t i = 0; i < project.plates.size(); ++i) {
+    if (project.plates[i].members.empty()) continue;
+    const std::string& name = project.plates[i].name;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", i + 1,
+                        name.empty() ? "" : " (\"" + absl::Utf8SafeCEscape(name) + "\")");
+  }
+  return text;
+}
+
+/// From 0. A project without plates has one.
+absl::StatusOr<size_t> ChosenPlate(const Project& project, int plate) {
+  const auto count = std::max<size_t>(project.plates.size(), 1);
+  if (plate < 0 || static_cast<size_t>(plate) > count) {
+    return NotAPlate(project, fmt::format("the project has no plate {}: it has {}", plate, count));
+  }
+  if (plate > 0) return static_cast<size_t>(plate) - 1;
+  const auto is_used = [](const ProjectPlate& each) { return !each.members.empty(); };
+  if (std::ranges::count_if(project.plates, is_used) > 1) {
+    return NotAPlate(project, "the project has several plates, and a job prints one; choose from " +
+                                  PlatesText(project));
+  }
+  const auto used = std::ranges::find_if(project.plates, is_used);
+  return used == project.plates.end() ? 0 : static_cast<size_t>(used - project.plates.begin());
+}
+
+std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
+  std::vector<SceneObject> objects = project.objects;
+  if (!project.plates.empty()) {
+    for (SceneObject& object : objects) object.instances.clear();
+    for (const ProjectPlate::Member& member : project.plates[plate].members) {
+      const auto object = static_cast<size_t>(member.object);
+      objects[object].instances.push_back(
+          project.objects[object].instances[static_cast<size_t>(member.instance)]);
+    }
+  }
+  for (SceneObject& object : objects)
+    std::erase_if(object.instances, [](const Instance& instance) { return !instance.printable; });
+  std::erase_if(objects, [](const SceneObject& object) { return object.instances.empty(); });
+  return objects;
+}
+
+}  // namespace
+
+Project InPrusaNames(Project project) {
+  if (project.dialect == SettingsDialect::kOrca) Translator(project).Run();
+  project.dialect = SettingsDialect::kPrusa;
+  MakeProfiles(project);
+  return project;
+}
+
+absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
+  const absl::StatusOr<size_t> chosen = ChosenPlate(given, plate);
+  if (!chosen.ok()) return chosen.status();
+  Project project = InPrusaNames(given);
+  ProjectJob job;
+  job.objects = ObjectsOn(project, *chosen);
+  if (job.objects.empty()) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+                     fmt::format("plate {} has no object that is to be printed", *chosen + 1));
+  }
+  job.settings = std::move(project.settings);
+  if (!project.plates.empty())
+    std::ranges::move(project.plates[*chosen].settings, std::back_inserter(job.settings));
+  job.without_effect = std::move(project.without_effect);
+  for (const std::string& part : given.without_effect)
+    job.warnings.push_back(part + ": without effect");
+  return job;
+}
+
+}  // namespace slicefarm::config

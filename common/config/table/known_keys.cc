@@ -1,0 +1,142 @@
+#include "common/config/table/known_keys.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "common/base/text.h"
+
+namespace slicefarm::config {
+namespace {
+
+constexpr std::string_view kNotYet = "not supported yet";
+constexpr std::string_view kProfile = "describes the profile, not the print";
+constexpr std::string_view kSending = "concerns sending files to a printer";
+constexpr std::string_view kResin = "concerns resin printers";
+
+/// What a profile switches on and off, with the value that asks for what is done anyway.
+constexpr KnownKey kSwitches[] = {
+    // These change the part or whether it prints at all.
+    {"fuzzy_skin", kNotYet, "none", true, true},
+    {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true},
+    {"post_process", "scripts are never run", "", true, true},
+    {"printer_technology", kResin, "FFF", true, true},
+    {"single_extruder_multi_material", kNotYet, "0", true, true},
+    {"spiral_vase", kNotYet, "0", true, true},
+    {"support_material", kNotYet, "0", true, true},
+    {"use_firmware_retraction", kNotYet, "0", true, true},
+    {"use_volumetric_e", kNotYet, "0", true, true},
+    // These make it better or different in detail.
+    {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
+    {"automatic_infill_combination", kNotYet, "0", true},
+    {"binary_gcode", kNotYet, "0", true},
+    {"chamber_temperature", kNotYet, "0", true},
+    {"colorprint_heights", kNotYet, "", true},
+    {"extra_perimeters", kNotYet, "0", true},
+    {"extruder", kNotYet, "1", true},
+    {"extruder_offset", kNotYet, "0x0", true},
+    {"extrusion_axis", kNotYet, "E", true},
+    {"filament_shrinkage_compensation_xy", kNotYet, "0", true},
+    {"filament_shrinkage_compensation_z", kNotYet, "0", true},
+    {"gcode_comments", kNotYet, "0", true},
+    {"infill_extruder", kNotYet, "1", true},
+    {"interface_shells", kNotYet, "0", true},
+    {"interlocking_beam", kNotYet, "0", true},
+    {"only_one_perimeter_first_layer", kNotYet, "0", true},
+    {"ooze_prevention", kNotYet, "0", true},
+    {"overhangs", kNotYet, "0", true},
+    {"perimeter_extruder", kNotYet, "1", true},
+    {"prefer_clockwise_movements", kNotYet, "0", true},
+    {"resolution", "outline_resolution is the setting here", "0", true},
+    {"solid_infill_extruder", kNotYet, "1", true},
+    {"support_material_enforce_layers", kNotYet, "0", true},
+    {"toolchange_gcode", kNotYet, "", true},
+    {"top_one_perimeter_type", kNotYet, "none", true},
+    {"travel_ramping_lift", kNotYet, "0", true},
+    {"use_relative_e_distances", "extrusion is always relative", "1", true},
+    {"wipe_into_infill", kNotYet, "0", true},
+    {"wipe_into_objects", kNotYet, "0", true},
+    {"wipe_tower", kNotYet, "0", true},
+};
+
+struct Group {
+  std::string_view why;
+  std::string_view keys;  // by spaces; `*` at the end: all that begin so
+  bool told = true;
+};
+
+/// Settings of features that are not there yet, and those that no slicing ever looks at.
+constexpr Group kGroups[] = {
+    {kNotYet,
+     "autoemit_temperature_commands "
+     "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
+     "bed_temperature_extruder chamber_minimal_temperature clip_multipart_objects "
+     "color_change_gcode cooling_tube_* dont_support_bridges "
+     "extra_loading_move filament_abrasive "
+     "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
+     "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
+     "filament_ramming_parameters filament_retract_length_toolchange "
+     "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
+     "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
+     "filament_unload_time filament_unloading_* fuzzy_skin_* gcode_resolution "
+     "high_current_on_filament_swap idle_temperature "
+     "interlocking_* max_layer_height "
+     "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
+     "over_bridge_speed parking_pos_retraction pause_print_gcode retract_length_toolchange "
+     "retract_restart_extra_toolchange seam_gap_distance silent_mode "
+     "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
+     "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
+     "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
+     "travel_slope variable_layer_height "
+     "wipe_tower_* wiping_volumes_*"},
+    {kProfile,
+     "bed_custom_model bed_custom_texture color_change_* default_filament_profile "
+     "default_print_profile default_sla_* extruder_colour filament_notes filament_spool_weight "
+     "filament_vendor inherits inherits_* notes output_filename_format "
+     "physical_printer_settings_id preset_name preset_names print_settings_id printer_notes "
+     "printer_settings_id printer_variant printer_vendor profile_vendor profile_version"},
+    {kProfile, "compatible_*", false},
+    {kSending, "host_type print_host printhost_* octoprint_* serial_*", false},
+    {kResin, "sla_* faded_layers exposure_* pad_* hollowing_* area_fill display_* tilt_*", false},
+    {"--threads is the option here", "threads", false},
+};
+
+std::vector<KnownKey> MakeTable() {
+  std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
+  for (const Group& group : kGroups) {
+    for (const std::string_view key : Split(group.keys, " ")) {
+      table.push_back({.key = key, .why = group.why, .told = group.told});
+    }
+  }
+  return table;
+}
+
+bool Matches(std::string_view pattern, std::string_view key) {
+  if (!pattern.ends_with("*")) return pattern == key;
+  return key.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
+bool SameValue(std::string_view a, std::string_view b) {
+  const auto x = ToNumber(a);
+  const auto y = ToNumber(b);
+  return x.has_value() && y.has_value() ? *x == *y : a == b;
+}
+
+}  // namespace
+
+const KnownKey* FindKnownKey(std::string_view key) {
+  static const std::vector<KnownKey>& table = *new std::vector<KnownKey>(MakeTable());
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const KnownKey& k) { return Matches(k.key, key); });
+  return found == table.end() ? nullptr : &*found;
+}
+
+bool IsNeutral(const KnownKey& key, std::string_view value) {
+  if (!key.has_neutral) return false;
+  if (value == "\"\"") value = "";  // an empty text in a list
+  const std::vector<std::string_view> items = Split(value, ",;");
+  return std::all_of(items.begin(), items.end(),
+                     [&](std::string_view item) { return SameValue(Trim(item), key.neutral); });
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "common/config/value.h"
+#include "common/model/options/settings.h"
+
+namespace slicefarm::config {
+
+enum class Kind {
+  kFlag,  ///< 0 or 1
+  kInteger,
+  kNumber,
+  kPercent,          ///< `20%`, or `20`
+  kNumberOrPercent,  ///< a number, or a percentage of the setting `relative_to`
+  kChoice,           ///< one of `choices`
+  kText,             ///< one line
+  kGcode,            ///< lines of G-code, `\n` between them
+  kBedShape,
+  kSizes,
+  // JSON on one line (common/model/fields/field_text.h); empty: none
+  kDensityField,
+  kStressField,
+  kMaterialField,
+  kAngles,  ///< angles by layer (common/model/options/fill_angles.h); empty: none
+};
+
+/// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`
+/// then says what is done instead, and the value counts as one without full effect.
+struct Choice {
+  std::string_view name;
+  int value = 0;
+  std::string_view note = {};
+};
+
+/// Whether the setting is a list in a config.ini; its first item counts.
+enum class List {
+  kNone,
+  kPerExtruder,  ///< one item per extruder
+  kPerMode,      ///< normal and silent mode of the machine
+};
+
+/// The narrowest place where a setting may be given; wider ones are fine as well.
+enum class Scope {
+  kJob,     ///< one value for all
+  kObject,  ///< an object may have its own
+  kRegion,  ///< so may a part, a modifier and a range of heights
+};
+
+/// Where a value lives in JobSettings: in the first row of its tables.
+struct Field {
+  void (*set)(JobSettings&, const Value&) = nullptr;
+  Value (*get)(const JobSettings&) = nullptr;
+};
+
+/// What a config.ini writes for "no value".
+inline constexpr std::string_view kNotSet = "nil";
+
+/// One setting: all that reading, checking, documenting and printing it takes.
+struct SettingSpec {
+  std::string_view key;
+  Kind kind = Kind::kNumber;
+  std::string_view unit = {};
+  double min = 0;  ///< of numbers, in `unit`; of kNumberOrPercent, for what the percentage comes to
+  double max = 0;
+  std::string_view standard = {};  ///< the value when none is given, as a config.ini writes it
+  std::string_view doc = {};
+  std::vector<Choice> choices = {};
+  std::string_view relative_to = {};
+  std::string_view percent_of = {};  ///< where it relates to no setting: to what, in words
+  List list = List::kNone;
+  Scope scope = Scope::kJob;
+  Field field = {};  ///< none: it works through other settings only (derive.h)
+  Field also = {};   ///< a second place for the same value
+};
+
+/// How the number in a field differs from the setting's.
+enum class Scale { kSame, kPercent, kDegrees };
+
+namespace internal {
+
+constexpr double Divisor(Scale scale) {
+  return scale == Scale::kPercent ? 100 : scale == Scale::kDegrees ? 180 / std::numbers::pi : 1;
+}
+
+template <class T>
+void Store(T& member, const Value& value, double divisor) {
+  if constexpr (std::is_same_v<T, double>) {
+    member = value.number / divisor;
+  } else if constexpr (std::is_same_v<T, Coord>) {
+    member = FromMm(value.number);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    member = value.text;
+  } else if constexpr (std::is_same_v<T, Polygon>) {
+    if (auto bed = ParseBedShape(value.text); bed.ok()) member = *std::move(bed);
+  } else if constexpr (std::is_class_v<T>) {
+    if (auto sizes = ParseSizes(value.text); sizes.ok()) member = *std::move(sizes);
+  } else {
+    member = static_cast<T>(std::lround(value.number));
+  }
+}
+
+template <class T>
+Value Load(const T& member, double divisor) {
+  if constexpr (std::is_same_v<T, double>) {
+    return {.number = Quantise(member * divisor)};
+  } else if constexpr (std::is_same_v<T, Coord>) {
+    return {.number = Quantise(ToMm(member))};
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return {.text = member};
+  } else if constexpr (std::is_same_v<T, Polygon>) {
+    return {.text = PrintBedShape(member)};
+  } else if constexpr (std::is_class_v<T>) {
+    return {.text = PrintSizes(member)};
+  } else {
+    return {.number = static_cast<double>(member)};
+  }
+}
+
+}  // namespace internal
+
+/// The field that `member` names, which takes its type's own conversion: Coord from mm,
+/// enumerations by number.
+///     Bind([](auto& s) -> auto& { return s.slicing.objects[0].layer_height_nm; })
+template <Scale kScale = Scale::kSame, class Member>
+Field Bind(Member) {
+  static_assert(std::is_empty_v<Member>, "the lambda must not capture");
+  constexpr double kDivisor = internal::Divisor(kScale);
+  return {[](JobSettings& s, const Value& v) { internal::Store(Member{}(s), v, kDivisor); },
+          [](const JobSettings& s) { return internal::Load(Member{}(s), kDivisor); }};
+}
+
+}  // namespace slicefarm::config

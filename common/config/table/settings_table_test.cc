@@ -1,0 +1,258 @@
+#include "common/config/table/settings_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/config/table/known_keys.h"
+
+namespace slicefarm::config {
+namespace {
+
+using testing::HasSubstr;
+
+bool IsNumeric(const SettingSpec& spec) {
+  return spec.kind == Kind::kInteger || spec.kind == Kind::kNumber || spec.kind == Kind::kPercent ||
+         spec.kind == Kind::kNumberOrPercent;
+}
+
+/// Old profiles have other names for the same value; the first one is printed.
+bool IsOtherSpelling(const Choice& choice, const SettingSpec& spec) {
+  return std::ranges::any_of(spec.choices, [&](const Choice& other) {
+    return &other < &choice && other.note.empty() && other.value == choice.value;
+  });
+}
+
+/// Values of the setting that differ from each other, as a config.ini writes them.
+std::vector<std::string> Samples(const SettingSpec& spec) {
+  switch (spec.kind) {
+    case Kind::kFlag:
+      return {"0", "1"};
+    case Kind::kChoice: {
+      std::vector<std::string> names;
+      for (const Choice& choice : spec.choices) {
+        if (choice.note.empty() && !IsOtherSpelling(choice, spec)) names.emplace_back(choice.name);
+      }
+      return names;
+    }
+    case Kind::kText:
+      return spec.list == List::kNone ? std::vector<std::string>{"MK4", "two words; and \\\\"}
+                                      : std::vector<std::string>{"PLA", "\"two words; \\\"q\\\"\""};
+    case Kind::kGcode:
+      return spec.list == List::kNone ? std::vector<std::string>{"G28", "G28 ; home\\nM84", ""}
+                                      : std::vector<std::string>{"G28", "\"G28 ; home\\nM84\"", ""};
+    case Kind::kBedShape:
+      return {"0x0,250x0,250x210,0x210", "-50.5x-50,50x-50,0x50.000001"};
+    case Kind::kSizes:
+      return {"", "16x16", "32x32,300x200"};
+    case Kind::kDensityField:
+      return {"", R"({"kind":"height","table":[[0,0.2],[5,0.25]],"law":"simp"})"};
+    case Kind::kStressField:
+      return {
+          "",
+          R"({"kind":"voxels","count":[1,1,1],"origin":[0,0,0],"spacing":[1,1,1],"stress":[1,0,0.5]})"};
+    case Kind::kMaterialField:
+      return {
+          "",
+          R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
+    case Kind::kAngles:
+      return {"", "0,90", "45#2,+30"};
+    case Kind::kPercent:
+      return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%", "33.3%"};
+    default: {
+      double middle = Quantise((spec.min + spec.max) / 2);
+      if (spec.kind == Kind::kInteger) middle = std::floor(middle);
+      return {PrintNumber(spec.min), PrintNumber(spec.max), PrintNumber(middle)};
+    }
+  }
+}
+
+class EverySetting : public testing::TestWithParam<int> {
+ protected:
+  const SettingSpec& spec() const { return SettingsTable()[GetParam()]; }
+};
+
+TEST_P(EverySetting, IsDescribed) {
+  EXPECT_FALSE(spec().doc.empty());
+  EXPECT_FALSE(DescribeRange(spec()).empty());
+  if (IsNumeric(spec())) {
+    EXPECT_LT(spec().min, spec().max);
+  }
+  if (spec().kind == Kind::kChoice) {
+    EXPECT_GE(Samples(spec()).size(), 2);
+  }
+}
+
+TEST_P(EverySetting, IsFoundByItsKeyAndByNoOtherTable) {
+  EXPECT_EQ(FindSetting(spec().key), GetParam());
+  const KnownKey* known = FindKnownKey(spec().key);
+  EXPECT_TRUE(known == nullptr || known->key.ends_with('*')) << "claims to have no effect";
+}
+
+TEST_P(EverySetting, HasAStandardInItsRange) {
+  if (spec().standard == kNotSet) return;
+  const auto value = ParseValue(spec(), spec().standard);
+  EXPECT_TRUE(value.ok()) << value.status();
+}
+
+TEST_P(EverySetting, PrintsWhatItReads) {
+  for (const std::string& sample : Samples(spec())) {
+    const auto value = ParseValue(spec(), sample);
+    ASSERT_TRUE(value.ok()) << value.status();
+    EXPECT_EQ(PrintValue(spec(), *value), sample);
+  }
+}
+
+TEST_P(EverySetting, ReachesItsFieldsAndComesBack) {
+  if (spec().field.set == nullptr) return;
+  std::set<std::string> seen;
+  for (const std::string& sample : Samples(spec())) {
+    const auto value = ParseValue(spec(), sample);
+    ASSERT_TRUE(value.ok()) << value.status();
+    JobSettings settings;
+    spec().field.set(settings, *value);
+    EXPECT_EQ(PrintValue(spec(), spec().field.get(settings)),
+              sample == "0" && spec().key.starts_with("first_layer_speed") ? "100%" : sample);
+    seen.insert(PrintValue(spec(), spec().field.get(settings)));
+    if (spec().also.set == nullptr) continue;
+    spec().also.set(settings, *value);
+    EXPECT_EQ(spec().also.get(settings), spec().field.get(settings));
+  }
+  EXPECT_EQ(seen.size(), Samples(spec()).size());
+}
+
+TEST_P(EverySetting, RefusesWhatIsOutOfRange) {
+  if (!IsNumeric(spec())) return;
+  for (const double number : {spec().min - 1, spec().max + 1}) {
+    const std::string written = PrintNumber(number);
+    const auto value = ParseValue(spec(), written);
+    ASSERT_FALSE(value.ok()) << written;
+    const ErrorDetail detail = DetailOf(value.status());
+    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange);
+    EXPECT_EQ(detail.metadata.at("setting"), spec().key);
+    EXPECT_EQ(detail.metadata.at("value"), written);
+    EXPECT_EQ(detail.metadata.at("min"), PrintNumber(spec().min));
+    EXPECT_EQ(detail.metadata.at("max"), PrintNumber(spec().max));
+    EXPECT_THAT(std::string(value.status().message()), HasSubstr(std::string(spec().key)));
+    EXPECT_THAT(std::string(value.status().message()), HasSubstr(written));
+  }
+}
+
+TEST_P(EverySetting, RefusesWhatIsMalformed) {
+  if (spec().kind == Kind::kText || spec().kind == Kind::kGcode) {
+    EXPECT_EQ(DetailOf(ParseValue(spec(), "bell\a").status()).reason, Reason::kSettingMalformed);
+    return;
+  }
+  for (const char* text : {"banana", "0.5.5", "%", "\xff"}) {
+    const auto value = ParseValue(spec(), text);
+    ASSERT_FALSE(value.ok()) << text;
+    EXPECT_EQ(DetailOf(value.status()).reason, Reason::kSettingMalformed) << value.status();
+    EXPECT_EQ(DetailOf(value.status()).metadata.at("setting"), spec().key);
+  }
+}
+
+TEST_P(EverySetting, TakesTheFirstOfAList) {
+  if (spec().list == List::kNone) return;
+  const bool text = spec().kind == Kind::kText || spec().kind == Kind::kGcode;
+  for (const std::string& sample : Samples(spec())) {
+    const auto one = ParseValue(spec(), sample);
+    const auto two = ParseValue(spec(), sample + (text ? ";other" : " ,9999"));
+    ASSERT_TRUE(two.ok()) << two.status();
+    EXPECT_EQ(*two, *one);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EverySetting,
+                         testing::Range(0, static_cast<int>(SettingsTable().size())),
+                         [](const auto& info) {
+                           return std::string(SettingsTable()[info.param].key);
+                         });
+
+TEST(SettingsTable, IsSortedWithoutRepetition) {
+  const auto table = SettingsTable();
+  for (size_t i = 1; i < table.size(); ++i) EXPECT_LT(table[i - 1].key, table[i].key);
+}
+
+TEST(SettingsTable, RelatesToSettingsOfItsOwn) {
+  for (const SettingSpec& spec : SettingsTable()) {
+    if (spec.relative_to.empty()) continue;
+    EXPECT_GE(FindSetting(spec.relative_to), 0) << spec.key;
+  }
+}
+
+TEST(SettingsTable, HasNoTwoSettingsForOneField) {
+  // Each setting changes its own text and no other's.
+  for (const SettingSpec& changed : SettingsTable()) {
+    if (changed.field.set == nullptr) continue;
+    JobSettings settings;
+    const JobSettings before;
+    for (const std::string& sample : Samples(changed)) {
+      changed.field.set(settings, *ParseValue(changed, sample));
+      if (changed.also.set) changed.also.set(settings, *ParseValue(changed, sample));
+      for (const SettingSpec& other : SettingsTable()) {
+        if (other.field.get == nullptr || other.key == changed.key) continue;
+        EXPECT_EQ(other.field.get(settings), other.field.get(before))
+            << changed.key << " changes " << other.key;
+      }
+    }
+  }
+}
+
+TEST(FindSetting, KnowsOnlyTheTable) {
+  EXPECT_EQ(FindSetting(""), -1);
+  EXPECT_EQ(FindSetting("zzz"), -1);
+  EXPECT_EQ(FindSetting("layer_heigh"), -1);
+}
+
+TEST(ParseValue, ShortensWhatItQuotes) {
+  const SettingSpec& spec = SettingsTable()[FindSetting("layer_height")];
+  const auto value = ParseValue(spec, std::string(100'000, '9'));
+  ASSERT_FALSE(value.ok());
+  EXPECT_LT(value.status().message().size(), 300);
+}
+
+TEST(ParseValue, RefusesNewlinesInNames) {
+  // Such a text is quoted in a comment of the G-code: what follows a newline would be a command.
+  for (const char* key : {"filament_type", "filament_colour", "filament_settings_id"}) {
+    EXPECT_FALSE(ParseValue(SettingsTable()[FindSetting(key)], "\"PLA\\nM112\"").ok()) << key;
+  }
+  EXPECT_FALSE(ParseValue(SettingsTable()[FindSetting("printer_model")], "MK4\\nM112").ok());
+}
+
+TEST(ParseValue, ReadsPercentWithAndWithoutItsSign) {
+  const SettingSpec& spec = SettingsTable()[FindSetting("fill_density")];
+  EXPECT_EQ(ParseValue(spec, "20%")->number, 20);
+  EXPECT_EQ(ParseValue(spec, "20")->number, 20);
+}
+
+TEST(KnownKeys, SayWhy) {
+  for (const char* key :
+       {"support_material", "wipe_tower", "compatible_printers_condition_cummulative", "print_host",
+        "post_process", "support_tree_angle"}) {
+    ASSERT_NE(FindKnownKey(key), nullptr) << key;
+    EXPECT_FALSE(FindKnownKey(key)->why.empty()) << key;
+  }
+  EXPECT_EQ(FindKnownKey("banana"), nullptr);
+  EXPECT_EQ(FindKnownKey(""), nullptr);
+}
+
+TEST(KnownKeys, KnowWhichValueAsksForNothing) {
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("support_material"), "0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material"), "1"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("overhangs"), "0.0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,0x0"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("extruder_offset"), "0x0,1x0"));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), ""));
+  EXPECT_TRUE(IsNeutral(*FindKnownKey("post_process"), "\"\""));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("post_process"), "rm.sh"));
+  EXPECT_FALSE(IsNeutral(*FindKnownKey("support_material_xy_spacing"), "0"));
+}
+
+}  // namespace
+}  // namespace slicefarm::config

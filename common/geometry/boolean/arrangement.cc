@@ -1,0 +1,304 @@
+#include "common/geometry/boolean/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/boolean/near_edges.h"
+#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/measure.h"
+
+namespace slicefarm::internal {
+namespace {
+
+/// What is nearer than this is in doubtful order.
+constexpr double kDoubtNm = 0.5;
+/// Edges looked at from rings' starts, in all, before it is given up: a tenth of a second.
+constexpr int64_t kMostLooks = 100'000'000;
+
+/// A crossing as met along one of its two edges.
+struct Stop {
+  int32_t ring = 0;
+  int32_t edge = 0;
+  double along_nm = 0;  ///< from the edge's start
+  int32_t change = 0;   ///< of the winding number to the left of the ring
+  int32_t crossing = 0;
+  int32_t winding = 0;  ///< to the left of what follows
+  bool used = false;
+
+  friend bool operator<(const Stop& a, const Stop& b) {
+    if (a.ring != b.ring) return a.ring < b.ring;
+    return a.edge != b.edge ? a.edge < b.edge : a.along_nm < b.along_nm;
+  }
+};
+
+struct Crossing {
+  Point place;
+  int32_t stops[2] = {0, 0};
+};
+
+class Arrangement {
+ public:
+  Arrangement(std::span<const GroupedRing> rings, int least) : rings_(rings), least_(least) {}
+
+  std::optional<MultiPolygon> Run() {
+    if (!CollectEdges() || !FindCrossings() || !SortStops()) return std::nullopt;
+    for (size_t ring = 0; ring < rings_.size(); ++ring)
+      if (!CountAlong(static_cast<int32_t>(ring))) return std::nullopt;
+    if (!Trace()) return std::nullopt;
+    return Assemble();
+  }
+
+ private:
+  const Polygon& Points(int32_t ring) const { return rings_[ring].points; }
+
+  bool CollectEdges() {
+    size_t count = 0;
+    for (const GroupedRing& ring : rings_) {
+      if (ring.points.size() < 3) return false;
+      count += ring.points.size();
+    }
+    edges_.reserve(count);
+    for (size_t i = 0; i < rings_.size(); ++i) AppendRing(static_cast<int32_t>(i));
+    by_ring_ = edges_;
+    return std::none_of(edges_.begin(), edges_.end(),
+                        [](const BoxedEdge& edge) { return edge.from == edge.to; });
+  }
+
+  void AppendRing(int32_t ring) {
+    edge_begin_.push_back(edges_.size());
+    boxes_.push_back(Bounds(Points(ring)));
+    AppendBoxedEdges(Points(ring), ring, edges_);
+  }
+
+  bool FindCrossings() {
+    return ForEachNearPair(edges_, [this](const BoxedEdge& e, const BoxedEdge& f) {
+      const int group = rings_[e.ring].group;
+      if (group != GroupedRing::kMayMeetAny && group == rings_[f.ring].group) return true;
+      return NoteCrossing(e, f);
+    });
+  }
+
+  /// Whether f follows e around a corner of a ring.
+  bool Follows(const BoxedEdge& e, const BoxedEdge& f) const {
+    if (e.ring != f.ring) return false;
+    const auto size = static_cast<int32_t>(Points(e.ring).size());
+    return (e.index + 1) % size == f.index;
+  }
+
+  /// Notes where e and f cross. False if they touch.
+  bool NoteCrossing(const BoxedEdge& e, const BoxedEdge& f) {
+    const int f_from = Orientation(e.from, e.to, f.from), f_to = Orientation(e.from, e.to, f.to);
+    if (Follows(e, f)) return f_to != 0 || Dot(e.to - e.from, f.to - f.from) > 0;
+    if (Follows(f, e)) return f_from != 0 || Dot(e.to - e.from, f.to - f.from) > 0;
+    if (f_from * f_to > 0) return true;
+    const int e_from = Orientation(f.from, f.to, e.from), e_to = Orientation(f.from, f.to, e.to);
+    if (e_from * e_to > 0) return true;
+    if (f_from == 0 || f_to == 0 || e_from == 0 || e_to == 0) return false;
+    const Point de = e.to - e.from, df = f.to - f.from, between = f.from - e.from;
+    const double denominator = Cross(de, df);
+    const double t = Cross(between, df) / denominator, s = Cross(between, de) / denominator;
+    const auto crossing = static_cast<int32_t>(crossings_.size());
+    crossings_.push_back({e.from + Point{std::llround(t * static_cast<double>(de.x)),
+                                         std::llround(t * static_cast<double>(de.y))}});
+    // To the left of f it is one more than to the right.
+    stops_.push_back({e.ring, e.index, t * Norm(de), f_to > 0 ? -1 : 1, crossing});
+    stops_.push_back({f.ring, f.index, s * Norm(df), e_to > 0 ? -1 : 1, crossing});
+    return true;
+  }
+
+  bool SortStops() {
+    std::sort(stops_.begin(), stops_.end());
+    ring_begin_.assign(rings_.size() + 1, 0);
+    std::vector<int> seen(crossings_.size(), 0);
+    for (size_t i = 0; i < stops_.size(); ++i) {
+      const Stop& stop = stops_[i];
+      ++ring_begin_[stop.ring + 1];
+      crossings_[stop.crossing].stops[seen[stop.crossing]++] = static_cast<int32_t>(i);
+      if (i == 0) continue;
+      const Stop& before = stops_[i - 1];
+      if (before.ring == stop.ring && before.edge == stop.edge &&
+          stop.along_nm - before.along_nm < kDoubtNm) {
+        return false;
+      }
+    }
+    for (size_t ring = 0; ring < rings_.size(); ++ring) ring_begin_[ring + 1] += ring_begin_[ring];
+    return true;
+  }
+
+  /// Sets the winding numbers along a ring. False if in doubt.
+  bool CountAlong(int32_t ring) {
+    const int32_t begin = ring_begin_[ring], end = ring_begin_[ring + 1];
+    const std::optional<int> at_start = WindingAtStart(ring);
+    if (!at_start) return false;
+    whole_winding_.push_back(*at_start);
+    int winding = *at_start;
+    for (int32_t i = begin; i < end; ++i) stops_[i].winding = winding += stops_[i].change;
+    return winding == *at_start;
+  }
+
+  /// The winding number to the left of a ring's first edge, at its start.
+  std::optional<int> WindingAtStart(int32_t ring) {
+    // Along a level edge a level ray sees nothing: go on to one that rises or falls, and undo the
+    // stops on the way.
+    const Polygon& points = Points(ring);
+    const auto size = static_cast<int32_t>(points.size());
+    const auto next = [&](int32_t i) { return i + 1 == size ? 0 : i + 1; };
+    int32_t edge = 0;
+    while (edge < size && points[edge].y == points[next(edge)].y) ++edge;
+    if (edge == size) return std::nullopt;
+    int winding = 0;
+    double limit = Distance(points[edge], points[next(edge)]);
+    const double length = limit;
+    for (int32_t i = ring_begin_[ring]; i < ring_begin_[ring + 1]; ++i) {
+      if (stops_[i].edge < edge) winding -= stops_[i].change;
+      if (stops_[i].edge == edge) limit = std::min(limit, stops_[i].along_nm);
+    }
+    const Point from = points[edge], d = points[next(edge)] - from;
+    const double t = limit / 2 / length;
+    const std::optional<int> seen =
+        WindingSeenFrom(static_cast<double>(from.x) + t * static_cast<double>(d.x),
+                        static_cast<double>(from.y) + t * static_cast<double>(d.y), ring, edge);
+    if (!seen) return std::nullopt;
+    // The ray runs to the right, past an edge that rises: its left is one more.
+    return winding + *seen + (d.y > 0 ? 1 : 0);
+  }
+
+  /// Whether a level ray from a point to the right may meet something that lies between these.
+  static bool MaySee(double x, double y, Point min, Point max) {
+    return static_cast<double>(min.y) <= y && static_cast<double>(max.y) > y &&
+           static_cast<double>(max.x) >= x;
+  }
+
+  /// How often all edges but one wind around a point on that one. nullopt if in doubt, or if there
+  /// were too many edges to look at.
+  std::optional<int> WindingSeenFrom(double x, double y, int32_t ring, int32_t but) {
+    int winding = 0;
+    for (size_t other = 0; other < rings_.size(); ++other) {
+      if (!MaySee(x, y, boxes_[other].min, boxes_[other].max)) continue;
+      const size_t count = rings_[other].points.size();
+      if ((looks_left_ -= static_cast<int64_t>(count)) < 0) return std::nullopt;
+      const std::span<const BoxedEdge> edges(by_ring_.data() + edge_begin_[other], count);
+      const std::optional<int> seen =
+          WindingOf(edges, x, y, static_cast<int32_t>(other) == ring ? but : -1);
+      if (!seen) return std::nullopt;
+      winding += *seen;
+    }
+    return winding;
+  }
+
+  static std::optional<int> WindingOf(std::span<const BoxedEdge> edges, double x, double y,
+                                      int32_t but) {
+    int winding = 0;
+    for (const BoxedEdge& edge : edges) {
+      if (!MaySee(x, y, edge.min, edge.max) || edge.index == but) continue;
+      const Point d = edge.to - edge.from;
+      const double at = static_cast<double>(edge.from.x) + (y - static_cast<double>(edge.from.y)) /
+                                                               static_cast<double>(d.y) *
+                                                               static_cast<double>(d.x);
+      if (std::abs(at - x) < kDoubtNm) return std::nullopt;
+      if (at > x) winding += d.y > 0 ? 1 : -1;
+    }
+    return winding;
+  }
+
+  /// Joins the parts to the left of which the winding number is just enough. False if they do not
+  /// join.
+  bool Trace() {
+    for (size_t ring = 0; ring < rings_.size(); ++ring)
+      if (ring_begin_[ring] == ring_begin_[ring + 1] && whole_winding_[ring] == least_)
+        result_.push_back(Points(static_cast<int32_t>(ring)));
+    for (size_t first = 0; first < stops_.size(); ++first) {
+      if (stops_[first].used || stops_[first].winding != least_) continue;
+      Polygon& outline = result_.emplace_back();
+      auto at = static_cast<int32_t>(first);
+      do {
+        if (stops_[at].used || stops_[at].winding != least_) return false;
+        stops_[at].used = true;
+        const int32_t end = AppendPart(at, outline);
+        const Crossing& crossing = crossings_[stops_[end].crossing];
+        // At its end a part gives way to the one that begins there on the other edge.
+        at = crossing.stops[0] == end ? crossing.stops[1] : crossing.stops[0];
+      } while (at != static_cast<int32_t>(first));
+    }
+    return true;
+  }
+
+  /// Appends the part of a ring that follows a stop; returns the stop at its end.
+  int32_t AppendPart(int32_t at, Polygon& outline) const {
+    const Stop& from = stops_[at];
+    const int32_t begin = ring_begin_[from.ring], end = ring_begin_[from.ring + 1];
+    const int32_t next = at + 1 == end ? begin : at + 1;
+    const Stop& to = stops_[next];
+    const Polygon& points = Points(from.ring);
+    const auto size = static_cast<int32_t>(points.size());
+    outline.push_back(crossings_[from.crossing].place);
+    int32_t corners = to.edge - from.edge;
+    if (corners < 0 || (corners == 0 && to.along_nm <= from.along_nm)) corners += size;
+    for (int32_t corner = from.edge + 1; corners > 0; --corners, ++corner)
+      outline.push_back(points[corner < size ? corner : corner - size]);
+    return next;
+  }
+
+  /// Gives each hole to the island it lies in. nullopt if in doubt.
+  std::optional<MultiPolygon> Assemble() {
+    MultiPolygon islands;
+    std::vector<Polygon> holes;
+    for (Polygon& ring : result_) {
+      ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+      while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+      const double area = ring.size() < 3 ? 0 : SignedArea(ring);
+      if (area > 0) islands.push_back({std::move(ring), {}});
+      if (area < 0) holes.push_back(std::move(ring));
+    }
+    std::vector<Box> boxes;
+    for (const PolygonWithHoles& island : islands) boxes.push_back(Bounds(island.outer));
+    for (Polygon& hole : holes) {
+      const int island = IslandAround(hole, islands, boxes);
+      if (island < 0) return std::nullopt;
+      islands[island].holes.push_back(std::move(hole));
+    }
+    Canonicalize(islands);
+    return islands;
+  }
+
+  static int IslandAround(const Polygon& hole, const MultiPolygon& islands,
+                          const std::vector<Box>& boxes) {
+    int around = -1;
+    const Box box = Bounds(hole);
+    for (size_t i = 0; i < islands.size(); ++i) {
+      if (!boxes[i].Intersects(box)) continue;
+      const Side side = Locate(hole[0], islands[i].outer);
+      if (side == Side::kBoundary) return -1;
+      // Of islands in each other the innermost holds the hole.
+      if (side == Side::kInside &&
+          (around < 0 || Locate(islands[i].outer[0], islands[around].outer) == Side::kInside)) {
+        around = static_cast<int>(i);
+      }
+    }
+    return around;
+  }
+
+  std::span<const GroupedRing> rings_;
+  int least_;
+  std::vector<BoxedEdge> edges_;    ///< in the order of the search
+  std::vector<BoxedEdge> by_ring_;  ///< in the order of the rings
+  std::vector<size_t> edge_begin_;  ///< of each ring's, among these
+  std::vector<Box> boxes_;          ///< of rings
+  int64_t looks_left_ = kMostLooks;
+  std::vector<Crossing> crossings_;
+  std::vector<Stop> stops_;
+  std::vector<int32_t> ring_begin_;  ///< of each ring's stops; one more than rings
+  std::vector<int> whole_winding_;   ///< by ring, at its start
+  std::vector<Polygon> result_;
+};
+
+}  // namespace
+
+std::optional<MultiPolygon> TryWindingRegion(std::span<const GroupedRing> rings, int least) {
+  if (rings.empty()) return MultiPolygon{};
+  return Arrangement(rings, least).Run();
+}
+
+}  // namespace slicefarm::internal

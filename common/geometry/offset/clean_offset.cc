@@ -1,0 +1,320 @@
+#include "common/geometry/offset/clean_offset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "common/base/portable_math.h"
+#include "common/geometry/boolean/arrangement.h"
+#include "common/geometry/boolean/by_island.h"
+#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simple_rings.h"
+
+namespace slicefarm {
+namespace {
+
+/// Edges that get shorter than this vanish where they may.
+constexpr double kLeastEdgeNm = 100;
+/// How far behind its neighbours' meeting point the line of a vanished edge may be found, for
+/// rounding.
+constexpr double kRoundingNm = 0.01;
+/// 1 + cos of the turn at which a miter is twice as long as the distance: corners of 60 degrees.
+constexpr double kSharpest = 0.5;
+
+struct Vector {
+  double x = 0;
+  double y = 0;
+
+  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
+};
+double Dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+double Cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
+
+/// An edge of a ring on its way. Places are relative to the ring's first point.
+struct MovingEdge {
+  Vector origin;     ///< where the edge started before it moved
+  Vector direction;  ///< unit; the island is to the left
+  Vector start;      ///< where its ends are now
+  Vector end;
+  int previous = 0;
+  int next = 0;
+  bool gone = false;
+
+  Vector Normal() const { return {-direction.y, direction.x}; }
+  double Length() const { return Dot(end - start, direction); }
+};
+
+/// Moves the edges of one ring to their left by a distance, which may be negative.
+class RingOffset {
+ public:
+  RingOffset(const Polygon& ring, double left)
+      : left_(left), turn_sign_(left >= 0 ? 1 : -1), base_(ring[0]) {
+    edges_.reserve(ring.size());
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point from = ring[i], to = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const Point d = to - from;
+      const double length = Norm(d);
+      if (length == 0) continue;
+      MovingEdge& edge = edges_.emplace_back();
+      edge.origin = {static_cast<double>(from.x - base_.x), static_cast<double>(from.y - base_.y)};
+      edge.direction = {static_cast<double>(d.x) / length, static_cast<double>(d.y) / length};
+    }
+    count_ = static_cast<int>(edges_.size());
+    for (int i = 0; i < count_; ++i) {
+      edges_[i].previous = i == 0 ? count_ - 1 : i - 1;
+      edges_[i].next = i + 1 == count_ ? 0 : i + 1;
+    }
+  }
+
+  /// The ring in its new place; false if more happens to it than a clean offset allows.
+  bool Move(Polygon& ring) {
+    if (count_ < 3) return false;
+    for (MovingEdge& edge : edges_)
+      if (!MeetAtCorner(edge, edges_[edge.next])) return false;
+    if (!DropShortEdges()) return false;
+    ring.clear();
+    for (const MovingEdge& edge : edges_) {
+      if (edge.gone) continue;
+      Append(edge.start, ring);
+      Append(edge.end, ring);
+    }
+    if (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+    return ring.size() >= 3;
+  }
+
+  bool HasTips() const {
+    return std::any_of(edges_.begin(), edges_.end(), [&](const MovingEdge& edge) {
+      if (edge.gone) return false;
+      const Vector next = edges_[edge.next].direction;
+      return Cross(edge.direction, next) > 0 && 1 + Dot(edge.direction, next) < kSharpest;
+    });
+  }
+
+ private:
+  void Append(Vector v, Polygon& ring) const {
+    const Point p{base_.x + std::llround(v.x), base_.y + std::llround(v.y)};
+    if (ring.empty() || ring.back() != p) ring.push_back(p);
+  }
+
+  /// Where two edges that share a corner meet after moving. At a sharp corner that they move away
+  /// from, each ends for itself, in a square cut.
+  bool MeetAtCorner(MovingEdge& e, MovingEdge& f) const {
+    const Vector corner = f.origin;
+    const double straightness = 1 + Dot(e.direction, f.direction);
+    if (straightness < 1e-9) return false;  // turns back on itself
+    const bool closing = turn_sign_ * Cross(e.direction, f.direction) > 0;
+    if (!closing && straightness < kSharpest) {
+      const double turn = Acos(std::max(-1.0, straightness - 1));
+      const double reach = std::abs(left_) * Tan(turn / 4);
+      e.end = corner + left_ * e.Normal() + reach * e.direction;
+      f.start = corner + left_ * f.Normal() - reach * f.direction;
+    } else {
+      e.end = f.start = corner + left_ / straightness * (e.Normal() + f.Normal());
+    }
+    return true;
+  }
+
+  bool DropShortEdges() {
+    std::vector<int> open;
+    for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+      if (edges_[i].Length() < kLeastEdgeNm) open.push_back(i);
+    while (!open.empty()) {
+      MovingEdge& edge = edges_[open.back()];
+      open.pop_back();
+      if (edge.gone || edge.Length() >= kLeastEdgeNm) continue;
+      if (!Drop(edge)) {
+        if (edge.Length() < 0) return false;
+        continue;
+      }
+      for (const int neighbour : {edge.previous, edge.next})
+        if (edges_[neighbour].Length() < kLeastEdgeNm) open.push_back(neighbour);
+    }
+    return true;
+  }
+
+  /// Lets the neighbours of an edge meet, if they both close in on it and meet behind its own line:
+  /// then it adds nothing to the half-planes of these two.
+  bool Drop(MovingEdge& edge) {
+    MovingEdge &before = edges_[edge.previous], &after = edges_[edge.next];
+    const double turn = Cross(before.direction, after.direction);
+    if (count_ <= 3 || turn_sign_ * turn < 1e-6 ||
+        turn_sign_ * Cross(before.direction, edge.direction) < 0 ||
+        turn_sign_ * Cross(edge.direction, after.direction) < 0) {
+      return false;
+    }
+    const Vector from = before.origin + left_ * before.Normal();
+    const Vector to = after.origin + left_ * after.Normal();
+    const Vector meet = from + Cross(to - from, after.direction) / turn * before.direction;
+    const double beyond = turn_sign_ * (Dot(meet - edge.origin, edge.Normal()) - left_);
+    if (beyond < -kRoundingNm) return false;
+    before.end = after.start = meet;
+    before.next = edge.next;
+    after.previous = edge.previous;
+    edge.gone = true;
+    --count_;
+    return true;
+  }
+
+  double left_;
+  int turn_sign_;  ///< of the turns at corners towards which the edges move
+  Point base_;
+  int count_ = 0;  ///< edges that are left
+  std::vector<MovingEdge> edges_;
+};
+
+bool HasReflexCorner(const Polygon& ring) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point before = ring[i == 0 ? ring.size() - 1 : i - 1];
+    const Point after = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if (Orientation(before, ring[i], after) < 0) return true;
+  }
+  return false;
+}
+
+/// The curve that a ring's edges leave when they move left by `distance`, each for itself, from the
+/// outline's edge: an island's winding numbers less one for each rectangle that an edge sweeps, and
+/// each miter of a reflex corner. Where two rectangles overlap at a convex corner no blunter than
+/// square, the overlap is left out once, so that the curve does not cross itself at every corner.
+Polygon SweptCurve(const Polygon& ring, double distance) {
+  struct Step {
+    Point from;
+    Vector direction;
+    double length;
+  };
+  std::vector<Step> steps;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point from = ring[i], d = ring[i + 1 == ring.size() ? 0 : i + 1] - from;
+    const double length = Norm(d);
+    if (length == 0) continue;
+    steps.push_back(
+        {from, {static_cast<double>(d.x) / length, static_cast<double>(d.y) / length}, length});
+  }
+  Polygon curve;
+  const auto append = [&](Point base, Vector v) {
+    const Point p{base.x + std::llround(v.x), base.y + std::llround(v.y)};
+    if (curve.empty() || curve.back() != p) curve.push_back(p);
+  };
+  const auto normal = [](Vector d) { return Vector{-d.y, d.x}; };
+  // Around a ring without reflex corners a point may lie in all rectangles and all overlaps, which
+  // would come to nothing: there the first overlap stays.
+  bool overlaps_left_out = HasReflexCorner(ring);
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const Step &e = steps[i == 0 ? steps.size() - 1 : i - 1], &f = steps[i];
+    const Vector to_e = distance * normal(e.direction), to_f = distance * normal(f.direction);
+    const double cosine = Dot(e.direction, f.direction), straightness = 1 + cosine;
+    if (straightness < 1e-9) return {};  // turns back on itself
+    const bool convex = Cross(e.direction, f.direction) > 0;
+    // How far the overlap of the two rectangles reaches along either edge, were it long enough.
+    const double reach = distance * std::abs(Cross(e.direction, f.direction));
+    if (convex && (!overlaps_left_out || cosine < 0 || reach > e.length || reach > f.length)) {
+      overlaps_left_out = true;
+      append(f.from, to_e);
+      append(f.from, {});
+      append(f.from, to_f);
+    } else if (!convex && straightness < kSharpest) {
+      const double cut = distance * Tan(Acos(std::max(-1.0, cosine)) / 4);
+      append(f.from, to_e + cut * e.direction);
+      append(f.from, to_f - cut * f.direction);
+    } else {
+      append(f.from, 1 / straightness * (to_e + to_f));
+    }
+  }
+  while (curve.size() > 1 && curve.back() == curve.front()) curve.pop_back();
+  return curve;
+}
+
+/// For islands without crossing rings: whether holes lie in their outer ring, and nothing in each
+/// other.
+bool IsNested(const PolygonWithHoles& island) {
+  if (SignedArea(island.outer) <= 0) return false;
+  std::vector<Box> boxes;
+  for (size_t i = 0; i < island.holes.size(); ++i) {
+    const Polygon& hole = island.holes[i];
+    if (SignedArea(hole) >= 0 || Locate(hole[0], island.outer) != Side::kInside) return false;
+    boxes.push_back(Bounds(hole));
+    for (size_t j = 0; j < i; ++j) {
+      if (!boxes[i].Intersects(boxes[j])) continue;
+      if (Locate(hole[0], island.holes[j]) != Side::kOutside ||
+          Locate(island.holes[j][0], hole) != Side::kOutside) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool AreApart(const MultiPolygon& islands) {
+  std::vector<Box> boxes;
+  for (size_t i = 0; i < islands.size(); ++i) {
+    boxes.push_back(Bounds(islands[i].outer));
+    for (size_t j = 0; j < i; ++j) {
+      if (!boxes[i].Intersects(boxes[j])) continue;
+      if (Locate(islands[i].outer[0], islands[j]) != Side::kOutside ||
+          Locate(islands[j].outer[0], islands[i]) != Side::kOutside) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<CleanOffset> TryOffset(const MultiPolygon& polygons, Coord distance_nm) {
+  CleanOffset result;
+  result.polygons.reserve(polygons.size());
+  const auto move = [&](const Polygon& from, Polygon& to) {
+    if (from.size() < 3) return false;
+    RingOffset ring(from, static_cast<double>(-distance_nm));
+    if (!ring.Move(to)) return false;
+    result.has_tips |= ring.HasTips();
+    return true;
+  };
+  for (const PolygonWithHoles& island : polygons) {
+    PolygonWithHoles& moved = result.polygons.emplace_back();
+    if (!move(island.outer, moved.outer)) return std::nullopt;
+    moved.holes.resize(island.holes.size());
+    for (size_t i = 0; i < island.holes.size(); ++i)
+      if (!move(island.holes[i], moved.holes[i])) return std::nullopt;
+  }
+  std::vector<const Polygon*> rings;
+  ForEachRing(result.polygons, [&](const Polygon& ring) { rings.push_back(&ring); });
+  if (!AreSimple(rings)) return std::nullopt;
+  for (const PolygonWithHoles& island : result.polygons)
+    if (!IsNested(island)) return std::nullopt;
+  if (!AreApart(result.polygons)) return std::nullopt;
+  Canonicalize(result.polygons);
+  return result;
+}
+
+std::optional<MultiPolygon> TryErode(const PolygonWithHoles& island, Coord distance_nm) {
+  std::vector<internal::GroupedRing> rings;
+  const auto append = [&](const Polygon& ring) {
+    Polygon curve = SweptCurve(ring, static_cast<double>(distance_nm));
+    if (curve.size() < 3) return false;
+    rings.push_back({std::move(curve)});
+    return true;
+  };
+  if (!append(island.outer)) return std::nullopt;
+  for (const Polygon& hole : island.holes)
+    if (!append(hole)) return std::nullopt;
+  return internal::TryWindingRegion(rings, 1);
+}
+
+MultiPolygon FastOffset(const MultiPolygon& polygons, Coord distance_nm) {
+  if (distance_nm == 0) return polygons;
+  const auto offset = [&](const MultiPolygon& part) {
+    if (auto clean = TryOffset(part, distance_nm)) return std::move(clean->polygons);
+    if (distance_nm < 0)
+      if (auto eroded = TryErode(part[0], -distance_nm)) return *std::move(eroded);
+    return Offset(part, distance_nm);
+  };
+  return distance_nm > 0 ? offset(polygons) : internal::ByIsland(polygons, offset);
+}
+
+}  // namespace slicefarm

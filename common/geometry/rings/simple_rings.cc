@@ -1,0 +1,45 @@
+#include "common/geometry/rings/simple_rings.h"
+
+#include <vector>
+
+#include "common/geometry/boolean/near_edges.h"
+#include "common/geometry/boolean/predicates.h"
+
+namespace slicefarm {
+namespace {
+
+using internal::BoxedEdge;
+
+/// Whether two edges do more than follow each other around a corner.
+bool Collide(const BoxedEdge& e, const BoxedEdge& f) {
+  const int to_from = Orientation(e.from, e.to, f.from), to_to = Orientation(e.from, e.to, f.to);
+  if (to_from * to_to > 0) return false;
+  const int from_from = Orientation(f.from, f.to, e.from);
+  const int from_to = Orientation(f.from, f.to, e.to);
+  if (from_from * from_to > 0) return false;
+  // Around a corner, or straight on, they share just the one point.
+  if (e.to == f.from && (to_to != 0 || Dot(e.to - e.from, f.to - f.from) > 0)) return false;
+  if (f.to == e.from && (to_from != 0 || Dot(e.to - e.from, f.to - f.from) > 0)) return false;
+  if (to_from != 0 || to_to != 0) return true;
+  return OnSegment(f.from, e.from, e.to) || OnSegment(f.to, e.from, e.to) ||
+         OnSegment(e.from, f.from, f.to);
+}
+
+}  // namespace
+
+bool AreSimple(std::span<const Polygon* const> rings) {
+  size_t count = 0;
+  for (const Polygon* ring : rings) {
+    if (ring->size() < 3) return false;
+    count += ring->size();
+  }
+  std::vector<BoxedEdge> edges;
+  edges.reserve(count);
+  for (const Polygon* ring : rings) internal::AppendBoxedEdges(*ring, 0, edges);
+  for (const BoxedEdge& edge : edges)
+    if (edge.from == edge.to) return false;
+  return internal::ForEachNearPair(
+      edges, [](const BoxedEdge& e, const BoxedEdge& f) { return !Collide(e, f); });
+}
+
+}  // namespace slicefarm

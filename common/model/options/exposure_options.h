@@ -1,0 +1,144 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "common/geometry/point.h"
+
+namespace slicefarm {
+
+/// How the inside of an outline is scanned.
+enum class ScanStrategy : uint8_t {
+  kRings,        ///< convex pieces, each by rings from its middle outwards
+  kRingsInward,  ///< the same from its border inwards
+  kStripes,      ///< parallel stripes, each hatched across
+  kIslands,      ///< a chequerboard of squares, hatched by turns along and across
+  kHatch,        ///< lines right through
+};
+
+/// How an outline is cut into convex pieces.
+enum class DecomposeMethod : uint8_t {
+  kBian,         ///< Bian et al. 2005: good shapes, by visibility and angles
+  kOptimal,      ///< fewest pieces without new points (Greene); slow
+  kApproximate,  ///< at most four times as many (Hertel and Mehlhorn); fast
+  kYMonotone,    ///< y-monotone parts, each cut into convex ones (Hertel and Mehlhorn); fast
+};
+
+/// Which piece, stripe or island comes after which.
+enum class JumpOrder : uint8_t {
+  kNearest,       ///< least way with the laser off
+  kChequerboard,  ///< first every other one, then the rest: neighbours cool down between
+  kFarthest,      ///< as far as can be from what was scanned before
+};
+
+enum class OutputFormat : uint8_t {
+  kCliAscii,   ///< Common Layer Interface 2.0
+  kCliBinary,  ///< the same with binary geometry
+  kGrbl,       ///< G-code of grbl 1.1: power by M4 S, or M3 S
+  kMarlin,     ///< G-code of Marlin 2 with inline power
+  kSvg,        ///< a group a layer
+  kDxf,        ///< one layer only
+};
+
+/// What a vector is exposed for. Each kind has a style of its own.
+enum class ExposureKind : uint8_t {
+  kContour,
+  kHatch,     ///< rings too
+  kUpskin,    ///< hatch with nothing above
+  kDownskin,  ///< hatch with powder below
+  kThinWall,  ///< too thin for a contour: one exposure along its middle
+};
+inline constexpr int kExposureKindCount = 5;
+
+/// "contour", "hatch", "upskin", "downskin", "thin wall".
+constexpr std::string_view ExposureKindName(ExposureKind kind) {
+  constexpr std::array<std::string_view, kExposureKindCount> kNames = {"contour", "hatch", "upskin",
+                                                                       "downskin", "thin wall"};
+  return kNames[static_cast<size_t>(kind)];
+}
+
+/// How the laser draws. A pulsed one (point_distance_nm > 0) draws points: their time and the way
+/// between them replace the speed.
+struct ExposureStyle {
+  double power_w = 200;
+  double speed_mm_s = 800;
+  double focus_mm = 0;          ///< of the focal plane, above the powder
+  double frequency_khz = 0;     ///< 0: continuous
+  Coord point_distance_nm = 0;  ///< pulsed: from point to point
+  double point_time_us = 0;     ///< pulsed: exposure of a point
+  double point_delay_us = 0;    ///< pulsed: between two points
+
+  friend bool operator==(const ExposureStyle&, const ExposureStyle&) = default;
+};
+
+/// What the scanner waits for, and how fast it jumps.
+struct JumpOptions {
+  double speed_mm_s = 5000;
+  double delay_us = 0;          ///< after a jump, until the mirrors rest
+  double mark_delay_us = 0;     ///< after each line, until the laser is off
+  double polygon_delay_us = 0;  ///< at each corner of a line
+
+  friend bool operator==(const JumpOptions&, const JumpOptions&) = default;
+};
+
+/// How the sections of one region are scanned. Defaults are those of PySLM, and Netfabb's where
+/// PySLM has none.
+struct ExposureOptions {
+  ScanStrategy strategy = ScanStrategy::kStripes;
+  DecomposeMethod decompose = DecomposeMethod::kBian;  ///< of rings
+  JumpOrder jump_order = JumpOrder::kNearest;
+
+  Coord hatch_distance_nm = 80'000;  ///< between lines, and between rings
+  double hatch_angle_deg = 45;       ///< of layer 0
+  double layer_rotation_deg = 67;    ///< from each layer to the next
+  bool alternate_directions = true;  ///< every other line backwards
+  Coord minimum_vector_nm = 0;       ///< shorter hatch lines and rings are left out
+
+  Coord stripe_width_nm = 5'000'000;  ///< of stripes
+  Coord island_width_nm = 5'000'000;  ///< of islands
+  Coord overlap_nm = 100'000;         ///< of neighbouring stripes or islands
+  Coord ring_overlap_nm = 20'000;     ///< of neighbouring pieces' outermost rings
+  bool link_rings = true;             ///< rings of a piece without switching off between them
+  bool fill_corners = true;           ///< rings reach into corners that a round spot leaves open
+
+  Coord spot_nm = 80'000;               ///< width of what a line melts
+  Coord beam_compensation_nm = 40'000;  ///< from the outline to the first contour
+  int32_t contours = 2;
+  Coord contour_distance_nm = 80'000;  ///< between contours
+  Coord hatch_offset_nm = 80'000;      ///< from the last contour to the ends of hatch lines
+  bool contours_first = true;
+  bool thin_walls = true;  ///< what is too thin for a contour is exposed once along its middle
+
+  int32_t upskin_layers = 0;    ///< upskin: no part this many layers above; 0: none
+  int32_t downskin_layers = 0;  ///< downskin: powder within this many layers below; 0: none
+  Coord skin_overlap_nm = 0;    ///< how far skins reach into the rest
+
+  /// The scanner runs up and out on this length beyond each hatch line with the laser off, so that
+  /// it draws at full speed. Longer way, and no mark delay.
+  Coord skywriting_nm = 0;
+
+  std::array<ExposureStyle, kExposureKindCount> styles;  ///< by ExposureKind
+  JumpOptions jump;
+
+  const ExposureStyle& StyleOf(ExposureKind kind) const {
+    return styles[static_cast<size_t>(kind)];
+  }
+  /// How many layers above and below a section its exposure depends on.
+  int32_t Halo() const { return upskin_layers > downskin_layers ? upskin_layers : downskin_layers; }
+  friend bool operator==(const ExposureOptions&, const ExposureOptions&) = default;
+};
+
+/// What the file looks like. One a job.
+struct ExposureOutput {
+  OutputFormat format = OutputFormat::kCliAscii;
+  int32_t layer = 0;          ///< of DXF: which one
+  double unit_mm = 0.001;     ///< of CLI coordinates ($$UNITS)
+  double full_power_w = 400;  ///< G-code: at `full_power_s`
+  double full_power_s = 1000;
+  bool dynamic_power = true;  ///< G-code of grbl: M4, less power where the head is slower
+
+  friend bool operator==(const ExposureOutput&, const ExposureOutput&) = default;
+};
+
+}  // namespace slicefarm

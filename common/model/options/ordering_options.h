@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace slicefarm {
+
+/// The order of the walls of one region, and where they start.
+struct WallOrder {
+  bool external_perimeters_first = false;  ///< external_perimeters_first
+  bool inner_outer_inner = false;          ///< inner_outer_inner: goes before the one above
+  /// From the outer edge of an island to its holes: brims. Goes before both.
+  bool towards_holes = false;
+  /// staggered_inner_seams: each inner loop starts further along than the one outside of it.
+  bool stagger_seams = false;
+
+  friend bool operator==(const WallOrder&, const WallOrder&) = default;
+};
+
+/// How the nozzle goes from path to path.
+struct TravelOptions {
+  /// only_retract_when_crossing_perimeters: what oozes out inside the part is not seen.
+  bool hide = true;
+  double longest_hidden_mm = 100;     ///< retract_inside_after; 0: however long
+  bool avoid_crossing = false;        ///< avoid_crossing_perimeters
+  double max_detour_mm = 0;           ///< avoid_crossing_perimeters_max_detour; 0: however long
+  double max_detour_ratio = 0;        ///< the same in percent of the straight way; 0: however long
+  bool retract_layer_change = false;  ///< retract_layer_change: even if the way is hidden
+
+  friend bool operator==(const TravelOptions&, const TravelOptions&) = default;
+};
+
+struct OrderingOptions {
+  bool infill_first = false;  ///< infill_first
+  TravelOptions travel;
+  int32_t improvement_moves =
+      200'000;  ///< bound on the 2-opt moves tried per layer: work, not time
+  std::vector<WallOrder> walls = {{}};  ///< by region
+
+  friend bool operator==(const OrderingOptions&, const OrderingOptions&) = default;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/geometry/polygon.h"
+#include "common/model/options/adhesion_options.h"
+#include "common/model/options/infill_options.h"
+
+namespace slicefarm {
+
+/// Where loops start.
+enum class SeamPosition : uint8_t {
+  kNearest,  ///< near the nozzle
+  kRear,     ///< at the back, in line
+  kAligned,  ///< in line up the object, at corners
+  kRandom,   ///< anywhere, each loop elsewhere
+  kHidden,   ///< in line, where the least is seen of it
+};
+
+/// What planning is told of one object.
+struct ObjectPlanOptions {
+  SeamPosition seam = SeamPosition::kAligned;  ///< seam_position
+  BrimOptions brim = {};                       ///< none under an object with a raft
+  int32_t brim_settings = 0;                   ///< row of the job's tables of region settings
+  RaftOptions raft = {};
+  std::vector<int32_t> raft_settings = {};  ///< rows, one for each layer of the raft
+
+  friend bool operator==(const ObjectPlanOptions&, const ObjectPlanOptions&) = default;
+};
+
+/// How copies are printed one after the other, each as a whole.
+struct SequencePlanOptions {
+  bool complete_objects = false;              ///< complete_objects
+  Coord clearance_radius_nm = 20 * kNmPerMm;  ///< extruder_clearance_radius: around the nozzle
+  Coord clearance_height_nm = 20 * kNmPerMm;  ///< extruder_clearance_height: gantry over nozzle
+
+  friend bool operator==(const SequencePlanOptions&, const SequencePlanOptions&) = default;
+};
+
+/// What planning is told of the sparse infill of a region.
+struct InfillPlanOptions {
+  FillPattern pattern = FillPattern::kGrid;
+  bool choose_pattern = false;
+  FillGoal goal = FillGoal::kStrength;
+  double density = 0.2;
+  double angle_rad = 0;
+  Coord width_nm = 450'000;
+  Coord walls_nm = 0;  ///< how thick the walls are about which it lies
+  int32_t top_solid_layers = 0;
+  int32_t bottom_solid_layers = 0;
+  int32_t every_layers = 1;
+  bool only_where_needed = false;
+
+  friend bool operator==(const InfillPlanOptions&, const InfillPlanOptions&) = default;
+};
+
+struct PlanningOptions {
+  std::vector<ObjectPlanOptions> objects = {{}};  ///< by object
+  SequencePlanOptions sequence;
+  SkirtOptions skirt;
+  int32_t skirt_settings = 0;             ///< row of the job's tables of region settings
+  std::vector<InfillPlanOptions> infill;  ///< by region; empty: none needs a plan
+  Polygon bed;  ///< bed_shape: nothing is added outside of it; empty: no limit
+
+  friend bool operator==(const PlanningOptions&, const PlanningOptions&) = default;
+};
+
+}  // namespace slicefarm

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/polygon.h"
+#include "common/model/raft_heights.h"
+#include "common/model/scene/mesh.h"
+
+namespace slicefarm {
+
+/// Names in the comments are the settings' (PrusaSlicer's, where it has the setting).
+
+/// How one object is cut.
+struct ObjectSlicingOptions {
+  Coord layer_height_nm = 200'000;          ///< layer_height
+  FillRule fill_rule = FillRule::kNonZero;  ///< slicing_mode: regular, even_odd, positive
+  /// slice_closing_radius: cracks narrower than twice this are closed, in meshes that are not
+  /// closed only.
+  Coord closing_radius_nm = 49'000;
+  Coord xy_compensation_nm = 0;    ///< xy_size_compensation: grows the outlines, holes shrink
+  Coord hole_compensation_nm = 0;  ///< xy_hole_compensation: grows the holes, besides
+  /// elefant_foot_compensation: shrinks the first layer, unless there is a raft under it.
+  Coord elephant_foot_nm = 0;
+  /// What that leaves of thin places; PrusaSlicer: width + spacing of the first layer's outer wall.
+  Coord elephant_foot_min_width_nm = 757'000;
+  RaftHeights raft = {};  ///< the object stands on it
+
+  friend bool operator==(const ObjectSlicingOptions&, const ObjectSlicingOptions&) = default;
+};
+
+/// What holds for all objects.
+struct SlicingOptions {
+  Coord first_layer_height_nm = 200'000;  ///< first_layer_height
+  /// open_loop_max_gap: outlines with a hole up to this are closed over it, wider ones are dropped
+  /// and counted.
+  Coord max_gap_nm = 2'000'000;
+  Coord resolution_nm = 5'000;  ///< outline_resolution: outlines are simplified to this tolerance
+  Polygon bed = {
+      {0, 0}, {250'000'000, 0}, {250'000'000, 210'000'000}, {0, 210'000'000}};  ///< bed_shape
+  Coord max_print_height_nm = 0;  ///< max_print_height, 0: unlimited
+  std::vector<ThumbnailSize> thumbnails = {{32, 32}, {300, 300}};  ///< thumbnails
+  std::vector<ObjectSlicingOptions> objects = {{}};                ///< by object
+  Coord part_distance_nm = 6'000'000;  ///< duplicate_distance: between copies that are arranged
+  Coord clearance_radius_nm = 0;       ///< extruder_clearance_radius with complete_objects, else 0
+
+  friend bool operator==(const SlicingOptions&, const SlicingOptions&) = default;
+};
+
+}  // namespace slicefarm

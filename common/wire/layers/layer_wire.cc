@@ -1,0 +1,352 @@
+#include "common/wire/layers/layer_wire.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/layers/path_wire.h"
+#include "common/wire/layers/region_wire.h"
+#include "common/wire/support/repeated_wire.h"
+
+namespace slicefarm {
+namespace {
+
+bool IsHeight(Coord nm) { return 0 < nm && nm <= limits::kMaxCoord; }
+
+/// What all sections have in common.
+template <typename Section, typename Proto>
+void PlaceToProto(const Section& section, Proto* proto) {
+  proto->set_object(section.object);
+  proto->set_layer(section.layer);
+  proto->set_height_nm(section.height_nm);
+}
+
+template <typename Section, typename Proto>
+absl::StatusOr<Section> PlaceFromProto(const Proto& proto) {
+  absl::Status status = CheckSection(proto.object(), proto.layer(), proto.height_nm());
+  if (!status.ok()) return status;
+  Section section;
+  section.object = proto.object();
+  section.layer = proto.layer();
+  section.height_nm = proto.height_nm();
+  return section;
+}
+
+/// Walls and fills come in sections of islands.
+template <typename Section, typename Proto>
+absl::Status SectionToProto(const Section& section, Proto* proto) {
+  PlaceToProto(section, proto);
+  return AllToProto(section.islands, "islands", proto->mutable_islands());
+}
+
+template <typename Section, typename Proto>
+absl::StatusOr<Section> SectionFromProto(const Proto& proto) {
+  absl::StatusOr<Section> section = PlaceFromProto<Section>(proto);
+  if (!section.ok()) return section;
+  absl::Status status = AllFromProto(proto.islands(), "islands", &section->islands);
+  if (!status.ok()) return status;
+  return section;
+}
+
+/// An island's outline is one polygon, or none.
+template <typename Island, typename Proto>
+absl::Status OutlineToProto(const Island& island, Proto* proto) {
+  if (island.outline.outer.empty()) return absl::OkStatus();
+  absl::Status status = ToProto(MultiPolygon{island.outline}, proto->mutable_outline());
+  return status.ok() ? status : Within("outline", status);
+}
+
+template <typename Island, typename Proto>
+absl::Status OutlineFromProto(const Proto& proto, Island* island) {
+  absl::StatusOr<MultiPolygon> outline = FromProto(proto.outline());
+  if (!outline.ok()) return Within("outline", outline.status());
+  if (outline->size() > 1) return Malformed("outline", "is of more than one island");
+  if (!outline->empty()) island->outline = std::move(outline->front());
+  return absl::OkStatus();
+}
+
+/// Layers come as a frame and sections.
+template <typename Layer, typename Proto>
+absl::Status LayerToProto(const Layer& layer, Proto* proto) {
+  ToProto(layer.frame, proto->mutable_frame());
+  return AllToProto(layer.sections, "sections", proto->mutable_sections());
+}
+
+template <typename Layer, typename Proto>
+absl::StatusOr<Layer> LayerFromProto(const Proto& proto) {
+  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
+  if (!frame.ok()) return frame.status();
+  Layer layer;
+  layer.frame = *frame;
+  absl::Status status = AllFromProto(proto.sections(), "sections", &layer.sections);
+  if (!status.ok()) return status;
+  for (size_t i = 1; i < layer.sections.size(); ++i) {
+    const int32_t before = layer.sections[i - 1].object, object = layer.sections[i].object;
+    if (before > object || (before == object && object != kPlate)) {
+      return Malformed("sections", "their objects do not ascend");
+    }
+  }
+  return layer;
+}
+
+}  // namespace
+
+void ToProto(const LayerFrame& frame, v1::LayerFrame* proto) {
+  proto->set_index(frame.index);
+  proto->set_print_z_nm(frame.print_z_nm);
+  proto->set_height_nm(frame.height_nm);
+}
+
+absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto) {
+  if (proto.index() < 0 || proto.index() >= limits::kMaxLayers) {
+    return Malformed("frame.index", "is not the index of a layer");
+  }
+  if (!IsHeight(proto.print_z_nm())) return Malformed("frame.print_z_nm", "is not a height");
+  if (!IsHeight(proto.height_nm())) return Malformed("frame.height_nm", "is not a height");
+  return LayerFrame{proto.index(), proto.print_z_nm(), proto.height_nm()};
+}
+
+v1::LayerRange ToProto(LayerRange range) {
+  v1::LayerRange proto;
+  proto.set_first(range.first);
+  proto.set_last(range.last);
+  return proto;
+}
+
+absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto) {
+  if (proto.first() < 0 || proto.first() >= proto.last() || proto.last() > limits::kMaxLayers) {
+    return Malformed("range", fmt::format("[{}, {}) is no range of at most {} layers",
+                                          proto.first(), proto.last(), limits::kMaxLayers));
+  }
+  return LayerRange{proto.first(), proto.last()};
+}
+
+absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto) {
+  PlaceToProto(section, proto);
+  proto->set_layer_count(section.layer_count);
+  proto->set_z_nm(section.z_nm);
+  absl::Status status = AllToProto(section.regions, "regions", proto->mutable_regions());
+  if (!section.whole.empty()) status.Update(ToProto(section.whole, proto->mutable_whole()));
+  if (!section.seam_enforcers.empty())
+    status.Update(ToProto(section.seam_enforcers, proto->mutable_seam_enforcers()));
+  if (!section.seam_blockers.empty())
+    status.Update(ToProto(section.seam_blockers, proto->mutable_seam_blockers()));
+  return status;
+}
+
+absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto) {
+  absl::StatusOr<ObjectSection> section = PlaceFromProto<ObjectSection>(proto);
+  if (!section.ok()) return section;
+  section->layer_count = proto.layer_count();
+  if (section->layer_count <= section->layer || section->layer_count > limits::kMaxLayers) {
+    return Malformed("layer_count", "is not how many layers an object has");
+  }
+  absl::Status status = AllFromProto(proto.regions(), "regions", &section->regions);
+  if (!status.ok()) return status;
+  absl::StatusOr<MultiPolygon> whole = FromProto(proto.whole());
+  if (!whole.ok()) return Within("whole", whole.status());
+  section->whole = *std::move(whole);
+  absl::StatusOr<MultiPolygon> enforcers = FromProto(proto.seam_enforcers());
+  if (!enforcers.ok()) return Within("seam_enforcers", enforcers.status());
+  section->seam_enforcers = *std::move(enforcers);
+  absl::StatusOr<MultiPolygon> blockers = FromProto(proto.seam_blockers());
+  if (!blockers.ok()) return Within("seam_blockers", blockers.status());
+  section->seam_blockers = *std::move(blockers);
+  section->z_nm = proto.z_nm();
+  if (section->z_nm < 0 || section->z_nm > limits::kMaxCoord)
+    return Malformed("z_nm", "is not a height");
+  return section;
+}
+
+absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto) {
+  absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  status.Update(OutlineToProto(island, proto));
+  if (!status.ok()) return status;
+  return AllToProto(island.fill_areas, "fill_areas", proto->mutable_fill_areas());
+}
+
+absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto) {
+  WalledIsland island;
+  absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
+  status.Update(AllFromProto(proto.fill_areas(), "fill_areas", &island.fill_areas));
+  status.Update(OutlineFromProto(proto, &island));
+  if (!status.ok()) return status;
+  return island;
+}
+
+absl::Status ToProto(const WalledSection& section, v1::WalledSection* proto) {
+  return SectionToProto(section, proto);
+}
+absl::StatusOr<WalledSection> FromProto(const v1::WalledSection& proto) {
+  return SectionFromProto<WalledSection>(proto);
+}
+
+absl::Status ToProto(const FillGroup& group, v1::FillGroup* proto) {
+  proto->set_keep_order(group.keep_order);
+  return AllToProto(group.paths, "paths", proto->mutable_paths());
+}
+
+absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto) {
+  FillGroup group;
+  group.keep_order = proto.keep_order();
+  absl::Status status = AllFromProto(proto.paths(), "paths", &group.paths);
+  if (!status.ok()) return status;
+  return group;
+}
+
+absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto) {
+  absl::Status status = AllToProto(island.walls, "walls", proto->mutable_walls());
+  status.Update(OutlineToProto(island, proto));
+  if (!status.ok()) return status;
+  return AllToProto(island.fills, "fills", proto->mutable_fills());
+}
+
+absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto) {
+  FilledIsland island;
+  absl::Status status = AllFromProto(proto.walls(), "walls", &island.walls);
+  status.Update(AllFromProto(proto.fills(), "fills", &island.fills));
+  status.Update(OutlineFromProto(proto, &island));
+  if (!status.ok()) return status;
+  return island;
+}
+
+absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto) {
+  return SectionToProto(section, proto);
+}
+absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto) {
+  return SectionFromProto<FilledSection>(proto);
+}
+
+absl::Status ToProto(const SlicedLayer& layer, v1::SlicedLayer* proto) {
+  return LayerToProto(layer, proto);
+}
+absl::StatusOr<SlicedLayer> FromProto(const v1::SlicedLayer& proto) {
+  return LayerFromProto<SlicedLayer>(proto);
+}
+
+absl::Status ToProto(const WalledLayer& layer, v1::WalledLayer* proto) {
+  proto->set_plain_islands(layer.plain_islands);
+  return LayerToProto(layer, proto);
+}
+absl::StatusOr<WalledLayer> FromProto(const v1::WalledLayer& proto) {
+  absl::StatusOr<WalledLayer> layer = LayerFromProto<WalledLayer>(proto);
+  if (!layer.ok()) return layer;
+  layer->plain_islands = proto.plain_islands();
+  if (layer->plain_islands < 0) return Malformed("plain_islands", "is negative");
+  return layer;
+}
+
+absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto) {
+  return LayerToProto(layer, proto);
+}
+absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto) {
+  return LayerFromProto<FilledLayer>(proto);
+}
+
+absl::Status ToProto(const Travel& travel, v1::Travel* proto) {
+  proto->set_hidden(travel.hidden);
+  return PackPoints(travel.corners, proto->mutable_corners_xy_nm());
+}
+
+absl::StatusOr<Travel> FromProto(const v1::Travel& proto) {
+  absl::StatusOr<std::vector<Point>> corners = UnpackPoints(proto.corners_xy_nm(), "corners_xy_nm");
+  if (!corners.ok()) return corners.status();
+  return Travel{proto.hidden(), *std::move(corners)};
+}
+
+absl::Status ToProto(const Leave& leave, v1::Leave* proto) {
+  if (absl::Status status = ToProto(leave.to, proto->mutable_to()); !status.ok())
+    return Within("to", status);
+  const absl::Status status = ToProto(leave.way, proto->mutable_way());
+  return status.ok() ? status : Within("way", status);
+}
+
+absl::StatusOr<Leave> FromProto(const v1::Leave& proto) {
+  absl::StatusOr<Travel> way = FromProto(proto.way());
+  if (!way.ok()) return Within("way", way.status());
+  return Leave{FromProto(proto.to()), *std::move(way)};
+}
+
+absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto) {
+  PlaceToProto(block, proto);
+  absl::Status status = AllToProto(block.paths, "paths", proto->mutable_paths());
+  if (!status.ok()) return status;
+  status = AllToProto(block.travels, "travels", proto->mutable_travels());
+  if (!status.ok()) return status;
+  if (block.leave) {
+    status = ToProto(*block.leave, proto->mutable_leave());
+    if (!status.ok()) return Within("leave", status);
+  }
+  if (block.below.empty()) return status;
+  status = ToProto(block.below, proto->mutable_below());
+  return status.ok() ? status : Within("below", status);
+}
+
+absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto) {
+  absl::StatusOr<PathBlock> block = PlaceFromProto<PathBlock>(proto);
+  if (!block.ok()) return block;
+  absl::Status status = AllFromProto(proto.paths(), "paths", &block->paths);
+  status.Update(AllFromProto(proto.travels(), "travels", &block->travels));
+  if (!status.ok()) return status;
+  if (!block->travels.empty() && block->travels.size() != block->paths.size()) {
+    return Malformed("travels", "not one for each path");
+  }
+  if (proto.has_leave()) {
+    absl::StatusOr<Leave> leave = FromProto(proto.leave());
+    if (!leave.ok()) return Within("leave", leave.status());
+    block->leave = *std::move(leave);
+  }
+  absl::StatusOr<MultiPolygon> below = FromProto(proto.below());
+  if (!below.ok()) return Within("below", below.status());
+  block->below = *std::move(below);
+  return block;
+}
+
+absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto) {
+  proto->set_block(visit.block);
+  proto->set_copy(visit.copy);
+  proto->set_pass(visit.pass);
+  return ToProto(visit.shift, proto->mutable_shift());
+}
+
+absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto) {
+  if (proto.block() < 0) return Malformed("block", "is negative");
+  if (proto.copy() < -1 || proto.copy() >= limits::kMaxObjects) {
+    return Malformed("copy", "is not the index of a copy");
+  }
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  return BlockVisit{proto.block(), proto.copy(), proto.pass(), FromProto(proto.shift())};
+}
+
+absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto) {
+  ToProto(layer.frame, proto->mutable_frame());
+  proto->set_begins_ready(layer.begins_ready);
+  proto->set_ends_ready(layer.ends_ready);
+  absl::Status status = AllToProto(layer.blocks, "blocks", proto->mutable_blocks());
+  if (!status.ok()) return status;
+  return AllToProto(layer.visits, "visits", proto->mutable_visits());
+}
+
+absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto) {
+  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
+  if (!frame.ok()) return frame.status();
+  OrderedLayer layer{*frame, {}, {}, proto.begins_ready(), proto.ends_ready()};
+  absl::Status status = AllFromProto(proto.blocks(), "blocks", &layer.blocks);
+  status.Update(AllFromProto(proto.visits(), "visits", &layer.visits));
+  if (!status.ok()) return status;
+  return layer;
+}
+
+absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range) {
+  if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
+  const LayerRange sent = RangeOf(layers);
+  if (sent.first > range.first || sent.last < range.last) {
+    return Malformed(
+        "layer", fmt::format("layers [{}, {}) do not surround the range", sent.first, sent.last));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/layer.h"
+#include "common/wire/support/wire_error.h"
+#include "slicefarm/v1/layer.pb.h"
+
+namespace slicefarm {
+
+/// Layers from slicing to ordering (programs: program_wire.h). Errors are those of geometry_wire.h
+/// and path_wire.h, with the way to the field: `islands[2].walls[7].xy_nm`; besides, indices and
+/// ranges that no job has are REQUEST_MALFORMED.
+
+void ToProto(const LayerFrame& frame, v1::LayerFrame* proto);
+absl::StatusOr<LayerFrame> FromProto(const v1::LayerFrame& proto);
+
+v1::LayerRange ToProto(LayerRange range);
+/// A range of a job: 0 <= first < last <= limits::kMaxLayers.
+absl::StatusOr<LayerRange> FromProto(const v1::LayerRange& proto);
+
+absl::Status ToProto(const ObjectSection& section, v1::ObjectSection* proto);
+absl::StatusOr<ObjectSection> FromProto(const v1::ObjectSection& proto);
+
+absl::Status ToProto(const SlicedLayer& layer, v1::SlicedLayer* proto);
+absl::StatusOr<SlicedLayer> FromProto(const v1::SlicedLayer& proto);
+
+absl::Status ToProto(const WalledIsland& island, v1::WalledIsland* proto);
+absl::StatusOr<WalledIsland> FromProto(const v1::WalledIsland& proto);
+
+absl::Status ToProto(const WalledSection& section, v1::WalledSection* proto);
+absl::StatusOr<WalledSection> FromProto(const v1::WalledSection& proto);
+
+absl::Status ToProto(const WalledLayer& layer, v1::WalledLayer* proto);
+absl::StatusOr<WalledLayer> FromProto(const v1::WalledLayer& proto);
+
+absl::Status ToProto(const FillGroup& group, v1::FillGroup* proto);
+absl::StatusOr<FillGroup> FromProto(const v1::FillGroup& proto);
+
+absl::Status ToProto(const FilledIsland& island, v1::FilledIsland* proto);
+absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto);
+
+absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto);
+absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto);
+
+absl::Status ToProto(const FilledLayer& layer, v1::FilledLayer* proto);
+absl::StatusOr<FilledLayer> FromProto(const v1::FilledLayer& proto);
+
+absl::Status ToProto(const Travel& travel, v1::Travel* proto);
+absl::StatusOr<Travel> FromProto(const v1::Travel& proto);
+
+absl::Status ToProto(const PathBlock& block, v1::PathBlock* proto);
+absl::StatusOr<PathBlock> FromProto(const v1::PathBlock& proto);
+
+absl::Status ToProto(const BlockVisit& visit, v1::BlockVisit* proto);
+absl::StatusOr<BlockVisit> FromProto(const v1::BlockVisit& proto);
+
+absl::Status ToProto(const OrderedLayer& layer, v1::OrderedLayer* proto);
+absl::StatusOr<OrderedLayer> FromProto(const v1::OrderedLayer& proto);
+
+/// The layers from the first to the last one. REQUIRES: CheckConsecutive.
+template <typename Layers>
+LayerRange RangeOf(const Layers& layers) {
+  if (layers.empty()) return {};
+  return {layers.front().frame.index, layers.back().frame.index + 1};
+}
+
+/// Appends a converted layer, which must follow the one before, so that a peer that sends without
+/// end is refused early.
+template <typename Layer>
+absl::Status AppendNext(absl::StatusOr<Layer> layer, std::vector<Layer>* layers) {
+  if (!layer.ok()) return layer.status();
+  layers->push_back(*std::move(layer));
+  const auto count = static_cast<int32_t>(layers->size());
+  if (layers->back().frame.index == layers->front().frame.index + count - 1) {
+    return absl::OkStatus();
+  }
+  return Malformed("layer", "does not follow the one before");
+}
+
+/// Layers come one after the other, bottom up.
+template <typename Layers>
+absl::Status CheckConsecutive(const Layers& layers) {
+  for (size_t i = 1; i < layers.size(); ++i) {
+    if (layers[i].frame.index != layers[i - 1].frame.index + 1) {
+      return Malformed("layer", "does not follow the one before");
+    }
+  }
+  return absl::OkStatus();
+}
+
+/// One layer for each of the range, in order.
+template <typename Layers>
+absl::Status CheckLayersOfRange(const Layers& layers, LayerRange range) {
+  if (absl::Status status = CheckConsecutive(layers); !status.ok()) return status;
+  if (RangeOf(layers) == range) return absl::OkStatus();
+  return Malformed("layer", "not one for each layer of the range");
+}
+
+/// A program or more for each layer of the range, in order of layers, then passes.
+template <typename Programs>
+absl::Status CheckProgramsOfRange(const Programs& programs, LayerRange range) {
+  int32_t next = range.first;
+  for (size_t i = 0; i < programs.size(); ++i) {
+    const int32_t index = programs[i].frame.index;
+    const bool same_layer =
+        i > 0 && index == programs[i - 1].frame.index && programs[i].pass > programs[i - 1].pass;
+    if (index != next && !same_layer) return Malformed("layer", "does not follow the one before");
+    if (!same_layer) ++next;
+  }
+  if (next == range.last) return absl::OkStatus();
+  return Malformed("layer", "not a program for each layer of the range");
+}
+
+/// What a stage of a range needs: consecutive layers that contain the range.
+absl::Status CheckNeighbourhood(std::span<const SlicedLayer> layers, LayerRange range);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

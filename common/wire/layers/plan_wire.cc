@@ -1,0 +1,286 @@
+#include "common/wire/layers/plan_wire.h"
+
+#include <span>
+#include <string>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/layers/path_wire.h"
+#include "common/wire/layers/region_wire.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/repeated_wire.h"
+
+namespace slicefarm {
+namespace {
+
+absl::Status CheckObject(int32_t object) {
+  if (0 <= object && object < limits::kMaxObjects) return absl::OkStatus();
+  return Malformed("object", "is not the index of an object");
+}
+
+/// Whether plans ascend by what `key` says of each, so that none comes twice.
+template <class Plans, class Key>
+bool Ascend(const Plans& plans, Key key) {
+  for (size_t i = 1; i < plans.size(); ++i)
+    if (!(key(plans[i - 1]) < key(plans[i]))) return false;
+  return true;
+}
+
+absl::Status PackLines(std::span<const Polyline> lines, v1::PlannedInfill* proto) {
+  for (const Polyline& line : lines) {
+    if (absl::Status ok = PackPoints(line, proto->mutable_lines_xy_nm()); !ok.ok()) return ok;
+    proto->add_line_sizes(static_cast<uint32_t>(line.size()));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<Polyline>> UnpackLines(const v1::PlannedInfill& proto) {
+  const auto points = UnpackPoints(proto.lines_xy_nm(), "lines_xy_nm");
+  if (!points.ok()) return points.status();
+  std::vector<Polyline> lines;
+  size_t begin = 0;
+  for (const uint32_t size : proto.line_sizes()) {
+    if (size < 2 || size > points->size() - begin)
+      return Malformed("line_sizes", "do not add up to lines_xy_nm");
+    const auto first = points->begin() + static_cast<std::ptrdiff_t>(begin);
+    lines.emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
+    begin += size;
+  }
+  if (begin != points->size()) return Malformed("line_sizes", "do not add up to lines_xy_nm");
+  return lines;
+}
+
+bool IsWholeUm(Point shift) { return shift.x % 1000 == 0 && shift.y % 1000 == 0; }
+
+}  // namespace
+
+absl::Status CheckCopyCount(int count, std::string_view field) {
+  if (count <= limits::kMaxObjects) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, std::string(field), limits::kMaxObjects, count);
+}
+
+absl::Status ToProto(const Copy& copy, v1::Copy* proto) {
+  proto->set_object(copy.object);
+  proto->set_pass(copy.pass);
+  return ToProto(copy.shift, proto->mutable_shift());
+}
+
+absl::StatusOr<Copy> FromProto(const v1::Copy& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.pass() < 0 || proto.pass() >= limits::kMaxObjects)
+    return Malformed("pass", "is none of a job's");
+  const Point shift = FromProto(proto.shift());
+  if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
+  return Copy{proto.object(), shift, proto.pass()};
+}
+
+absl::Status ToProto(const PlacedCopy& copy, v1::PlacedCopy* proto) {
+  proto->set_object(copy.object);
+  absl::Status status = ToProto(copy.shift, proto->mutable_shift());
+  if (!status.ok()) return status;
+  return PackPoints(copy.footprint, proto->mutable_footprint_xy_nm());
+}
+
+absl::StatusOr<PlacedCopy> FromProto(const v1::PlacedCopy& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  const Point shift = FromProto(proto.shift());
+  if (!IsWholeUm(shift)) return Malformed("shift", "is not in whole micrometres");
+  absl::StatusOr<Polygon> footprint = UnpackPoints(proto.footprint_xy_nm(), "footprint_xy_nm");
+  if (!footprint.ok()) return footprint.status();
+  return PlacedCopy{proto.object(), shift, *std::move(footprint)};
+}
+
+absl::Status ToProto(const SectionPlan& plan, v1::SectionPlan* proto) {
+  proto->set_object(plan.object);
+  if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  if (plan.exit) {
+    if (absl::Status status = ToProto(*plan.exit, proto->mutable_exit()); !status.ok())
+      return Within("exit", status);
+  }
+  return PackPoints(plan.seams, proto->mutable_seams_xy_nm());
+}
+
+absl::StatusOr<SectionPlan> FromProto(const v1::SectionPlan& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  absl::StatusOr<std::vector<Point>> seams = UnpackPoints(proto.seams_xy_nm(), "seams_xy_nm");
+  if (!seams.ok()) return seams.status();
+  SectionPlan plan{proto.object(), FromProto(proto.entry()), {}, *std::move(seams)};
+  if (proto.has_exit()) plan.exit = FromProto(proto.exit());
+  return plan;
+}
+
+absl::Status ToProto(const PlannedInfill& plan, v1::PlannedInfill* proto) {
+  proto->set_object(plan.object);
+  proto->set_settings(plan.settings);
+  proto->set_pattern(EnumToProto<v1::FillPattern>(plan.pattern));
+  proto->set_combined_height_nm(plan.combined_height_nm);
+  absl::Status status = PackLines(plan.lines, proto);
+  status.Update(ToProto(plan.left_out, proto->mutable_left_out()));
+  status.Update(ToProto(plan.combined, proto->mutable_combined()));
+  return status;
+}
+
+absl::StatusOr<PlannedInfill> FromProto(const v1::PlannedInfill& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.settings() < 0 || proto.settings() >= limits::kMaxRegionSettings)
+    return Malformed("settings", "is no row of a table of region settings");
+  if (proto.combined_height_nm() < 0 || proto.combined_height_nm() > limits::kMaxCoord)
+    return Malformed("combined_height_nm", "is out of range");
+  const auto pattern = EnumFromProto<FillPattern>(proto.pattern(), kFillPatternCount, "pattern");
+  if (!pattern.ok()) return pattern.status();
+  auto lines = UnpackLines(proto);
+  if (!lines.ok()) return lines.status();
+  auto left_out = FromProto(proto.left_out());
+  if (!left_out.ok()) return Within("left_out", left_out.status());
+  auto combined = FromProto(proto.combined());
+  if (!combined.ok()) return Within("combined", combined.status());
+  return PlannedInfill{proto.object(),
+                       proto.settings(),
+                       *pattern,
+                       *std::move(lines),
+                       *std::move(left_out),
+                       *std::move(combined),
+                       proto.combined_height_nm()};
+}
+
+absl::Status CheckOrder(std::span<const PlannedInfill> plans) {
+  const auto place = [](const PlannedInfill& plan) {
+    return std::pair(plan.object, plan.settings);
+  };
+  if (Ascend(plans, place)) return absl::OkStatus();
+  return Malformed("infill", "its objects and their rows do not ascend");
+}
+
+absl::Status ToProto(const LayerPlan& plan, v1::LayerPlan* proto) {
+  if (absl::Status status = ToProto(plan.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  proto->set_begins_ready(plan.begins_ready);
+  proto->set_ends_ready(plan.ends_ready);
+  absl::Status status = AllToProto(plan.sections, "sections", proto->mutable_sections());
+  if (!status.ok()) return status;
+  status = AllToProto(plan.paths, "paths", proto->mutable_paths());
+  if (!status.ok()) return status;
+  return AllToProto(plan.infill, "infill", proto->mutable_infill());
+}
+
+absl::StatusOr<LayerPlan> FromProto(const v1::LayerPlan& proto) {
+  LayerPlan plan;
+  plan.entry = FromProto(proto.entry());
+  plan.begins_ready = proto.begins_ready();
+  plan.ends_ready = proto.ends_ready();
+  absl::Status status = AllFromProto(proto.sections(), "sections", &plan.sections);
+  status.Update(AllFromProto(proto.paths(), "paths", &plan.paths));
+  status.Update(AllFromProto(proto.infill(), "infill", &plan.infill));
+  if (!status.ok()) return status;
+  if (!Ascend(plan.sections, [](const SectionPlan& section) { return section.object; }))
+    return Malformed("sections", "their objects do not ascend");
+  if (absl::Status ok = CheckOrder(plan.infill); !ok.ok()) return ok;
+  return plan;
+}
+
+absl::Status ToProto(const PlateAddition& addition, v1::PlateAddition* proto) {
+  proto->set_layer(addition.layer);
+  proto->set_height_nm(addition.height_nm);
+  absl::Status status = AllToProto(addition.regions, "regions", proto->mutable_regions());
+  if (!status.ok()) return status;
+  return AllToProto(addition.paths, "paths", proto->mutable_paths());
+}
+
+absl::StatusOr<PlateAddition> FromProto(const v1::PlateAddition& proto) {
+  absl::Status status = CheckSection(kPlate, proto.layer(), proto.height_nm());
+  if (!status.ok()) return status;
+  PlateAddition addition{proto.layer(), proto.height_nm(), {}, {}};
+  status.Update(AllFromProto(proto.regions(), "regions", &addition.regions));
+  status.Update(AllFromProto(proto.paths(), "paths", &addition.paths));
+  if (!status.ok()) return status;
+  return addition;
+}
+
+v1::SeamQuality ToProto(const SeamQuality& quality) {
+  v1::SeamQuality proto;
+  proto.set_loops(quality.loops);
+  proto.set_followers(quality.followers);
+  proto.set_jumps(quality.jumps);
+  proto.set_steps_mm(quality.steps_mm);
+  proto.set_with_corner(quality.with_corner);
+  proto.set_on_corner(quality.on_corner);
+  proto.set_overhanging(quality.overhanging);
+  return proto;
+}
+
+absl::StatusOr<SeamQuality> FromProto(const v1::SeamQuality& proto) {
+  for (const int64_t part : {proto.followers(), proto.with_corner(), proto.overhanging()})
+    if (part < 0 || part > proto.loops())
+      return Malformed("loops", "are not as many as their parts");
+  if (proto.jumps() < 0 || proto.jumps() > proto.followers())
+    return Malformed("jumps", "are not some of the followers");
+  if (proto.on_corner() < 0 || proto.on_corner() > proto.with_corner())
+    return Malformed("on_corner", "are not some of the loops with corners");
+  if (!(proto.steps_mm() >= 0)) return Malformed("steps_mm", "is negative");
+  return SeamQuality{proto.loops(),       proto.followers(), proto.jumps(),      proto.steps_mm(),
+                     proto.with_corner(), proto.on_corner(), proto.overhanging()};
+}
+
+v1::CopyName ToProto(const CopyName& name) {
+  v1::CopyName proto;
+  proto.set_object_name(name.object_name);
+  proto.set_object(name.object);
+  proto.set_copy(name.copy);
+  proto.set_copies(name.copies);
+  return proto;
+}
+
+absl::StatusOr<CopyName> FromProto(const v1::CopyName& proto) {
+  if (absl::Status status = CheckObject(proto.object()); !status.ok()) return status;
+  if (proto.copy() < 0 || proto.copy() >= proto.copies() || proto.copies() > limits::kMaxObjects) {
+    return Malformed("copy", "is not one of the object's copies");
+  }
+  return CopyName{proto.object_name(), proto.object(), proto.copy(), proto.copies()};
+}
+
+v1::PassFacts ToProto(const PassFacts& facts) {
+  v1::PassFacts proto;
+  proto.set_layers_before(facts.layers_before);
+  proto.set_first_layer(facts.first_layer);
+  proto.set_top_before_nm(facts.top_before_nm);
+  return proto;
+}
+
+absl::StatusOr<PassFacts> FromProto(const v1::PassFacts& proto) {
+  if (proto.layers_before() < 0 || proto.layers_before() > limits::kMaxLayerPrograms)
+    return Malformed("layers_before", "is not a number of layers");
+  if (proto.first_layer() < 0 || proto.first_layer() >= limits::kMaxLayers)
+    return Malformed("first_layer", "is not a layer");
+  if (proto.top_before_nm() < 0 || proto.top_before_nm() > limits::kMaxCoord)
+    return Malformed("top_before_nm", "is out of range");
+  return PassFacts{proto.layers_before(), proto.first_layer(), proto.top_before_nm()};
+}
+
+v1::JobFacts ToProto(const JobFacts& facts) {
+  v1::JobFacts proto;
+  proto.set_layer_count(facts.layer_count);
+  for (const CopyName& name : facts.copies) *proto.add_copies() = ToProto(name);
+  for (const PassFacts& pass : facts.passes) *proto.add_passes() = ToProto(pass);
+  return proto;
+}
+
+absl::StatusOr<JobFacts> FromProto(const v1::JobFacts& proto) {
+  if (proto.layer_count() < 0 || proto.layer_count() > limits::kMaxLayerPrograms) {
+    return Malformed("layer_count", "is not a number of layers");
+  }
+  absl::Status status = CheckCopyCount(proto.copies_size(), "copies");
+  status.Update(CheckCopyCount(proto.passes_size(), "passes"));
+  if (!status.ok()) return status;
+  JobFacts facts{proto.layer_count(), {}, {}};
+  status.Update(AllFromProto(proto.copies(), "copies", &facts.copies));
+  status.Update(AllFromProto(proto.passes(), "passes", &facts.passes));
+  if (!status.ok()) return status;
+  return facts;
+}
+
+}  // namespace slicefarm

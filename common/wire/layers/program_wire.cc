@@ -1,0 +1,336 @@
+#include "common/wire/layers/program_wire.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/layers/layer_wire.h"
+#include "common/wire/layers/plan_wire.h"
+#include "common/wire/mesh_wire.h"
+#include "common/wire/support/amounts.h"
+#include "common/wire/support/box_wire.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/repeated_wire.h"
+
+namespace slicefarm {
+void ToProto(const FeatureUse& use, v1::FeatureUse* proto) {
+  proto->set_time_s(use.time_s);
+  proto->set_length_mm(use.length_mm);
+  proto->set_filament_mm(use.filament_mm);
+  proto->set_volume_mm3(use.volume_mm3);
+}
+
+absl::StatusOr<FeatureUse> FromProto(const v1::FeatureUse& proto) {
+  if (!AreAmounts({proto.time_s(), proto.length_mm(), proto.filament_mm(), proto.volume_mm3()})) {
+    return Malformed("time_s, length_mm, filament_mm, volume_mm3", "not all are amounts");
+  }
+  return FeatureUse{proto.time_s(), proto.length_mm(), proto.filament_mm(), proto.volume_mm3()};
+}
+
+namespace {
+
+constexpr int kMostEdgeMoves = 1000;
+
+v1::EdgeMove ToProto(const EdgeMove& move) {
+  v1::EdgeMove proto;
+  proto.set_x_um(move.x_um);
+  proto.set_y_um(move.y_um);
+  proto.set_z_um(move.z_um);
+  proto.set_filament(move.filament);
+  proto.set_feed_rate(move.feed_rate);
+  proto.set_acceleration_mm_s2(move.acceleration_mm_s2);
+  proto.set_feature(EnumToProto<v1::Feature>(move.feature));
+  return proto;
+}
+
+absl::StatusOr<EdgeMove> FromProto(const v1::EdgeMove& proto) {
+  if (!IsAmount(proto.acceleration_mm_s2()) || proto.feed_rate() < 0)
+    return Malformed("acceleration_mm_s2, feed_rate", "not all are amounts");
+  const auto feature = EnumFromProto<Feature>(proto.feature(), kFeatureCount, "feature");
+  if (!feature.ok()) return feature.status();
+  return EdgeMove{proto.x_um(),     proto.y_um(),      proto.z_um(),
+                  proto.filament(), proto.feed_rate(), proto.acceleration_mm_s2(),
+                  *feature};
+}
+
+v1::LayerEdges ToProto(const LayerEdges& edges) {
+  v1::LayerEdges proto;
+  for (const EdgeMove& move : edges.head) *proto.add_head() = ToProto(move);
+  for (const EdgeMove& move : edges.tail) *proto.add_tail() = ToProto(move);
+  proto.set_approach(edges.approach);
+  proto.set_acceleration_mm_s2(edges.acceleration_mm_s2);
+  return proto;
+}
+
+absl::StatusOr<LayerEdges> FromProto(const v1::LayerEdges& proto) {
+  if (proto.head_size() > kMostEdgeMoves || proto.tail_size() > kMostEdgeMoves)
+    return Malformed("head, tail", fmt::format("more than {} moves", kMostEdgeMoves));
+  LayerEdges edges;
+  absl::Status status;
+  for (int i = 0; i < proto.head_size(); ++i) {
+    const auto move = FromProto(proto.head(i));
+    if (!move.ok()) return Within("head", i, move.status());
+    edges.head.push_back(*move);
+  }
+  for (int i = 0; i < proto.tail_size(); ++i) {
+    const auto move = FromProto(proto.tail(i));
+    if (!move.ok()) return Within("tail", i, move.status());
+    edges.tail.push_back(*move);
+  }
+  if (proto.approach() < 0 || proto.approach() > proto.head_size())
+    return Malformed("approach", "is no move of the head");
+  if (!IsAmount(proto.acceleration_mm_s2())) return Malformed("acceleration_mm_s2", "is not one");
+  edges.approach = proto.approach();
+  edges.acceleration_mm_s2 = proto.acceleration_mm_s2();
+  return edges;
+}
+
+v1::PrintTimes ToProto(const PrintTimes& times) {
+  v1::PrintTimes proto;
+  proto.mutable_feature_s()->Assign(times.feature_s.begin(), times.feature_s.end());
+  proto.set_travel_s(times.travel_s);
+  proto.set_retract_s(times.retract_s);
+  proto.set_custom_s(times.custom_s);
+  proto.set_dwell_s(times.dwell_s);
+  proto.set_heating_s(times.heating_s);
+  proto.set_homings(times.homings);
+  proto.set_heat_waits(times.heat_waits);
+  proto.set_tool_changes(times.tool_changes);
+  proto.set_before_s(times.before_s);
+  proto.mutable_layer_s()->Assign(times.layer_s.begin(), times.layer_s.end());
+  proto.set_after_s(times.after_s);
+  return proto;
+}
+
+absl::StatusOr<PrintTimes> FromProto(const v1::PrintTimes& proto) {
+  if (proto.feature_s_size() != kFeatureCount)
+    return Malformed("feature_s", fmt::format("not {} of them", kFeatureCount));
+  const bool amounts =
+      AreAmounts({proto.travel_s(), proto.retract_s(), proto.custom_s(), proto.dwell_s(),
+                  proto.heating_s(), proto.before_s(), proto.after_s()}) &&
+      std::ranges::all_of(proto.feature_s(), IsAmount) &&
+      std::ranges::all_of(proto.layer_s(), IsAmount);
+  if (!amounts || proto.homings() < 0 || proto.heat_waits() < 0 || proto.tool_changes() < 0)
+    return Malformed("times", "not all are amounts");
+  PrintTimes times;
+  std::ranges::copy(proto.feature_s(), times.feature_s.begin());
+  times.travel_s = proto.travel_s();
+  times.retract_s = proto.retract_s();
+  times.custom_s = proto.custom_s();
+  times.dwell_s = proto.dwell_s();
+  times.heating_s = proto.heating_s();
+  times.homings = proto.homings();
+  times.heat_waits = proto.heat_waits();
+  times.tool_changes = proto.tool_changes();
+  times.before_s = proto.before_s();
+  times.layer_s.assign(proto.layer_s().begin(), proto.layer_s().end());
+  times.after_s = proto.after_s();
+  return times;
+}
+
+}  // namespace
+
+absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
+  ToProto(layer.frame, proto->mutable_frame());
+  proto->set_time_s(layer.time_s);
+  proto->set_empty(layer.empty);
+  proto->set_pass(layer.pass);
+  *proto->mutable_edges() = ToProto(layer.edges);
+  if (absl::Status status = ToProto(layer.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  return ToProto(layer.exit, proto->mutable_exit());
+}
+
+absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
+  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
+  if (!frame.ok()) return frame.status();
+  if (!IsAmount(proto.time_s())) return Malformed("time_s", "is not a time");
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
+  if (!edges.ok()) return Within("edges", edges.status());
+  return LayerSummary{
+      *frame,         proto.pass(),  FromProto(proto.entry()), FromProto(proto.exit()),
+      proto.time_s(), proto.empty(), *std::move(edges)};
+}
+
+absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
+  for (const FeatureUse& use : stats.features) ToProto(use, proto->add_features());
+  proto->set_travel_time_s(stats.travel_time_s);
+  proto->set_retract_time_s(stats.retract_time_s);
+  proto->set_travel_mm(stats.travel_mm);
+  proto->set_travels(stats.travels);
+  proto->set_retractions(stats.retractions);
+  return BoxToProto(stats.bounds, proto);
+}
+
+absl::StatusOr<ProgramStats> FromProto(const v1::ProgramStats& proto) {
+  if (proto.features_size() != kFeatureCount) {
+    return Malformed("features", fmt::format("not {} of them", kFeatureCount));
+  }
+  if (!AreAmounts({proto.travel_time_s(), proto.retract_time_s(), proto.travel_mm()}) ||
+      proto.travels() < 0 || proto.retractions() < 0) {
+    return Malformed("travel_time_s, travel_mm, travels, retractions", "not all are amounts");
+  }
+  const absl::StatusOr<Box> bounds = BoxFromProto(proto);
+  if (!bounds.ok()) return bounds.status();
+  ProgramStats stats;
+  for (int i = 0; i < kFeatureCount; ++i) {
+    absl::StatusOr<FeatureUse> use = FromProto(proto.features(i));
+    if (!use.ok()) return Within("features", i, use.status());
+    stats.features[i] = *use;
+  }
+  stats.travel_time_s = proto.travel_time_s();
+  stats.retract_time_s = proto.retract_time_s();
+  stats.travel_mm = proto.travel_mm();
+  stats.travels = proto.travels();
+  stats.retractions = proto.retractions();
+  stats.bounds = *bounds;
+  return stats;
+}
+
+absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
+  ToProto(program.frame, proto->mutable_frame());
+  proto->set_gcode(std::move(program.gcode));
+  proto->set_pass(program.pass);
+  *proto->mutable_edges() = ToProto(program.edges);
+  if (absl::Status status = ToProto(program.entry, proto->mutable_entry()); !status.ok()) {
+    return Within("entry", status);
+  }
+  if (absl::Status status = ToProto(program.exit, proto->mutable_exit()); !status.ok()) {
+    return Within("exit", status);
+  }
+  return ToProto(program.stats, proto->mutable_stats());
+}
+
+absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
+  absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
+  if (!frame.ok()) return frame.status();
+  absl::StatusOr<ProgramStats> stats = FromProto(proto.stats());
+  if (!stats.ok()) return Within("stats", stats.status());
+  if (proto.pass() < 0) return Malformed("pass", "is negative");
+  absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
+  if (!edges.ok()) return Within("edges", edges.status());
+  return LayerProgram{*frame,
+                      proto.pass(),
+                      std::move(*proto.mutable_gcode()),
+                      FromProto(proto.entry()),
+                      FromProto(proto.exit()),
+                      *stats,
+                      *std::move(edges)};
+}
+
+v1::StageTimes ToProto(const StageTimes& times) {
+  v1::StageTimes proto;
+  proto.set_slicing_s(times.slicing_s);
+  proto.set_beading_s(times.beading_s);
+  proto.set_infill_s(times.infill_s);
+  proto.set_ordering_s(times.ordering_s);
+  proto.set_motion_s(times.motion_s);
+  proto.set_planning_s(times.planning_s);
+  proto.set_exposure_s(times.exposure_s);
+  return proto;
+}
+
+absl::StatusOr<StageTimes> FromProto(const v1::StageTimes& proto) {
+  if (!AreAmounts({proto.slicing_s(), proto.planning_s(), proto.beading_s(), proto.infill_s(),
+                   proto.ordering_s(), proto.motion_s(), proto.exposure_s()})) {
+    return Malformed("times", "not all are times");
+  }
+  return StageTimes{proto.slicing_s(),  proto.planning_s(), proto.beading_s(), proto.infill_s(),
+                    proto.ordering_s(), proto.motion_s(),   proto.exposure_s()};
+}
+
+v1::LayerWarning ToProto(const LayerWarning& warning) {
+  v1::LayerWarning proto;
+  proto.set_layer(warning.layer);
+  proto.set_plain_islands(warning.plain_islands);
+  return proto;
+}
+
+absl::StatusOr<LayerWarning> FromProto(const v1::LayerWarning& proto) {
+  if (proto.layer() < 0 || proto.layer() >= limits::kMaxLayers || proto.plain_islands() < 0) {
+    return Malformed("warning", "is of no layer");
+  }
+  return LayerWarning{proto.layer(), proto.plain_islands()};
+}
+
+absl::Status ToProto(const ProgramSummary& summary, v1::FrameRequest* proto) {
+  if (absl::Status status = AllToProto(summary.layers, "layers", proto->mutable_layers());
+      !status.ok()) {
+    return status;
+  }
+  if (absl::Status status = ToProto(summary.total, proto->mutable_total()); !status.ok()) {
+    return Within("total", status);
+  }
+  for (const Thumbnail& thumbnail : summary.thumbnails) {
+    *proto->add_thumbnails() = ToProto(thumbnail);
+  }
+  for (size_t i = 0; i < summary.copies.size(); ++i) {
+    v1::CopySummary* copy = proto->add_copies();
+    *copy->mutable_name() = ToProto(summary.copies[i].name);
+    absl::Status status = PackPoints(summary.copies[i].footprint, copy->mutable_footprint_xy_nm());
+    if (!status.ok()) return Within("copies", i, status);
+  }
+  proto->set_settings_text(summary.settings_text);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<ProgramSummary> FromProto(const v1::FrameRequest& proto) {
+  ProgramSummary summary;
+  if (proto.layers_size() > limits::kMaxLayerPrograms) {
+    return Malformed("layers", fmt::format("more than {}", limits::kMaxLayerPrograms));
+  }
+  if (absl::Status status = AllFromProto(proto.layers(), "layers", &summary.layers); !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<ProgramStats> total = FromProto(proto.total());
+  if (!total.ok()) return Within("total", total.status());
+  summary.total = *total;
+  if (absl::Status status = AllFromProto(proto.thumbnails(), "thumbnails", &summary.thumbnails);
+      !status.ok()) {
+    return status;
+  }
+  if (proto.copies_size() > limits::kMaxObjects) {
+    return Malformed("copies", fmt::format("more than {}", limits::kMaxObjects));
+  }
+  for (int i = 0; i < proto.copies_size(); ++i) {
+    absl::StatusOr<CopyName> name = FromProto(proto.copies(i).name());
+    if (!name.ok()) return Within("copies", i, name.status());
+    auto footprint = UnpackPoints(proto.copies(i).footprint_xy_nm(), "footprint_xy_nm");
+    if (!footprint.ok()) return Within("copies", i, footprint.status());
+    summary.copies.push_back({*std::move(name), *std::move(footprint)});
+  }
+  summary.settings_text = proto.settings_text();
+  return summary;
+}
+
+v1::ProgramFrame ToProto(ProgramEnvelope frame) {
+  v1::ProgramFrame proto;
+  proto.set_prologue(std::move(frame.prologue));
+  for (std::string& prefix : frame.layer_prefixes) proto.add_layer_prefixes(std::move(prefix));
+  proto.set_epilogue(std::move(frame.epilogue));
+  *proto.mutable_times() = ToProto(frame.times);
+  proto.set_travel_mm(frame.travel_mm);
+  return proto;
+}
+
+absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto) {
+  if (!IsAmount(proto.travel_mm())) return Malformed("travel_mm", "is not an amount");
+  absl::StatusOr<PrintTimes> times = FromProto(proto.times());
+  if (!times.ok()) return Within("times", times.status());
+  ProgramEnvelope frame;
+  frame.prologue = std::move(*proto.mutable_prologue());
+  for (std::string& prefix : *proto.mutable_layer_prefixes()) {
+    frame.layer_prefixes.push_back(std::move(prefix));
+  }
+  frame.epilogue = std::move(*proto.mutable_epilogue());
+  frame.times = *std::move(times);
+  frame.travel_mm = proto.travel_mm();
+  return frame;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "absl/status/statusor.h"
+#include "common/model/options/motion_options.h"
+#include "slicefarm/v1/settings.pb.h"
+
+namespace slicefarm {
+
+/// The motion stage's options, by the rules of settings_wire.h.
+v1::MotionOptions ToProto(const MotionOptions& options);
+absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

@@ -1,0 +1,424 @@
+#include "common/wire/options/settings_wire.h"
+
+#include <string_view>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/wire/geometry_wire.h"
+#include "common/wire/options/exposure_options_wire.h"
+#include "common/wire/options/motion_options_wire.h"
+#include "common/wire/options/planning_options_wire.h"
+#include "common/wire/options/settings_check.h"
+#include "common/wire/support/enum_wire.h"
+#include "common/wire/support/repeated_wire.h"
+#include "common/wire/support/wire_error.h"
+
+namespace slicefarm {
+namespace {
+
+static_assert(v1::FILL_RULE_NON_ZERO == static_cast<int>(FillRule::kNonZero) + 1);
+static_assert(v1::FILL_RULE_EVEN_ODD == static_cast<int>(FillRule::kEvenOdd) + 1);
+static_assert(v1::FILL_RULE_POSITIVE == static_cast<int>(FillRule::kPositive) + 1);
+static_assert(v1::WALL_GENERATOR_ARACHNE == static_cast<int>(WallGenerator::kArachne) + 1);
+static_assert(v1::WALL_GENERATOR_CLASSIC == static_cast<int>(WallGenerator::kClassic) + 1);
+static_assert(v1::FILL_PATTERN_GRID == static_cast<int>(FillPattern::kGrid) + 1);
+static_assert(v1::FillPattern_MAX == kFillPatternCount);
+static_assert(v1::SHELL_THICKNESS_DISABLED == static_cast<int>(ShellThickness::kDisabled) + 1);
+static_assert(v1::SHELL_THICKNESS_ENABLED == static_cast<int>(ShellThickness::kEnabled) + 1);
+static_assert(v1::FILL_GOAL_STRENGTH == static_cast<int>(FillGoal::kStrength) + 1);
+static_assert(v1::FILL_GOAL_FLEXIBILITY == static_cast<int>(FillGoal::kFlexibility) + 1);
+static_assert(v1::IRONING_TYPE_TOP == static_cast<int>(IroningType::kTop) + 1);
+static_assert(v1::IRONING_TYPE_SOLID == static_cast<int>(IroningType::kSolid) + 1);
+static_assert(v1::PROCESS_LASER == static_cast<int>(Process::kLaser) + 1);
+static_assert(v1::Process_MAX == kProcessCount);
+
+constexpr double kMaxTransitionAngle = 1.6;  // radians: a right angle
+
+absl::Status CheckThumbnails(const v1::SlicingOptions& proto) {
+  if (proto.thumbnails_size() > limits::kMaxThumbnails) {
+    return LimitError(Reason::kRequestTooLarge, "thumbnails", limits::kMaxThumbnails,
+                      proto.thumbnails_size());
+  }
+  for (const v1::ThumbnailSize& size : proto.thumbnails()) {
+    for (const int32_t px : {size.width_px(), size.height_px()}) {
+      if (px < 1 || px > limits::kMaxThumbnailPx) return Malformed("thumbnails", "out of range");
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Check(const v1::ObjectSlicingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"layer_height_nm", proto.layer_height_nm()}}));
+  status.Update(
+      CheckNotNegative({{"closing_radius_nm", proto.closing_radius_nm()},
+                        {"elephant_foot_min_width_nm", proto.elephant_foot_min_width_nm()}}));
+  status.Update(CheckLengths({{"xy_compensation_nm", proto.xy_compensation_nm()},
+                              {"hole_compensation_nm", proto.hole_compensation_nm()},
+                              {"elephant_foot_nm", proto.elephant_foot_nm()}},
+                             -limits::kMaxCoord));
+  return status;
+}
+
+absl::Status Check(const v1::SlicingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckPositive({{"first_layer_height_nm", proto.first_layer_height_nm()}}));
+  status.Update(CheckNotNegative({{"max_gap_nm", proto.max_gap_nm()},
+                                  {"resolution_nm", proto.resolution_nm()},
+                                  {"max_print_height_nm", proto.max_print_height_nm()},
+                                  {"part_distance_nm", proto.part_distance_nm()},
+                                  {"clearance_radius_nm", proto.clearance_radius_nm()}}));
+  status.Update(CheckRows(proto.objects_size(), "objects"));
+  if (proto.bed_xy_nm_size() < 6) status.Update(Malformed("bed_xy_nm", "fewer than 3 points"));
+  status.Update(CheckThumbnails(proto));
+  return status;
+}
+
+absl::Status Check(const v1::BeadingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  if (proto.perimeters() < 0 || proto.perimeters() > limits::kMaxPerimeters) {
+    status.Update(Malformed("perimeters", "is out of range"));
+  }
+  status.Update(CheckPositive({{"external_width_nm", proto.external_width_nm()},
+                               {"inner_width_nm", proto.inner_width_nm()},
+                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
+  status.Update(CheckNotNegative({{"min_gap_width_nm", proto.min_gap_width_nm()},
+                                  {"max_gap_width_nm", proto.max_gap_width_nm()},
+                                  {"transition_length_nm", proto.transition_length_nm()},
+                                  {"transition_deviation_nm", proto.transition_deviation_nm()},
+                                  {"min_feature_nm", proto.min_feature_nm()},
+                                  {"min_bead_width_nm", proto.min_bead_width_nm()},
+                                  {"max_bead_width_nm", proto.max_bead_width_nm()}}));
+  if (!(proto.transition_angle() > 0 && proto.transition_angle() < kMaxTransitionAngle)) {
+    status.Update(Malformed("transition_angle", "is out of range"));
+  }
+  if (proto.distribution_count() < 1 || proto.distribution_count() > limits::kMaxPerimeters) {
+    status.Update(Malformed("distribution_count", "is out of range"));
+  }
+  return status;
+}
+
+absl::Status Check(const v1::InfillOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  for (const auto& [field, layers] : {std::pair("top_solid_layers", proto.top_solid_layers()),
+                                      std::pair("bottom_solid_layers", proto.bottom_solid_layers()),
+                                      std::pair("field_halo_layers", proto.field_halo_layers())}) {
+    if (layers < 0 || layers > limits::kMaxLayers) {
+      status.Update(Malformed(field, "is out of range"));
+    }
+  }
+  if (proto.density() < 0 || proto.density() > 1) {
+    status.Update(Malformed("density", "is not in [0, 1]"));
+  }
+  if (proto.solid_below_area_mm2() < 0) {
+    status.Update(Malformed("solid_below_area_mm2", "is negative"));
+  }
+  status.Update(CheckPositive({{"sparse_width_nm", proto.sparse_width_nm()},
+                               {"solid_width_nm", proto.solid_width_nm()},
+                               {"top_width_nm", proto.top_width_nm()},
+                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
+  status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
+  status.Update(CheckNotNegative(
+      {{"anchor_nm", proto.anchor_nm()}, {"anchor_max_nm", proto.anchor_max_nm()}}));
+  if (proto.solid_every_layers() < 0) status.Update(Malformed("solid_every_layers", "is negative"));
+  if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
+  if (!(proto.bridge_flow() > 0)) status.Update(Malformed("bridge_flow", "is not above 0"));
+  if (proto.ironing().flow() < 0) status.Update(Malformed("ironing.flow", "is negative"));
+  status.Update(CheckPositive({{"ironing.spacing_nm", proto.ironing().spacing_nm()}}));
+  return status;
+}
+
+v1::ObjectSlicingOptions ToProto(const ObjectSlicingOptions& options) {
+  v1::ObjectSlicingOptions proto;
+  proto.set_layer_height_nm(options.layer_height_nm);
+  proto.set_fill_rule(EnumToProto<v1::FillRule>(options.fill_rule));
+  proto.set_closing_radius_nm(options.closing_radius_nm);
+  proto.set_xy_compensation_nm(options.xy_compensation_nm);
+  proto.set_hole_compensation_nm(options.hole_compensation_nm);
+  proto.set_elephant_foot_nm(options.elephant_foot_nm);
+  proto.set_elephant_foot_min_width_nm(options.elephant_foot_min_width_nm);
+  *proto.mutable_raft() = ToProto(options.raft);
+  return proto;
+}
+
+absl::StatusOr<ObjectSlicingOptions> ObjectFromProto(const v1::ObjectSlicingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  const absl::StatusOr<RaftHeights> raft = FromProto(proto.raft());
+  if (!raft.ok()) return Within("raft", raft.status());
+  ObjectSlicingOptions options;
+  options.layer_height_nm = proto.layer_height_nm();
+  options.fill_rule = Known<FillRule>(proto.fill_rule());
+  options.closing_radius_nm = proto.closing_radius_nm();
+  options.xy_compensation_nm = proto.xy_compensation_nm();
+  options.hole_compensation_nm = proto.hole_compensation_nm();
+  options.elephant_foot_nm = proto.elephant_foot_nm();
+  options.elephant_foot_min_width_nm = proto.elephant_foot_min_width_nm();
+  options.raft = *raft;
+  return options;
+}
+
+}  // namespace
+
+absl::Status CheckRows(int rows, std::string_view field) {
+  if (rows < 1) return Malformed(field, "are missing");
+  if (rows <= limits::kMaxRegionSettings) return absl::OkStatus();
+  return LimitError(Reason::kRequestTooLarge, "rows of settings", limits::kMaxRegionSettings, rows);
+}
+
+absl::Status ToProto(const SlicingOptions& options, v1::SlicingOptions* proto) {
+  proto->set_first_layer_height_nm(options.first_layer_height_nm);
+  proto->set_max_gap_nm(options.max_gap_nm);
+  proto->set_resolution_nm(options.resolution_nm);
+  proto->set_max_print_height_nm(options.max_print_height_nm);
+  proto->set_part_distance_nm(options.part_distance_nm);
+  proto->set_clearance_radius_nm(options.clearance_radius_nm);
+  for (const auto& [width, height, format] : options.thumbnails) {
+    v1::ThumbnailSize* size = proto->add_thumbnails();
+    size->set_width_px(width);
+    size->set_height_px(height);
+    size->set_format(EnumToProto<v1::PictureFormat>(format));
+  }
+  for (const ObjectSlicingOptions& object : options.objects)
+    *proto->add_objects() = ToProto(object);
+  const absl::Status status = PackPoints(options.bed, proto->mutable_bed_xy_nm());
+  return status.ok() ? status : Within("bed_xy_nm", status);
+}
+
+absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  absl::StatusOr<Polygon> bed = UnpackPoints(proto.bed_xy_nm(), "bed_xy_nm");
+  if (!bed.ok()) return bed.status();
+  SlicingOptions options;
+  options.first_layer_height_nm = proto.first_layer_height_nm();
+  options.max_gap_nm = proto.max_gap_nm();
+  options.resolution_nm = proto.resolution_nm();
+  options.bed = *std::move(bed);
+  options.max_print_height_nm = proto.max_print_height_nm();
+  options.part_distance_nm = proto.part_distance_nm();
+  options.clearance_radius_nm = proto.clearance_radius_nm();
+  options.thumbnails.clear();
+  for (const v1::ThumbnailSize& size : proto.thumbnails()) {
+    options.thumbnails.push_back(
+        {size.width_px(), size.height_px(), Known<PictureFormat>(size.format())});
+  }
+  options.objects.clear();
+  for (int i = 0; i < proto.objects_size(); ++i) {
+    const auto object = ObjectFromProto(proto.objects(i));
+    if (!object.ok()) return Within("objects", i, object.status());
+    options.objects.push_back(*object);
+  }
+  return options;
+}
+
+v1::BeadingOptions ToProto(const BeadingOptions& options) {
+  v1::BeadingOptions proto;
+  proto.set_perimeters(options.perimeters);
+  proto.set_external_width_nm(options.external_width_nm);
+  proto.set_inner_width_nm(options.inner_width_nm);
+  proto.set_first_layer_width_nm(options.first_layer_width_nm);
+  proto.set_gap_fill(options.gap_fill);
+  proto.set_min_gap_width_nm(options.min_gap_width_nm);
+  proto.set_max_gap_width_nm(options.max_gap_width_nm);
+  proto.set_generator(EnumToProto<v1::WallGenerator>(options.generator));
+  proto.set_thin_walls(options.thin_walls);
+  proto.set_transition_length_nm(options.transition_length_nm);
+  proto.set_transition_angle(options.transition_angle);
+  proto.set_transition_deviation_nm(options.transition_deviation_nm);
+  proto.set_distribution_count(options.distribution_count);
+  proto.set_min_feature_nm(options.min_feature_nm);
+  proto.set_min_bead_width_nm(options.min_bead_width_nm);
+  proto.set_max_bead_width_nm(options.max_bead_width_nm);
+  proto.set_lock_outer_width(options.lock_outer_width);
+  proto.set_wall_class(options.wall_class);
+  return proto;
+}
+
+absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  BeadingOptions options;
+  options.perimeters = proto.perimeters();
+  options.external_width_nm = proto.external_width_nm();
+  options.inner_width_nm = proto.inner_width_nm();
+  options.first_layer_width_nm = proto.first_layer_width_nm();
+  options.gap_fill = proto.gap_fill();
+  options.min_gap_width_nm = proto.min_gap_width_nm();
+  options.max_gap_width_nm = proto.max_gap_width_nm();
+  options.generator = Known<WallGenerator>(proto.generator());
+  options.thin_walls = proto.thin_walls();
+  options.transition_length_nm = proto.transition_length_nm();
+  options.transition_angle = proto.transition_angle();
+  options.transition_deviation_nm = proto.transition_deviation_nm();
+  options.distribution_count = proto.distribution_count();
+  options.min_feature_nm = proto.min_feature_nm();
+  options.min_bead_width_nm = proto.min_bead_width_nm();
+  options.max_bead_width_nm = proto.max_bead_width_nm();
+  options.lock_outer_width = proto.lock_outer_width();
+  options.wall_class = proto.wall_class();
+  return options;
+}
+
+v1::InfillOptions ToProto(const InfillOptions& options) {
+  v1::InfillOptions proto;
+  proto.set_top_solid_layers(options.top_solid_layers);
+  proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  proto.set_density(options.density);
+  proto.set_pattern(EnumToProto<v1::FillPattern>(options.pattern));
+  proto.set_solid_pattern(EnumToProto<v1::FillPattern>(options.solid_pattern));
+  proto.set_top_pattern(EnumToProto<v1::FillPattern>(options.top_pattern));
+  proto.set_bottom_pattern(EnumToProto<v1::FillPattern>(options.bottom_pattern));
+  proto.set_angle_rad(options.angle_rad);
+  proto.set_sparse_width_nm(options.sparse_width_nm);
+  proto.set_solid_width_nm(options.solid_width_nm);
+  proto.set_top_width_nm(options.top_width_nm);
+  proto.set_first_layer_width_nm(options.first_layer_width_nm);
+  proto.set_overlap_nm(options.overlap_nm);
+  proto.set_solid_below_area_mm2(options.solid_below_area_mm2);
+  proto.set_anchor_nm(options.anchor_nm);
+  proto.set_anchor_max_nm(options.anchor_max_nm);
+  proto.set_solid_every_layers(options.solid_every_layers);
+  proto.set_bridge_angle_rad(options.bridge_angle_rad);
+  proto.set_density_field(options.density_field);
+  proto.set_stress_field(options.stress_field);
+  proto.set_field_halo_layers(options.field_halo_layers);
+  proto.set_choose_pattern(options.choose_pattern);
+  proto.set_goal(EnumToProto<v1::FillGoal>(options.goal));
+  proto.set_angle_template(options.angle_template);
+  proto.set_solid_angle_template(options.solid_angle_template);
+  proto.set_bridge_flow(options.bridge_flow);
+  proto.set_every_layers(options.every_layers);
+  proto.set_only_where_needed(options.only_where_needed);
+  proto.set_shells(EnumToProto<v1::ShellThickness>(options.shells));
+  proto.set_overhang_lines(options.overhang_lines);
+  v1::IroningOptions& ironing = *proto.mutable_ironing();
+  ironing.set_enabled(options.ironing.enabled);
+  ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
+  ironing.set_flow(options.ironing.flow);
+  ironing.set_spacing_nm(options.ironing.spacing_nm);
+  return proto;
+}
+
+absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
+  if (absl::Status status = Check(proto); !status.ok()) return status;
+  InfillOptions options;
+  options.top_solid_layers = proto.top_solid_layers();
+  options.bottom_solid_layers = proto.bottom_solid_layers();
+  options.density = proto.density();
+  options.pattern = Known<FillPattern>(proto.pattern());
+  options.solid_pattern = Known<FillPattern>(proto.solid_pattern());
+  options.top_pattern = Known<FillPattern>(proto.top_pattern());
+  options.bottom_pattern = Known<FillPattern>(proto.bottom_pattern());
+  options.angle_rad = proto.angle_rad();
+  options.sparse_width_nm = proto.sparse_width_nm();
+  options.solid_width_nm = proto.solid_width_nm();
+  options.top_width_nm = proto.top_width_nm();
+  options.first_layer_width_nm = proto.first_layer_width_nm();
+  options.overlap_nm = proto.overlap_nm();
+  options.solid_below_area_mm2 = proto.solid_below_area_mm2();
+  options.anchor_nm = proto.anchor_nm();
+  options.anchor_max_nm = proto.anchor_max_nm();
+  options.solid_every_layers = proto.solid_every_layers();
+  options.bridge_angle_rad = proto.bridge_angle_rad();
+  options.density_field = proto.density_field();
+  options.stress_field = proto.stress_field();
+  options.field_halo_layers = proto.field_halo_layers();
+  options.choose_pattern = proto.choose_pattern();
+  options.goal = Known<FillGoal>(proto.goal());
+  options.angle_template = proto.angle_template();
+  options.solid_angle_template = proto.solid_angle_template();
+  options.bridge_flow = proto.bridge_flow();
+  options.every_layers = proto.every_layers();
+  options.only_where_needed = proto.only_where_needed();
+  options.shells = Known<ShellThickness>(proto.shells());
+  options.overhang_lines = proto.overhang_lines();
+  options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
+                     proto.ironing().flow(), proto.ironing().spacing_nm()};
+  return options;
+}
+
+v1::OrderingOptions ToProto(const OrderingOptions& options) {
+  v1::OrderingOptions proto;
+  proto.set_infill_first(options.infill_first);
+  proto.set_improvement_moves(options.improvement_moves);
+  const TravelOptions& travel = options.travel;
+  proto.mutable_travel()->set_hide(travel.hide);
+  proto.mutable_travel()->set_longest_hidden_mm(travel.longest_hidden_mm);
+  proto.mutable_travel()->set_avoid_crossing(travel.avoid_crossing);
+  proto.mutable_travel()->set_max_detour_mm(travel.max_detour_mm);
+  proto.mutable_travel()->set_max_detour_ratio(travel.max_detour_ratio);
+  proto.mutable_travel()->set_retract_layer_change(travel.retract_layer_change);
+  for (const WallOrder& order : options.walls) {
+    v1::WallOrder* walls = proto.add_walls();
+    walls->set_external_perimeters_first(order.external_perimeters_first);
+    walls->set_inner_outer_inner(order.inner_outer_inner);
+    walls->set_towards_holes(order.towards_holes);
+    walls->set_stagger_seams(order.stagger_seams);
+  }
+  return proto;
+}
+
+absl::StatusOr<OrderingOptions> FromProto(const v1::OrderingOptions& proto) {
+  absl::Status status = CheckComplete(proto);
+  status.Update(CheckRows(proto.walls_size(), "walls"));
+  if (!status.ok()) return status;
+  if (proto.improvement_moves() < 0) return Malformed("improvement_moves", "is negative");
+  for (const double length : {proto.travel().longest_hidden_mm(), proto.travel().max_detour_mm(),
+                              proto.travel().max_detour_ratio()}) {
+    if (!(length >= 0)) return Malformed("travel", "a length is negative");
+  }
+  OrderingOptions options;
+  options.infill_first = proto.infill_first();
+  options.improvement_moves = proto.improvement_moves();
+  const v1::TravelOptions& travel = proto.travel();
+  options.travel = {
+      travel.hide(),          travel.longest_hidden_mm(), travel.avoid_crossing(),
+      travel.max_detour_mm(), travel.max_detour_ratio(),  travel.retract_layer_change()};
+  options.walls.clear();
+  for (const v1::WallOrder& walls : proto.walls())
+    options.walls.push_back({walls.external_perimeters_first(), walls.inner_outer_inner(),
+                             walls.towards_holes(), walls.stagger_seams()});
+  return options;
+}
+
+absl::Status ToProto(const JobSettings& settings, v1::JobSettings* proto) {
+  proto->set_process(EnumToProto<v1::Process>(settings.process));
+  *proto->mutable_exposure() = ToProto(settings.exposure);
+  for (const BeadingOptions& row : settings.beading) *proto->add_beading() = ToProto(row);
+  for (const InfillOptions& row : settings.infill) *proto->add_infill() = ToProto(row);
+  *proto->mutable_ordering() = ToProto(settings.ordering);
+  *proto->mutable_motion() = ToProto(settings.motion);
+  absl::Status status = ToProto(settings.planning, proto->mutable_planning());
+  if (!status.ok()) return Within("planning", status);
+  status = ToProto(settings.slicing, proto->mutable_slicing());
+  return status.ok() ? status : Within("slicing", status);
+}
+
+absl::StatusOr<JobSettings> FromProto(const v1::JobSettings& proto) {
+  absl::StatusOr<SlicingOptions> slicing = FromProto(proto.slicing());
+  if (!slicing.ok()) return Within("slicing", slicing.status());
+  absl::StatusOr<PlanningOptions> planning = FromProto(proto.planning());
+  if (!planning.ok()) return Within("planning", planning.status());
+  absl::StatusOr<OrderingOptions> ordering = FromProto(proto.ordering());
+  if (!ordering.ok()) return Within("ordering", ordering.status());
+  absl::StatusOr<MotionOptions> motion = FromProto(proto.motion());
+  if (!motion.ok()) return Within("motion", motion.status());
+  absl::StatusOr<ExposureSettings> exposure = FromProto(proto.exposure());
+  if (!exposure.ok()) return Within("exposure", exposure.status());
+  const absl::StatusOr<Process> process =
+      EnumFromProto<Process>(proto.process(), kProcessCount, "process");
+  if (!process.ok()) return process.status();
+  JobSettings settings{*process, *std::move(slicing),  *std::move(planning), {},
+                       {},       *std::move(ordering), *std::move(motion),   *std::move(exposure)};
+  absl::Status status = CheckRows(proto.beading_size(), "beading");
+  status.Update(AllFromProto(proto.beading(), "beading", &settings.beading));
+  status.Update(AllFromProto(proto.infill(), "infill", &settings.infill));
+  if (!status.ok()) return status;
+  const size_t rows = settings.beading.size();
+  if (settings.infill.size() != rows || settings.ordering.walls.size() != rows ||
+      settings.motion.speeds.size() != rows || settings.exposure.regions.size() != rows) {
+    return Malformed("settings", "the tables of regions are not equally long");
+  }
+  return settings;
+}
+
+}  // namespace slicefarm

@@ -1,0 +1,900 @@
+#include "common/wire/options/settings_wire.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/model/limits.h"
+#include "common/wire/support/every_field.h"
+#include "google/protobuf/text_format.h"
+#include "google/protobuf/util/message_differencer.h"
+
+namespace slicefarm {
+namespace {
+
+using google::protobuf::Message;
+using google::protobuf::TextFormat;
+using google::protobuf::util::MessageDifferencer;
+
+v1::JobSettings Proto(const JobSettings& settings) {
+  v1::JobSettings proto;
+  EXPECT_TRUE(ToProto(settings, &proto).ok());
+  return proto;
+}
+
+// The bindings name every member: a new one does not compile until it is sent here, and so on the
+// wire.
+RaftHeights DistinctRaft() {
+  RaftHeights heights;
+  auto& [layers, first, others, contact_distance] = heights;
+  layers = 2;
+  first = 602;
+  others = 603;
+  contact_distance = 604;
+  return heights;
+}
+
+ObjectSlicingOptions DistinctObjectSlicing() {
+  ObjectSlicingOptions options;
+  auto& [layer_height, fill_rule, closing_radius, xy_compensation, hole_compensation, elephant_foot,
+         elephant_foot_min_width, raft] = options;
+  layer_height = 101;
+  fill_rule = FillRule::kPositive;
+  closing_radius = 104;
+  xy_compensation = -106;
+  hole_compensation = -107;
+  elephant_foot = -108;
+  elephant_foot_min_width = 110;
+  raft = DistinctRaft();
+  return options;
+}
+
+SlicingOptions DistinctSlicing() {
+  SlicingOptions options;
+  auto& [first_layer_height, max_gap, resolution, bed, max_print_height, thumbnails, objects,
+         part_distance, clearance_radius] = options;
+  first_layer_height = 102;
+  max_gap = 105;
+  resolution = 109;
+  bed = {{0, 1}, {2, 3}, {4, 2'100'000'000}};
+  max_print_height = 111;
+  thumbnails = {{12, 13, PictureFormat::kQoi}};
+  part_distance = 112;
+  clearance_radius = 113;
+  objects = {DistinctObjectSlicing(), {}};
+  return options;
+}
+
+SkirtOptions DistinctSkirt() {
+  SkirtOptions options;
+  auto& [loops, distance, min_length, height_layers, draft_shield, width, height, filament_area] =
+      options;
+  loops = 11;
+  distance = 612;
+  min_length = 5'000'000'000;
+  height_layers = 14;
+  draft_shield = DraftShield::kLimited;
+  width = 616;
+  height = 617;
+  filament_area = 6.18;
+  return options;
+}
+
+BrimOptions DistinctBrim() {
+  BrimOptions options;
+  auto& [type, width, separation, line_width, ear_max_angle, ear_detection] = options;
+  type = BrimType::kEars;
+  width = 622;
+  separation = 623;
+  line_width = 624;
+  ear_max_angle = 1.25;
+  ear_detection = 626;
+  return options;
+}
+
+RaftOptions DistinctRaftOptions() {
+  RaftOptions options;
+  auto& [heights, lines, expansion, first_layer_expansion] = options;
+  heights = DistinctRaft();
+  auto& [width, spacing, angle, first_layer_density] = lines;
+  width = 634;
+  spacing = 635;
+  angle = 0.636;
+  first_layer_density = 0.637;
+  expansion = 632;
+  first_layer_expansion = 633;
+  return options;
+}
+
+InfillPlanOptions DistinctInfillPlan() {
+  InfillPlanOptions options;
+  auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
+         every_layers, only_where_needed] = options;
+  pattern = FillPattern::kSupportCubic;
+  choose_pattern = true;
+  goal = FillGoal::kFlexibility;
+  density = 0.125;
+  angle = -0.25;
+  width = 150;
+  walls = 151;
+  top_layers = 152;
+  bottom_layers = 153;
+  every_layers = 154;
+  only_where_needed = true;
+  return options;
+}
+
+PlanningOptions DistinctPlanning() {
+  PlanningOptions options;
+  auto& [objects, sequence, skirt, skirt_settings, infill, bed] = options;
+  infill = {DistinctInfillPlan()};
+  auto& [complete_objects, clearance_radius, clearance_height] = sequence;
+  complete_objects = true;
+  clearance_radius = 151;
+  clearance_height = 152;
+  ObjectPlanOptions object;
+  auto& [seam, brim, brim_settings, raft, raft_settings] = object;
+  seam = SeamPosition::kRear;
+  brim = DistinctBrim();
+  brim_settings = 641;
+  raft = DistinctRaftOptions();
+  raft_settings = {642, 643};
+  objects = {object, {SeamPosition::kNearest}};
+  skirt = DistinctSkirt();
+  skirt_settings = 644;
+  bed = {{0, 1}, {2, 3}, {4, 2'000'000'000}};
+  return options;
+}
+
+BeadingOptions DistinctBeading() {
+  BeadingOptions options;
+  auto& [generator, perimeters, external_width, inner_width, first_layer_width, gap_fill,
+         min_gap_width, max_gap_width, thin_walls, transition_length, transition_angle,
+         transition_deviation, distribution_count, min_feature, min_bead_width, max_bead_width,
+         lock_outer_width, wall_class] = options;
+  generator = WallGenerator::kClassic;
+  perimeters = 201;
+  external_width = 202;
+  inner_width = 203;
+  first_layer_width = 204;
+  gap_fill = false;
+  min_gap_width = 206;
+  max_gap_width = 207;
+  thin_walls = false;
+  transition_length = 209;
+  transition_angle = 0.21;
+  transition_deviation = 211;
+  distribution_count = 212;
+  min_feature = 213;
+  min_bead_width = 214;
+  max_bead_width = 215;
+  lock_outer_width = true;
+  wall_class = 217;
+  return options;
+}
+
+InfillOptions DistinctInfill() {
+  InfillOptions options;
+  auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
+         top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
+         solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
+         solid_every_layers, bridge_angle, bridge_flow, every_layers, only_where_needed, shells,
+         overhang_lines, ironing, density_field, stress_field, field_halo_layers] = options;
+  choose_pattern = true;
+  goal = FillGoal::kTime;
+  angle_template = "0,45";
+  solid_angle_template = "+30";
+  bridge_flow = 0.9;
+  every_layers = 321;
+  only_where_needed = true;
+  shells = ShellThickness::kPartial;
+  overhang_lines = true;
+  auto& [iron, iron_type, iron_flow, iron_spacing] = ironing;
+  iron = true;
+  iron_type = IroningType::kTopmost;
+  iron_flow = 0.2;
+  iron_spacing = 322;
+  top_layers = 301;
+  bottom_layers = 302;
+  density = 0.303;
+  pattern = FillPattern::kGyroid;
+  solid_pattern = FillPattern::kRectilinear;
+  top_pattern = FillPattern::kMonotonic;
+  bottom_pattern = FillPattern::kHilbert;
+  angle = -0.308;
+  sparse_width = 309;
+  solid_width = 310;
+  top_width = 311;
+  first_layer_width = 312;
+  overlap = -313;
+  solid_below_area = 314.5;
+  anchor = 315;
+  anchor_max = 316;
+  solid_every_layers = 318;
+  density_field = "density";
+  stress_field = "stress";
+  field_halo_layers = 320;
+  bridge_angle = 0.319;
+  return options;
+}
+
+OrderingOptions DistinctOrdering() {
+  OrderingOptions options;
+  auto& [infill_first, travel, improvement_moves, walls] = options;
+  infill_first = true;
+  auto& [hide, longest_hidden, avoid_crossing, max_detour, max_detour_ratio, layer_change] = travel;
+  hide = false;
+  longest_hidden = 401;
+  avoid_crossing = true;
+  max_detour = 402;
+  max_detour_ratio = 4.03;
+  layer_change = true;
+  improvement_moves = 404;
+  WallOrder order;
+  auto& [external_first, inner_outer_inner, towards_holes, stagger] = order;
+  external_first = true;
+  inner_outer_inner = false;
+  towards_holes = true;
+  stagger = true;
+  walls = {order, {false, true}};
+  return options;
+}
+
+MachineLimits DistinctLimits() {
+  MachineLimits limits;
+  auto& [feedrate, acceleration, jerk, extruding, retracting, travel, junction_deviation,
+         square_corner_velocity, minimum_cruise_ratio, min_extruding_rate, min_travel_rate,
+         jerk_limit, emit] = limits;
+  feedrate = {1, 2, 3, 4};
+  acceleration = {5, 6, 7, 8};
+  jerk = {9, 10, 11, 12};
+  extruding = 13;
+  retracting = 14;
+  travel = 15;
+  junction_deviation = 16;
+  square_corner_velocity = 17;
+  minimum_cruise_ratio = 18;
+  min_extruding_rate = 19;
+  min_travel_rate = 20;
+  jerk_limit = 21;
+  emit = true;
+  return limits;
+}
+
+RetractionOptions DistinctRetraction() {
+  RetractionOptions retraction;
+  auto& [length, speed, restart_speed, restart_extra, min_travel, lift, lift_above, lift_below,
+         wipe, before_wipe] = retraction;
+  length = 21;
+  speed = 22;
+  restart_speed = 23;
+  restart_extra = -24;
+  min_travel = 25;
+  lift = 26;
+  lift_above = 27;
+  lift_below = 28;
+  wipe = true;
+  before_wipe = 0.29;
+  return retraction;
+}
+
+CoolingOptions DistinctCooling() {
+  CoolingOptions cooling;
+  auto& [enabled, always_on, min_fan, max_fan, bridge_fan, disable_first, fan_below, slowdown_below,
+         min_speed, full_fan_layer, dynamic_fan, overhang_fan] = cooling;
+  enabled = false;
+  always_on = true;
+  min_fan = 33;
+  max_fan = 34;
+  bridge_fan = 35;
+  disable_first = 36;
+  fan_below = 37;
+  slowdown_below = 38;
+  min_speed = 39;
+  full_fan_layer = 40;
+  dynamic_fan = true;
+  overhang_fan = {41, 42, 43, 44};
+  return cooling;
+}
+
+MotionOptions DistinctMotion() {
+  MotionOptions options;
+  auto& [flavor, limits, retraction, cooling, speeds, travel_speed, travel_speed_z,
+         first_layer_speed, first_layer_speed_ratio, first_layer_infill_speed, over_raft_speed,
+         over_raft_speed_ratio, max_print_speed, max_volumetric_speed, flow_rise, flow_fall,
+         pressure_advance, acceleration, default_acceleration, first_layer_acceleration,
+         over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter,
+         extrusion_multiplier, filament_density, filament_cost, filament_type, filament_colour,
+         filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
+         first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode,
+         end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
+         max_print_height, arc_fitting, material_field] = options;
+  flavor = GcodeFlavor::kKlipper;
+  limits = DistinctLimits();
+  retraction = DistinctRetraction();
+  cooling = DistinctCooling();
+  RegionSpeeds region;
+  auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf] = region;
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505};
+  small_perimeter_speed = 506;
+  auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
+      scarf;
+  placement = ScarfPlacement::kContours;
+  only_on_smooth = false;
+  on_inner = true;
+  entire_loop = true;
+  start_height = 0.51;
+  length = 5.2;
+  max_segment = 5.3;
+  dynamic_overhangs = true;
+  overhang_speed = {541, 542, 543, 544};
+  speeds = {region, {}};
+  travel_speed = 507;
+  travel_speed_z = 508;
+  first_layer_speed = 509;
+  first_layer_speed_ratio = 510;
+  first_layer_infill_speed = 551;
+  over_raft_speed = 552;
+  over_raft_speed_ratio = 553;
+  over_raft_acceleration = 554;
+  flow_rise = 555;
+  flow_fall = 556;
+  pressure_advance = 557;
+  nozzle_heating = 558;
+  bed_heating = 559;
+  max_print_speed = 511;
+  max_volumetric_speed = 512;
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513};
+  default_acceleration = 514;
+  first_layer_acceleration = 515;
+  travel_acceleration = 516;
+  nozzle_diameter = 517;
+  filament_diameter = 518;
+  extrusion_multiplier = 519;
+  filament_density = 520;
+  filament_cost = 521;
+  filament_type = "type";
+  filament_colour = "colour";
+  filament_settings_id = "id";
+  printer_model = "model";
+  temperature = 526;
+  first_layer_temperature = 527;
+  bed_temperature = 528;
+  first_layer_bed_temperature = 529;
+  progress = true;
+  z_offset = -531;
+  start_gcode = "start";
+  end_gcode = "end";
+  before_layer_gcode = "before";
+  layer_gcode = "layer";
+  layer_settings = "settings";
+  labels = ObjectLabels::kFirmware;
+  arc_fitting = ArcFitting::kEmitCenter;
+  between_objects_gcode = "between";
+  max_print_height = 538;
+  material_field = "materials";
+  return options;
+}
+
+JobSettings Distinct() {
+  JobSettings settings;
+  auto& [process, slicing, planning, beading, infill, ordering, motion, exposure] = settings;
+  process = Process::kLaser;
+  slicing = DistinctSlicing();
+  planning = DistinctPlanning();
+  beading = {DistinctBeading(), {}};
+  infill = {DistinctInfill(), {}};
+  ordering = DistinctOrdering();
+  motion = DistinctMotion();
+  exposure.regions = {{}, {}};
+  exposure.regions[1].spot_nm = 701;
+  return settings;
+}
+
+constexpr char kDistinct[] = R"pb(
+  process: PROCESS_LASER
+  slicing {
+    first_layer_height_nm: 102
+    max_gap_nm: 105
+    resolution_nm: 109
+    bed_xy_nm: [ 0, 1, 2, 3, 4, 2100000000 ]
+    max_print_height_nm: 111
+    part_distance_nm: 112
+    clearance_radius_nm: 113
+    thumbnails { width_px: 12 height_px: 13 format: PICTURE_FORMAT_QOI }
+    objects {
+      layer_height_nm: 101
+      fill_rule: FILL_RULE_POSITIVE
+      closing_radius_nm: 104
+      xy_compensation_nm: -106
+      hole_compensation_nm: -107
+      elephant_foot_nm: -108
+      elephant_foot_min_width_nm: 110
+      raft { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
+    }
+  }
+  planning {
+    sequence { complete_objects: true clearance_radius_nm: 151 clearance_height_nm: 152 }
+    objects {
+      seam: SEAM_POSITION_REAR
+      brim {
+        type: BRIM_TYPE_EARS
+        width_nm: 622
+        separation_nm: 623
+        line_width_nm: 624
+        ear_max_angle_rad: 1.25
+        ear_detection_nm: 626
+      }
+      brim_settings: 641
+      raft {
+        heights { layers: 2 first_nm: 602 others_nm: 603 contact_distance_nm: 604 }
+        lines { width_nm: 634 spacing_nm: 635 angle_rad: 0.636 first_layer_density: 0.637 }
+        expansion_nm: 632
+        first_layer_expansion_nm: 633
+      }
+      raft_settings: [ 642, 643 ]
+    }
+    skirt {
+      loops: 11
+      distance_nm: 612
+      min_length_nm: 5000000000
+      height_layers: 14
+      draft_shield: DRAFT_SHIELD_LIMITED
+      width_nm: 616
+      height_nm: 617
+      filament_area_mm2: 6.18
+    }
+    skirt_settings: 644
+    bed_xy_nm: [ 0, 1, 2, 3, 4, 2000000000 ]
+    infill {
+      pattern: FILL_PATTERN_SUPPORT_CUBIC
+      choose_pattern: true
+      goal: FILL_GOAL_FLEXIBILITY
+      density: 0.125
+      angle_rad: -0.25
+      width_nm: 150
+      walls_nm: 151
+      top_solid_layers: 152
+      bottom_solid_layers: 153
+      every_layers: 154
+      only_where_needed: true
+    }
+  }
+  beading {
+    perimeters: 201
+    external_width_nm: 202
+    inner_width_nm: 203
+    first_layer_width_nm: 204
+    gap_fill: false
+    min_gap_width_nm: 206
+    max_gap_width_nm: 207
+    generator: WALL_GENERATOR_CLASSIC
+    thin_walls: false
+    transition_length_nm: 209
+    transition_angle: 0.21
+    transition_deviation_nm: 211
+    distribution_count: 212
+    min_feature_nm: 213
+    min_bead_width_nm: 214
+    max_bead_width_nm: 215
+    lock_outer_width: true
+    wall_class: 217
+  }
+  infill {
+    top_solid_layers: 301
+    bottom_solid_layers: 302
+    density: 0.303
+    pattern: FILL_PATTERN_GYROID
+    solid_pattern: FILL_PATTERN_RECTILINEAR
+    top_pattern: FILL_PATTERN_MONOTONIC
+    bottom_pattern: FILL_PATTERN_HILBERT
+    angle_rad: -0.308
+    sparse_width_nm: 309
+    solid_width_nm: 310
+    top_width_nm: 311
+    first_layer_width_nm: 312
+    overlap_nm: -313
+    solid_below_area_mm2: 314.5
+    anchor_nm: 315
+    anchor_max_nm: 316
+    solid_every_layers: 318
+    bridge_angle_rad: 0.319
+    density_field: "density"
+    stress_field: "stress"
+    field_halo_layers: 320
+    choose_pattern: true
+    goal: FILL_GOAL_TIME
+    angle_template: "0,45"
+    solid_angle_template: "+30"
+    bridge_flow: 0.9
+    every_layers: 321
+    only_where_needed: true
+    shells: SHELL_THICKNESS_PARTIAL
+    overhang_lines: true
+    ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
+  }
+  ordering {
+    infill_first: true
+    improvement_moves: 404
+    travel {
+      longest_hidden_mm: 401
+      avoid_crossing: true
+      max_detour_mm: 402
+      max_detour_ratio: 4.03
+      retract_layer_change: true
+    }
+    walls { external_perimeters_first: true towards_holes: true stagger_seams: true }
+  }
+  motion {
+    flavor: GCODE_FLAVOR_KLIPPER
+    limits {
+      max_feedrate_mm_s: [ 1, 2, 3, 4 ]
+      max_acceleration_mm_s2: [ 5, 6, 7, 8 ]
+      max_jerk_mm_s: [ 9, 10, 11, 12 ]
+      max_acceleration_extruding_mm_s2: 13
+      max_acceleration_retracting_mm_s2: 14
+      max_acceleration_travel_mm_s2: 15
+      junction_deviation_mm: 16
+      square_corner_velocity_mm_s: 17
+      minimum_cruise_ratio: 18
+      min_extruding_rate_mm_s: 19
+      min_travel_rate_mm_s: 20
+      jerk_mm_s3: 21
+      emit_to_gcode: true
+    }
+    retraction {
+      length_mm: 21
+      speed_mm_s: 22
+      restart_speed_mm_s: 23
+      restart_extra_mm: -24
+      min_travel_mm: 25
+      lift_mm: 26
+      lift_above_mm: 27
+      lift_below_mm: 28
+      wipe: true
+      before_wipe: 0.29
+    }
+    cooling {
+      enabled: false
+      fan_always_on: true
+      min_fan_percent: 33
+      max_fan_percent: 34
+      bridge_fan_percent: 35
+      disable_fan_first_layers: 36
+      fan_below_layer_time_s: 37
+      slowdown_below_layer_time_s: 38
+      min_print_speed_mm_s: 39
+      full_fan_speed_layer: 40
+      dynamic_fan: true
+      overhang_fan_percent: [ 41, 42, 43, 44 ]
+    }
+    speeds {
+      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505 ]
+      small_perimeter_speed_mm_s: 506
+      scarf {
+        placement: SCARF_PLACEMENT_CONTOURS
+        on_inner: true
+        entire_loop: true
+        start_height_ratio: 0.51
+        length_mm: 5.2
+        max_segment_mm: 5.3
+      }
+      dynamic_overhangs: true
+      overhang_speed_mm_s: [ 541, 542, 543, 544 ]
+    }
+    travel_speed_mm_s: 507
+    travel_speed_z_mm_s: 508
+    first_layer_speed_mm_s: 509
+    first_layer_speed_ratio: 510
+    first_layer_infill_speed_mm_s: 551
+    over_raft_speed_mm_s: 552
+    over_raft_speed_ratio: 553
+    over_raft_acceleration_mm_s2: 554
+    flow_rise_mm3_s2: 555
+    flow_fall_mm3_s2: 556
+    pressure_advance: 557
+    nozzle_heating_c_s: 558
+    bed_heating_c_s: 559
+    max_print_speed_mm_s: 511
+    max_volumetric_speed_mm3_s: 512
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513 ]
+    default_acceleration_mm_s2: 514
+    first_layer_acceleration_mm_s2: 515
+    travel_acceleration_mm_s2: 516
+    nozzle_diameter_mm: 517
+    filament_diameter_mm: 518
+    extrusion_multiplier: 519
+    filament_density_g_cm3: 520
+    filament_cost_per_kg: 521
+    filament_type: "type"
+    filament_colour: "colour"
+    filament_settings_id: "id"
+    printer_model: "model"
+    temperature_c: 526
+    first_layer_temperature_c: 527
+    bed_temperature_c: 528
+    first_layer_bed_temperature_c: 529
+    progress: true
+    z_offset_mm: -531
+    start_gcode: "start"
+    end_gcode: "end"
+    before_layer_gcode: "before"
+    layer_gcode: "layer"
+    layer_settings: "settings"
+    labels: OBJECT_LABELS_FIRMWARE
+    between_objects_gcode: "between"
+    max_print_height_nm: 538
+    arc_fitting: ARC_FITTING_EMIT_CENTER
+    material_field: "materials"
+  }
+)pb";
+
+/// The first row of each table; what is in the others needs no text of its own.
+v1::JobSettings WithoutLastRows(v1::JobSettings proto) {
+  proto.clear_exposure();  // exposure_wire_test.cc has it
+  proto.mutable_slicing()->mutable_objects()->RemoveLast();
+  proto.mutable_planning()->mutable_objects()->RemoveLast();
+  proto.mutable_beading()->RemoveLast();
+  proto.mutable_infill()->RemoveLast();
+  proto.mutable_ordering()->mutable_walls()->RemoveLast();
+  proto.mutable_motion()->mutable_speeds()->RemoveLast();
+  return proto;
+}
+
+// Sees fields that are swapped in both directions, which no round trip does.
+TEST(SettingsWire, EachMemberIsTheFieldOfItsName) {
+  v1::JobSettings want;
+  ASSERT_TRUE(TextFormat::ParseFromString(kDistinct, &want));
+  MessageDifferencer differencer;
+  std::string difference;
+  differencer.ReportDifferencesToString(&difference);
+  EXPECT_TRUE(differencer.Compare(want, WithoutLastRows(Proto(Distinct())))) << difference;
+}
+
+TEST(SettingsWire, DefaultsAndDistinctValuesReturn) {
+  for (const JobSettings& settings : {JobSettings{}, Distinct()}) {
+    const absl::StatusOr<JobSettings> back = FromProto(Proto(settings));
+    ASSERT_TRUE(back.ok()) << back.status();
+    EXPECT_EQ(*back, settings);
+  }
+}
+
+TEST(SettingsWire, EveryFieldChangedAloneReturns) {
+  JobSettings defaults;
+  // The next value of 100 % would be refused.
+  defaults.motion.cooling.max_fan_percent = 50;
+  defaults.motion.cooling.bridge_fan_percent = 50;
+  int fields = 0;
+  ForEachChangedField(Proto(defaults), [&](const std::string& path, const Message& message) {
+    SCOPED_TRACE(path);
+    ++fields;
+    const auto& changed = dynamic_cast<const v1::JobSettings&>(message);
+    const absl::StatusOr<JobSettings> settings = FromProto(changed);
+    ASSERT_TRUE(settings.ok()) << settings.status();
+    EXPECT_FALSE(*settings == defaults);
+    EXPECT_TRUE(MessageDifferencer::Equals(Proto(*settings), changed));
+  });
+  EXPECT_GT(fields, 120);
+}
+
+// Objects and regions are counted apart; tables of regions are not.
+TEST(SettingsWire, TablesOfRegionsAreEquallyLong) {
+  const auto expect_refused = [](const v1::JobSettings& proto) {
+    const absl::Status status = FromProto(proto).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
+    EXPECT_EQ(DetailOf(status).metadata["field"], "settings") << status;
+  };
+  JobSettings beading, infill, walls, speeds;
+  beading.beading.resize(2);
+  infill.infill.resize(2);
+  walls.ordering.walls.resize(2);
+  speeds.motion.speeds.resize(2);
+  for (const JobSettings& settings : {beading, infill, walls, speeds})
+    expect_refused(Proto(settings));
+  JobSettings objects;
+  objects.slicing.objects.resize(3);
+  EXPECT_TRUE(FromProto(Proto(objects)).ok());
+}
+
+TEST(SettingsWire, RefusesTablesOfMoreRowsThanAJobMayHave) {
+  const std::vector<std::function<void(JobSettings&)>> spoils = {
+      [](auto& s) { s.slicing.objects.resize(1'001); },
+      [](auto& s) { s.planning.objects.resize(1'001); },
+      [](auto& s) { s.beading.resize(1'001); },
+      [](auto& s) { s.ordering.walls.resize(1'001); },
+      [](auto& s) { s.motion.speeds.resize(1'001); },
+  };
+  for (const auto& spoil : spoils) {
+    JobSettings settings;
+    spoil(settings);
+    const absl::Status status = FromProto(Proto(settings)).status();
+    EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
+    EXPECT_EQ(DetailOf(status).metadata["limit"], "1000");
+  }
+}
+
+struct Refused {
+  std::string name;
+  std::function<void(v1::JobSettings&)> spoil;
+  std::string field;
+  Reason reason = Reason::kRequestMalformed;
+};
+
+class SettingsWireRefuses : public testing::TestWithParam<Refused> {};
+
+TEST_P(SettingsWireRefuses, NamingTheField) {
+  v1::JobSettings proto = Proto(JobSettings{});
+  GetParam().spoil(proto);
+  const absl::Status status = FromProto(proto).status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
+  EXPECT_EQ(DetailOf(status).reason, GetParam().reason) << status;
+  EXPECT_EQ(DetailOf(status).metadata["field"], GetParam().field) << status;
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    Settings, SettingsWireRefuses,
+    testing::Values(
+        Refused{"NoMotion", [](auto& p) { p.clear_motion(); }, "motion.flavor"},
+        Refused{"NoLimits", [](auto& p) { p.mutable_motion()->clear_limits(); }, "motion.limits"},
+        Refused{"NoFillRule",
+                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->clear_fill_rule(); },
+                "slicing.objects[0].fill_rule"},
+        Refused{"UnknownSeam",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_objects(0)->set_seam(v1::SeamPosition(77));
+                },
+                "planning.objects[0].seam"},
+        Refused{"NoSeam", [](auto& p) { p.mutable_planning()->mutable_objects(0)->clear_seam(); },
+                "planning.objects[0].seam"},
+        Refused{"NoPlanning", [](auto& p) { p.clear_planning(); }, "planning.objects"},
+        Refused{"NoPlannedObjects", [](auto& p) { p.mutable_planning()->clear_objects(); },
+                "planning.objects"},
+        Refused{
+            "NegativeClearance",
+            [](auto& p) { p.mutable_planning()->mutable_sequence()->set_clearance_height_nm(-1); },
+            "planning.clearance_height_nm"},
+        Refused{"NegativeDistance", [](auto& p) { p.mutable_slicing()->set_part_distance_nm(-1); },
+                "slicing.part_distance_nm"},
+        Refused{"NegativePrintHeight",
+                [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
+                "motion.max_print_height_nm"},
+        Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
+        Refused{"TooManySkirts",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },
+                "planning.skirt.loops"},
+        Refused{"SkirtWithoutWidth",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_width_nm(0); },
+                "planning.skirt.width_nm"},
+        Refused{"NoFilament",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_filament_area_mm2(0); },
+                "planning.skirt.filament_area_mm2"},
+        Refused{"NegativeSkirtLength",
+                [](auto& p) { p.mutable_planning()->mutable_skirt()->set_min_length_nm(-1); },
+                "planning.skirt.min_length_nm"},
+        Refused{"NegativeBrim",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_width_nm(-1);
+                },
+                "planning.objects[0].brim.width_nm"},
+        Refused{"EarAngle",
+                [](auto& p) {
+                  p.mutable_planning()->mutable_objects(0)->mutable_brim()->set_ear_max_angle_rad(
+                      7);
+                },
+                "planning.objects[0].brim.ear_max_angle_rad"},
+        Refused{"BrimRow",
+                [](auto& p) { p.mutable_planning()->mutable_objects(0)->set_brim_settings(-1); },
+                "planning.objects[0].brim_settings"},
+        Refused{"RaftTooHigh",
+                [](auto& p) {
+                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_layers(101);
+                },
+                "slicing.objects[0].raft.layers"},
+        Refused{"RaftOfNoHeight",
+                [](auto& p) {
+                  p.mutable_slicing()->mutable_objects(0)->mutable_raft()->set_others_nm(0);
+                },
+                "slicing.objects[0].raft.others_nm"},
+        Refused{"NoSlicedObjects", [](auto& p) { p.mutable_slicing()->clear_objects(); },
+                "slicing.objects"},
+        Refused{"NoBeading", [](auto& p) { p.clear_beading(); }, "beading"},
+        Refused{"NoInfill", [](auto& p) { p.clear_infill(); }, "settings"},
+        Refused{"NoWallOrder", [](auto& p) { p.mutable_ordering()->clear_walls(); },
+                "ordering.walls"},
+        Refused{"NoTravel", [](auto& p) { p.mutable_ordering()->clear_travel(); },
+                "ordering.travel"},
+        Refused{"NegativeDetour",
+                [](auto& p) { p.mutable_ordering()->mutable_travel()->set_max_detour_mm(-1); },
+                "ordering.travel"},
+        Refused{"NoSpeeds", [](auto& p) { p.mutable_motion()->clear_speeds(); }, "motion.speeds"},
+        Refused{"NoArcFitting", [](auto& p) { p.mutable_motion()->clear_arc_fitting(); },
+                "motion.arc_fitting"},
+        Refused{"NoLabels", [](auto& p) { p.mutable_motion()->clear_labels(); }, "motion.labels"},
+        Refused{"UnknownLabels",
+                [](auto& p) { p.mutable_motion()->set_labels(v1::ObjectLabels(4)); },
+                "motion.labels"},
+        Refused{"NanDensity", [](auto& p) { p.mutable_infill(0)->set_density(kNan); },
+                "infill[0].density"},
+        Refused{"DensityAboveOne", [](auto& p) { p.mutable_infill(0)->set_density(1.01); },
+                "infill[0].density"},
+        Refused{
+            "InfiniteJerk",
+            [](auto& p) { p.mutable_motion()->mutable_limits()->set_max_jerk_mm_s(2, kInfinity); },
+            "motion.limits.max_jerk_mm_s"},
+        Refused{"FiveAxes",
+                [](auto& p) { p.mutable_motion()->mutable_limits()->add_max_jerk_mm_s(1); },
+                "motion.limits.max_jerk_mm_s"},
+        Refused{"NineSpeeds",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_speed_mm_s()->RemoveLast();
+                },
+                "motion.speeds.speed_mm_s"},
+        Refused{"ScarfBelowItsLayer",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_start_height_ratio(
+                      -1);
+                },
+                "motion.speeds.scarf.start_height_ratio"},
+        Refused{"ScarfLength",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_length_mm(-1);
+                },
+                "motion.speeds.scarf.length_mm"},
+        Refused{"ScarfOfEndlessPieces",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_speeds(0)->mutable_scarf()->set_max_segment_mm(0);
+                },
+                "motion.speeds.scarf.max_segment_mm"},
+        Refused{"NegativeSpeed",
+                [](auto& p) { p.mutable_motion()->mutable_speeds(0)->set_speed_mm_s(3, -1); },
+                "motion.speeds.speed_mm_s"},
+        Refused{"NegativeFan",
+                [](auto& p) {
+                  p.mutable_motion()->mutable_cooling()->set_min_fan_percent(
+                      std::numeric_limits<int32_t>::min());
+                },
+                "motion.cooling"},
+        Refused{"NoLayerHeight",
+                [](auto& p) { p.mutable_slicing()->mutable_objects(0)->set_layer_height_nm(0); },
+                "slicing.objects[0].layer_height_nm"},
+        Refused{"NoFirstLayerHeight",
+                [](auto& p) { p.mutable_slicing()->set_first_layer_height_nm(0); },
+                "slicing.first_layer_height_nm"},
+        Refused{"BedOfTwoPoints",
+                [](auto& p) { p.mutable_slicing()->mutable_bed_xy_nm()->Truncate(4); },
+                "slicing.bed_xy_nm"},
+        Refused{"BedOfOddCoordinates", [](auto& p) { p.mutable_slicing()->add_bed_xy_nm(1); },
+                "slicing.bed_xy_nm"},
+        Refused{"HugeThumbnail",
+                [](auto& p) { p.mutable_slicing()->mutable_thumbnails(0)->set_width_px(1 << 20); },
+                "slicing.thumbnails"},
+        Refused{"NegativePerimeters", [](auto& p) { p.mutable_beading(0)->set_perimeters(-1); },
+                "beading[0].perimeters"},
+        Refused{"NoWidth", [](auto& p) { p.mutable_beading(0)->set_inner_width_nm(0); },
+                "beading[0].inner_width_nm"},
+        Refused{"LongStartGcode",
+                [](auto& p) {
+                  p.mutable_motion()->set_start_gcode(
+                      std::string(limits::kMaxSettingBytes + 1, 'G'));
+                },
+                "motion", Reason::kRequestTooLarge}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(SettingsWire, RefusesABedBeyondTheWire) {
+  JobSettings settings;
+  settings.slicing.bed[1].x = int64_t{1} << 31;
+  v1::JobSettings proto;
+  const absl::Status status = ToProto(settings, &proto);
+  EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfRange);
+  EXPECT_EQ(DetailOf(status).metadata["field"], "slicing.bed_xy_nm");
+}
+
+}  // namespace
+}  // namespace slicefarm

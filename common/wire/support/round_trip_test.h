@@ -1,0 +1,65 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/error.h"
+#include "common/wire/support/every_field.h"
+#include "google/protobuf/util/message_differencer.h"
+
+namespace slicefarm {
+
+/// For tests of converters that have the form `absl::Status ToProto(const Model&, Proto*)` and
+/// `absl::StatusOr<Model> FromProto(const Proto&)`.
+template <typename Proto, typename Model>
+Proto ProtoOf(const Model& model) {
+  Proto proto;
+  const absl::Status status = ToProto(model, &proto);
+  EXPECT_TRUE(status.ok()) << status;
+  return proto;
+}
+
+template <typename Proto, typename Model>
+void ExpectReturns(const Model& model) {
+  const absl::StatusOr<Model> back = FromProto(ProtoOf<Proto>(model));
+  ASSERT_TRUE(back.ok()) << back.status();
+  EXPECT_EQ(*back, model);
+}
+
+/// With each field changed alone, the message returns from the model. Changes of fields whose path
+/// holds one of `refused` break a rule of the message, and are refused.
+template <typename Proto, typename Model>
+void ExpectEveryChangeReturns(const Proto& original,
+                              const std::vector<std::string_view>& refused = {}) {
+  int accepted = 0;
+  ForEachChangedField(
+      original, [&](const std::string& path, const google::protobuf::Message& message) {
+        SCOPED_TRACE(path);
+        const auto& changed = dynamic_cast<const Proto&>(message);
+        const absl::StatusOr<Model> meant = FromProto(changed);
+        const bool may_fail = std::ranges::any_of(
+            refused, [&](std::string_view field) { return path.find(field) != std::string::npos; });
+        if (!meant.ok()) {
+          EXPECT_TRUE(may_fail) << meant.status();
+          return;
+        }
+        ++accepted;
+        EXPECT_TRUE(
+            google::protobuf::util::MessageDifferencer::Equals(ProtoOf<Proto>(*meant), changed));
+      });
+  EXPECT_GT(accepted, 2);
+}
+
+/// The reason and the field of a refusal.
+inline void ExpectMalformed(const absl::Status& status, std::string_view field) {
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestMalformed) << status;
+  EXPECT_EQ(DetailOf(status).metadata["field"], field) << status;
+}
+
+}  // namespace slicefarm

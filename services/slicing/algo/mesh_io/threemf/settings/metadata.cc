@@ -1,0 +1,100 @@
+#include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "common/base/text.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+/// Where each slicer puts what.
+struct Names {
+  std::string_view project, model, ranges;
+};
+
+constexpr Names kPrusaNames = {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
+                               "Metadata/Prusa_Slicer_layer_config_ranges.xml"};
+constexpr Names kOrcaNames = {"Metadata/project_settings.config", "Metadata/model_settings.config",
+                              "Metadata/layer_config_ranges.xml"};
+
+/// A file that has no effect, and what it is. `mark`: what it holds if there is anything in it.
+struct Idle {
+  std::string_view name;
+  std::string_view mark;
+  std::string_view words;
+};
+
+constexpr std::array<Idle, 10> kIdle = {{
+    {"Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
+    {"Metadata/layer_heights_profile.txt", "object_id", "layer heights drawn by hand"},
+    {"Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", "<code",
+     "pauses, colour changes and G-code at certain heights"},
+    {"Metadata/custom_gcode_per_layer.xml", "<layer",
+     "pauses, colour changes and G-code at certain heights"},
+    {"Metadata/Prusa_Slicer_wipe_tower_information.xml", "", "the place of the wipe tower"},
+    {"Metadata/brim_ear_points.txt", "object_id", "brim ears"},
+    {"Metadata/Slic3r_PE_sla_support_points.txt", "object_id", "support points of resin printers"},
+    {"Metadata/Slic3r_PE_sla_drain_holes.txt", "object_id", "drain holes of resin printers"},
+    {"Metadata/Prusa_Slicer_cut_information.xml", "<connector", "connectors of cut objects"},
+    {"Metadata/cut_information.xml", "<connector", "connectors of cut objects"},
+}};
+
+template <typename T, typename Read>
+absl::StatusOr<T> ReadIfThere(const Archive& archive, std::string_view name, const Read& read) {
+  const ArchiveEntry* entry = archive.Find(name);
+  if (entry == nullptr) return T();
+  const absl::StatusOr<std::string> text = archive.ReadAll(*entry);
+  if (!text.ok()) return text.status();
+  return read(*text, entry->name);
+}
+
+bool EndsWith(const ArchiveEntry& entry, std::string_view ending) {
+  return entry.name.ends_with(ending);
+}
+
+}  // namespace
+
+absl::StatusOr<Metadata> ReadMetadata(const Archive& archive) {
+  Metadata metadata;
+  const bool orca =
+      archive.Find(kOrcaNames.project) != nullptr || archive.Find(kOrcaNames.model) != nullptr;
+  metadata.dialect = orca ? SettingsDialect::kOrca : SettingsDialect::kPrusa;
+  const Names& names = orca ? kOrcaNames : kPrusaNames;
+  metadata.has_printer = archive.Find(names.project) != nullptr;
+  absl::StatusOr<ProjectSettings> project = ReadIfThere<ProjectSettings>(
+      archive, names.project, orca ? ReadOrcaSettings : ReadPrusaSettings);
+  if (!project.ok()) return project.status();
+  absl::StatusOr<ModelSettings> model =
+      ReadIfThere<ModelSettings>(archive, names.model, ReadModelSettings);
+  if (!model.ok()) return model.status();
+  absl::StatusOr<HeightRanges> ranges =
+      ReadIfThere<HeightRanges>(archive, names.ranges, ReadHeightRanges);
+  if (!ranges.ok()) return ranges.status();
+  metadata.project = *std::move(project);
+  metadata.model = *std::move(model);
+  metadata.ranges = *std::move(ranges);
+  return metadata;
+}
+
+absl::StatusOr<std::vector<std::string>> FilesWithoutEffect(const Archive& archive) {
+  std::vector<std::string> words;
+  for (const Idle& idle : kIdle) {
+    const ArchiveEntry* entry = archive.Find(idle.name);
+    if (entry == nullptr || entry->bytes == 0) continue;
+    const absl::StatusOr<std::string> text = archive.ReadAll(*entry);
+    if (!text.ok()) return text.status();
+    if (text->find(idle.mark) != std::string::npos) words.emplace_back(idle.words);
+  }
+  const auto any = [&archive](std::string_view ending) {
+    const std::vector<ArchiveEntry>& all = archive.entries();
+    return std::any_of(all.begin(), all.end(),
+                       [ending](const ArchiveEntry& entry) { return EndsWith(entry, ending); });
+  };
+  if (any(".gcode")) words.emplace_back("G-code that was made before: the parts are sliced anew");
+  if (any(".png") || any(".jpg") || any(".webp")) words.emplace_back("pictures");
+  return words;
+}
+
+}  // namespace slicefarm::slicing::threemf

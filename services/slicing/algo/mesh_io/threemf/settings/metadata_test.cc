@@ -1,0 +1,61 @@
+#include "services/slicing/algo/mesh_io/threemf/settings/metadata.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+absl::StatusOr<Metadata> Read(const Files& files) {
+  const std::string bytes = Zipped(files);
+  return ReadMetadata(*Archive::Open(bytes));
+}
+
+TEST(ReadMetadata, KnowsTheSlicers) {
+  const auto none = Read(CubeFiles());
+  ASSERT_TRUE(none.ok()) << none.status();
+  EXPECT_FALSE(none->has_printer);
+  const auto prusa = Read(PrusaFiles());
+  ASSERT_TRUE(prusa.ok()) << prusa.status();
+  EXPECT_EQ(prusa->dialect, SettingsDialect::kPrusa);
+  EXPECT_TRUE(prusa->has_printer);
+  EXPECT_EQ(prusa->project.settings.size(), 2u);
+  EXPECT_EQ(prusa->model.objects.size(), 2u);
+  EXPECT_EQ(prusa->ranges.at(2).size(), 1u);
+  const auto bambu = Read(BambuFiles());
+  ASSERT_TRUE(bambu.ok()) << bambu.status();
+  EXPECT_EQ(bambu->dialect, SettingsDialect::kOrca);
+  EXPECT_EQ(bambu->model.plates.size(), 2u);
+  EXPECT_EQ(bambu->ranges.at(1).size(), 1u);
+}
+
+TEST(ReadMetadata, NamesTheFileThatIsWrong) {
+  for (const std::string name : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r_PE_model.config",
+                                 "Metadata/Prusa_Slicer_layer_config_ranges.xml"}) {
+    const auto metadata = Read(With(PrusaFiles(), name, "<\xff = 1"));
+    ASSERT_FALSE(metadata.ok()) << name;
+    EXPECT_EQ(DetailOf(metadata.status()).metadata["part"], name);
+  }
+  const auto json = Read(With(BambuFiles(), "Metadata/project_settings.config", "{"));
+  EXPECT_EQ(DetailOf(json.status()).reason, Reason::kMeshMalformed);
+}
+
+TEST(FilesWithoutEffect, AreNamedInWords) {
+  Files files = PrusaFiles();
+  files.emplace_back("Metadata/Slic3r_PE_layer_heights_profile.txt", "object_id=1|0;0.2;5;0.1\n");
+  files.emplace_back("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+                     "<custom_gcodes_per_print_z>\n</custom_gcodes_per_print_z>");
+  files.emplace_back("Metadata/custom_gcode_per_layer.xml", "<plate><layer top_z=\"1\"/></plate>");
+  const std::string bytes = Zipped(files);
+  const auto idle = FilesWithoutEffect(*Archive::Open(bytes));
+  ASSERT_TRUE(idle.ok()) << idle.status();
+  EXPECT_THAT(*idle, testing::ElementsAre("layer heights drawn by hand",
+                                          "pauses, colour changes and G-code at certain heights",
+                                          "pictures"));
+}
+
+}  // namespace
+}  // namespace slicefarm::slicing::threemf

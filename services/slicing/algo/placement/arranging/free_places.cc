@@ -1,0 +1,199 @@
+#include "services/slicing/algo/placement/arranging/free_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/base/portable_math.h"
+#include "common/geometry/boolean/predicates.h"
+#include "common/geometry/convex.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+/// How far outside a double may lie and still be tried, in nm.
+constexpr double kSlack = 0.5;
+
+/// A wedge of about this many radians needs more than the last step to be a grid step wide.
+constexpr double kSharpest = 4e-3;
+
+Point ExtremeAgainst(const Polygon& hull, Point along) {
+  // The hull's point farthest to the right of a direction.
+  Point worst = hull[0];
+  for (const Point p : hull)
+    if (Orientation({0, 0}, along, p - worst) < 0) worst = p;
+  return worst;
+}
+
+Box Common(const Box& a, const Box& b) {
+  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+}
+
+bool BoxHolds(const Box& box, Point p) {
+  return box.min.x < p.x && p.x < box.max.x && box.min.y < p.y && p.y < box.max.y;
+}
+
+}  // namespace
+
+FreePlaces::FreePlaces(const Polygon& bed, const Polygon& hull, Point target) : target_(target) {
+  for (size_t i = 0; i < bed.size(); ++i) {
+    const Point along = bed[(i + 1) % bed.size()] - bed[i];
+    limits_.push_back({bed[i], along, ExtremeAgainst(hull, along)});
+  }
+  bed_ring_ = BedRing(bed);
+  for (const Spot s : bed_ring_) {
+    bed_box_.Add(Point{static_cast<Coord>(std::floor(s.x)), static_cast<Coord>(std::floor(s.y))});
+    bed_box_.Add(Point{static_cast<Coord>(std::ceil(s.x)), static_cast<Coord>(std::ceil(s.y))});
+  }
+  cells_.resize(kCells * kCells);
+  OfferAlong(bed_ring_);
+  Offer({static_cast<double>(target.x), static_cast<double>(target.y)});
+}
+
+bool FreePlaces::InBed(Point t) const {
+  return std::all_of(limits_.begin(), limits_.end(), [t](const Limit& limit) {
+    const Point at = limit.corner + t - limit.from;
+    // Within 2^33 nm a double is wrong by less than this many nm^2.
+    constexpr double kDoubt = 1 << 14;
+    const double cross = Cross(limit.along, at);
+    return cross > kDoubt || (cross > -kDoubt && Orientation({0, 0}, limit.along, at) >= 0);
+  });
+}
+
+bool FreePlaces::Allowed(Point t) const {
+  if (t.x < bed_box_.min.x || t.x > bed_box_.max.x || t.y < bed_box_.min.y || t.y > bed_box_.max.y)
+    return false;
+  const std::vector<uint32_t>& near = cells_[CellOf(t.x, t.y)];
+  return std::none_of(near.begin(), near.end(),
+                      [&](uint32_t i) {
+                        return BoxHolds(obstacles_[i].box, t) &&
+                               StrictlyInside(t, obstacles_[i].ring);
+                      }) &&
+         InBed(t);
+}
+
+size_t FreePlaces::CellOf(Coord x, Coord y) const {
+  const auto index = [](Coord v, Coord min, Coord max) {
+    return std::clamp<Coord>((v - min) * kCells / (max - min + 1), 0, kCells - 1);
+  };
+  return index(y, bed_box_.min.y, bed_box_.max.y) * kCells +
+         index(x, bed_box_.min.x, bed_box_.max.x);
+}
+
+void FreePlaces::Register(Polygon ring) {
+  const Box box = Bounds(ring);
+  std::vector<Spot> spots;
+  for (const Point p : ring) spots.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+  const size_t from = CellOf(box.min.x, box.min.y), to = CellOf(box.max.x, box.max.y);
+  for (size_t row = from / kCells; row <= to / kCells; ++row)
+    for (size_t column = from % kCells; column <= to % kCells; ++column)
+      cells_[row * kCells + column].push_back(static_cast<uint32_t>(obstacles_.size()));
+  obstacles_.push_back({std::move(ring), box, std::move(spots)});
+}
+
+std::vector<FreePlaces::Spot> FreePlaces::BedRing(const Polygon& bed) const {
+  // Sutherland and Hodgman: the bed's box around one corner of the hull, cut by each limit.
+  Box box = Bounds(bed);
+  const Point corner = limits_[0].corner;
+  box = {box.min - corner, box.max - corner};
+  const double x0 = box.min.x, y0 = box.min.y, x1 = box.max.x, y1 = box.max.y;
+  std::vector<Spot> ring = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  for (const Limit& limit : limits_) {
+    const double length = Norm(limit.along);
+    const Point base = limit.from - limit.corner;
+    const auto side = [&](Spot s) {
+      return (limit.along.x * (s.y - base.y) - limit.along.y * (s.x - base.x)) / length;
+    };
+    std::vector<Spot> kept;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Spot a = ring[i], b = ring[(i + 1) % ring.size()];
+      const double da = side(a), db = side(b);
+      if (da >= -kSlack) kept.push_back(a);
+      if ((da >= -kSlack) != (db >= -kSlack)) {
+        const double s = da / (da - db);
+        kept.push_back({a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)});
+      }
+    }
+    ring = std::move(kept);
+  }
+  std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+bool FreePlaces::Offer(Spot spot) {
+  const size_t before = places_.size();
+  const Coord x = static_cast<Coord>(std::floor(spot.x / kPlaceStep)) * kPlaceStep;
+  const Coord y = static_cast<Coord>(std::floor(spot.y / kPlaceStep)) * kPlaceStep;
+  for (const Point t : {Point{x, y}, Point{x + kPlaceStep, y}, Point{x, y + kPlaceStep},
+                        Point{x + kPlaceStep, y + kPlaceStep}})
+    if (Allowed(t)) places_.push_back(t);
+  return places_.size() > before;
+}
+
+void FreePlaces::OfferAlong(const std::vector<Spot>& ring) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Spot a = ring[i], b = ring[(i + 1) % ring.size()];
+    Offer(a);
+    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    if (squared <= 0) continue;
+    const double s = ((target_.x - a.x) * dx + (target_.y - a.y) * dy) / squared;
+    if (s > 0 && s < 1) Offer({a.x + s * dx, a.y + s * dy});
+  }
+}
+
+std::vector<FreePlaces::Segment> FreePlaces::Within(const std::vector<Spot>& ring, const Box& box) {
+  std::vector<Segment> found;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Spot a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if (std::max(a.x, b.x) >= box.min.x && std::min(a.x, b.x) <= box.max.x &&
+        std::max(a.y, b.y) >= box.min.y && std::min(a.y, b.y) <= box.max.y)
+      found.push_back({a, b});
+  }
+  return found;
+}
+
+void FreePlaces::OfferCrossing(const Segment& a, const Segment& b) {
+  const double ax = a.b.x - a.a.x, ay = a.b.y - a.a.y, bx = b.b.x - b.a.x, by = b.b.y - b.a.y;
+  const double cross = ax * by - ay * bx;
+  if (cross == 0) return;
+  const double x = b.a.x - a.a.x, y = b.a.y - a.a.y;
+  const double t = (x * by - y * bx) / cross, u = (x * ay - y * ax) / cross;
+  if (t < 0 || t > 1 || u < 0 || u > 1) return;
+  const Spot spot = {a.a.x + t * ax, a.a.y + t * ay};
+  if (Offer(spot)) return;
+  // Both obstacles lie to the left of their edges: outwards is to the right of both.
+  const double la = Hypot(ax, ay), lb = Hypot(bx, by);
+  const double nx = ay / la + by / lb, ny = -ax / la - bx / lb, n = Hypot(nx, ny);
+  if (n < kSharpest) return;
+  for (const double step : {2e3, 1e4, 5e4, 2.5e5})
+    if (Offer({spot.x + step * nx / n, spot.y + step * ny / n})) return;
+}
+
+void FreePlaces::OfferCrossings(const std::vector<Spot>& a, const std::vector<Spot>& b,
+                                const Box& common) {
+  const std::vector<Segment> of_b = Within(b, common);
+  for (const Segment& s : Within(a, common))
+    for (const Segment& other : of_b) OfferCrossing(s, other);
+}
+
+void FreePlaces::AddObstacles(std::vector<Polygon> obstacles) {
+  if (bed_ring_.empty()) return;
+  const size_t old = obstacles_.size();
+  for (Polygon& ring : obstacles) {
+    std::erase_if(places_, [&](Point t) { return StrictlyInside(t, ring); });
+    if (Bounds(ring).Intersects(bed_box_)) Register(std::move(ring));
+  }
+  for (size_t i = old; i < obstacles_.size(); ++i) {
+    const Obstacle& obstacle = obstacles_[i];
+    OfferAlong(obstacle.spots);
+    OfferCrossings(obstacle.spots, bed_ring_, obstacle.box);
+    for (size_t j = 0; j < i; ++j) {
+      const Box& box = obstacles_[j].box;
+      if (!box.Intersects(obstacle.box)) continue;
+      OfferCrossings(obstacle.spots, obstacles_[j].spots, Common(box, obstacle.box));
+    }
+  }
+}
+
+}  // namespace slicefarm::slicing

@@ -1,0 +1,106 @@
+#include "services/slicing/algo/placement/arranging/grid_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "common/geometry/measure.h"
+#include "services/slicing/algo/placement/arranging/free_places.h"
+
+namespace slicefarm::slicing {
+namespace {
+
+constexpr Coord kMostInARow = 1'000;
+
+Coord RoundedUp(Coord value) { return (value + kPlaceStep - 1) / kPlaceStep * kPlaceStep; }
+Coord Rounded(Coord value) { return std::llround(1.0 * value / kPlaceStep) * kPlaceStep; }
+
+struct Grid {
+  Point middle;  ///< translation that puts one part on the middle of the bed
+  Coord dx = 0, dy = 0;
+  Coord columns = 0, rows = 0;  ///< that the bed's box holds
+
+  /// The i-th of `of` places in a row, a half pitch from the middle where `of` is even.
+  static Coord Offset(Coord pitch, Coord i, Coord of) {
+    return i * pitch - Rounded((of - 1) * pitch / 2);
+  }
+  Point At(Coord column, Coord of_columns, Coord row, Coord of_rows) const {
+    return middle + Point{Offset(dx, column, of_columns), Offset(dy, row, of_rows)};
+  }
+};
+
+Grid GridOn(const Polygon& bed, const Box& part, Coord distance_nm) {
+  const Box box = Bounds(bed);
+  const auto middle = [](Coord min, Coord max) { return min + (max - min) / 2; };
+  const auto fitting = [](Coord room, Coord size, Coord pitch) {
+    return room < size ? 0 : std::min(kMostInARow, 1 + (room - size) / pitch);
+  };
+  const Point size = part.max - part.min, room = box.max - box.min;
+  Grid grid;
+  grid.middle = {Rounded(middle(box.min.x, box.max.x) - middle(part.min.x, part.max.x)),
+                 Rounded(middle(box.min.y, box.max.y) - middle(part.min.y, part.max.y))};
+  grid.dx = std::max(kPlaceStep, RoundedUp(size.x + distance_nm));
+  grid.dy = std::max(kPlaceStep, RoundedUp(size.y + distance_nm));
+  grid.columns = fitting(room.x, size.x, grid.dx);
+  grid.rows = fitting(room.y, size.y, grid.dy);
+  return grid;
+}
+
+/// All places of columns x rows, row by row from the front; empty if one lies beside the bed.
+std::vector<Point> Block(const Grid& grid, Coord columns, Coord rows, const FreePlaces& free) {
+  std::vector<Point> block;
+  for (Coord row = 0; row < rows; ++row)
+    for (Coord column = 0; column < columns; ++column)
+      block.push_back(grid.At(column, columns, row, rows));
+  const bool fits =
+      std::all_of(block.begin(), block.end(), [&](Point t) { return free.Allowed(t); });
+  return fits ? block : std::vector<Point>{};
+}
+
+/// The most nearly square block of at least `count` places.
+std::vector<Point> SquarestBlock(const Grid& grid, Coord count, const FreePlaces& free) {
+  std::vector<Point> best;
+  Coord best_side = INT64_MAX;
+  for (Coord columns = 1; columns <= std::min(grid.columns, count); ++columns) {
+    const Coord rows = (count + columns - 1) / columns;
+    const Coord side = std::max(columns * grid.dx, rows * grid.dy);
+    if (rows > grid.rows || side >= best_side) continue;
+    std::vector<Point> block = Block(grid, columns, rows, free);
+    if (block.empty()) continue;
+    best = std::move(block);
+    best_side = side;
+  }
+  if (static_cast<Coord>(best.size()) > count) best.resize(count);
+  return best;
+}
+
+/// The places on the bed of a grid that has a part, or the middle between two, at its middle.
+std::vector<Point> OnBed(const Grid& grid, Coord columns, Coord rows, const FreePlaces& free) {
+  std::vector<Point> places;
+  for (Coord row = 0; row < rows; ++row)
+    for (Coord column = 0; column < columns; ++column)
+      if (const Point t = grid.At(column, columns, row, rows); free.Allowed(t)) places.push_back(t);
+  return places;
+}
+
+}  // namespace
+
+std::vector<Point> GridPlaces(const Polygon& bed, const Polygon& hull, Coord distance_nm,
+                              size_t count) {
+  const Grid grid = GridOn(bed, Bounds(hull), distance_nm);
+  const FreePlaces free(bed, hull, grid.middle);
+  std::vector<Point> block = SquarestBlock(grid, count, free);
+  if (block.size() == count) return block;
+  std::vector<Point> most;
+  for (Coord columns = grid.columns; columns >= std::max<Coord>(1, grid.columns - 1); --columns)
+    for (Coord rows = grid.rows; rows >= std::max<Coord>(1, grid.rows - 1); --rows)
+      if (auto places = OnBed(grid, columns, rows, free); places.size() > most.size())
+        most = std::move(places);
+  std::stable_sort(most.begin(), most.end(), [&](Point a, Point b) {
+    return SquaredNorm(a - grid.middle) < SquaredNorm(b - grid.middle);
+  });
+  if (most.size() > count) most.resize(count);
+  return most;
+}
+
+}  // namespace slicefarm::slicing
