@@ -121,8 +121,10 @@ absl::Status DropEmptyTops(std::vector<LayerProgram>& programs) {
   }
   programs = std::move(kept);
   if (!programs.empty()) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-                   "the outlines of all layers are too thin for a bead");
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
+      "no layer has a bead: the outlines are too thin for one, or the settings ask for "
+      "none (perimeters, fill_density, solid layers)");
 }
 
 LayerSummary Summarize(const LayerProgram& program) {

@@ -1,10 +1,10 @@
 #include "services/motion/algo/firmware/bambu.h"
 
 #include <array>
-#include <cmath>
 
 #include "absl/strings/escaping.h"
 #include "common/base/duration_text.h"
+#include "services/motion/algo/firmware/limit_command.h"
 #include "services/motion/algo/firmware/marlin.h"
 
 namespace slicefarm::motion {
@@ -49,8 +49,7 @@ class BambuFirmware : public MarlinFirmware {
   bool HasTravelAcceleration() const override { return false; }
   void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
                          GcodeText& out) const override {
-    out << "M204 S";
-    out.Integer(std::lround(print_mm_s2)) << '\n';
+    WriteM204(print_mm_s2, out);
   }
   double AccelerationFor(const KinematicMove& move, const MachineLimits& limits) const override {
     KinematicMove printing = move;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "common/geometry/measure.h"
 #include "services/motion/algo/firmware/known_commands.h"
@@ -127,8 +126,7 @@ class KlipperFirmware : public Firmware {
   bool HasRetractAcceleration() const override { return false; }
   void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
                          GcodeText& out) const override {
-    out << "M204 S";
-    out.Integer(std::lround(print_mm_s2)) << '\n';
+    WriteM204(print_mm_s2, out);
   }
 
   void WritePressureAdvance(double value, GcodeText& out) const override {

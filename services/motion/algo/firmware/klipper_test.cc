@@ -17,8 +17,9 @@ TEST(Klipper, LimitsAndAccelerations) {
   GcodeText out;
   Klipper().WriteLimits(MachineLimits{}, out);
   Klipper().WriteAcceleration(700.4, 0, out);
-  EXPECT_EQ(out.text(), "SET_VELOCITY_LIMIT VELOCITY=300 ACCEL=1500 SQUARE_CORNER_VELOCITY=5\n"
-                        "M204 S700\n");
+  EXPECT_EQ(out.text(),
+            "SET_VELOCITY_LIMIT VELOCITY=300 ACCEL=1500 SQUARE_CORNER_VELOCITY=5\n"
+            "M204 S700.4\n");
 }
 
 TEST(Klipper, ReadsWhatItWrites) {

@@ -1,7 +1,5 @@
 #include "services/motion/algo/firmware/limit_command.h"
 
-#include <cmath>
-
 namespace slicefarm::motion {
 namespace {
 
@@ -35,14 +33,10 @@ void ReadM204(const GcodeLine& line, MachineLimits& limits) {
 }
 
 void WriteM204(double print_mm_s2, double travel_mm_s2, GcodeText& out) {
-  out << "M204 P";
-  out.Integer(std::lround(print_mm_s2));
-  if (travel_mm_s2 > 0) {
-    out << " T";
-    out.Integer(std::lround(travel_mm_s2));
-  }
-  out << '\n';
+  LimitCommand("M204", out).Set("P", print_mm_s2).Set("T", travel_mm_s2);
 }
+
+void WriteM204(double all_mm_s2, GcodeText& out) { LimitCommand("M204", out).Set("S", all_mm_s2); }
 
 void ReadLimit(std::optional<double> given, double& value) {
   if (given && *given > 0) value = *given;

@@ -41,8 +41,11 @@ void ReadLimit(std::optional<double> given, double& value);
 /// (R).
 void ReadM204(const GcodeLine& line, MachineLimits& limits);
 
-/// `M204 P1000 T2000`; the travel's 0: not told.
+/// `M204 P1000 T2000`, of printing and of travels; one of them 0: not told.
 void WriteM204(double print_mm_s2, double travel_mm_s2, GcodeText& out);
+
+/// `M204 S1000`, of all moves.
+void WriteM204(double all_mm_s2, GcodeText& out);
 
 /// What stands where settings say nothing, in mm/s^2.
 inline constexpr double kDefaultAccelerationMmS2 = 1000;

@@ -1,7 +1,5 @@
 #include "services/motion/algo/firmware/marlin.h"
 
-#include <cmath>
-
 #include "services/motion/algo/firmware/known_commands.h"
 #include "services/motion/algo/firmware/limit_command.h"
 #include "services/motion/algo/kinematics/marlin_planner.h"
@@ -45,8 +43,7 @@ class LegacyFirmware : public MarlinFirmware {
   bool HasTravelAcceleration() const override { return false; }
   void WriteAcceleration(double print_mm_s2, double /*travel_mm_s2*/,
                          GcodeText& out) const override {
-    out << "M204 S";
-    out.Integer(std::lround(print_mm_s2)) << '\n';
+    WriteM204(print_mm_s2, out);
   }
 
  protected:

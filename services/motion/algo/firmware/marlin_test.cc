@@ -47,8 +47,10 @@ TEST(Marlin, ReadsWhatItWrites) {
 TEST(Marlin, TravelApartOnlyInMarlin2) {
   GcodeText out;
   Marlin2().WriteAcceleration(500, 1000, out);
+  Marlin2().WriteAcceleration(0, 1000, out);
+  Marlin2().WriteAcceleration(0.25, 0, out);  // not 0, which would stop some machines
   MarlinLegacy().WriteAcceleration(500, 0, out);
-  EXPECT_EQ(out.text(), "M204 P500 T1000\nM204 S500\n");
+  EXPECT_EQ(out.text(), "M204 P500 T1000\nM204 T1000\nM204 P0.25\nM204 S500\n");
 }
 
 }  // namespace

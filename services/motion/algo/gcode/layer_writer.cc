@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "services/motion/algo/toolpath/overhang.h"
@@ -152,13 +153,16 @@ void LayerWriter::Describe(const Move& move, GcodeText& out) {
 void LayerWriter::SetAcceleration(const Move& move, GcodeText& out) {
   if (!accelerations_.told) return;
   const bool of_travel = move.kind == MoveKind::kTravel || move.kind == MoveKind::kLift;
-  const bool apart = firmware_.HasTravelAcceleration();
-  if (move.kind != MoveKind::kPrint && !(of_travel && accelerations_.told_travel && !apart)) return;
+  if (of_travel && !accelerations_.told_travel) return;
+  if (of_travel && firmware_.HasTravelAcceleration()) {
+    if (!std::exchange(travels_told_, true))
+      firmware_.WriteAcceleration(0, accelerations_.travel, out);
+    return;
+  }
+  if (!of_travel && move.kind != MoveKind::kPrint) return;
   if (move.acceleration_mm_s2 == acceleration_) return;
-  const bool first = acceleration_ == -1;
   acceleration_ = move.acceleration_mm_s2;
-  const bool with_travel = apart && first && accelerations_.told_travel;
-  firmware_.WriteAcceleration(acceleration_, with_travel ? accelerations_.travel : 0, out);
+  firmware_.WriteAcceleration(acceleration_, 0, out);
 }
 
 }  // namespace slicefarm::motion

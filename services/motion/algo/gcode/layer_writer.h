@@ -48,6 +48,7 @@ class LayerWriter {
   void Forget() {
     feed_rate_ = -1;
     acceleration_ = -1;
+    travels_told_ = false;
   }
 
  private:
@@ -75,6 +76,7 @@ class LayerWriter {
   int32_t z_um_ = -1;
   bool wipes_ = false;
   float acceleration_ = -1;
+  bool travels_told_ = false;  ///< the acceleration that they have apart
 };
 
 /// `M106 S89`, or `M107` for 0.

@@ -99,7 +99,8 @@ TEST(LayerWriter, AStretchGoesOnUntilItIsToldToForget) {
 // The text between them, a profile's layer_gcode, may hold an M204 of its own.
 TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   Toolpath path;
-  path.moves = {Print(1'000, Feature::kPerimeter), Print(2'000, Feature::kPerimeter)};
+  path.moves = {Print(1'000, Feature::kPerimeter), Travel(2'000),
+                Print(3'000, Feature::kPerimeter)};
   Accelerations accelerations;
   accelerations.told = accelerations.told_travel = true;
   accelerations.travel = 3'000;
@@ -107,10 +108,10 @@ TEST(LayerWriter, WhatOthersMayHaveSetIsSaidAnew) {
   LayerWriter writer(FirmwareOf(GcodeFlavor::kMarlin2), accelerations, {200});
   writer.Write(path, 0, 1, {}, out);
   writer.Forget();
-  writer.Write(path, 1, 2, {}, out);
+  writer.Write(path, 1, 3, {}, out);
   EXPECT_EQ(out.text(),
-            ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000 T3000\nG1 X1 Y0 E.03 F1800\n"
-            "M204 P1000 T3000\nG1 X2 Y0 E.03 F1800\n");
+            ";TYPE:Perimeter\n;WIDTH:0.45\nM204 P1000\nG1 X1 Y0 E.03 F1800\n"
+            "M204 T3000\nG1 X2 Y0 F9000\nM204 P1000\nG1 X3 Y0 E.03 F1800\n");
 }
 
 TEST(LayerWriter, FanForBridges) {
@@ -198,7 +199,7 @@ TEST(LayerWriter, AccelerationsByFlavour) {
   Accelerations travel = told;
   travel.told_travel = true;
   travel.travel = 3000;
-  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, travel), "M204 P1000 T3000;M204 P500;");
+  EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlin2, travel), "M204 T3000;M204 P1000;M204 P500;");
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kKlipper, travel),
             "M204 S3000;M204 S1000;M204 S3000;M204 S1000;M204 S500;");
   EXPECT_EQ(AccelerationsOnly(GcodeFlavor::kMarlinLegacy, travel),

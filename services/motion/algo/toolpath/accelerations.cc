@@ -49,8 +49,7 @@ Accelerations AccelerationsFor(const MotionOptions& options, Ground ground) {
   if (result.told_travel) {
     result.travel = options.travel_acceleration_mm_s2;
   } else if (firmware.HasTravelAcceleration()) {
-    result.travel =
-        FirstSet({limits.max_acceleration_travel_mm_s2, limits.max_acceleration_extruding_mm_s2});
+    result.travel = limits.max_acceleration_travel_mm_s2;
   }
   if (firmware.HasRetractAcceleration())
     result.retract = FirstSet({limits.max_acceleration_retracting_mm_s2});

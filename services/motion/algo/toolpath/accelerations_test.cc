@@ -89,7 +89,7 @@ TEST(Accelerations, NeverZero) {
   options.limits.max_acceleration_retracting_mm_s2 = 0;
   const Accelerations a = AccelerationsFor(options, Ground::kLayers);
   EXPECT_GT(a.Print(Feature::kPerimeter), 0);
-  EXPECT_GT(a.travel, 0);
+  EXPECT_GT(a.Travel(a.Print(Feature::kPerimeter)), 0);
   EXPECT_GT(a.retract, 0);
 }
 
