@@ -34,8 +34,7 @@ constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 /// Longer hidden ways to a bead that is seen would make it begin with a gap.
 constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
-/// The seam of a wall and the starts of its loops lie no further from each other: layers that meet
-/// there need no way.
+/// The seam of a wall and the starts of its loops lie no further from each other.
 constexpr double kAtSeamNm = 2.5 * kNmPerMm;
 
 class IslandTravels {
@@ -56,20 +55,23 @@ class IslandTravels {
     return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
-  /// To the first path from where the layer below has left the nozzle.
+  /// To the first path from where the layer below has left the nozzle: over the place where this
+  /// layer would have left it, so that the way does not depend on the layer below.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
-    if (Distance(seam, to) <= kAtSeamNm) return {true, {}};
-    const std::optional<Point> from = BesideWall(seam);
-    return from ? Between(*from, to, 0, budget) : Travel{};
+    const std::optional<Point> from = MeetingAt(seam);
+    if (!from || *from == to) return {from.has_value(), {}};
+    Travel travel = Between(*from, to, 0, budget);
+    travel.corners.insert(travel.corners.begin(), *from);
+    return travel;
   }
 
   /// From the last path to where the layer above goes on.
   Leave To(Point seam, WorkBudget& budget) {
     const Point from = EndOf(paths_.back());
-    if (Distance(from, seam) <= kAtSeamNm) return {from, {}};
-    const std::optional<Point> to = BesideWall(seam);
+    const std::optional<Point> to = MeetingAt(seam);
     if (!to) return {seam, {}};
+    if (from == *to) return {from, {}};
     return {*to, Between(from, *to, paths_.size(), budget)};
   }
 
@@ -104,7 +106,15 @@ class IslandTravels {
     return *ways_;
   }
 
-  std::optional<Point> BesideWall(Point seam) {
+  /// Where layers meet that meet at `seam`: where the first path starts that starts there. The other
+  /// layer's does so nearly at the same place, and no wall is on the way, be it further in or out
+  /// than this one's.
+  std::optional<Point> MeetingAt(Point seam) {
+    const auto starts_there = [&](const Path& path) {
+      return Distance(StartOf(path), seam) <= kAtSeamNm;
+    };
+    const auto first = std::ranges::find_if(paths_, starts_there);
+    if (first != paths_.end()) return StartOf(*first);
     return clearance_ > 0 ? Ways().FromEdge(seam) : std::nullopt;
   }
 
