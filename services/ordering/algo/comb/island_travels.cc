@@ -59,8 +59,10 @@ class IslandTravels {
   /// layer would have left it, so that the way does not depend on the layer below.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
-    const std::optional<Point> from = MeetingAt(seam);
-    if (!from || *from == to) return {from.has_value(), {}};
+    if (IsAt(seam, to)) return {true, {}};
+    const std::optional<Point> inner = InnerStartAt(seam);
+    const std::optional<Point> from = inner ? inner : BesideWall(seam);
+    if (!from) return {};
     Travel travel = Between(*from, to, 0, budget);
     travel.corners.insert(travel.corners.begin(), *from);
     return travel;
@@ -69,10 +71,11 @@ class IslandTravels {
   /// From the last path to where the layer above goes on.
   Leave To(Point seam, WorkBudget& budget) {
     const Point from = EndOf(paths_.back());
-    const std::optional<Point> to = MeetingAt(seam);
+    const std::optional<Point> inner = InnerStartAt(seam);
+    if (!inner && IsAt(seam, from)) return {from, {}};
+    const std::optional<Point> to = inner ? inner : BesideWall(seam);
     if (!to) return {seam, {}};
-    if (from == *to) return {from, {}};
-    return {*to, Between(from, *to, paths_.size(), budget)};
+    return {*to, from == *to ? Travel{} : Between(from, *to, paths_.size(), budget)};
   }
 
  private:
@@ -106,15 +109,19 @@ class IslandTravels {
     return *ways_;
   }
 
-  /// Where layers meet that meet at `seam`: where the first path starts that starts there. The other
-  /// layer's does so nearly at the same place, and no wall is on the way, be it further in or out
-  /// than this one's.
-  std::optional<Point> MeetingAt(Point seam) {
-    const auto starts_there = [&](const Path& path) {
-      return Distance(StartOf(path), seam) <= kAtSeamNm;
-    };
-    const auto first = std::ranges::find_if(paths_, starts_there);
-    if (first != paths_.end()) return StartOf(*first);
+  static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
+
+  /// Where the first inner wall starts that starts at this seam: there layers meet. The other layer's
+  /// starts nearly at the same place, and no outer wall is on the way, be it further in or out than
+  /// this one's.
+  std::optional<Point> InnerStartAt(Point seam) const {
+    const auto first = std::ranges::find_if(paths_, [&](const Path& path) {
+      return path.feature == Feature::kPerimeter && IsAt(seam, StartOf(path));
+    });
+    return first != paths_.end() ? std::optional(StartOf(*first)) : std::nullopt;
+  }
+
+  std::optional<Point> BesideWall(Point seam) {
     return clearance_ > 0 ? Ways().FromEdge(seam) : std::nullopt;
   }
 
