@@ -111,9 +111,9 @@ class IslandTravels {
 
   static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
 
-  /// Where the first inner wall starts that starts at this seam: there layers meet. The other layer's
-  /// starts nearly at the same place, and no outer wall is on the way, be it further in or out than
-  /// this one's.
+  /// Where the first inner wall starts that starts at this seam: there layers meet. The other
+  /// layer's starts nearly at the same place, and no outer wall is on the way, be it further in or
+  /// out than this one's.
   std::optional<Point> InnerStartAt(Point seam) const {
     const auto first = std::ranges::find_if(paths_, [&](const Path& path) {
       return path.feature == Feature::kPerimeter && IsAt(seam, StartOf(path));
