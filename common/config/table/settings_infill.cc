@@ -65,14 +65,15 @@ std::vector<SettingSpec> IroningSettings() {
   };
 }
 
-SettingSpec SolidFill(std::string_view key, std::string_view doc, Field field) {
+SettingSpec SolidFill(std::string_view key, std::string_view standard, std::string_view doc,
+                      Field field) {
   std::vector<Choice> choices;
   for (const FillPatternInfo& info : kFillPatterns)
     if (info.solid != SolidWay::kNone)
       choices.push_back({info.name, static_cast<int>(info.pattern)});
   return {.key = key,
           .kind = Kind::kChoice,
-          .standard = "monotonic",
+          .standard = standard,
           .doc = doc,
           .choices = std::move(choices),
           .field = field};
@@ -127,11 +128,12 @@ std::vector<SettingSpec> InfillSettings() {
                    {"time", static_cast<int>(FillGoal::kTime)},
                    {"flexibility", static_cast<int>(FillGoal::kFlexibility)}},
        .field = Bind([](auto& s) -> auto& { return s.infill[0].goal; })},
-      SolidFill("solid_fill_pattern", "Pattern of the solid infill inside a part",
+      SolidFill("solid_fill_pattern", "rectilinear",
+                "Pattern of the solid infill inside a part, where the order of lines is not seen",
                 Bind([](auto& s) -> auto& { return s.infill[0].solid_pattern; })),
-      SolidFill("top_fill_pattern", "Pattern of top surfaces",
+      SolidFill("top_fill_pattern", "monotonic", "Pattern of top surfaces",
                 Bind([](auto& s) -> auto& { return s.infill[0].top_pattern; })),
-      SolidFill("bottom_fill_pattern", "Pattern of bottom surfaces",
+      SolidFill("bottom_fill_pattern", "monotonic", "Pattern of bottom surfaces",
                 Bind([](auto& s) -> auto& { return s.infill[0].bottom_pattern; })),
       {.key = "fill_angle",
        .unit = "degrees",

@@ -42,9 +42,9 @@ struct InfillOptions {
   FillPattern pattern = FillPattern::kGrid;  ///< fill_pattern
   bool choose_pattern = false;          ///< fill_pattern = auto: planning names one for each object
   FillGoal goal = FillGoal::kStrength;  ///< infill_goal
-  FillPattern solid_pattern = FillPattern::kMonotonic;   ///< inside: solid_fill_pattern
-  FillPattern top_pattern = FillPattern::kMonotonic;     ///< top_fill_pattern
-  FillPattern bottom_pattern = FillPattern::kMonotonic;  ///< bottom_fill_pattern
+  FillPattern solid_pattern = FillPattern::kRectilinear;  ///< inside: solid_fill_pattern
+  FillPattern top_pattern = FillPattern::kMonotonic;      ///< top_fill_pattern
+  FillPattern bottom_pattern = FillPattern::kMonotonic;   ///< bottom_fill_pattern
   double angle_rad =
       0.78539816339744831;  ///< fill_angle; solid layers turn by a right angle from layer to layer
   /// fill_angle_template, solid_fill_angle_template: canonical texts (fill_angles.h); empty: none.

@@ -202,7 +202,7 @@ InfillOptions DistinctInfill() {
   bottom_layers = 302;
   density = 0.303;
   pattern = FillPattern::kGyroid;
-  solid_pattern = FillPattern::kRectilinear;
+  solid_pattern = FillPattern::kConcentric;
   top_pattern = FillPattern::kMonotonic;
   bottom_pattern = FillPattern::kHilbert;
   angle = -0.308;
@@ -489,7 +489,7 @@ constexpr char kDistinct[] = R"pb(
     bottom_solid_layers: 302
     density: 0.303
     pattern: FILL_PATTERN_GYROID
-    solid_pattern: FILL_PATTERN_RECTILINEAR
+    solid_pattern: FILL_PATTERN_CONCENTRIC
     top_pattern: FILL_PATTERN_MONOTONIC
     bottom_pattern: FILL_PATTERN_HILBERT
     angle_rad: -0.308

@@ -15,9 +15,11 @@
 namespace slicefarm::ordering {
 namespace {
 
-/// Lanes keep this many clearances, so that a lane that is made of fewer points still keeps one.
+/// Lanes keep this many clearances, and being made of fewer points takes no more than the tolerance
+/// from that: outer walls lie further inside than elsewhere, by up to a third, where a part gets
+/// too thin for one bead more.
 constexpr double kLane = 1.5;
-constexpr double kLaneTolerance = 0.4;
+constexpr double kLaneTolerance = 0.15;
 /// What the border lies beyond the lanes, so that a way along them does not touch it.
 constexpr Coord kHair = 5'000;
 /// A place without its own clearance comes indoors within this many.

@@ -51,7 +51,7 @@ bool MeetsAnEdge(Point a, Point b, const MultiPolygon& region) {
 }
 
 MultiPolygon LanesOf(const PolygonWithHoles& island) {
-  return Simplify(Offset({island}, -kClearance * 3 / 2), std::llround(0.4 * kClearance));
+  return Simplify(Offset({island}, -kClearance * 3 / 2), std::llround(0.15 * kClearance));
 }
 
 /// The shortest way over any corners of the lanes, by Bellman and Ford over all pairs that see each
@@ -104,7 +104,7 @@ class RandomWays : public testing::TestWithParam<int> {
 
 TEST_P(RandomWays, AreAsShortAsTheBestOfAllPairsAndKeepClear) {
   ClearWays ways({island_}, kClearance);
-  const MultiPolygon clear = Offset({island_}, -kClearance);
+  const MultiPolygon clear = Offset({island_}, -kClearance * 13 / 10);
   for (int i = 0; i < 12; ++i) {
     Point a, b;
     if (!Place(a) || !Place(b)) return;

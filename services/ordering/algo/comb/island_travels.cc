@@ -34,8 +34,7 @@ constexpr double kWorthOfRetractionNm = 20.0 * kNmPerMm;
 /// Longer hidden ways to a bead that is seen would make it begin with a gap.
 constexpr double kLongestToSeenNm = 5.0 * kNmPerMm;
 
-/// The seam of a wall and the starts of its loops lie no further from each other: layers that meet
-/// there need no way.
+/// The seam of a wall and the starts of its loops lie no further from each other.
 constexpr double kAtSeamNm = 2.5 * kNmPerMm;
 
 class IslandTravels {
@@ -56,21 +55,27 @@ class IslandTravels {
     return from == to ? Travel{} : Between(from, to, i, budget);
   }
 
-  /// To the first path from where the layer below has left the nozzle.
+  /// To the first path from where the layer below has left the nozzle: over the place where this
+  /// layer would have left it, so that the way does not depend on the layer below.
   Travel From(Point seam, WorkBudget& budget) {
     const Point to = StartOf(paths_.front());
-    if (Distance(seam, to) <= kAtSeamNm) return {true, {}};
-    const std::optional<Point> from = BesideWall(seam);
-    return from ? Between(*from, to, 0, budget) : Travel{};
+    if (IsAt(seam, to)) return {true, {}};
+    const std::optional<Point> inner = InnerStartAt(seam);
+    const std::optional<Point> from = inner ? inner : BesideWall(seam);
+    if (!from) return {};
+    Travel travel = Between(*from, to, 0, budget);
+    travel.corners.insert(travel.corners.begin(), *from);
+    return travel;
   }
 
   /// From the last path to where the layer above goes on.
   Leave To(Point seam, WorkBudget& budget) {
     const Point from = EndOf(paths_.back());
-    if (Distance(from, seam) <= kAtSeamNm) return {from, {}};
-    const std::optional<Point> to = BesideWall(seam);
+    const std::optional<Point> inner = InnerStartAt(seam);
+    if (!inner && IsAt(seam, from)) return {from, {}};
+    const std::optional<Point> to = inner ? inner : BesideWall(seam);
     if (!to) return {seam, {}};
-    return {*to, Between(from, *to, paths_.size(), budget)};
+    return {*to, from == *to ? Travel{} : Between(from, *to, paths_.size(), budget)};
   }
 
  private:
@@ -102,6 +107,18 @@ class IslandTravels {
   ClearWays& Ways() {
     if (!ways_) ways_.emplace(MultiPolygon{outline_}, clearance_);
     return *ways_;
+  }
+
+  static bool IsAt(Point seam, Point start) { return Distance(start, seam) <= kAtSeamNm; }
+
+  /// Where the first inner wall starts that starts at this seam: there layers meet. The other
+  /// layer's starts nearly at the same place, and no outer wall is on the way, be it further in or
+  /// out than this one's.
+  std::optional<Point> InnerStartAt(Point seam) const {
+    const auto first = std::ranges::find_if(paths_, [&](const Path& path) {
+      return path.feature == Feature::kPerimeter && IsAt(seam, StartOf(path));
+    });
+    return first != paths_.end() ? std::optional(StartOf(*first)) : std::nullopt;
   }
 
   std::optional<Point> BesideWall(Point seam) {

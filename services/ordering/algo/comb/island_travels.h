@@ -33,8 +33,9 @@ struct IslandWays {
 /// A way that crosses a wall goes round inside the island where that is no longer than 20 mm more:
 /// a retraction takes about as much time. With avoid_crossing each way that is not clear of the
 /// walls goes round if a detour that is allowed leads there.
-/// A seam to meet at lies on the outline: the way leads to the place nearest to it that keeps off
-/// the walls. `budget`: for lines of sight.
+/// Layers meet where the first inner wall starts that starts at the seam: the outer wall above may
+/// lie on either side of the one below. Where none does, they meet at the place nearest to the seam
+/// that keeps off the walls. `budget`: for lines of sight.
 IslandWays WaysInIsland(const PolygonWithHoles& outline, const IslandEdges& edges,
                         std::span<const Path> paths, const Meetings& meetings,
                         const TravelOptions& options, WorkBudget& budget);

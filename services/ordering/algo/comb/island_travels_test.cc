@@ -30,6 +30,9 @@ Path OuterWall() {
                 true);
 }
 
+/// Starts nearest to the corner at the origin.
+Path InnerWall() { return PathOf(Feature::kPerimeter, "(0.675 0.675, 5 0.675, 5 5)", true); }
+
 IslandWays Ways(const std::vector<Path>& paths, const Meetings& meetings,
                 const TravelOptions& options = {}, int64_t sights = 100'000,
                 const char* outline = kFork) {
@@ -162,18 +165,29 @@ TEST(IslandTravels, GoesOnFromTheLayerBelow) {
   EXPECT_FALSE(from({Sparse("(20 2, 5 2)")}, {0, 0})) << "no wall to keep off";
 }
 
+TEST(IslandTravels, TheWayFromTheLayerBelowLeadsOverTheSeam) {
+  const auto corners = [](const std::vector<Path>& paths, Point seam) {
+    return Ways(paths, {seam, {}}).travels.front().corners;
+  };
+  const std::vector<Point> inner = {StartOf(InnerWall())};
+  EXPECT_TRUE(corners({InnerWall(), OuterWall()}, {0, 0}).empty()) << "it is there";
+  EXPECT_EQ(corners({Sparse("(20 2, 5 2)"), InnerWall(), OuterWall()}, {0, 0}), inner);
+  const std::vector<Point> beside = corners({OuterWall()}, {FromMm(24), FromMm(20)});
+  ASSERT_FALSE(beside.empty()) << "no path starts there";
+  EXPECT_LT(beside.front().x, FromMm(24) - 225'000) << "inside of the outer wall";
+  EXPECT_LT(Distance(beside.front(), {FromMm(24), FromMm(20)}), FromMm(1));
+}
+
 TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
   const Point seam{0, 0};
   const auto leave = [&](const std::vector<Path>& paths, const TravelOptions& options = {}) {
     return *Ways(paths, {{}, seam}, options).leave;
   };
-  const Leave beside = leave({OuterWall()});
-  EXPECT_EQ(beside.to, EndOf(OuterWall())) << "is there already";
-  const Leave inside = leave({OuterWall(), Sparse("(5 2, 20 2)")});
+  EXPECT_EQ(leave({OuterWall()}).to, EndOf(OuterWall())) << "is there already";
+  const Leave inside = leave({InnerWall(), OuterWall(), Sparse("(5 2, 20 2)")});
   EXPECT_TRUE(inside.way.hidden);
   EXPECT_TRUE(inside.way.corners.empty());
-  EXPECT_GT(inside.to.x, 225'000) << "inside of the outer wall";
-  EXPECT_LT(Norm(inside.to - seam), FromMm(1));
+  EXPECT_EQ(inside.to, StartOf(InnerWall())) << "where the layer above begins, too";
   const Leave around = leave({OuterWall(), Sparse("(19 12, 19 18)")});
   EXPECT_TRUE(around.way.hidden);
   EXPECT_FALSE(around.way.corners.empty());
