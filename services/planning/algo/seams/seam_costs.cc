@@ -1,6 +1,7 @@
 #include "services/planning/algo/seams/seam_costs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -8,11 +9,12 @@ namespace slicefarm::planning {
 namespace {
 
 constexpr double kOuterCorner = 0.5;
-constexpr double kStraight = 3;
+constexpr double kStraight = 3.5;
 /// Turns from here on count as sharp.
 constexpr double kSharpRad = std::numbers::pi / 4;
-/// What a place costs that nobody sees, of one in plain view.
-constexpr double kHidden = 0.4;
+/// What a place costs that nobody sees, of one in plain view: corners come first, be they seen or
+/// not.
+constexpr double kHidden = 0.8;
 constexpr double kSeen = 6;
 /// For `hidden` and `rear`: what corners count yet.
 constexpr double kLittle = 0.25;
@@ -22,12 +24,17 @@ constexpr double kFromRear = 4;
 /// other, and of holes side by side, lie near to each other, and the way between them is short.
 constexpr double kRearOfEqual = 2e-3;
 constexpr double kLeftOfEqual = 1e-3;
-/// Overhangs cost something from so many heights of a layer on, and so much for each height more:
-/// where all of a ring hangs over, the seam is best where it does the least.
-constexpr double kSomeOverhang = 0.6;
-constexpr double kOverhang = 20;
+/// What overhangs cost, in heights of a layer.
+struct OverhangRange {
+  double from = 0;
+  double per_height = 0;  ///< from there on
+};
 /// tan 55 degrees.
 constexpr double kSteep = 1.43;
+/// Walls that lean are no reason to jump; steep ones are. Where all of a ring hangs over, the seam
+/// is best where it does the least, but what lies in the air by far is not much worse for lying
+/// further.
+constexpr std::array<OverhangRange, 3> kOverhangs{{{0.6, 4}, {kSteep, 20}, {kSteep + 1, 5}}};
 /// More than all others of a job together.
 constexpr double kBlocked = 1e9;
 constexpr double kNotEnforced = 1e6;
@@ -40,7 +47,12 @@ double Shape(const SeamPlace& place) {
 }
 
 double Overhang(const SeamPlace& place) {
-  return kOverhang * std::max(place.overhang - kSomeOverhang, 0.0);
+  double cost = 0, per_height = 0;
+  for (const OverhangRange& range : kOverhangs) {
+    cost += (range.per_height - per_height) * std::max(place.overhang - range.from, 0.0);
+    per_height = range.per_height;
+  }
+  return cost;
 }
 
 /// Even bits in, even bits out (splitmix64's finish: Steele, Lea, Flood 2014).

@@ -31,7 +31,7 @@ TEST(SeamCosts, PrefersInnerCornersToOuterOnesToWalls) {
                                          PlaceAt(3, 3, -kRightAngle)};
   const auto costs = SeamCosts(places, {1, 1, 1}, SeamPosition::kAligned, {});
   EXPECT_NEAR(costs[0], 0.5, 0.02);
-  EXPECT_NEAR(costs[1], 3, 0.01);
+  EXPECT_NEAR(costs[1], 3.5, 0.02);
   EXPECT_NEAR(costs[2], 0, 0.02);
 }
 
@@ -100,6 +100,17 @@ TEST(SeamCosts, WhereAllHangsOverTheLeastIsBest) {
   places[0].overhang = 5;
   places[1].overhang = 4;
   EXPECT_EQ(Cheapest(places, {1, 1}, SeamPosition::kAligned), 1u);
+}
+
+// As on a screw: no layer of it is steep, and the seam stays in line.
+TEST(SeamCosts, TenLayersThatLeanCostLessThanAJump) {
+  std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(0, 0), PlaceAt(0, 0)};
+  places[1].overhang = 1;
+  places[2].overhang = 2.43F;
+  const auto costs = SeamCosts(places, {1, 1, 1}, SeamPosition::kAligned, {});
+  const double jump = StepCostOf(SeamPosition::kAligned).jump;
+  EXPECT_LT(10 * (costs[1] - costs[0]), jump);
+  EXPECT_GT(2 * (costs[2] - costs[0]), jump) << "but not two that are steep";
 }
 
 TEST(SeamCosts, TellsOverhangs) {
