@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "services/beading/algo/arachne/small_fills.h"
+
 namespace slicefarm::beading {
 namespace {
 
@@ -274,7 +276,18 @@ class CountPlanner {
     stretches.Merge(strategy_, options_);
     for (size_t edge = 0; edge < central_.size(); ++edge)
       if (central_[edge]) edge_count_[edge] = stretches.CountOf(static_cast<int>(edge));
+    LeaveSmallFillsToWalls();
   }
+
+  void LeaveSmallFillsToWalls() {
+    in_small_fill_ = SmallFills(strategy_, graph_, edge_count_);
+    for (size_t edge = 0; edge < central_.size(); ++edge)
+      if (edge_count_[edge] > MostWalls() && in_small_fill_[graph_.half_edges[2 * edge].from])
+        edge_count_[edge] = MostWalls();
+  }
+
+  /// On both sides together; where there is room for more, it is the infill's.
+  int MostWalls() const { return strategy_.OptimalCount(kUnreachableNm - 1) - 1; }
 
   int CountAlong(int half) const {
     const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
@@ -427,10 +440,16 @@ class CountPlanner {
 
   /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet: of
   /// exactly the right volume, as a ring halfway to the middle is half as long as the outline.
-  int CountAtTop(double radius) const {
-    const int count = strategy_.OptimalCount(Thickness(radius));
-    const bool has_middle = count % 2 == 1 && count < strategy_.OptimalCount(kUnreachableNm - 1);
+  int CountAtTop(size_t node) const {
+    const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
+    if (count > MostWalls()) return IsInSmallFill(node) ? MostWalls() : count;
+    const bool has_middle = count % 2 == 1;
     return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
+  }
+
+  /// Nodes that were made since lie on central edges.
+  bool IsInSmallFill(size_t node) const {
+    return node < in_small_fill_.size() && in_small_fill_[node];
   }
 
   std::vector<BeadCount> Counts() const {
@@ -451,7 +470,7 @@ class CountPlanner {
       graph_.ForEachLeaving(leaving[node], [&](int half) {
         is_top = is_top && graph_.ToNode(half).radius <= radius;
       });
-      if (is_top) counts[node] = {CountAtTop(radius), 0};
+      if (is_top) counts[node] = {CountAtTop(node), 0};
     }
     return counts;
   }
@@ -461,6 +480,7 @@ class CountPlanner {
   SkeletalGraph& graph_;
   std::vector<char>& central_;
   std::vector<int> edge_count_;
+  std::vector<char> in_small_fill_;  ///< by node
   std::vector<int> leaving_;
   std::vector<Range> around_;    ///< counts of the edges around each node
   std::vector<Ramp> up_, down_;  ///< by node: towards more beads, towards fewer
