@@ -15,9 +15,12 @@ namespace {
 
 /// Nodes nearer than this to another one are not made.
 constexpr double kLeastPieceNm = 10'000;
-/// Where a stretch has no room for its half of a transition, its beads may deviate by this many
-/// times what they may otherwise.
+/// Where a stretch has no room for its half of a transition, or too little for a middle bead, its
+/// beads may deviate by this many times what they may otherwise.
 constexpr double kShortDeviation = 3;
+/// Shorter stretches get no bead along the middle: one of 1 mm at most, as it ends before others
+/// begin.
+constexpr double kLeastMiddleNm = 1'500'000;
 /// With fewer beads those beside the middle one are the outermost, whose width is to stay.
 constexpr int kLeastInnerMiddle = 5;
 
@@ -124,9 +127,9 @@ class Stretches {
       double deviation = Deviation(data_[stretch], data_[other].count, strategy);
       const bool allowed = deviation <= options.filter_deviation_nm &&
                            data_[stretch].length <= options.filter_distance_nm;
-      const bool too_short = neighbours.size() == 1 &&
-                             deviation <= kShortDeviation * options.filter_deviation_nm &&
-                             !HasRoom(data_[stretch], data_[other], strategy);
+      const bool too_short =
+          neighbours.size() == 1 && deviation <= kShortDeviation * options.filter_deviation_nm &&
+          (HasShortMiddle(data_[stretch]) || !HasRoom(data_[stretch], data_[other], strategy));
       if (!allowed && !too_short) continue;
       if (deviation >= least) continue;
       least = deviation;
@@ -141,6 +144,12 @@ class Stretches {
     const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
     const double beyond = data.count > count ? data.max_radius - limit : limit - data.min_radius;
     return (count % 2 == 1 ? 2 : 1) * std::abs(data.count - count) * std::max(0.0, beyond);
+  }
+
+  /// Whether the stretch has a bead along the middle that would hardly be worth a travel.
+  static bool HasShortMiddle(const Data& data) {
+    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle &&
+           data.length < kLeastMiddleNm;
   }
 
   /// Whether the half of the transition that lies in the stretch ends within it.
