@@ -28,9 +28,6 @@ constexpr double kMinLengthWidths = 1.0;
 constexpr double kEndShare = 0.5;
 /// Links are not made thinner than this many spacings.
 constexpr double kLeastLinkSpacings = 0.1;
-/// Shorter wedges beside the end of a line stay empty: of less than an eighth of a spacing squared,
-/// 0.004 mm3 in a layer of 0.2 mm.
-constexpr double kLeastSpurSpacings = 0.5;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing
@@ -50,31 +47,28 @@ LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
-/// Pieces of one width, the ways between, before and after them of another: the width steps where
-/// two points are equal.
+/// Pieces of one width, joined by links of another: the width steps where two points are equal.
 Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
   Path path;
-  if (line.points.size() == 2 || link_width == width) {
+  if (line.pieces.size() == 1 || link_width == width) {
     path.points = line.points;
     path.widths_nm = {width};
     return path;
   }
-  const size_t count = line.points.size() + 2 * line.pieces.size();
+  const size_t count = line.points.size() + 2 * (line.pieces.size() - 1);
   path.points.reserve(count);
   path.widths_nm.reserve(count);
-  const auto append = [&](int32_t first, int32_t last, Coord w) {
-    if (first == last) return;  // no way there
-    path.points.insert(path.points.end(), line.points.begin() + first,
-                       line.points.begin() + last + 1);
-    path.widths_nm.resize(path.points.size(), w);
+  const auto append = [&](Point point, Coord w) {
+    path.points.push_back(point);
+    path.widths_nm.push_back(w);
   };
-  int32_t at = 0;
-  for (const int32_t piece : line.pieces) {
-    append(at, piece, link_width);
-    append(piece, piece + 1, width);
-    at = piece + 1;
+  for (size_t k = 0; k < line.pieces.size(); ++k) {
+    const int32_t first = line.pieces[k], last = first + 1;
+    append(line.points[first], width);
+    append(line.points[last], width);
+    if (k + 1 == line.pieces.size()) break;
+    for (int32_t i = last; i <= line.pieces[k + 1]; ++i) append(line.points[i], link_width);
   }
-  append(at, static_cast<int32_t>(line.points.size()) - 1, link_width);
   return path;
 }
 
@@ -114,12 +108,9 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   const bool linked = fill.pattern != FillPattern::kMonotonicLines;
   FillGroup group;
   group.keep_order = !linked || fill.pattern == FillPattern::kMonotonic;
-  const bool has_spurs = linked && fill.beside_walls;
-  const SerpentineOptions options{
-      .monotonic = group.keep_order,
-      .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
-      .min_length_nm = kMinLengthWidths * static_cast<double>(width),
-      .least_spur_nm = has_spurs ? kLeastSpurSpacings * family.pitch_nm : 0};
+  const SerpentineOptions options{.monotonic = group.keep_order,
+                                  .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
+                                  .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
   for (const SerpentinePath& line : Serpentine(*lines, options)) {
     Path& path = group.paths.emplace_back(MakePath(line, width, link_width));
     path.feature = fill.feature;

@@ -121,6 +121,7 @@ class Stretches {
   /// Where the stretch may go; -1 if it is to stay.
   int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
     const std::vector<int> neighbours = Neighbours(stretch);
+    const bool short_middle = HasShortMiddle(data_[stretch]) && HaveOneCount(neighbours);
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (const int other : neighbours) {
@@ -128,9 +129,10 @@ class Stretches {
       const bool allowed = deviation <= options.filter_deviation_nm &&
                            data_[stretch].length <= options.filter_distance_nm;
       const bool too_short =
-          neighbours.size() == 1 && deviation <= kShortDeviation * options.filter_deviation_nm &&
-          (HasShortMiddle(data_[stretch]) || !HasRoom(data_[stretch], data_[other], strategy));
-      if (!allowed && !too_short) continue;
+          short_middle || (neighbours.size() == 1 &&
+                           !HasRoom(data_[stretch], data_[other], strategy));
+      if (!allowed && !(too_short && deviation <= kShortDeviation * options.filter_deviation_nm))
+        continue;
       if (deviation >= least) continue;
       least = deviation;
       best = other;
@@ -144,6 +146,12 @@ class Stretches {
     const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
     const double beyond = data.count > count ? data.max_radius - limit : limit - data.min_radius;
     return (count % 2 == 1 ? 2 : 1) * std::abs(data.count - count) * std::max(0.0, beyond);
+  }
+
+  bool HaveOneCount(const std::vector<int>& stretches) const {
+    return std::ranges::all_of(stretches, [&](int stretch) {
+      return data_[stretch].count == data_[stretches.front()].count;
+    });
   }
 
   /// Whether the stretch has a bead along the middle that would hardly be worth a travel.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "common/geometry/between.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/linking/ring_way.h"
 
@@ -141,63 +139,17 @@ class Walker {
     SerpentinePath path;
     Finish(place / 2);
     if (!BestLink(lines_.order[place ^ 1]) && BestLink(lines_.order[place])) place ^= 1;
-    const Polyline first = Spur(place);
-    path.points.assign(first.rbegin(), first.rend());
     while (true) {
       path.pieces.push_back(static_cast<int32_t>(path.points.size()));
       path.points.push_back(PlaceAt(place));
       path.points.push_back(PlaceAt(place ^ 1));
       const int32_t from = lines_.order[place ^ 1];
       const std::optional<Link> link = BestLink(from);
-      if (!link) break;
-      AppendSpur(Spur(place ^ 1, link->forward), path.points);
+      if (!link) return path;
       AppendLink(from, *link, path.points);
       place = lines_.crossings[link->to].place;
       Finish(place / 2);
-      AppendSpur(Spur(place, !link->forward), path.points);
     }
-    std::ranges::copy(Spur(place ^ 1), std::back_inserter(path.points));
-    return path;
-  }
-
-  /// Half of the way along the boundary from the end of a piece to that of a line beside it, without
-  /// the end itself; empty where there is no wedge. `taken`: the direction of the link there.
-  Polyline Spur(int32_t place, std::optional<bool> taken = std::nullopt) const {
-    if (options_.least_spur_nm <= 0) return {};
-    const int32_t from = lines_.order[place];
-    for (const Link link : LinksOf(from)) {
-      if (link.forward == taken || lines_.crossings[link.to].line == At(place).line) continue;
-      const double length = LinkLength(from, link);
-      if (length < 2 * options_.least_spur_nm || length > options_.max_link_nm) continue;
-      Polyline spur = StartOfLink(from, link, length / 2);
-      const double beyond = lines_.frame.U(spur.back()) - At(place).u;
-      if ((place % 2 == 0 ? -beyond : beyond) >= options_.least_spur_nm) return spur;
-    }
-    return {};
-  }
-
-  /// The points of a link up to `length_nm` from its start.
-  Polyline StartOfLink(int32_t from, const Link& link, double length_nm) const {
-    Polyline way = {lines_.PlaceOf(lines_.crossings[from])};
-    AppendLink(from, link, way);
-    way.push_back(lines_.PlaceOf(lines_.crossings[link.to]));
-    Polyline start;
-    for (size_t i = 1; i < way.size(); ++i) {
-      const double edge = Distance(way[i - 1], way[i]);
-      if (edge >= length_nm) {
-        start.push_back(PointBetween(way[i - 1], way[i], edge > 0 ? length_nm / edge : 0));
-        break;
-      }
-      length_nm -= edge;
-      start.push_back(way[i]);
-    }
-    return start;
-  }
-
-  /// The piece's end itself lies on an edge, so the way back passes it.
-  static void AppendSpur(const Polyline& spur, Polyline& path) {
-    path.insert(path.end(), spur.begin(), spur.end());
-    if (!spur.empty()) path.insert(path.end(), std::next(spur.rbegin()), spur.rend());
   }
 
   std::array<Link, 2> LinksOf(int32_t from) const {

@@ -15,17 +15,12 @@ struct SerpentineOptions {
   /// other way leads on; farther ones are left to a travel.
   double max_link_nm = 0;
   double min_length_nm = 0;  ///< shorter paths are left out
-  /// Where the boundary leads on beyond the end of a piece at a flat angle and no link runs there, a
-  /// wedge stays empty between it and the line before. A path goes half of the way to that line's
-  /// end, and back, if that leads on by as much; 0: nowhere.
-  double least_spur_nm = 0;
 };
 
 struct SerpentinePath {
   Polyline points;
   /// Places in `points` at which the pieces of line begin; each ends at the next point. What lies
-  /// between two pieces is their link along the boundary; what lies before and after all, and a
-  /// link's ways there and back, are spurs.
+  /// between two pieces is their link along the boundary.
   std::vector<int32_t> pieces;
 };
 
