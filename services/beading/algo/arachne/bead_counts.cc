@@ -60,7 +60,10 @@ class Stretches {
       queue.erase(queue.begin());
       if (Find(stretch) != stretch || data_[stretch].length != length) continue;
       const int into = BestNeighbour(stretch, strategy, options);
-      if (into < 0) continue;
+      if (into < 0) {
+        if (data_[stretch].beside.empty()) TakeOutShortMiddle(data_[stretch], strategy, options);
+        continue;
+      }
       data_[stretch].count = data_[into].count;
       const int joined = Absorb(stretch);
       queue.emplace(data_[joined].length, joined);
@@ -121,7 +124,8 @@ class Stretches {
   /// Where the stretch may go; -1 if it is to stay.
   int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
     const std::vector<int> neighbours = Neighbours(stretch);
-    const bool short_middle = HasShortMiddle(data_[stretch]) && HaveOneCount(neighbours);
+    const bool short_middle =
+        HasShortMiddle(data_[stretch], strategy) && HaveOneCount(neighbours);
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (const int other : neighbours) {
@@ -155,9 +159,20 @@ class Stretches {
   }
 
   /// Whether the stretch has a bead along the middle that would hardly be worth a travel.
-  static bool HasShortMiddle(const Data& data) {
-    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle &&
+  static bool HasShortMiddle(const Data& data, const BeadingStrategy& strategy) {
+    const bool is_fill = data.count >= strategy.OptimalCount(kUnreachableNm - 1);
+    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle && !is_fill &&
            data.length < kLeastMiddleNm;
+  }
+
+  /// In a neck that lies between steep sides alone.
+  static void TakeOutShortMiddle(Data& data, const BeadingStrategy& strategy,
+                                 const CountOptions& options) {
+    if (!HasShortMiddle(data, strategy)) return;
+    const double fewer = Deviation(data, data.count - 1, strategy);
+    const double more = Deviation(data, data.count + 1, strategy);
+    if (std::min(fewer, more) > kShortDeviation * options.filter_deviation_nm) return;
+    data.count += fewer < more ? -1 : 1;
   }
 
   /// Whether the half of the transition that lies in the stretch ends within it.
