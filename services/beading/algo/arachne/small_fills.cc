@@ -18,18 +18,18 @@ class FillPlaces {
         graph_(graph),
         edge_counts_(edge_counts),
         leaving_(graph.Leaving()),
-        walls_(strategy.OptimalCount(kUnreachableNm - 1) - 1) {}
+        walls_(strategy.OptimalCount(kUnreachableNm - 1) - 1),
+        least_(strategy.TransitionThickness(walls_)),
+        depth_(static_cast<double>(
+            strategy.Compute(least_, walls_ + 1).locations_nm[walls_ / 2])) {}
 
   std::vector<char> Small() {
     std::vector<char> small(graph_.nodes.size(), false);
     if (walls_ < kLeastWalls) return small;
-    const Coord least = strategy_.TransitionThickness(walls_);
-    const Beading border = strategy_.Compute(least, walls_ + 1);
-    depth_ = static_cast<double>(border.locations_nm[walls_ / 2]);
     std::vector<char> seen(graph_.nodes.size(), false);
     for (int node = 0; node < static_cast<int>(small.size()); ++node) {
-      if (seen[node] || 2 * graph_.nodes[node].radius < static_cast<double>(least)) continue;
-      const Place place = PlaceAround(node, seen);
+      if (seen[node] || 2 * graph_.nodes[node].radius < static_cast<double>(least_)) continue;
+      const FillPlace place = PlaceAround(node, seen);
       if (place.area >= kLeastFillNm2 || !WallsReach(place.radius)) continue;
       for (const int inside : place.nodes) small[inside] = true;
     }
@@ -37,7 +37,7 @@ class FillPlaces {
   }
 
  private:
-  struct Place {
+  struct FillPlace {
     std::vector<int> nodes;
     double area = 0;
     double radius = 0;  ///< the greatest
@@ -57,8 +57,8 @@ class FillPlaces {
     return along_outline * (from + to);
   }
 
-  Place PlaceAround(int start, std::vector<char>& seen) const {
-    Place place;
+  FillPlace PlaceAround(int start, std::vector<char>& seen) const {
+    FillPlace place;
     place.nodes = {start};
     seen[start] = true;
     double twice = 0;  // the area of edges that are met from both ends
@@ -91,8 +91,9 @@ class FillPlaces {
   const SkeletalGraph& graph_;
   const std::vector<int>& edge_counts_;
   const std::vector<int> leaving_;
-  const int walls_;   ///< at most, on both sides together
-  double depth_ = 0;  ///< of the fill area's border below the outline
+  const int walls_;     ///< at most, on both sides together
+  const Coord least_;   ///< thickness with a fill area
+  const double depth_;  ///< of the fill area's border below the outline
 };
 
 }  // namespace

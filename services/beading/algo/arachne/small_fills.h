@@ -12,7 +12,7 @@ namespace slicefarm::beading {
 inline constexpr double kLeastFillNm2 = 1.0 * kNmPerMm * kNmPerMm;
 
 /// By node: whether it lies in a place that is the infill's by its thickness, but too small for it
-/// (kLeastFillNm2), while the innermost walls on both sides can be widened until they meet there.
+/// (kLeastFillNm2), while the inner walls on both sides can be widened until they meet there.
 /// Never with a single wall: the outer one keeps its width. `edge_counts`: beads across each edge,
 /// -1 where its sides do not face each other. What corners of the outline face is taken as beside
 /// a straight edge, which makes it look larger by less than half. Cost: O(n).
