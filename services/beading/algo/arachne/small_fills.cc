@@ -20,8 +20,8 @@ class FillPlaces {
         leaving_(graph.Leaving()),
         walls_(strategy.OptimalCount(kUnreachableNm - 1) - 1),
         least_(strategy.TransitionThickness(walls_)),
-        depth_(static_cast<double>(
-            strategy.Compute(least_, walls_ + 1).locations_nm[walls_ / 2])) {}
+        depth_(static_cast<double>(strategy.Compute(least_, walls_ + 1).locations_nm[walls_ / 2])) {
+  }
 
   std::vector<char> Small() {
     std::vector<char> small(graph_.nodes.size(), false);

@@ -71,9 +71,10 @@ TEST(SmallFills, WallsReachAsFarAsTheyMayBeWide) {
 
 // Two places of less than a square millimetre are two, though one region has them.
 TEST(SmallFills, PlacesCountOneByOne) {
-  EXPECT_TRUE(IsSmall("(0 0, 3.2 0, 3.2 0.6, 6 0.6, 6 0, 9.2 0, 9.2 3.2, 6 3.2, 6 2.6, 3.2 2.6, "
-                      "3.2 3.2, 0 3.2)",
-                      3));
+  EXPECT_TRUE(
+      IsSmall("(0 0, 3.2 0, 3.2 0.6, 6 0.6, 6 0, 9.2 0, 9.2 3.2, 6 3.2, 6 2.6, 3.2 2.6, "
+              "3.2 3.2, 0 3.2)",
+              3));
 }
 
 }  // namespace

@@ -175,8 +175,8 @@ class Walker {
     return best;
   }
 
-  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring, which
-  /// meets each line twice.
+  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring,
+  /// which meets each line twice.
   template <typename Visit>
   void ForEachLinkCorner(int32_t from, const Link& link, Visit visit) const {
     const Crossing& a = lines_.crossings[from];
