@@ -3,155 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
-#include <set>
 #include <utility>
+
+#include "services/beading/algo/arachne/count_stretches.h"
+#include "services/beading/algo/arachne/small_fills.h"
 
 namespace slicefarm::beading {
 namespace {
 
 /// Nodes nearer than this to another one are not made.
 constexpr double kLeastPieceNm = 10'000;
-/// Where a stretch has no room for its half of a transition, its beads may deviate by this many
-/// times what they may otherwise.
-constexpr double kShortDeviation = 3;
-/// With fewer beads those beside the middle one are the outermost, whose width is to stay.
-constexpr int kLeastInnerMiddle = 5;
-
 Coord Thickness(double radius) { return std::llround(2 * radius); }
-
-/// Stretches of central edges with the same count, and how they lie beside each other.
-class Stretches {
- public:
-  Stretches(const SkeletalGraph& graph, const std::vector<int>& counts)
-      : parent_(counts.size()), data_(counts.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (size_t edge = 0; edge < counts.size(); ++edge) {
-      const int half = static_cast<int>(2 * edge);
-      const double a = graph.FromNode(half).radius, b = graph.ToNode(half).radius;
-      data_[edge] = {counts[edge], graph.Length(half), std::min(a, b), std::max(a, b), {}};
-    }
-    const std::vector<int> leaving = graph.Leaving();
-    for (const int first : leaving) {
-      std::vector<int> around;
-      graph.ForEachLeaving(first, [&](int half) {
-        if (counts[half / 2] >= 0) around.push_back(half / 2);
-      });
-      for (size_t i = 0; i < around.size(); ++i)
-        for (size_t j = 0; j < i; ++j) Meet(around[i], around[j]);
-    }
-  }
-
-  int CountOf(int edge) { return data_[Find(edge)].count; }
-
-  /// Takes stretches into those beside them, the shortest first.
-  void Merge(const BeadingStrategy& strategy, const CountOptions& options) {
-    std::set<std::pair<double, int>> queue;
-    for (int edge = 0; edge < static_cast<int>(parent_.size()); ++edge)
-      if (Find(edge) == edge && data_[edge].count >= 0) queue.emplace(data_[edge].length, edge);
-    while (!queue.empty()) {
-      const auto [length, stretch] = *queue.begin();
-      queue.erase(queue.begin());
-      if (Find(stretch) != stretch || data_[stretch].length != length) continue;
-      const int into = BestNeighbour(stretch, strategy, options);
-      if (into < 0) continue;
-      data_[stretch].count = data_[into].count;
-      const int joined = Absorb(stretch);
-      queue.emplace(data_[joined].length, joined);
-    }
-  }
-
- private:
-  struct Data {
-    int count = -1;
-    double length = 0;
-    double min_radius = 0, max_radius = 0;
-    std::set<int> beside;  ///< stretches with another count; may be out of date: Find them
-  };
-
-  int Find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void Meet(int a, int b) {
-    a = Find(a);
-    b = Find(b);
-    if (a == b) return;
-    if (data_[a].count == data_[b].count) {
-      Unite(a, b);
-    } else {
-      data_[a].beside.insert(b);
-      data_[b].beside.insert(a);
-    }
-  }
-
-  int Unite(int a, int b) {
-    if (data_[a].beside.size() < data_[b].beside.size()) std::swap(a, b);
-    parent_[b] = a;
-    data_[a].length += data_[b].length;
-    data_[a].min_radius = std::min(data_[a].min_radius, data_[b].min_radius);
-    data_[a].max_radius = std::max(data_[a].max_radius, data_[b].max_radius);
-    data_[a].beside.merge(data_[b].beside);
-    return a;
-  }
-
-  std::vector<int> Neighbours(int stretch) {
-    std::vector<int> neighbours;
-    for (const int other : data_[stretch].beside)
-      if (const int root = Find(other); root != stretch) neighbours.push_back(root);
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    return neighbours;
-  }
-
-  /// Joins the stretch with all beside it that have its count by now.
-  int Absorb(int stretch) {
-    for (const int other : Neighbours(stretch))
-      if (data_[other].count == data_[stretch].count) stretch = Unite(stretch, Find(other));
-    return stretch;
-  }
-
-  /// Where the stretch may go; -1 if it is to stay.
-  int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
-    const std::vector<int> neighbours = Neighbours(stretch);
-    int best = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (const int other : neighbours) {
-      double deviation = Deviation(data_[stretch], data_[other].count, strategy);
-      const bool allowed = deviation <= options.filter_deviation_nm &&
-                           data_[stretch].length <= options.filter_distance_nm;
-      const bool too_short = neighbours.size() == 1 &&
-                             deviation <= kShortDeviation * options.filter_deviation_nm &&
-                             !HasRoom(data_[stretch], data_[other], strategy);
-      if (!allowed && !too_short) continue;
-      if (deviation >= least) continue;
-      least = deviation;
-      best = other;
-    }
-    return best;
-  }
-
-  /// How far beads are stretched or squeezed if the stretch gets `count` of them.
-  static double Deviation(const Data& data, int count, const BeadingStrategy& strategy) {
-    const int lower = std::min(data.count, count);
-    const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
-    const double beyond = data.count > count ? data.max_radius - limit : limit - data.min_radius;
-    return (count % 2 == 1 ? 2 : 1) * std::abs(data.count - count) * std::max(0.0, beyond);
-  }
-
-  /// Whether the half of the transition that lies in the stretch ends within it.
-  static bool HasRoom(const Data& data, const Data& other, const BeadingStrategy& strategy) {
-    const int lower = std::min(data.count, other.count);
-    const double anchor = strategy.TransitionAnchor(lower);
-    const double share = data.count > other.count ? 1 - anchor : anchor;
-    return data.length >= share * static_cast<double>(strategy.TransitionLength(lower));
-  }
-
-  std::vector<int> parent_;
-  std::vector<Data> data_;
-};
 
 /// What is left of a transition at a node: it falls from its full height at the transition's place
 /// by 1 a transition length.
@@ -270,11 +133,19 @@ class CountPlanner {
       if (!central_[edge]) continue;
       edge_count_[edge] = CountAlong(static_cast<int>(2 * edge));
     }
-    Stretches stretches(graph_, edge_count_);
-    stretches.Merge(strategy_, options_);
-    for (size_t edge = 0; edge < central_.size(); ++edge)
-      if (central_[edge]) edge_count_[edge] = stretches.CountOf(static_cast<int>(edge));
+    edge_count_ = MergedCounts(strategy_, options_, graph_, edge_count_);
+    LeaveSmallFillsToWalls();
   }
+
+  void LeaveSmallFillsToWalls() {
+    in_small_fill_ = SmallFills(strategy_, graph_, edge_count_);
+    for (size_t edge = 0; edge < central_.size(); ++edge)
+      if (edge_count_[edge] > MostWalls() && in_small_fill_[graph_.half_edges[2 * edge].from])
+        edge_count_[edge] = MostWalls();
+  }
+
+  /// On both sides together; where there is room for more, it is the infill's.
+  int MostWalls() const { return strategy_.OptimalCount(kUnreachableNm - 1) - 1; }
 
   int CountAlong(int half) const {
     const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
@@ -427,10 +298,16 @@ class CountPlanner {
 
   /// A middle bead would be a dot there. Instead the beads beside it are widened until they meet: of
   /// exactly the right volume, as a ring halfway to the middle is half as long as the outline.
-  int CountAtTop(double radius) const {
-    const int count = strategy_.OptimalCount(Thickness(radius));
-    const bool has_middle = count % 2 == 1 && count < strategy_.OptimalCount(kUnreachableNm - 1);
+  int CountAtTop(size_t node) const {
+    const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
+    if (count > MostWalls()) return IsInSmallFill(node) ? MostWalls() : count;
+    const bool has_middle = count % 2 == 1;
     return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
+  }
+
+  /// Nodes that were made since lie on central edges.
+  bool IsInSmallFill(size_t node) const {
+    return node < in_small_fill_.size() && in_small_fill_[node];
   }
 
   std::vector<BeadCount> Counts() const {
@@ -451,7 +328,7 @@ class CountPlanner {
       graph_.ForEachLeaving(leaving[node], [&](int half) {
         is_top = is_top && graph_.ToNode(half).radius <= radius;
       });
-      if (is_top) counts[node] = {CountAtTop(radius), 0};
+      if (is_top) counts[node] = {CountAtTop(node), 0};
     }
     return counts;
   }
@@ -461,6 +338,7 @@ class CountPlanner {
   SkeletalGraph& graph_;
   std::vector<char>& central_;
   std::vector<int> edge_count_;
+  std::vector<char> in_small_fill_;  ///< by node
   std::vector<int> leaving_;
   std::vector<Range> around_;    ///< counts of the edges around each node
   std::vector<Ramp> up_, down_;  ///< by node: towards more beads, towards fewer

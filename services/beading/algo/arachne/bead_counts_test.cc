@@ -242,8 +242,28 @@ INSTANTIATE_TEST_SUITE_P(BeadCounts, SquareTop,
                                          SquareCase{"Six", 0, 2'400'000, 6},
                                          SquareCase{"SixInsteadOfSeven", 0, 2'800'000, 6},
                                          SquareCase{"SixInsteadOfSevenInTheEnd", 3, 2'750'000, 6},
-                                         SquareCase{"InfillInTheMiddle", 2, 2'000'000, 5}),
+                                         SquareCase{"WallsTakeASmallMiddle", 2, 2'300'000, 4},
+                                         SquareCase{"InfillInTheMiddle", 2, 2'700'000, 5}),
                          [](const auto& info) { return info.param.name; });
+
+/// Two squares with a neck 2 mm thick between them: five beads.
+std::string Dumbbell(double neck_mm) {
+  const auto point = [&](double x, int y) {
+    return std::to_string(x) + " " + std::to_string(y) + ", ";
+  };
+  const double to = 6 + neck_mm, end = 12 + neck_mm;
+  return "(0 0, 6 0, 6 2, " + point(to, 2) + point(to, 0) + point(end, 0) + point(end, 6) +
+         point(to, 6) + point(to, 4) + "6 4, 6 6, 0 6)";
+}
+
+TEST(BeadCounts, AShortNeckHasNoMiddleBead) {
+  const auto strategy = Strategy(3);
+  for (const auto& [neck_mm, has_middle] : {std::pair(0.6, false), {3.0, true}}) {
+    const Plan plan = PlanOf(Dumbbell(neck_mm), *strategy);
+    EXPECT_EQ(std::ranges::count(plan.counts, BeadCount{5, 0}) > 0, has_middle) << neck_mm;
+    EXPECT_EQ(plan.HighestCount(), 7);
+  }
+}
 
 TEST(BeadCounts, AreMirroredWithTheRegion) {
   constexpr std::string_view kParts[] = {kStepped, kBump,

@@ -1,7 +1,7 @@
 #include "services/infill/algo/linking/serpentine.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <optional>
 #include <set>
@@ -21,6 +21,9 @@ struct Link {
   int32_t to = 0;
   bool forward = true;
 };
+
+/// Which of two links is taken: one upwards first; one to the same line if there is no other.
+int Rank(int32_t rise) { return rise == 0 ? -2 : rise; }
 
 class Walker {
  public:
@@ -53,7 +56,7 @@ class Walker {
     int32_t low = lines_.line_begin[line], high = lines_.line_begin[line + 1];
     const int32_t low_end = high, high_end = lines_.line_begin[line + 2];
     while (low < low_end && high < high_end) {
-      if (At(low).u < At(high + 1).u && At(high).u < At(low + 1).u) visit(low / 2, high / 2);
+      if (LieBeside(low / 2, high / 2)) visit(low / 2, high / 2);
       (At(low + 1).u < At(high + 1).u ? low : high) += 2;
     }
   }
@@ -63,7 +66,32 @@ class Walker {
     for (int32_t line = 0; line + 1 < lines_.LineCount(); ++line)
       ForEachNeighbours(line, [&](int32_t, int32_t upper) { ++waiting_for_[upper]; });
     for (int32_t piece = 0; piece < lines_.PieceCount(); ++piece)
+      ForEachSlantedLink(piece, [&](int32_t upper) { ++waiting_for_[upper]; });
+    for (int32_t piece = 0; piece < lines_.PieceCount(); ++piece)
       if (waiting_for_[piece] == 0) ready_.insert(piece);
+  }
+
+  /// Calls visit(upper piece) for all links of a piece to the line above whose piece does not lie
+  /// beside it, as in a slanted tip: without them the tip would begin by itself.
+  template <typename Visit>
+  void ForEachSlantedLink(int32_t piece, Visit visit) const {
+    for (const int32_t place : {2 * piece, 2 * piece + 1}) {
+      const int32_t from = lines_.order[place];
+      for (const Link link : LinksOf(from)) {
+        const Crossing& to = lines_.crossings[link.to];
+        const int32_t upper = to.place / 2;
+        if (to.line != At(place).line + 1 || LieBeside(piece, upper)) continue;
+        if (LinkLength(from, link) <= options_.max_link_nm) visit(upper);
+      }
+    }
+  }
+
+  bool LieBeside(int32_t a, int32_t b) const {
+    return At(2 * a).u < At(2 * b + 1).u && At(2 * b).u < At(2 * a + 1).u;
+  }
+
+  void Release(int32_t upper) {
+    if (--waiting_for_[upper] == 0) ready_.insert(upper);
   }
 
   /// Marks a piece as printed; what lies above it may be free then.
@@ -71,6 +99,7 @@ class Walker {
     done_[piece] = true;
     if (!options_.monotonic) return;
     ready_.erase(piece);
+    ForEachSlantedLink(piece, [&](int32_t upper) { Release(upper); });
     const int32_t line = At(2 * piece).line;
     if (line + 1 >= lines_.LineCount()) return;
     const double from = At(2 * piece).u, to = At(2 * piece + 1).u;
@@ -80,8 +109,7 @@ class Walker {
         begin, end, [&](int32_t crossing) { return lines_.crossings[crossing].u <= from; });
     auto place = static_cast<int32_t>(above - lines_.order.begin()) & ~1;
     for (; place < lines_.line_begin[line + 2] && At(place).u < to; place += 2) {
-      if (At(place + 1).u <= from) continue;
-      if (--waiting_for_[place / 2] == 0) ready_.insert(place / 2);
+      if (At(place + 1).u > from) Release(place / 2);
     }
   }
 
@@ -124,22 +152,31 @@ class Walker {
     }
   }
 
-  /// The way to a piece that may come next; upwards if there is a choice.
-  std::optional<Link> BestLink(int32_t from) const {
+  std::array<Link, 2> LinksOf(int32_t from) const {
     const Crossing& crossing = lines_.crossings[from];
+    return {Link{crossing.next, true}, Link{crossing.previous, false}};
+  }
+
+  /// The way to a piece that may come next.
+  std::optional<Link> BestLink(int32_t from) const {
     std::optional<Link> best;
-    for (const Link link : {Link{crossing.next, true}, Link{crossing.previous, false}}) {
+    int best_rank = 0;
+    double best_length = 0;
+    for (const Link link : LinksOf(from)) {
       const Crossing& to = lines_.crossings[link.to];
-      if (std::abs(to.line - crossing.line) != 1 || !IsReady(to.place / 2)) continue;
-      if (options_.monotonic && to.line < crossing.line) continue;
-      if (LinkLength(from, link) > options_.max_link_nm) continue;
-      if (!best || to.line > lines_.crossings[best->to].line) best = link;
+      const int32_t rise = to.line - lines_.crossings[from].line;
+      if (!IsReady(to.place / 2) || (options_.monotonic && rise < 0)) continue;
+      const double length = LinkLength(from, link);
+      if (length > options_.max_link_nm) continue;
+      const int rank = Rank(rise);
+      if (best && (rank < best_rank || (rank == best_rank && length >= best_length))) continue;
+      best = link, best_rank = rank, best_length = length;
     }
     return best;
   }
 
-  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring: that
-  /// meets each line twice, so on the way from a line to the next there are others.
+  /// Calls visit for the corners of the boundary that a link passes. Never round a whole ring,
+  /// which meets each line twice.
   template <typename Visit>
   void ForEachLinkCorner(int32_t from, const Link& link, Visit visit) const {
     const Crossing& a = lines_.crossings[from];

@@ -11,8 +11,8 @@ struct SerpentineOptions {
   /// each new bead leans on one neighbour, from the same side all over the region, which gives an
   /// even surface.
   bool monotonic = false;
-  /// Neighbouring ends are joined along the boundary up to this far; farther ones are left to a
-  /// travel.
+  /// Neighbouring ends are joined along the boundary up to this far, those on the same line where
+  /// no other way leads on; farther ones are left to a travel.
   double max_link_nm = 0;
   double min_length_nm = 0;  ///< shorter paths are left out
 };

@@ -62,6 +62,32 @@ TEST(Serpentine, BeginsWhereTheOtherEndLeadsOn) {
   }
 }
 
+// Two tips below one body: neither may be left for later, and the boundary leads from one to the
+// other without meeting another line.
+TEST(Serpentine, TipsOfOneLineAreJoinedAlongTheNotch) {
+  const MultiPolygon notched = P("(0 0, 2 0, 3 0.9, 4 0, 6 0, 6 3, 0 3)");
+  for (const bool monotonic : {false, true}) {
+    const auto paths = Paths(notched, {0, 0.5e6, 1e6}, monotonic);
+    ASSERT_EQ(paths.size(), 1u) << monotonic;
+    EXPECT_TRUE(std::count(paths[0].begin(), paths[0].end(), Point{3'000'000, 900'000}));
+  }
+  EXPECT_GT(Paths(notched, {0, 0.5e6, 1e6}, true, 1.1).size(), 1u);
+}
+
+TEST(Serpentine, LinesGoOnAroundASmallHole) {
+  const MultiPolygon holed = P("(0 0, 6 0, 6 3, 0 3) (3 1.1, 3.3 1.45, 3 1.8, 2.7 1.45)");
+  const auto paths = Paths(holed, {0, 0.5e6, 1e6}, true);
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths[0].size(), 9u);
+}
+
+// Pieces in a slanted spike do not lie beside each other, but each leads to the next.
+TEST(Serpentine, SlantedSpikeIsOnePath) {
+  const MultiPolygon spike = P("(0 0, 10.3 5, 10 5.5)");
+  for (const double angle : {0.0, 1.2, 2.4, 5.0})
+    EXPECT_EQ(Paths(spike, {angle, 0.1e6, 0.4e6}, true).size(), 1u) << angle;
+}
+
 TEST(Serpentine, LongLinksAreLeftToTravel) {
   const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
   EXPECT_EQ(Paths(square, {0, 0.5e6, 1e6}, false, 0.9).size(), 10u);

@@ -1,0 +1,190 @@
+#include "services/beading/algo/arachne/count_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace slicefarm::beading {
+namespace {
+
+/// Where a stretch has no room for its half of a transition, or too little for a middle bead, its
+/// beads may deviate by this many times what they may otherwise.
+constexpr double kShortDeviation = 3;
+/// Shorter stretches get no bead along the middle: one of 1 mm at most, as it ends before others
+/// begin.
+constexpr double kLeastMiddleNm = 1'500'000;
+
+/// Stretches of central edges with the same count, and how they lie beside each other.
+class Stretches {
+ public:
+  Stretches(const SkeletalGraph& graph, const std::vector<int>& counts)
+      : parent_(counts.size()), data_(counts.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (size_t edge = 0; edge < counts.size(); ++edge) {
+      const int half = static_cast<int>(2 * edge);
+      const double a = graph.FromNode(half).radius, b = graph.ToNode(half).radius;
+      data_[edge] = {counts[edge], graph.Length(half), std::min(a, b), std::max(a, b), {}};
+    }
+    const std::vector<int> leaving = graph.Leaving();
+    for (const int first : leaving) {
+      std::vector<int> around;
+      graph.ForEachLeaving(first, [&](int half) {
+        if (counts[half / 2] >= 0) around.push_back(half / 2);
+      });
+      for (size_t i = 0; i < around.size(); ++i)
+        for (size_t j = 0; j < i; ++j) Meet(around[i], around[j]);
+    }
+  }
+
+  int CountOf(int edge) { return data_[Find(edge)].count; }
+
+  /// Takes stretches into those beside them, the shortest first.
+  void Merge(const BeadingStrategy& strategy, const CountOptions& options) {
+    std::set<std::pair<double, int>> queue;
+    for (int edge = 0; edge < static_cast<int>(parent_.size()); ++edge)
+      if (Find(edge) == edge && data_[edge].count >= 0) queue.emplace(data_[edge].length, edge);
+    while (!queue.empty()) {
+      const auto [length, stretch] = *queue.begin();
+      queue.erase(queue.begin());
+      if (Find(stretch) != stretch || data_[stretch].length != length) continue;
+      const int into = BestNeighbour(stretch, strategy, options);
+      if (into < 0) {
+        if (data_[stretch].beside.empty()) TakeOutShortMiddle(data_[stretch], strategy, options);
+        continue;
+      }
+      data_[stretch].count = data_[into].count;
+      const int joined = Absorb(stretch);
+      queue.emplace(data_[joined].length, joined);
+    }
+  }
+
+ private:
+  struct Data {
+    int count = -1;
+    double length = 0;
+    double min_radius = 0, max_radius = 0;
+    std::set<int> beside;  ///< stretches with another count; may be out of date: Find them
+  };
+
+  int Find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  void Meet(int a, int b) {
+    a = Find(a);
+    b = Find(b);
+    if (a == b) return;
+    if (data_[a].count == data_[b].count) {
+      Unite(a, b);
+    } else {
+      data_[a].beside.insert(b);
+      data_[b].beside.insert(a);
+    }
+  }
+
+  int Unite(int a, int b) {
+    if (data_[a].beside.size() < data_[b].beside.size()) std::swap(a, b);
+    parent_[b] = a;
+    data_[a].length += data_[b].length;
+    data_[a].min_radius = std::min(data_[a].min_radius, data_[b].min_radius);
+    data_[a].max_radius = std::max(data_[a].max_radius, data_[b].max_radius);
+    data_[a].beside.merge(data_[b].beside);
+    return a;
+  }
+
+  std::vector<int> Neighbours(int stretch) {
+    std::vector<int> neighbours;
+    for (const int other : data_[stretch].beside)
+      if (const int root = Find(other); root != stretch) neighbours.push_back(root);
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    return neighbours;
+  }
+
+  /// Joins the stretch with all beside it that have its count by now.
+  int Absorb(int stretch) {
+    for (const int other : Neighbours(stretch))
+      if (data_[other].count == data_[stretch].count) stretch = Unite(stretch, Find(other));
+    return stretch;
+  }
+
+  /// Where the stretch may go; -1 if it is to stay.
+  int BestNeighbour(int stretch, const BeadingStrategy& strategy, const CountOptions& options) {
+    const std::vector<int> neighbours = Neighbours(stretch);
+    const bool short_middle = HasShortMiddle(data_[stretch], strategy) && HaveOneCount(neighbours);
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int other : neighbours) {
+      double deviation = Deviation(data_[stretch], data_[other].count, strategy);
+      const bool allowed = deviation <= options.filter_deviation_nm &&
+                           data_[stretch].length <= options.filter_distance_nm;
+      const bool too_short = short_middle || (neighbours.size() == 1 &&
+                                              !HasRoom(data_[stretch], data_[other], strategy));
+      if (!allowed && !(too_short && deviation <= kShortDeviation * options.filter_deviation_nm))
+        continue;
+      if (deviation >= least) continue;
+      least = deviation;
+      best = other;
+    }
+    return best;
+  }
+
+  /// How far beads are stretched or squeezed if the stretch gets `count` of them.
+  static double Deviation(const Data& data, int count, const BeadingStrategy& strategy) {
+    const int lower = std::min(data.count, count);
+    const auto limit = static_cast<double>(strategy.TransitionThickness(lower)) / 2;
+    const double beyond = data.count > count ? data.max_radius - limit : limit - data.min_radius;
+    return (count % 2 == 1 ? 2 : 1) * std::abs(data.count - count) * std::max(0.0, beyond);
+  }
+
+  bool HaveOneCount(const std::vector<int>& stretches) const {
+    return std::ranges::all_of(stretches, [&](int stretch) {
+      return data_[stretch].count == data_[stretches.front()].count;
+    });
+  }
+
+  /// Whether the stretch has a bead along the middle that would hardly be worth a travel.
+  static bool HasShortMiddle(const Data& data, const BeadingStrategy& strategy) {
+    const bool is_fill = data.count >= strategy.OptimalCount(kUnreachableNm - 1);
+    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle && !is_fill &&
+           data.length < kLeastMiddleNm;
+  }
+
+  /// In a neck that lies between steep sides alone.
+  static void TakeOutShortMiddle(Data& data, const BeadingStrategy& strategy,
+                                 const CountOptions& options) {
+    if (!HasShortMiddle(data, strategy)) return;
+    const double fewer = Deviation(data, data.count - 1, strategy);
+    const double more = Deviation(data, data.count + 1, strategy);
+    if (std::min(fewer, more) > kShortDeviation * options.filter_deviation_nm) return;
+    data.count += fewer < more ? -1 : 1;
+  }
+
+  /// Whether the half of the transition that lies in the stretch ends within it.
+  static bool HasRoom(const Data& data, const Data& other, const BeadingStrategy& strategy) {
+    const int lower = std::min(data.count, other.count);
+    const double anchor = strategy.TransitionAnchor(lower);
+    const double share = data.count > other.count ? 1 - anchor : anchor;
+    return data.length >= share * static_cast<double>(strategy.TransitionLength(lower));
+  }
+
+  std::vector<int> parent_;
+  std::vector<Data> data_;
+};
+
+}  // namespace
+
+std::vector<int> MergedCounts(const BeadingStrategy& strategy, const CountOptions& options,
+                              const SkeletalGraph& graph, std::vector<int> counts) {
+  Stretches stretches(graph, counts);
+  stretches.Merge(strategy, options);
+  for (size_t edge = 0; edge < counts.size(); ++edge)
+    if (counts[edge] >= 0) counts[edge] = stretches.CountOf(static_cast<int>(edge));
+  return counts;
+}
+
+}  // namespace slicefarm::beading

@@ -1,0 +1,85 @@
+#include "services/beading/algo/arachne/count_stretches.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "services/beading/algo/strategy/strategy_factory.h"
+
+namespace slicefarm::beading {
+namespace {
+
+struct Stretch {
+  int count = 0;
+  double length_mm = 0;
+  double thickness_mm = 0;
+};
+
+/// The counts of stretches that follow each other on a line, two edges each. Beads are 0.4 mm wide;
+/// the filter lets them deviate by 0.1 mm, 0.3 mm where a stretch is too short.
+std::vector<int> Merged(const std::vector<Stretch>& stretches, int max_walls = 3) {
+  SkeletalGraph graph;
+  std::vector<int> counts;
+  double x = 0;
+  const auto add_node = [&](double radius) { graph.nodes.push_back({{x, 0}, radius}); };
+  add_node(stretches.front().thickness_mm * 0.5e6);
+  for (const Stretch& stretch : stretches) {
+    for (int edge = 0; edge < 2; ++edge) {
+      x += stretch.length_mm * 0.5e6;
+      add_node(stretch.thickness_mm * 0.5e6);
+      counts.push_back(stretch.count);
+    }
+  }
+  // Around the line: there on the half-edges with even index, back on the others.
+  const int last = static_cast<int>(2 * counts.size()) - 2;
+  for (int half = 0; half <= last + 1; ++half) {
+    HalfEdge edge;
+    edge.from = half % 2 == 0 ? half / 2 : half / 2 + 1;
+    edge.next = half % 2 == 0 ? (half == last ? half + 1 : half + 2) : (half == 1 ? 0 : half - 2);
+    edge.previous =
+        half % 2 == 0 ? (half == 0 ? 1 : half - 2) : (half == last + 1 ? last : half + 2);
+    graph.half_edges.push_back(edge);
+  }
+  StrategyOptions options;
+  options.max_walls = max_walls;
+  const std::vector<int> merged = MergedCounts(*MakeStrategy(options), {}, graph, counts);
+  std::vector<int> by_stretch;
+  for (size_t i = 0; i < merged.size(); i += 2) by_stretch.push_back(merged[i]);
+  return by_stretch;
+}
+
+struct MergeCase {
+  std::string name;
+  std::vector<Stretch> stretches;
+  std::vector<int> counts;
+};
+class Merging : public testing::TestWithParam<MergeCase> {};
+
+TEST_P(Merging, TakesStretchesIntoThoseBesideThem) {
+  EXPECT_EQ(Merged(GetParam().stretches), GetParam().counts);
+}
+
+// Six beads take the place of five from 2.28 mm on, five that of four from 1.94 mm on.
+INSTANTIATE_TEST_SUITE_P(
+    CountStretches, Merging,
+    testing::Values(
+        MergeCase{"AllStay", {{6, 5, 2.4}, {4, 5, 1.6}}, {6, 4}},
+        MergeCase{"ASlightNeckGoes", {{6, 5, 2.4}, {5, 5, 2.3}, {6, 5, 2.4}}, {6, 6, 6}},
+        MergeCase{"ALongNeckStays", {{6, 5, 2.4}, {5, 2, 2.0}, {6, 5, 2.4}}, {6, 5, 6}},
+        MergeCase{"AShortNeckGoes", {{6, 5, 2.4}, {5, 1, 2.0}, {6, 5, 2.4}}, {6, 6, 6}},
+        MergeCase{"AShortMiddleBetweenUnlikeStays",
+                  {{6, 5, 2.4}, {5, 1.4, 2.05}, {4, 5, 1.6}},
+                  {6, 5, 4}},
+        MergeCase{"AShortNeckWithoutAMiddleStays",
+                  {{6, 5, 2.4}, {4, 1, 1.6}, {6, 5, 2.4}},
+                  {6, 4, 6}},
+        MergeCase{"AloneAndNearerToFour", {{5, 1, 1.96}}, {4}},
+        MergeCase{"AloneAndNearerToSix", {{5, 1, 2.3}}, {6}},
+        MergeCase{"AloneAndLong", {{5, 2, 1.96}}, {5}},
+        MergeCase{"TheOutermostKeepTheirWidth", {{3, 1, 1.2}}, {3}},
+        MergeCase{"InfillIsNoBead", {{7, 1, 2.82}}, {7}}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace slicefarm::beading
