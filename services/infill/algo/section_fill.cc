@@ -1,6 +1,7 @@
 #include "services/infill/algo/section_fill.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -24,6 +25,9 @@
 
 namespace slicefarm::infill {
 namespace {
+
+/// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
+constexpr double kThreadGapNm = 50'000;
 
 /// A section as all its fill areas see it.
 struct SectionView {
@@ -192,7 +196,7 @@ class RegionFill {
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
                            Coord width_nm, Fills& fills) const {
     for (const PolygonWithHoles& region : regions) {
-      auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), width_nm);
+      auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm));
       if (!group.ok()) return group.status();
       Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm}, fills);
     }
@@ -215,25 +219,41 @@ class RegionFill {
     return absl::OkStatus();
   }
 
+  /// How wide bridges' lines lie, and what plastic they hold of what would fill the layer.
+  struct BridgeBead {
+    Coord width_nm = 0;
+    double share = 1;
+  };
+  BridgeBead BridgeBeadOf() const {
+    if (!options_.thick_bridges) return {Width(options_.solid_width_nm), options_.bridge_flow};
+    const double thread_nm =
+        static_cast<double>(options_.nozzle_nm) * std::sqrt(options_.bridge_flow);
+    const double spacing_nm = thread_nm + kThreadGapNm;
+    const double room = spacing_nm * static_cast<double>(view_.height_nm);
+    return {WidthForSpacing(std::llround(spacing_nm), view_.height_nm),
+            std::numbers::pi / 4 * thread_nm * thread_nm / room};
+  }
+
   /// Each bridge in the direction in which it is borne best.
   absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
     const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
+    const BridgeBead bead = BridgeBeadOf();
     for (const PolygonWithHoles& region : regions) {
       const auto span = SpanOf(region, below);
       AskedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
-                      view_.height_nm, options_.bridge_flow};
+                      view_.height_nm, bead.share};
       FillGroup lines;
       if (options_.overhang_lines && span && !span->held) {
         asked.pattern = std::nullopt;
-        lines = OverhangLines(region, *below);
+        lines = OverhangLines(region, *below, bead.width_nm);
       } else {
         auto solid = SolidLines(region, asked.feature, options_.bottom_pattern,
                                 span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
-                                options_.solid_width_nm);
+                                bead.width_nm);
         if (!solid.ok()) return solid.status();
         lines = *std::move(solid);
       }
-      ScaleSections(options_.bridge_flow, view_.height_nm, view_.height_nm, lines.paths);
+      ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines.paths);
       Append(std::move(lines), asked, fills);
     }
     return absl::OkStatus();
@@ -247,9 +267,10 @@ class RegionFill {
     return BridgeAngle(region, *below, options_.solid_width_nm);
   }
 
-  FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below) const {
+  FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below,
+                          Coord width_nm) const {
     return FillOverhang(region, below,
-                        {.width_nm = Width(options_.solid_width_nm),
+                        {.width_nm = width_nm,
                          .height_nm = view_.height_nm,
                          .overlap_nm = options_.overlap_nm});
   }
@@ -260,7 +281,7 @@ class RegionFill {
     return FillSolid(region, {.feature = feature,
                               .pattern = pattern,
                               .angle_rad = angle_rad,
-                              .width_nm = Width(width_nm),
+                              .width_nm = width_nm,
                               .height_nm = view_.height_nm,
                               .layer = view_.layer,
                               .overlap_nm = options_.overlap_nm,

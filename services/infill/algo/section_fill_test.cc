@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "common/geometry/text_format.h"
@@ -332,8 +334,8 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
-TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
-  // Two pillars, and a slab on them.
+/// The lowest layer of a slab on two pillars.
+FilledSection BridgeBy(const InfillOptions& options) {
   auto layers = Prism();
   for (int i = 0; i < 5; ++i)
     layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
@@ -341,16 +343,50 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const ObjectLayers objects(layers);
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  const std::vector<InfillOptions> regions = {options};
+  auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  return *std::move(filled);
+}
+
+// Of round threads, of which the section is known, and which do not touch.
+TEST(FillSection, ThickBridgesAreRoundThreads) {
+  for (const double flow : {0.8, 1.0}) {
+    InfillOptions options = Thin();
+    options.thick_bridges = true;
+    options.bridge_flow = flow;
+    options.nozzle_nm = 600'000;
+    int lines = 0;
+    for (const Path& path : PathsIn(BridgeBy(options))) {
+      if (path.feature != Feature::kBridgeInfill) continue;
+      ++lines;
+      const double want = std::numbers::pi / 4 * 0.36 * flow;
+      // Widths follow the spacing that fits the bridge: 15 % less and 20 % more at most.
+      EXPECT_GT(SectionMm2(path.WidthAt(0), 200'000), 0.84 * want) << flow;
+      EXPECT_LT(SectionMm2(path.WidthAt(0), 200'000), 1.21 * want) << flow;
+    }
+    EXPECT_GT(lines, 0);
+    const auto share = [](const FilledSection& section) {
+      for (const FillUse& use : section.uses)
+        if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
+      return 0.0;
+    };
+    const double thread_mm = 0.6 * std::sqrt(flow);
+    EXPECT_NEAR(share(BridgeBy(options)),
+                std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2, 0.02);
+  }
+}
+
+TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const auto plastic = [&](double flow) {
     InfillOptions options = Thin();
     options.bridge_flow = flow;
-    const std::vector<InfillOptions> regions = {options};
-    const auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
-    for (const FillUse& use : filled->uses) {
+    const FilledSection filled = BridgeBy(options);
+    for (const FillUse& use : filled.uses) {
       const double want = use.feature == Feature::kBridgeInfill ? flow : options.density;
       EXPECT_NEAR(use.asked_mm3 / use.room_mm3, want, 1e-9);
     }
-    const std::vector<Path> paths = PathsIn(*filled);
+    const std::vector<Path> paths = PathsIn(filled);
     return std::pair(VolumeOf(paths, Feature::kBridgeInfill),
                      VolumeOf(paths, Feature::kInternalInfill));
   };
