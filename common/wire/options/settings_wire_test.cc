@@ -183,7 +183,8 @@ InfillOptions DistinctInfill() {
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
          solid_every_layers, bridge_angle, bridge_flow, thick_bridges, nozzle, every_layers,
-         only_where_needed, shells, overhang_lines, ironing, density_field, stress_field, field_halo_layers] = options;
+         only_where_needed, shells, overhang_lines, ironing, density_field, stress_field,
+         field_halo_layers] = options;
   choose_pattern = true;
   goal = FillGoal::kTime;
   angle_template = "0,45";

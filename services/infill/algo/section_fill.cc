@@ -247,9 +247,9 @@ class RegionFill {
         asked.pattern = std::nullopt;
         lines = OverhangLines(region, *below, bead.width_nm);
       } else {
-        auto solid = SolidLines(region, asked.feature, options_.bottom_pattern,
-                                span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
-                                bead.width_nm);
+        auto solid =
+            SolidLines(region, asked.feature, options_.bottom_pattern,
+                       span ? span->angle_rad : SolidAngle(options_.bottom_pattern), bead.width_nm);
         if (!solid.ok()) return solid.status();
         lines = *std::move(solid);
       }
@@ -269,10 +269,9 @@ class RegionFill {
 
   FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below,
                           Coord width_nm) const {
-    return FillOverhang(region, below,
-                        {.width_nm = width_nm,
-                         .height_nm = view_.height_nm,
-                         .overlap_nm = options_.overlap_nm});
+    return FillOverhang(
+        region, below,
+        {.width_nm = width_nm, .height_nm = view_.height_nm, .overlap_nm = options_.overlap_nm});
   }
 
   absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
