@@ -1,0 +1,135 @@
+#include "services/infill/algo/linking/near_ends.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr size_t kMostPaths = 24;
+/// How many links an end moves past at most.
+constexpr int kReach = 6;
+constexpr int kRounds = 2;
+
+struct PathEnds {
+  Point from, to;
+
+  double DistanceTo(const PathEnds& other) const {
+    return std::min({Distance(from, other.from), Distance(from, other.to),
+                     Distance(to, other.from), Distance(to, other.to)});
+  }
+};
+
+/// Length of the shortest tree that joins all paths at their ends (Prim).
+double TreeOf(const std::vector<PathEnds>& paths) {
+  double tree = 0;
+  std::vector<double> way(paths.size(), std::numeric_limits<double>::max());
+  std::vector<char> in_tree(paths.size(), 0);
+  size_t last = 0;
+  for (size_t count = 1; count < paths.size(); ++count) {
+    in_tree[last] = 1;
+    size_t nearest = paths.size();
+    for (size_t i = 0; i < paths.size(); ++i) {
+      if (in_tree[i] != 0) continue;
+      way[i] = std::min(way[i], paths[last].DistanceTo(paths[i]));
+      if (nearest == paths.size() || way[i] < way[nearest]) nearest = i;
+    }
+    tree += way[nearest];
+    last = nearest;
+  }
+  return tree;
+}
+
+class Mover {
+ public:
+  Mover(const EdgeEnds& ends, Links links, double max_link_nm)
+      : ends_(ends), max_link_nm_(max_link_nm), links_(std::move(links)) {}
+
+  Links Run() {
+    std::vector<int32_t> loose;
+    for (int32_t end = 0; end < ends_.size(); ++end)
+      if (Partner(end) == kNoEnd) loose.push_back(end);
+    if (loose.size() < 4 || loose.size() > 2 * kMostPaths) return std::move(links_);
+    best_ = Tree().value_or(0);
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = best_;
+      for (int32_t& end : loose)
+        for (const bool forward : {true, false})
+          if (ends_.IsOnEdge(end)) end = Moved(end, forward);
+      if (best_ == before) break;
+    }
+    return std::move(links_);
+  }
+
+ private:
+  int32_t Partner(int32_t end) const { return LinkedTo(ends_, links_, end); }
+
+  /// None if a ring is among the paths.
+  std::optional<double> Tree() const {
+    std::vector<PathEnds> paths;
+    std::vector<char> seen(static_cast<size_t>(ends_.PieceCount()), 0);
+    int32_t count = 0;
+    for (int32_t end = 0; end < ends_.size(); ++end) {
+      if (seen[static_cast<size_t>(end / 2)] != 0 || Partner(end) != kNoEnd) continue;
+      int32_t out = end;
+      for (int32_t at = end; at != kNoEnd; at = Partner(out)) {
+        seen[static_cast<size_t>(at / 2)] = 1;
+        ++count;
+        out = at ^ 1;
+      }
+      paths.push_back({ends_.PlaceOf(end), ends_.PlaceOf(out)});
+    }
+    if (count < ends_.PieceCount()) return std::nullopt;
+    return TreeOf(paths);
+  }
+
+  /// Takes an end to the best place within reach; returns the end that is loose then.
+  int32_t Moved(int32_t end, bool forward) {
+    const auto neighbour = [&](int32_t of) { return forward ? ends_.Next(of) : ends_.Previous(of); };
+    const auto stretch = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
+    std::vector<int32_t> flipped;
+    size_t keep = 0;
+    int32_t best_end = end;
+    for (int step = 0; step < kReach; ++step) {
+      const int32_t near = neighbour(end);
+      if (near == end || ends_.StretchLength(stretch(end)) > max_link_nm_) break;
+      const int32_t far = Partner(near);
+      if (far == kNoEnd || far != neighbour(near)) break;
+      Flip(stretch(near), flipped);
+      Flip(stretch(end), flipped);
+      end = far;
+      const std::optional<double> tree = Tree();
+      if (!tree || *tree >= best_) continue;
+      best_ = *tree;
+      best_end = end;
+      keep = flipped.size();
+    }
+    while (flipped.size() > keep) {
+      const auto last = static_cast<size_t>(flipped.back());
+      links_[last] = !links_[last];
+      flipped.pop_back();
+    }
+    return best_end;
+  }
+
+  void Flip(int32_t stretch, std::vector<int32_t>& flipped) {
+    links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
+    flipped.push_back(stretch);
+  }
+
+  const EdgeEnds& ends_;
+  const double max_link_nm_;
+  Links links_;
+  double best_ = 0;
+};
+
+}  // namespace
+
+Links BringEndsTogether(const EdgeEnds& ends, Links links, double max_link_nm) {
+  return Mover(ends, std::move(links), max_link_nm).Run();
+}
+
+}  // namespace slicefarm::infill
