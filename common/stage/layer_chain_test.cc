@@ -168,12 +168,16 @@ TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
 // Each layer's apart, so that sums over the job do not depend on how it was cut into ranges.
 TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
   const auto use = [](int32_t settings, int64_t paths) {
-    return FillUse{.settings = settings, .paths = paths, .longest_mm = 9};
+    FillUse of;
+    of.settings = settings;
+    of.paths = paths;
+    of.longest_mm = 9;
+    return of;
   };
   copies_ = {{0, {}, 0}, {1, {}, 0}, {0, {}, 1}};
-  infill_.sections = {{.object = kPlate, .uses = {use(2, 100)}},
-                      {.object = 0, .uses = {use(0, 10), use(1, 1)}},
-                      {.object = 1, .uses = {use(1, 5)}}};
+  infill_.sections = {{kPlate, 0, 0, {}, {use(2, 100)}},
+                      {0, 0, 0, {}, {use(0, 10), use(1, 1)}},
+                      {1, 0, 0, {}, {use(1, 5)}}};
   const auto result = Run({8, 10}, {0, 20});
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_THAT(result->fills,

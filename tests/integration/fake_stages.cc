@@ -75,7 +75,7 @@ void AddLayer(int32_t index, Sample* sample) {
                                        {Role::kPart, 1, 0, Islands()}};
   sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
   sample->filled.push_back(
-      {frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}, {{.settings = 1}}}}});
+      {frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}, {{.settings = 1, .pattern = FillPattern::kGrid}}}}});
   sample->plans.push_back({{1, 2},
                            index % 2 != 0,
                            index % 2 == 0,
@@ -163,7 +163,7 @@ Sample MakeSample() {
                   {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}},
                   {{0, 0, 0}, {3, 1, 600'000}}};
   sample.warnings = {{Sample::kRange.first, 2}};
-  sample.fills = {{.settings = 1, .pattern = FillPattern::kGrid, .paths = 8}, {.length_mm = 3}};
+  sample.fills = {{.settings = 1, .pattern = FillPattern::kGrid, .paths = 8}, {}};
   for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) {
     ExposedProgram& exposed = sample.exposed.emplace_back();
     exposed.frame = FrameOf(i);

@@ -80,7 +80,7 @@ FilledSection FilledOf(int32_t of, std::vector<FilledIsland> with) {
   layer = 6;
   height = 250'000;
   islands = std::move(with);
-  uses = {{.settings = 1, .pattern = FillPattern::kGrid, .area_mm2 = 2}, {.settings = 2}};
+  uses = {{.settings = 1, .pattern = FillPattern::kGrid, .area_mm2 = 2}, {}};
   return section;
 }
 
