@@ -74,8 +74,12 @@ void AddLayer(int32_t index, Sample* sample) {
   const std::vector<FillArea> areas = {{Role::kPart, 0, 0, Islands()},
                                        {Role::kPart, 1, 0, Islands()}};
   sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
-  sample->filled.push_back(
-      {frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}, {{.settings = 1, .pattern = FillPattern::kGrid}}}}});
+  sample->filled.push_back({frame,
+                            {{0,
+                              index,
+                              kHeightNm,
+                              {{{wall}, {{true, {line, line}}}}},
+                              {{.settings = 1, .pattern = FillPattern::kGrid}}}}});
   sample->plans.push_back({{1, 2},
                            index % 2 != 0,
                            index % 2 == 0,

@@ -98,7 +98,8 @@ class FakeRanges : public FdmRunner {
       const SlicedLayer& layer = task.layers[i - task.layers.front().frame.index];
       const bool has_beads = HasBeads(layer.sections.back());
       if (i == 1 && has_beads) result.warnings.push_back({i, 3});
-      if (has_beads) result.fills.push_back({.settings = i % 2, .pattern = {}, .area_mm2 = 0.1 * i, .paths = 1});
+      if (has_beads)
+        result.fills.push_back({.settings = i % 2, .pattern = {}, .area_mm2 = 0.1 * i, .paths = 1});
       for (const int32_t pass : passes) {
         if (pass > 0 && !has_beads) continue;
         LayerProgram program;
