@@ -14,6 +14,7 @@
 #include "services/infill/algo/linking/edge_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 #include "services/infill/algo/linking/link_shape.h"
+#include "services/infill/algo/linking/near_ends.h"
 #include "services/infill/algo/linking/spliced_paths.h"
 
 namespace slicefarm::infill {
@@ -233,7 +234,8 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
                          static_cast<double>(options.width_nm));
     if (rings.size() == 1) return rings;
   }
-  std::vector<Path> lines = paths_by(ChooseLinks(ends, options.max_link_nm));
+  std::vector<Path> lines = paths_by(
+      BringEndsTogether(ends, ChooseLinks(ends, options.max_link_nm), options.max_link_nm));
   return !rings.empty() && rings.size() <= lines.size() ? rings : lines;
 }
 

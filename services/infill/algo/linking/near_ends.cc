@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,82 +50,88 @@ class Mover {
   Links Run() {
     std::vector<int32_t> loose;
     for (int32_t end = 0; end < ends_.size(); ++end)
-      if (Partner(end) == kNoEnd) loose.push_back(end);
+      if (LinkedTo(ends_, links_, end) == kNoEnd) loose.push_back(end);
     if (loose.size() < 4 || loose.size() > 2 * kMostPaths) return std::move(links_);
-    best_ = Tree().value_or(0);
+    least_ = WaysBetween(ends_, links_).value_or(0);
     for (int round = 0; round < kRounds; ++round) {
-      const double before = best_;
+      const double before = least_;
       for (int32_t& end : loose)
         for (const bool forward : {true, false})
           if (ends_.IsOnEdge(end)) end = Moved(end, forward);
-      if (best_ == before) break;
+      if (least_ == before) break;
     }
     return std::move(links_);
   }
 
  private:
-  int32_t Partner(int32_t end) const { return LinkedTo(ends_, links_, end); }
-
-  /// None if a ring is among the paths.
-  std::optional<double> Tree() const {
-    std::vector<PathEnds> paths;
-    std::vector<char> seen(static_cast<size_t>(ends_.PieceCount()), 0);
-    int32_t count = 0;
-    for (int32_t end = 0; end < ends_.size(); ++end) {
-      if (seen[static_cast<size_t>(end / 2)] != 0 || Partner(end) != kNoEnd) continue;
-      int32_t out = end;
-      for (int32_t at = end; at != kNoEnd; at = Partner(out)) {
-        seen[static_cast<size_t>(at / 2)] = 1;
-        ++count;
-        out = at ^ 1;
-      }
-      paths.push_back({ends_.PlaceOf(end), ends_.PlaceOf(out)});
-    }
-    if (count < ends_.PieceCount()) return std::nullopt;
-    return TreeOf(paths);
-  }
-
   /// Takes an end to the best place within reach; returns the end that is loose then.
   int32_t Moved(int32_t end, bool forward) {
-    const auto neighbour = [&](int32_t of) { return forward ? ends_.Next(of) : ends_.Previous(of); };
+    const auto neighbour = [&](int32_t of) {
+      return forward ? ends_.Next(of) : ends_.Previous(of);
+    };
     const auto stretch = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
-    std::vector<int32_t> flipped;
+    flipped_.clear();
     size_t keep = 0;
+    double longer_nm = 0;  // links, than before
     int32_t best_end = end;
     for (int step = 0; step < kReach; ++step) {
       const int32_t near = neighbour(end);
       if (near == end || ends_.StretchLength(stretch(end)) > max_link_nm_) break;
-      const int32_t far = Partner(near);
+      const int32_t far = LinkedTo(ends_, links_, near);
       if (far == kNoEnd || far != neighbour(near)) break;
-      Flip(stretch(near), flipped);
-      Flip(stretch(end), flipped);
+      longer_nm += ends_.StretchLength(stretch(end)) - ends_.StretchLength(stretch(near));
+      Flip(stretch(near));
+      Flip(stretch(end));
       end = far;
-      const std::optional<double> tree = Tree();
-      if (!tree || *tree >= best_) continue;
-      best_ = *tree;
+      const std::optional<double> ways = WaysBetween(ends_, links_);
+      if (!ways || *ways + longer_nm >= least_) continue;
+      least_ = *ways + longer_nm;
       best_end = end;
-      keep = flipped.size();
+      keep = flipped_.size();
     }
-    while (flipped.size() > keep) {
-      const auto last = static_cast<size_t>(flipped.back());
-      links_[last] = !links_[last];
-      flipped.pop_back();
-    }
+    TakeBack(keep);
     return best_end;
   }
 
-  void Flip(int32_t stretch, std::vector<int32_t>& flipped) {
+  void Flip(int32_t stretch) {
     links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
-    flipped.push_back(stretch);
+    flipped_.push_back(stretch);
+  }
+
+  /// All but the first flips.
+  void TakeBack(size_t keep) {
+    for (; flipped_.size() > keep; flipped_.pop_back()) {
+      const auto last = static_cast<size_t>(flipped_.back());
+      links_[last] = !links_[last];
+    }
   }
 
   const EdgeEnds& ends_;
   const double max_link_nm_;
   Links links_;
-  double best_ = 0;
+  std::vector<int32_t> flipped_;  ///< stretches, in order
+  double least_ = 0;              ///< ways between paths, and what links are longer than at first
 };
 
 }  // namespace
+
+std::optional<double> WaysBetween(const EdgeEnds& ends, const Links& links) {
+  std::vector<PathEnds> paths;
+  std::vector<char> seen(static_cast<size_t>(ends.PieceCount()), 0);
+  int32_t pieces = 0;
+  for (int32_t end = 0; end < ends.size(); ++end) {
+    if (seen[static_cast<size_t>(end / 2)] != 0 || LinkedTo(ends, links, end) != kNoEnd) continue;
+    int32_t out = end;
+    for (int32_t at = end; at != kNoEnd; at = LinkedTo(ends, links, out)) {
+      seen[static_cast<size_t>(at / 2)] = 1;
+      ++pieces;
+      out = at ^ 1;
+    }
+    paths.push_back({ends.PlaceOf(end), ends.PlaceOf(out)});
+  }
+  if (pieces < ends.PieceCount()) return std::nullopt;
+  return TreeOf(paths);
+}
 
 Links BringEndsTogether(const EdgeEnds& ends, Links links, double max_link_nm) {
   return Mover(ends, std::move(links), max_link_nm).Run();

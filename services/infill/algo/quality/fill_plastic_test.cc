@@ -55,7 +55,7 @@ TEST(UseOf, SumsPathsAndKeepsTheLongest) {
 
 // What is too narrow for any path was asked for none the less.
 TEST(UseOf, NoPathsAreAUseToo) {
-  const FillUse use = UseOf({.area_nm2 = 1e12, .height_nm = kHeight}, {}, kHeight);
+  const FillUse use = UseOf({.pattern = {}, .area_nm2 = 1e12, .height_nm = kHeight}, {}, kHeight);
   EXPECT_EQ(use.paths, 0);
   EXPECT_NEAR(use.asked_mm3, 0.2, 1e-12);
   EXPECT_EQ(use.plastic_mm3, 0);
