@@ -10,8 +10,7 @@ namespace {
 
 constexpr size_t kMostPaths = 24;
 /// How many links an end moves past at most.
-constexpr int kReach = 6;
-constexpr int kRounds = 2;
+constexpr int kReach = 4;
 
 struct PathEnds {
   Point from, to;
@@ -53,13 +52,9 @@ class Mover {
       if (LinkedTo(ends_, links_, end) == kNoEnd) loose.push_back(end);
     if (loose.size() < 4 || loose.size() > 2 * kMostPaths) return std::move(links_);
     least_ = WaysBetween(ends_, links_).value_or(0);
-    for (int round = 0; round < kRounds; ++round) {
-      const double before = least_;
-      for (int32_t& end : loose)
-        for (const bool forward : {true, false})
-          if (ends_.IsOnEdge(end)) end = Moved(end, forward);
-      if (least_ == before) break;
-    }
+    for (int32_t& end : loose)
+      for (const bool forward : {true, false})
+        if (ends_.IsOnEdge(end)) end = Moved(end, forward);
     return std::move(links_);
   }
 
