@@ -126,7 +126,7 @@ TEST(UnmetNeeds, AProfilesStandardsAreNoWish) {
   EXPECT_THAT(Notes({{"square_corner_velocity", "5"}}), ElementsAre(HasSubstr("klipper")));
 }
 
-TEST(Needs, CombiningByHeightTakesThePlaceOfANumberOfLayers) {
+TEST(UnmetNeeds, CombiningByHeightTakesThePlaceOfANumberOfLayers) {
   EXPECT_THAT(Notes({{"layer_height", "0.1"},
                      {"infill_every_layers", "2"},
                      {"automatic_infill_combination", "1"}}),
