@@ -96,6 +96,19 @@ void DeriveShell(Draft& draft, std::string_view layers, std::string_view thickne
   draft.SetNumber(layers, std::max(number, needed));
 }
 
+/// As many layers as their infill may be high. Their most is the setting's own.
+void DeriveCombination(Draft& draft) {
+  constexpr std::string_view kHeight = "automatic_infill_combination_max_layer_height";
+  TakePercentage(draft, kHeight);
+  if (draft.Number("automatic_infill_combination") == 0) return;
+  constexpr std::string_view kLayers = "infill_every_layers";
+  const double height_mm = std::min(draft.Number(kHeight), draft.Number("nozzle_diameter"));
+  constexpr double kRounding = 1e-6;
+  const double layers = std::floor(height_mm / draft.Number("layer_height") + kRounding);
+  const SettingSpec& spec = SettingsTable(draft.process())[FindSetting(kLayers, draft.process())];
+  draft.SetNumber(kLayers, std::clamp(layers, spec.min, spec.max));
+}
+
 void DeriveFilament(Draft& draft) {
   for (const std::string_view key :
        {"retract_length", "retract_speed", "deretract_speed", "retract_restart_extra",
@@ -188,6 +201,7 @@ absl::Status Derive(Draft& draft) {
   DeriveAccelerations(draft);
   DeriveShell(draft, "top_solid_layers", "top_solid_min_thickness");
   DeriveShell(draft, "bottom_solid_layers", "bottom_solid_min_thickness");
+  DeriveCombination(draft);
   DeriveFilament(draft);
   DeriveLayerChange(draft);
   DeriveThumbnails(draft);

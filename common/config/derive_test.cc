@@ -170,6 +170,41 @@ INSTANTIATE_TEST_SUITE_P(Shells, DerivedNumber,
                          NameOf);
 
 INSTANTIATE_TEST_SUITE_P(
+    Combination, DerivedNumber,
+    testing::Values(
+        NumberCase{"OfItselfTakesNoMore", {{"layer_height", "0.1"}}, "infill_every_layers", 1},
+        NumberCase{"AsHighAsTheNozzleIsWide",
+                   {{"automatic_infill_combination", "1"}, {"layer_height", "0.1"}},
+                   "infill_every_layers",
+                   4},
+        NumberCase{"AsHighAsAsked",
+                   {{"automatic_infill_combination", "1"},
+                    {"automatic_infill_combination_max_layer_height", "0.35"},
+                    {"layer_height", "0.1"}},
+                   "infill_every_layers",
+                   3},
+        NumberCase{"ByTheNozzle",
+                   {{"automatic_infill_combination", "1"},
+                    {"automatic_infill_combination_max_layer_height", "75%"},
+                    {"nozzle_diameter", "0.8"},
+                    {"layer_height", "0.2"}},
+                   "infill_every_layers",
+                   3},
+        NumberCase{"NoHigherThanTheNozzleIsWide",
+                   {{"automatic_infill_combination", "1"},
+                    {"automatic_infill_combination_max_layer_height", "2"},
+                    {"layer_height", "0.15"}},
+                   "infill_every_layers",
+                   2},
+        NumberCase{"TakesThePlaceOfWhatIsGiven",
+                   {{"automatic_infill_combination", "1"},
+                    {"infill_every_layers", "2"},
+                    {"layer_height", "0.1"}},
+                   "infill_every_layers",
+                   4}),
+    NameOf);
+
+INSTANTIATE_TEST_SUITE_P(
     Filament, DerivedNumber,
     testing::Values(
         NumberCase{"ItsOwnRetraction",

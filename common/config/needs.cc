@@ -78,6 +78,18 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.infill[0].stress_field.empty(); }},
 };
 
+/// Settings that do nothing unless a flag that is no option of a stage is so.
+struct FlagNeed {
+  std::string_view key;
+  std::string_view flag;
+  bool on;
+};
+
+constexpr FlagNeed kFlagNeeds[] = {
+    {"automatic_infill_combination_max_layer_height", "automatic_infill_combination", true},
+    {"infill_every_layers", "automatic_infill_combination", false},
+};
+
 bool IsRings(const JobSettings& s) {
   const ScanStrategy strategy = s.exposure.regions[0].strategy;
   return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
@@ -164,9 +176,11 @@ std::span<const Need> NeedsOf(Process process) {
 }
 
 /// Whether somebody wants it, rather than a profile listing it.
-bool Wanted(const SettingSpec& spec, const Draft::Entry& entry) {
+bool IsWanted(const Draft& draft, std::string_view key) {
+  const Draft::Entry& entry = draft.At(key);
   if (!entry.given || !entry.value.has_value()) return false;
-  return entry.requested || !IsStandard(spec, entry.written);
+  const int index = FindSetting(key, draft.process());
+  return entry.requested || !IsStandard(SettingsTable(draft.process())[index], entry.written);
 }
 
 }  // namespace
@@ -176,12 +190,15 @@ std::vector<std::string> UnmetNeeds(const Draft& draft, const JobSettings& setti
   for (const Need& need : NeedsOf(draft.process())) {
     if (need.met(settings)) continue;
     for (const std::string_view key : Split(need.keys, " ")) {
-      const int index = FindSetting(key, draft.process());
-      const Draft::Entry& entry = draft.At(key);
-      if (!Wanted(SettingsTable(draft.process())[index], entry)) continue;
-      notes.push_back(fmt::format("{} = {}: needs {}", key, entry.written, need.what));
+      if (IsWanted(draft, key))
+        notes.push_back(fmt::format("{} = {}: needs {}", key, draft.At(key).written, need.what));
     }
   }
+  if (draft.process() != Process::kFdm) return notes;
+  for (const FlagNeed& need : kFlagNeeds)
+    if ((draft.Number(need.flag) != 0) != need.on && IsWanted(draft, need.key))
+      notes.push_back(fmt::format("{} = {}: needs {} = {}", need.key, draft.At(need.key).written,
+                                  need.flag, need.on ? 1 : 0));
   return notes;
 }
 

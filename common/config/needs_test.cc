@@ -56,6 +56,11 @@ INSTANTIATE_TEST_SUITE_P(
                  {"default_acceleration", "0"},
                  {"default_acceleration", "1000"},
                  "default_acceleration of more than 0"},
+        NeedCase{"CombinedHeight",
+                 {"automatic_infill_combination_max_layer_height", "0.3"},
+                 {"automatic_infill_combination", "0"},
+                 {"automatic_infill_combination", "1"},
+                 "automatic_infill_combination = 1"},
         NeedCase{"Corner",
                  {"square_corner_velocity", "8"},
                  {"gcode_flavor", "marlin2"},
@@ -119,6 +124,14 @@ TEST(UnmetNeeds, AProfilesStandardsAreNoWish) {
   EXPECT_THAT(Notes({{"square_corner_velocity", "8"}}, Source::kProfile),
               ElementsAre(HasSubstr("square_corner_velocity = 8")));
   EXPECT_THAT(Notes({{"square_corner_velocity", "5"}}), ElementsAre(HasSubstr("klipper")));
+}
+
+TEST(UnmetNeeds, CombiningByHeightTakesThePlaceOfANumberOfLayers) {
+  EXPECT_THAT(Notes({{"layer_height", "0.1"},
+                     {"infill_every_layers", "2"},
+                     {"automatic_infill_combination", "1"}}),
+              ElementsAre("infill_every_layers = 2: needs automatic_infill_combination = 0"));
+  EXPECT_THAT(Notes({{"layer_height", "0.1"}, {"infill_every_layers", "2"}}), IsEmpty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/polygon.h"
+#include "common/model/fill_use.h"
 #include "common/model/path.h"
 #include "common/model/print_times.h"
 #include "common/model/region.h"
@@ -129,6 +130,7 @@ struct FilledSection {
   int32_t layer = 0;
   Coord height_nm = 0;
   std::vector<FilledIsland> islands;
+  std::vector<FillUse> uses = {};  ///< what `islands` are filled with: see AddUse
 
   friend bool operator==(const FilledSection&, const FilledSection&) = default;
 };

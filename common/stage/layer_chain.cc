@@ -1,5 +1,8 @@
 #include "common/stage/layer_chain.h"
 
+#include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "common/base/stopwatch.h"
@@ -38,6 +41,21 @@ void NoteWarnings(const std::vector<WalledLayer>& layers, std::vector<LayerWarni
   }
 }
 
+/// What the infill of all copies comes to. The layers go on without it.
+std::vector<FillUse> TakeUses(std::vector<FilledLayer>& layers, std::span<const Copy> copies) {
+  std::map<int32_t, int64_t> count = {{kPlate, 1}};  // by object
+  for (const Copy& copy : copies) ++count[copy.object];
+  std::vector<FillUse> all;
+  for (FilledLayer& layer : layers) {
+    std::vector<FillUse> uses;
+    for (FilledSection& section : layer.sections)
+      for (const FillUse& use : std::exchange(section.uses, {}))
+        AddUse(use, count[section.object], uses);
+    std::ranges::move(uses, std::back_inserter(all));
+  }
+  return all;
+}
+
 }  // namespace
 
 absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& task) const {
@@ -57,6 +75,7 @@ absl::StatusOr<FdmResult> LayerChain::Run(const StageCall& call, const FdmTask& 
     return infill_.Fill(call, *std::move(walled), neighbourhood, task.plans, settings.infill);
   });
   if (!filled.ok()) return filled.status();
+  result.fills = TakeUses(*filled, task.copies);
   auto ordered = Timed(result.times.ordering_s, [&] {
     return ordering_.Order(call, *std::move(filled), task.plans, task.copies, settings.ordering);
   });

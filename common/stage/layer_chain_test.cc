@@ -35,9 +35,12 @@ struct Infill : InfillStage {
                                                 std::span<const InfillOptions>) const override {
     seen = {hood.layers.front().frame.index, hood.layers.back().frame.index + 1};
     if (fails) return MakeError(absl::StatusCode::kInternal, Reason::kInternal, "infill");
-    return std::vector<FilledLayer>(walled.size());
+    std::vector<FilledLayer> filled(walled.size());
+    for (FilledLayer& layer : filled) layer.sections = sections;
+    return filled;
   }
   bool fails = false;
+  std::vector<FilledSection> sections;  ///< of each layer
   mutable LayerRange seen;
 };
 
@@ -47,6 +50,8 @@ struct Ordering : OrderingStage {
                                                   std::span<const Copy> copies,
                                                   const OrderingOptions&) const override {
     plan_count = plans.size();
+    for (const FilledLayer& layer : layers)
+      for (const FilledSection& section : layer.sections) EXPECT_THAT(section.uses, IsEmpty());
     copy_count = copies.size();
     std::vector<OrderedLayer> ordered(layers.size());
     for (size_t i = 0; i < ordered.size(); ++i)
@@ -158,6 +163,25 @@ TEST_F(LayerChainTest, PlainIslandsAreWarnedOf) {
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_THAT(result->warnings, ElementsAre(LayerWarning{.layer = 1, .plain_islands = 1},
                                             LayerWarning{.layer = 2, .plain_islands = 2}));
+}
+
+// Each layer's apart, so that sums over the job do not depend on how it was cut into ranges.
+TEST_F(LayerChainTest, WhatInfillComesToIsCountedForEachCopy) {
+  const auto use = [](int32_t settings, int64_t paths) {
+    FillUse of;
+    of.settings = settings;
+    of.paths = paths;
+    of.longest_mm = 9;
+    return of;
+  };
+  copies_ = {{0, {}, 0}, {1, {}, 0}, {0, {}, 1}};
+  infill_.sections = {{kPlate, 0, 0, {}, {use(2, 100)}},
+                      {0, 0, 0, {}, {use(0, 10), use(1, 1)}},
+                      {1, 0, 0, {}, {use(1, 5)}}};
+  const auto result = Run({8, 10}, {0, 20});
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_THAT(result->fills,
+              ElementsAre(use(0, 20), use(1, 7), use(2, 100), use(0, 20), use(1, 7), use(2, 100)));
 }
 
 TEST_F(LayerChainTest, AHaloTooSmallIsRefused) {

@@ -47,6 +47,7 @@ struct LayerWarning {
 struct FdmResult {
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
+  std::vector<FillUse> fills;  ///< by layer, of all copies; within a layer see AddUse
   StageTimes times;
 
   bool SameOutput(const FdmResult& other) const { return programs == other.programs; }

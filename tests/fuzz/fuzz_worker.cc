@@ -1,5 +1,6 @@
 #include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
+#include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
@@ -47,6 +48,7 @@ void Run(const WorkCall& given) {
   }
   for (const LayerWarning& warning : result->warnings)
     CheckRoundTrip(Encoded<v1::LayerWarning>(warning));
+  for (const FillUse& use : result->fills) CheckRoundTrip(Encoded<v1::FillUse>(use));
 }
 
 }  // namespace

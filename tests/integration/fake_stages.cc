@@ -74,7 +74,12 @@ void AddLayer(int32_t index, Sample* sample) {
   const std::vector<FillArea> areas = {{Role::kPart, 0, 0, Islands()},
                                        {Role::kPart, 1, 0, Islands()}};
   sample->walled.push_back({frame, {{0, index, kHeightNm, {{{wall}, areas}}}}, index});
-  sample->filled.push_back({frame, {{0, index, kHeightNm, {{{wall}, {{true, {line, line}}}}}}}});
+  sample->filled.push_back({frame,
+                            {{0,
+                              index,
+                              kHeightNm,
+                              {{{wall}, {{true, {line, line}}}}},
+                              {{.settings = 1, .pattern = FillPattern::kGrid}}}}});
   sample->plans.push_back({{1, 2},
                            index % 2 != 0,
                            index % 2 == 0,
@@ -162,6 +167,7 @@ Sample MakeSample() {
                   {{"a.stl", 0, 0, 2}, {"a.stl", 0, 1, 2}, {"b", 2, 0, 1}},
                   {{0, 0, 0}, {3, 1, 600'000}}};
   sample.warnings = {{Sample::kRange.first, 2}};
+  sample.fills = {{.settings = 1, .pattern = FillPattern::kGrid, .paths = 8}, {}};
   for (int32_t i = Sample::kRange.first; i < Sample::kRange.last; ++i) {
     ExposedProgram& exposed = sample.exposed.emplace_back();
     exposed.frame = FrameOf(i);
@@ -326,7 +332,7 @@ absl::StatusOr<FdmResult> FakeRunner::Run(const StageCall& call, const FdmTask& 
   fakes_.settings = *task.settings;
   if (absl::Status status = Begin(call, &fakes_); !status.ok()) return status;
   const Sample& sample = TheSample();
-  return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.times};
+  return FdmResult{Answer(sample.programs, fakes_), sample.warnings, sample.fills, sample.times};
 }
 
 }  // namespace slicefarm

@@ -63,6 +63,7 @@ struct Sample {
   JobFacts facts;
   std::vector<LayerProgram> programs;
   std::vector<LayerWarning> warnings;
+  std::vector<FillUse> fills;
   std::vector<ExposedProgram> exposed;
   ProgramSummary summary;
   ProgramEnvelope frame;

@@ -226,6 +226,8 @@ TEST_F(LocalAndRemote, AWorkerGivesWhatTheChainGives) {
   ASSERT_TRUE(remote.ok()) << remote.status();
   EXPECT_EQ(remote->programs, local->programs);
   EXPECT_EQ(remote->warnings, local->warnings);
+  EXPECT_EQ(remote->fills, local->fills);
+  EXPECT_FALSE(local->fills.empty());
   EXPECT_GT(remote->times.beading_s, 0);
 }
 
@@ -268,13 +270,16 @@ TEST_F(LocalAndRemote, RangesGiveWhatTheWholeGives) {
   ASSERT_TRUE(whole.ok()) << whole.status();
   for (const int32_t size : {1, 7, 20}) {
     std::vector<LayerProgram> programs;
+    std::vector<FillUse> fills;
     for (int32_t first = 0; first < LayerCount(); first += size) {
       const auto part =
           remote_.worker.Run(call_, TaskOf({first, std::min(first + size, LayerCount())}));
       ASSERT_TRUE(part.ok()) << part.status();
       programs.insert(programs.end(), part->programs.begin(), part->programs.end());
+      fills.insert(fills.end(), part->fills.begin(), part->fills.end());
     }
     EXPECT_EQ(programs, whole->programs) << "ranges of " << size;
+    EXPECT_EQ(fills, whole->fills) << "ranges of " << size;
   }
 }
 

@@ -174,6 +174,7 @@ TEST(RemoteStages, WorkerGivesAndTakesAll) {
   ASSERT_TRUE(result.ok()) << result.status();
   EXPECT_EQ(result->programs, sample.programs);
   EXPECT_EQ(result->warnings, sample.warnings);
+  EXPECT_EQ(result->fills, sample.fills);
   EXPECT_EQ(result->times.beading_s, sample.times.beading_s);
   EXPECT_EQ(result->times.motion_s, sample.times.motion_s);
   EXPECT_EQ(farm.fakes.range, Sample::kRange);

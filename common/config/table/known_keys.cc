@@ -28,7 +28,6 @@ constexpr KnownKey kSwitches[] = {
     {"use_volumetric_e", kNotYet, "0", true, true},
     // These make it better or different in detail.
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
-    {"automatic_infill_combination", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
@@ -69,7 +68,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {kNotYet,
      "autoemit_temperature_commands "
-     "automatic_extrusion_widths automatic_infill_combination_max_layer_height "
+     "automatic_extrusion_widths "
      "bed_temperature_extruder chamber_minimal_temperature clip_multipart_objects "
      "color_change_gcode cooling_tube_* dont_support_bridges "
      "extra_loading_move filament_abrasive "
@@ -86,7 +85,7 @@ constexpr Group kGroups[] = {
      "retract_restart_extra_toolchange seam_gap_distance silent_mode "
      "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
-     "thick_bridges travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
+     "travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
      "travel_slope variable_layer_height "
      "wipe_tower_* wiping_volumes_*"},
     {kProfile,

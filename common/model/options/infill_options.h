@@ -62,6 +62,8 @@ struct InfillOptions {
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
+  bool thick_bridges = false;        ///< thick_bridges: round threads as wide as the nozzle
+  Coord nozzle_nm = 400'000;         ///< nozzle_diameter
   int32_t every_layers = 1;          ///< infill_every_layers: that many are filled at once
   bool only_where_needed = false;    ///< infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness

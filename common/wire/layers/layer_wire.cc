@@ -6,6 +6,7 @@
 
 #include "common/model/limits.h"
 #include "common/wire/geometry_wire.h"
+#include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/path_wire.h"
 #include "common/wire/layers/region_wire.h"
 #include "common/wire/support/repeated_wire.h"
@@ -213,10 +214,16 @@ absl::StatusOr<FilledIsland> FromProto(const v1::FilledIsland& proto) {
 }
 
 absl::Status ToProto(const FilledSection& section, v1::FilledSection* proto) {
-  return SectionToProto(section, proto);
+  absl::Status status = SectionToProto(section, proto);
+  status.Update(AllToProto(section.uses, "uses", proto->mutable_uses()));
+  return status;
 }
 absl::StatusOr<FilledSection> FromProto(const v1::FilledSection& proto) {
-  return SectionFromProto<FilledSection>(proto);
+  absl::StatusOr<FilledSection> section = SectionFromProto<FilledSection>(proto);
+  if (!section.ok()) return section;
+  absl::Status status = AllFromProto(proto.uses(), "uses", &section->uses);
+  if (!status.ok()) return status;
+  return section;
 }
 
 absl::Status ToProto(const SlicedLayer& layer, v1::SlicedLayer* proto) {

@@ -63,9 +63,8 @@ ObjectSection DistinctSection(int32_t of) {
   return section;
 }
 
-template <typename Section, typename Islands>
-Section SectionOf(int32_t of, Islands with) {
-  Section section;
+WalledSection WalledOf(int32_t of, std::vector<WalledIsland> with) {
+  WalledSection section;
   auto& [object, layer, height, islands] = section;
   object = of;
   layer = 6;
@@ -74,21 +73,28 @@ Section SectionOf(int32_t of, Islands with) {
   return section;
 }
 
+FilledSection FilledOf(int32_t of, std::vector<FilledIsland> with) {
+  FilledSection section;
+  auto& [object, layer, height, islands, uses] = section;
+  object = of;
+  layer = 6;
+  height = 250'000;
+  islands = std::move(with);
+  uses = {{.settings = 1, .pattern = FillPattern::kGrid, .area_mm2 = 2}, {}};
+  return section;
+}
+
 SlicedLayer Sliced() { return {kFrame, {DistinctSection(kPlate), DistinctSection(7)}}; }
 WalledLayer Walled() {
   const WalledIsland island{{PlainPath("(0 0, 1 0, 1 1)", true), DistinctPath()},
                             {{Role::kPart, 1, 2, Islands()}, {Role::kBrim, 3, 4, Islands()}},
                             Islands().back()};
-  using Of = std::vector<WalledIsland>;
-  return {kFrame,
-          {SectionOf<WalledSection>(kPlate, Of{{{}, {}}}), SectionOf<WalledSection>(3, Of{island})},
-          8};
+  return {kFrame, {WalledOf(kPlate, {{{}, {}}}), WalledOf(3, {island})}, 8};
 }
 FilledLayer Filled() {
   const FilledIsland island{
       {DistinctPath()}, {{true, {PlainPath("(0 0, 9 0)")}}, {false, {}}}, Islands().back()};
-  using Of = std::vector<FilledIsland>;
-  return {kFrame, {SectionOf<FilledSection>(0, Of{island, {}}), SectionOf<FilledSection>(2, Of{})}};
+  return {kFrame, {FilledOf(0, {island, {}}), FilledOf(2, {})}};
 }
 OrderedLayer Ordered() {
   PathBlock first;

@@ -117,7 +117,8 @@ absl::Status Check(const v1::InfillOptions& proto) {
   status.Update(CheckPositive({{"sparse_width_nm", proto.sparse_width_nm()},
                                {"solid_width_nm", proto.solid_width_nm()},
                                {"top_width_nm", proto.top_width_nm()},
-                               {"first_layer_width_nm", proto.first_layer_width_nm()}}));
+                               {"first_layer_width_nm", proto.first_layer_width_nm()},
+                               {"nozzle_nm", proto.nozzle_nm()}}));
   status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
   status.Update(CheckNotNegative(
       {{"anchor_nm", proto.anchor_nm()}, {"anchor_max_nm", proto.anchor_max_nm()}}));
@@ -290,6 +291,8 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_only_where_needed(options.only_where_needed);
   proto.set_shells(EnumToProto<v1::ShellThickness>(options.shells));
   proto.set_overhang_lines(options.overhang_lines);
+  proto.set_thick_bridges(options.thick_bridges);
+  proto.set_nozzle_nm(options.nozzle_nm);
   v1::IroningOptions& ironing = *proto.mutable_ironing();
   ironing.set_enabled(options.ironing.enabled);
   ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
@@ -331,6 +334,8 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.only_where_needed = proto.only_where_needed();
   options.shells = Known<ShellThickness>(proto.shells());
   options.overhang_lines = proto.overhang_lines();
+  options.thick_bridges = proto.thick_bridges();
+  options.nozzle_nm = proto.nozzle_nm();
   options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
                      proto.ironing().flow(), proto.ironing().spacing_nm()};
   return options;

@@ -182,13 +182,16 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         solid_every_layers, bridge_angle, bridge_flow, every_layers, only_where_needed, shells,
-         overhang_lines, ironing, density_field, stress_field, field_halo_layers] = options;
+         solid_every_layers, bridge_angle, bridge_flow, thick_bridges, nozzle, every_layers,
+         only_where_needed, shells, overhang_lines, ironing, density_field, stress_field,
+         field_halo_layers] = options;
   choose_pattern = true;
   goal = FillGoal::kTime;
   angle_template = "0,45";
   solid_angle_template = "+30";
   bridge_flow = 0.9;
+  thick_bridges = true;
+  nozzle = 323;
   every_layers = 321;
   only_where_needed = true;
   shells = ShellThickness::kPartial;
@@ -515,6 +518,8 @@ constexpr char kDistinct[] = R"pb(
     only_where_needed: true
     shells: SHELL_THICKNESS_PARTIAL
     overhang_lines: true
+    thick_bridges: true
+    nozzle_nm: 323
     ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {

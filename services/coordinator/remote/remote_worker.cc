@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/wire/layers/exposure_wire.h"
+#include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
@@ -24,6 +25,7 @@ absl::Status Take(v1::WorkResponse& response, FdmResult* result) {
   if (response.has_program())
     return Append(FromProto(std::move(*response.mutable_program())), &result->programs);
   if (response.has_warning()) return Append(FromProto(response.warning()), &result->warnings);
+  if (response.has_fill()) return Append(FromProto(response.fill()), &result->fills);
   return TakeTimes(response, &result->times);
 }
 

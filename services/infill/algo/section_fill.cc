@@ -1,6 +1,8 @@
 #include "services/infill/algo/section_fill.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -9,9 +11,12 @@
 #include <vector>
 
 #include "common/geometry/boolean/boolean.h"
+#include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
+#include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/ironing.h"
+#include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/overhang_fill.h"
 #include "services/infill/algo/skins/skins.h"
@@ -20,6 +25,9 @@
 
 namespace slicefarm::infill {
 namespace {
+
+/// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
+constexpr double kThreadGapNm = 50'000;
 
 /// A section as all its fill areas see it.
 struct SectionView {
@@ -116,6 +124,12 @@ FillAngles AnglesOf(const InfillOptions& options, int32_t layer) {
           sparse.has_value(), solid.has_value()};
 }
 
+/// What areas are filled with, and what it comes to.
+struct Fills {
+  std::vector<FillGroup> groups;
+  std::vector<FillUse> uses;
+};
+
 /// Fills the areas of one region's settings in a section.
 class RegionFill {
  public:
@@ -128,8 +142,7 @@ class RegionFill {
         angles_(AnglesOf(options, view.layer)) {}
 
   /// `field`: what the region's fields say about the layer; null: there are none.
-  absl::Status Fill(const FillArea& fill_area, const LayerField* field,
-                    std::vector<FillGroup>& fills) const {
+  absl::Status Fill(const FillArea& fill_area, const LayerField* field, Fills& fills) const {
     static const MultiPolygon kNone;
     const Skins skins =
         PartFillArea(fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
@@ -175,18 +188,23 @@ class RegionFill {
     return angles_.solid_rad + (turns ? std::numbers::pi / 2 : 0);
   }
 
+  void Append(FillGroup group, const AskedFill& asked, Fills& fills) const {
+    AddUse(UseOf(asked, group.paths, view_.height_nm), 1, fills.uses);
+    if (!group.paths.empty()) fills.groups.push_back(std::move(group));
+  }
+
   absl::Status AppendSolid(const MultiPolygon& regions, Feature feature, FillPattern pattern,
-                           Coord width_nm, std::vector<FillGroup>& fills) const {
+                           Coord width_nm, Fills& fills) const {
     for (const PolygonWithHoles& region : regions) {
-      const absl::Status status =
-          AppendSolidRegion(region, feature, pattern, SolidAngle(pattern), width_nm, fills);
-      if (!status.ok()) return status;
+      auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm));
+      if (!group.ok()) return group.status();
+      Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm}, fills);
     }
     return absl::OkStatus();
   }
 
   /// What lies open after this layer: the last one of the object, if only that is to be ironed.
-  absl::Status AppendIroning(const Skins& skins, std::vector<FillGroup>& fills) const {
+  absl::Status AppendIroning(const Skins& skins, Fills& fills) const {
     const IroningType type = options_.ironing.type;
     if (type == IroningType::kTopmost && view_.OutlineAt(view_.layer + 1) != nullptr)
       return absl::OkStatus();
@@ -197,25 +215,46 @@ class RegionFill {
                                       .height_nm = view_.height_nm,
                                       .ironing = options_.ironing});
     if (!group.ok()) return group.status();
-    if (!group->paths.empty()) fills.push_back(*std::move(group));
+    if (!group->paths.empty()) fills.groups.push_back(*std::move(group));
     return absl::OkStatus();
   }
 
+  /// How wide bridges' lines lie, and what plastic they hold of what would fill the layer.
+  struct BridgeBead {
+    Coord width_nm = 0;
+    double share = 1;
+  };
+  BridgeBead BridgeBeadOf() const {
+    if (!options_.thick_bridges) return {Width(options_.solid_width_nm), options_.bridge_flow};
+    const double thread_nm =
+        static_cast<double>(options_.nozzle_nm) * std::sqrt(options_.bridge_flow);
+    const double spacing_nm = thread_nm + kThreadGapNm;
+    const double room = spacing_nm * static_cast<double>(view_.height_nm);
+    return {WidthForSpacing(std::llround(spacing_nm), view_.height_nm),
+            std::numbers::pi / 4 * thread_nm * thread_nm / room};
+  }
+
   /// Each bridge in the direction in which it is borne best.
-  absl::Status AppendBridges(const MultiPolygon& regions, std::vector<FillGroup>& fills) const {
+  absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
     const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
+    const BridgeBead bead = BridgeBeadOf();
     for (const PolygonWithHoles& region : regions) {
       const auto span = SpanOf(region, below);
-      const size_t first = fills.size();
-      const absl::Status status =
-          options_.overhang_lines && span && !span->held
-              ? AppendOverhang(region, *below, fills)
-              : AppendSolidRegion(region, Feature::kBridgeInfill, options_.bottom_pattern,
-                                  span ? span->angle_rad : SolidAngle(options_.bottom_pattern),
-                                  options_.solid_width_nm, fills);
-      if (!status.ok()) return status;
-      for (FillGroup& group : std::span(fills).subspan(first))
-        ScaleSections(options_.bridge_flow, view_.height_nm, view_.height_nm, group.paths);
+      AskedFill asked{Feature::kBridgeInfill, options_.bottom_pattern, Area(region),
+                      view_.height_nm, bead.share};
+      FillGroup lines;
+      if (options_.overhang_lines && span && !span->held) {
+        asked.pattern = std::nullopt;
+        lines = OverhangLines(region, *below, bead.width_nm);
+      } else {
+        auto solid =
+            SolidLines(region, asked.feature, options_.bottom_pattern,
+                       span ? span->angle_rad : SolidAngle(options_.bottom_pattern), bead.width_nm);
+        if (!solid.ok()) return solid.status();
+        lines = *std::move(solid);
+      }
+      ScaleSections(bead.share, view_.height_nm, view_.height_nm, lines.paths);
+      Append(std::move(lines), asked, fills);
     }
     return absl::OkStatus();
   }
@@ -228,36 +267,30 @@ class RegionFill {
     return BridgeAngle(region, *below, options_.solid_width_nm);
   }
 
-  absl::Status AppendOverhang(const PolygonWithHoles& region, const MultiPolygon& below,
-                              std::vector<FillGroup>& fills) const {
-    FillGroup group = FillOverhang(region, below,
-                                   {.width_nm = Width(options_.solid_width_nm),
-                                    .height_nm = view_.height_nm,
-                                    .overlap_nm = options_.overlap_nm});
-    if (!group.paths.empty()) fills.push_back(std::move(group));
-    return absl::OkStatus();
+  FillGroup OverhangLines(const PolygonWithHoles& region, const MultiPolygon& below,
+                          Coord width_nm) const {
+    return FillOverhang(
+        region, below,
+        {.width_nm = width_nm, .height_nm = view_.height_nm, .overlap_nm = options_.overlap_nm});
   }
 
-  absl::Status AppendSolidRegion(const PolygonWithHoles& region, Feature feature,
-                                 FillPattern pattern, double angle_rad, Coord width_nm,
-                                 std::vector<FillGroup>& fills) const {
-    auto group = FillSolid(region, {.feature = feature,
-                                    .pattern = pattern,
-                                    .angle_rad = angle_rad,
-                                    .width_nm = Width(width_nm),
-                                    .height_nm = view_.height_nm,
-                                    .layer = view_.layer,
-                                    .overlap_nm = options_.overlap_nm,
-                                    .beside_walls = view_.object != kPlate});
-    if (!group.ok()) return group.status();
-    if (!group->paths.empty()) fills.push_back(*std::move(group));
-    return absl::OkStatus();
+  absl::StatusOr<FillGroup> SolidLines(const PolygonWithHoles& region, Feature feature,
+                                       FillPattern pattern, double angle_rad,
+                                       Coord width_nm) const {
+    return FillSolid(region, {.feature = feature,
+                              .pattern = pattern,
+                              .angle_rad = angle_rad,
+                              .width_nm = width_nm,
+                              .height_nm = view_.height_nm,
+                              .layer = view_.layer,
+                              .overlap_nm = options_.overlap_nm,
+                              .beside_walls = view_.object != kPlate});
   }
 
   /// A field that says no more than one density for the whole layer is none of the pattern's
   /// business.
   absl::Status AppendSparse(const MultiPolygon& region, const LayerField* field,
-                            std::vector<FillGroup>& fills) const {
+                            Fills& fills) const {
     const bool plain =
         field == nullptr || (field->directions == nullptr && IsPlain(*field->density, *field));
     SparseFill fill{.pattern = plan_ == nullptr ? options_.pattern : plan_->pattern,
@@ -285,12 +318,21 @@ class RegionFill {
 
   /// Beads of another height than the layer's are as wide as their plastic would be in the layer.
   absl::Status AppendSparsePart(const MultiPolygon& region, const SparseFill& fill,
-                                std::vector<FillGroup>& fills) const {
+                                Fills& fills) const {
+    if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return absl::OkStatus();
     auto paths = FillSparse(region, fill);
     if (!paths.ok()) return paths.status();
     if (fill.height_nm != view_.height_nm)
       ScaleSections(1, fill.height_nm, view_.height_nm, *paths);
-    if (!paths->empty()) fills.push_back({false, *std::move(paths)});
+    AskedFill asked{Feature::kInternalInfill, fill.pattern, Area(region), fill.height_nm,
+                    fill.density};
+    if (fill.field != nullptr) {
+      const auto share = MeanDensity(region, *fill.field);
+      if (!share.ok()) return share.status();
+      asked.share = *share;
+      if (fill.field->directions != nullptr) asked.pattern = std::nullopt;
+    }
+    Append({false, *std::move(paths)}, asked, fills);
     return absl::OkStatus();
   }
 
@@ -305,14 +347,18 @@ class RegionFill {
   const FillAngles angles_;
 };
 
-/// Says of each path whose it is.
-void Sign(const FillArea& area, std::span<FillGroup> fills) {
-  for (FillGroup& group : fills) {
+/// Says of each path and each use whose it is.
+void Sign(const FillArea& area, Fills& fills) {
+  for (FillGroup& group : fills.groups) {
     for (Path& path : group.paths) {
       path.settings = area.settings;
       path.tool = area.tool;
       path.feature = FeatureFor(area.role, path.feature);
     }
+  }
+  for (FillUse& use : fills.uses) {
+    use.settings = area.settings;
+    use.feature = FeatureFor(area.role, use.feature);
   }
 }
 
@@ -340,14 +386,15 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
           fillers
               .try_emplace(area.settings, view, options, PlanOf(plans, view.object, area.settings))
               .first;
-      const size_t first = result.fills.size();
       const auto field = fields.Of(area.settings, walled.object, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));
       if (!field.ok()) return field.status();
-      absl::Status ok =
-          filler->second.Fill(area, field->has_value() ? &**field : nullptr, result.fills);
+      Fills fills;
+      absl::Status ok = filler->second.Fill(area, field->has_value() ? &**field : nullptr, fills);
       if (!ok.ok()) return ok;
-      Sign(area, std::span(result.fills).subspan(first));
+      Sign(area, fills);
+      std::ranges::move(fills.groups, std::back_inserter(result.fills));
+      for (const FillUse& use : fills.uses) AddUse(use, 1, filled.uses);
     }
     filled.islands.push_back(std::move(result));
   }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "common/geometry/text_format.h"
@@ -151,21 +154,30 @@ TEST(FillSection, ThePlateHasNoNeighbours) {
 }
 
 /// What one row fills of layer 5, all of the square.
-std::vector<Path> PathsOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
-                          int32_t layer = 5) {
+FilledSection SquareOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
+                       int32_t layer = 5) {
   const auto layers = Prism();
   const ObjectLayers objects(layers);
   const std::vector<InfillOptions> regions = {options};
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
-  auto none = RegionFields::Read(regions, {});
-  const auto filled =
-      FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, *none);
+  auto fields = RegionFields::Read(regions, layers);
+  auto filled = FillSection({0, layer, 200'000, {island}}, false, objects, plans, regions, *fields);
   EXPECT_TRUE(filled.ok()) << filled.status();
+  return *std::move(filled);
+}
+
+std::vector<Path> PathsIn(const FilledSection& section) {
   std::vector<Path> paths;
-  for (const FillGroup& group : filled->islands[0].fills)
-    paths.insert(paths.end(), group.paths.begin(), group.paths.end());
+  for (const FilledIsland& island : section.islands)
+    for (const FillGroup& group : island.fills)
+      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
   return paths;
+}
+
+std::vector<Path> PathsOf(const InfillOptions& options, std::span<const PlannedInfill> plans,
+                          int32_t layer = 5) {
+  return PathsIn(SquareOf(options, plans, layer));
 }
 
 InfillOptions Thin() {
@@ -217,6 +229,74 @@ TEST(FillSection, CombinedPlacesHoldThePlasticOfTheirLayers) {
   EXPECT_NEAR(twice / once, 2, 0.1);
 }
 
+// Two halves of a square of 18 mm in a row each; one is solid.
+TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions = {Thin(), Thin()};
+  regions[0].pattern = FillPattern::kGyroid;
+  regions[1].density = 1;
+  const auto filled = FillPlain(Halves(5), false, objects, regions);
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  ASSERT_EQ(filled->uses.size(), 2u);
+  const FillUse& sparse = filled->uses[0];
+  EXPECT_EQ(sparse.settings, 0);
+  EXPECT_EQ(sparse.feature, Feature::kInternalInfill);
+  EXPECT_EQ(sparse.pattern, FillPattern::kGyroid);
+  EXPECT_NEAR(sparse.area_mm2, 9 * 18, 1e-6);
+  EXPECT_NEAR(sparse.room_mm3, 9 * 18 * 0.2, 1e-6);
+  EXPECT_NEAR(sparse.asked_mm3, 0.2 * sparse.room_mm3, 1e-6);
+  const FillUse& solid = filled->uses[1];
+  EXPECT_EQ(solid.settings, 1);
+  EXPECT_EQ(solid.feature, Feature::kSolidInfill);
+  EXPECT_EQ(solid.pattern, FillPattern::kMonotonic);
+  EXPECT_NEAR(solid.asked_mm3, solid.room_mm3, 1e-9);
+  EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.01);
+
+  const std::vector<Path> paths = PathsIn(*filled);
+  for (const FillUse& use : filled->uses) {
+    EXPECT_NEAR(use.plastic_mm3, VolumeOf(paths, use.feature), 1e-6);
+    EXPECT_EQ(use.paths, std::ranges::count(paths, use.feature, &Path::feature));
+    EXPECT_GT(use.longest_mm, 50);
+    EXPECT_LE(use.longest_mm, use.length_mm);
+  }
+}
+
+TEST(FillSection, UsesCountTheLayersThatAreCombined) {
+  PlannedInfill plan;
+  plan.left_out = P("(0 0, 10 0, 10 20, 0 20)");
+  plan.combined = P("(10 0, 20 0, 20 20, 10 20)");
+  plan.combined_height_nm = 400'000;
+  const std::vector<FillUse> uses = SquareOf(Thin(), std::span(&plan, 1)).uses;
+  ASSERT_EQ(uses.size(), 1u);
+  EXPECT_NEAR(uses[0].area_mm2, 9 * 18, 1e-6);
+  EXPECT_NEAR(uses[0].room_mm3, 9 * 18 * 0.4, 1e-6);
+  EXPECT_NEAR(uses[0].plastic_mm3 / uses[0].room_mm3, 0.2, 0.01);
+}
+
+TEST(FillSection, UsesOfFieldsAskForTheirMean) {
+  InfillOptions options = Thin();
+  options.pattern = FillPattern::kRectilinear;
+  options.density_field =
+      R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[20,1,1],"values":[0.1,0.5]})";
+  const std::vector<FillUse> uses = SquareOf(options, {}).uses;
+  ASSERT_EQ(uses.size(), 1u);
+  EXPECT_NEAR(uses[0].asked_mm3 / uses[0].room_mm3, 0.3, 0.005);
+  EXPECT_EQ(uses[0].pattern, FillPattern::kRectilinear);
+  options.density_field.clear();
+  options.stress_field = R"({"kind":"constant","stress":[1,0,0.5]})";
+  const std::vector<FillUse> streams = SquareOf(options, {}).uses;
+  ASSERT_EQ(streams.size(), 1u);
+  EXPECT_EQ(streams[0].pattern, std::nullopt);
+  EXPECT_NEAR(streams[0].asked_mm3 / streams[0].room_mm3, 0.2, 1e-9);
+}
+
+TEST(FillSection, NothingAskedForIsNoUse) {
+  InfillOptions options = Thin();
+  options.density = 0;
+  EXPECT_TRUE(SquareOf(options, {}).uses.empty());
+}
+
 TEST(FillSection, ATemplateSaysWhichWayLinesRun) {
   InfillOptions options = Thin();
   options.pattern = FillPattern::kRectilinear;
@@ -254,8 +334,8 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
-TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
-  // Two pillars, and a slab on them.
+/// The lowest layer of a slab on two pillars.
+FilledSection BridgeBy(const InfillOptions& options) {
   auto layers = Prism();
   for (int i = 0; i < 5; ++i)
     layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
@@ -263,14 +343,50 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const ObjectLayers objects(layers);
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+  const std::vector<InfillOptions> regions = {options};
+  auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  return *std::move(filled);
+}
+
+// Of round threads, of which the section is known, and which do not touch.
+TEST(FillSection, ThickBridgesAreRoundThreads) {
+  for (const double flow : {0.8, 1.0}) {
+    InfillOptions options = Thin();
+    options.thick_bridges = true;
+    options.bridge_flow = flow;
+    options.nozzle_nm = 600'000;
+    int lines = 0;
+    for (const Path& path : PathsIn(BridgeBy(options))) {
+      if (path.feature != Feature::kBridgeInfill) continue;
+      ++lines;
+      const double want = std::numbers::pi / 4 * 0.36 * flow;
+      // Widths follow the spacing that fits the bridge: 15 % less and 20 % more at most.
+      EXPECT_GT(SectionMm2(path.WidthAt(0), 200'000), 0.84 * want) << flow;
+      EXPECT_LT(SectionMm2(path.WidthAt(0), 200'000), 1.21 * want) << flow;
+    }
+    EXPECT_GT(lines, 0);
+    const auto share = [](const FilledSection& section) {
+      for (const FillUse& use : section.uses)
+        if (use.feature == Feature::kBridgeInfill) return use.plastic_mm3 / use.room_mm3;
+      return 0.0;
+    };
+    const double thread_mm = 0.6 * std::sqrt(flow);
+    EXPECT_NEAR(share(BridgeBy(options)),
+                std::numbers::pi / 4 * thread_mm * thread_mm / (thread_mm + 0.05) / 0.2, 0.02);
+  }
+}
+
+TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const auto plastic = [&](double flow) {
     InfillOptions options = Thin();
     options.bridge_flow = flow;
-    const std::vector<InfillOptions> regions = {options};
-    const auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
-    std::vector<Path> paths;
-    for (const FillGroup& group : filled->islands[0].fills)
-      paths.insert(paths.end(), group.paths.begin(), group.paths.end());
+    const FilledSection filled = BridgeBy(options);
+    for (const FillUse& use : filled.uses) {
+      const double want = use.feature == Feature::kBridgeInfill ? flow : options.density;
+      EXPECT_NEAR(use.asked_mm3 / use.room_mm3, want, 1e-9);
+    }
+    const std::vector<Path> paths = PathsIn(filled);
     return std::pair(VolumeOf(paths, Feature::kBridgeInfill),
                      VolumeOf(paths, Feature::kInternalInfill));
   };

@@ -5,6 +5,7 @@
 
 #include "common/base/build_info.h"
 #include "common/wire/layers/exposure_wire.h"
+#include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/enum_wire.h"
@@ -80,6 +81,11 @@ absl::Status WorkerService::Answer(FdmResult result, Stream& stream) {
         *proto->mutable_warning() = ToProto(warning);
         return absl::OkStatus();
       }));
+  if (!status.ok()) return status;
+  status.Update(WriteEach<v1::WorkResponse>(stream, result.fills,
+                                            [](const FillUse& use, v1::WorkResponse* proto) {
+                                              return ToProto(use, proto->mutable_fill());
+                                            }));
   if (!status.ok()) return status;
   WriteTimes(result.times, stream);
   return absl::OkStatus();

@@ -82,6 +82,26 @@ Json Exposure(const ExposureReport& report) {
           {"sharp_cuts", report.cuts.sharp_cuts}};
 }
 
+/// Sparse infill has a density, all else of it is to cover what it fills.
+Json Infill(const std::vector<FillUse>& fills) {
+  Json list = Json::array();
+  for (const FillUse& use : fills) {
+    const bool sparse = use.feature == Feature::kInternalInfill;
+    Json json = {{"settings", use.settings},
+                 {"feature", FeatureName(use.feature)},
+                 {"pattern", use.pattern ? Json(InfoOf(*use.pattern).name) : Json()},
+                 {sparse ? "density_asked" : "coverage_asked", use.asked_mm3 / use.room_mm3},
+                 {sparse ? "density" : "coverage", use.plastic_mm3 / use.room_mm3},
+                 {"area_mm2", use.area_mm2},
+                 {"volume_mm3", use.plastic_mm3},
+                 {"paths", use.paths},
+                 {"length_mm", use.length_mm},
+                 {"longest_path_mm", use.longest_mm}};
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json Travel(const JobReport& report) {
   return {{"length_mm", report.travel_mm},
           {"time_s", report.stats.travel_time_s},
@@ -121,6 +141,7 @@ void AddFdm(const JobReport& report, Json& json) {
                       {"g", report.filament.mass_g},
                       {"cost", report.filament.cost}};
   json["features"] = Features(report.stats);
+  json["infill"] = Infill(report.fills);
   json["travel"] = Travel(report);
   json["times"] = Times(report.times);
   json["seams"] = Seams(report.seams);

@@ -50,6 +50,27 @@ TEST(ReportJson, HasWhatTheReportHas) {
   EXPECT_EQ(json["build_id"], "b");
 }
 
+TEST(ReportJson, SparseInfillHasADensityAndSolidCovers) {
+  JobReport report;
+  report.fills = {{1, Feature::kInternalInfill, FillPattern::kGyroid, 100, 20, 4, 5, 7, 80, 30},
+                  {2, Feature::kBridgeInfill, std::nullopt, 10, 2, 1, 1.5, 3, 8, 6}};
+  const auto json = nlohmann::json::parse(ReportJson(report, {}))["infill"];
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[0]["settings"], 1);
+  EXPECT_EQ(json[0]["feature"], "Internal infill");
+  EXPECT_EQ(json[0]["pattern"], "gyroid");
+  EXPECT_DOUBLE_EQ(json[0]["density_asked"], 0.2);
+  EXPECT_DOUBLE_EQ(json[0]["density"], 0.25);
+  EXPECT_EQ(json[0]["area_mm2"], 100);
+  EXPECT_EQ(json[0]["volume_mm3"], 5);
+  EXPECT_EQ(json[0]["paths"], 7);
+  EXPECT_EQ(json[0]["length_mm"], 80);
+  EXPECT_EQ(json[0]["longest_path_mm"], 30);
+  EXPECT_TRUE(json[1]["pattern"].is_null());
+  EXPECT_DOUBLE_EQ(json[1]["coverage_asked"], 0.5);
+  EXPECT_DOUBLE_EQ(json[1]["coverage"], 0.75);
+}
+
 TEST(ReportJson, SurvivesNamesThatAreNoText) {
   JobReport report;
   report.meshes = {{.name = "\xff\xfe\"\n"}};

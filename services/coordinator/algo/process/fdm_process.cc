@@ -263,6 +263,7 @@ class FdmJob : public PlannedJob {
       ranges.push_back(std::get<FdmResult>(std::move(result)));
       report_.stage_times.Add(ranges.back().times);
       std::ranges::copy(ranges.back().warnings, std::back_inserter(warnings));
+      for (const FillUse& use : ranges.back().fills) AddUse(use, 1, report_.fills);
     }
     if (absl::Status whole = CheckPrograms(ranges, layer_count); !whole.ok()) return whole;
     std::vector<LayerProgram> programs = InOrder(std::move(ranges));

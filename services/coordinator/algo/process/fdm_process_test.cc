@@ -98,6 +98,8 @@ class FakeRanges : public FdmRunner {
       const SlicedLayer& layer = task.layers[i - task.layers.front().frame.index];
       const bool has_beads = HasBeads(layer.sections.back());
       if (i == 1 && has_beads) result.warnings.push_back({i, 3});
+      if (has_beads)
+        result.fills.push_back({.settings = i % 2, .pattern = {}, .area_mm2 = 0.1 * i, .paths = 1});
       for (const int32_t pass : passes) {
         if (pass > 0 && !has_beads) continue;
         LayerProgram program;
@@ -293,6 +295,17 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
                                 testing::EndsWith("in layers 1"))));
 }
 
+TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
+  const auto output = Run("xxxxx0");
+  ASSERT_TRUE(output.ok()) << output.status();
+  const std::vector<FillUse>& fills = output->report.fills;
+  ASSERT_EQ(fills.size(), 2u);
+  EXPECT_EQ(fills[0].paths, 3);
+  EXPECT_DOUBLE_EQ(fills[0].area_mm2, 0.6);
+  EXPECT_EQ(fills[1].settings, 1);
+  EXPECT_EQ(fills[1].paths, 2);
+}
+
 TEST_F(FdmProcessTest, TellsItsProgress) {
   ASSERT_TRUE(Run(std::string(100, 'x')).ok());
   ASSERT_GE(progress_.size(), 2u);
@@ -311,8 +324,11 @@ TEST_F(FdmProcessTest, SameBytesForAnyNumberOfSlots) {
     planning_.one_by_one = one_by_one;
     const auto one = Run(layers, 1);
     ASSERT_TRUE(one.ok());
-    for (const int slots : {2, 3, 8, 64})
-      EXPECT_EQ(Run(layers, slots)->program, one->program) << slots;
+    for (const int slots : {2, 3, 8, 64}) {
+      const auto many = Run(layers, slots);
+      EXPECT_EQ(many->program, one->program) << slots;
+      EXPECT_EQ(many->report.fills, one->report.fills) << slots;
+    }
   }
 }
 

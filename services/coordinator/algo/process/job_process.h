@@ -32,6 +32,7 @@ struct JobReport {
   PrintTimes times;  ///< of FDM: what print_time_s is spent on
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
+  std::vector<FillUse> fills;  ///< of all copies, one a kind: see AddUse
   SeamQuality seams;  ///< of loops of objects, whatever their copies
   std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;

@@ -14,6 +14,7 @@
 #include "services/infill/algo/linking/edge_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 #include "services/infill/algo/linking/link_shape.h"
+#include "services/infill/algo/linking/near_ends.h"
 #include "services/infill/algo/linking/spliced_paths.h"
 
 namespace slicefarm::infill {
@@ -216,6 +217,20 @@ class Assembler {
   std::vector<bool> done_;                 ///< by piece
 };
 
+/// Paths with loose ends, which lie near to those of other paths where that costs no path: links
+/// may be longer there and come to more than the budget, and dots be joined to what was long
+/// enough.
+std::vector<Path> OpenPaths(const EdgeEnds& ends, const EdgeIndex& edges,
+                            const LinkOptions& options) {
+  const Plan plan = MakePlan(ends, ChooseLinks(ends, options.max_link_nm), edges, options);
+  std::vector<Path> paths = Assembler(ends, plan, options).Run();
+  Links near = BringEndsTogether(ends, plan.links, options.max_link_nm);
+  if (near == plan.links) return paths;
+  const Plan moved = MakePlan(ends, std::move(near), edges, options);
+  std::vector<Path> nearer = Assembler(ends, moved, options).Run();
+  return nearer.size() <= paths.size() ? nearer : paths;
+}
+
 }  // namespace
 
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
@@ -223,17 +238,14 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
   if (pieces.empty()) return {};
   const EdgeEnds ends(region, pieces);
   const EdgeIndex edges(region, std::max<Coord>(1, std::llround(options.most_cut_nm)));
-  const auto paths_by = [&](Links links) {
-    const Plan plan = MakePlan(ends, std::move(links), edges, options);
-    return Assembler(ends, plan, options).Run();
-  };
   std::vector<Path> rings;
   if (options.max_link_nm > 0 && AreStraight(pieces)) {
-    rings = SplicedPaths(paths_by(LinkAllEnds(ends, options.max_link_nm)),
-                         static_cast<double>(options.width_nm));
+    const Plan plan = MakePlan(ends, LinkAllEnds(ends, options.max_link_nm), edges, options);
+    rings =
+        SplicedPaths(Assembler(ends, plan, options).Run(), static_cast<double>(options.width_nm));
     if (rings.size() == 1) return rings;
   }
-  std::vector<Path> lines = paths_by(ChooseLinks(ends, options.max_link_nm));
+  std::vector<Path> lines = OpenPaths(ends, edges, options);
   return !rings.empty() && rings.size() <= lines.size() ? rings : lines;
 }
 

@@ -32,7 +32,7 @@ struct LinkOptions {
 /// Straight pieces are linked to rings (LinkAllEnds), and rings that cross taken into one another
 /// (SplicedPaths): lines in several directions are one closed path then in most regions, which may
 /// begin wherever the nozzle is. Where that gives more paths than open ones would be, and for
-/// curves, paths are open (ChooseLinks).
+/// curves, paths are open (ChooseLinks), and end near each other (BringEndsTogether).
 ///
 /// Every piece is in exactly one path, and no stretch of the edge is used twice. Closed pieces stay
 /// as they are. Cost: as ChooseLinks and SplicedPaths, and O(n + k) with n points of the region.

@@ -9,6 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/offset.h"
 #include "common/model/bead_section.h"
+#include "services/infill/algo/quality/fill_plastic.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -17,15 +18,6 @@ template <class Visit>
 void ForEachSegment(const Path& path, const Visit& visit) {
   const size_t count = path.points.size();
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) visit(i - 1, i % count);
-}
-
-double VolumeMm3(const Path& path, Coord height_nm) {
-  double volume = 0;
-  ForEachSegment(path, [&](size_t from, size_t to) {
-    const Coord width = (path.WidthAt(from) + path.WidthAt(to)) / 2;
-    volume += ToMm(Distance(path.points[from], path.points[to])) * SectionMm2(width, height_nm);
-  });
-  return volume;
 }
 
 double CoveredMm2(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm) {
@@ -124,7 +116,7 @@ FillQuality QualityOf(const MultiPolygon& region, std::span<const Path> paths, C
     quality.length_mm += length;
     if (longest == nullptr || length > quality.longest_mm) longest = &path;
     quality.longest_mm = std::max(quality.longest_mm, length);
-    volume += VolumeMm3(path, height_nm);
+    volume += PlasticMm3(path, height_nm);
   }
   if (area <= 0 || longest == nullptr) return quality;
   quality.got = volume / (area * ToMm(static_cast<double>(height_nm)));

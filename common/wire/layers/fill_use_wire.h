@@ -1,0 +1,18 @@
+#pragma once
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "common/model/fill_use.h"
+#include "slicefarm/v1/layer.pb.h"
+
+namespace slicefarm {
+
+/// Errors: REQUEST_MALFORMED naming the field that is no amount, row, feature or pattern.
+absl::Status ToProto(const FillUse& use, v1::FillUse* proto);
+absl::StatusOr<FillUse> FromProto(const v1::FillUse& proto);
+
+namespace v1 {
+using slicefarm::FromProto;  // so that templates find it by the message's namespace
+}  // namespace v1
+
+}  // namespace slicefarm

@@ -1,0 +1,135 @@
+#include "services/infill/algo/linking/near_ends.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr size_t kMostPaths = 24;
+/// How many links an end moves past at most.
+constexpr int kReach = 4;
+
+struct PathEnds {
+  Point from, to;
+
+  double DistanceTo(const PathEnds& other) const {
+    return std::min({Distance(from, other.from), Distance(from, other.to),
+                     Distance(to, other.from), Distance(to, other.to)});
+  }
+};
+
+/// Length of the shortest tree that joins all paths at their ends (Prim).
+double TreeOf(const std::vector<PathEnds>& paths) {
+  double tree = 0;
+  std::vector<double> way(paths.size(), std::numeric_limits<double>::max());
+  std::vector<char> in_tree(paths.size(), 0);
+  size_t last = 0;
+  for (size_t count = 1; count < paths.size(); ++count) {
+    in_tree[last] = 1;
+    size_t nearest = paths.size();
+    for (size_t i = 0; i < paths.size(); ++i) {
+      if (in_tree[i] != 0) continue;
+      way[i] = std::min(way[i], paths[last].DistanceTo(paths[i]));
+      if (nearest == paths.size() || way[i] < way[nearest]) nearest = i;
+    }
+    tree += way[nearest];
+    last = nearest;
+  }
+  return tree;
+}
+
+class Mover {
+ public:
+  Mover(const EdgeEnds& ends, Links links, double max_link_nm)
+      : ends_(ends), max_link_nm_(max_link_nm), links_(std::move(links)) {}
+
+  Links Run() {
+    std::vector<int32_t> loose;
+    for (int32_t end = 0; end < ends_.size(); ++end)
+      if (LinkedTo(ends_, links_, end) == kNoEnd) loose.push_back(end);
+    if (loose.size() < 4 || loose.size() > 2 * kMostPaths) return std::move(links_);
+    least_ = WaysBetween(ends_, links_).value_or(0);
+    for (int32_t& end : loose)
+      for (const bool forward : {true, false})
+        if (ends_.IsOnEdge(end)) end = Moved(end, forward);
+    return std::move(links_);
+  }
+
+ private:
+  /// Takes an end to the best place within reach; returns the end that is loose then.
+  int32_t Moved(int32_t end, bool forward) {
+    const auto neighbour = [&](int32_t of) {
+      return forward ? ends_.Next(of) : ends_.Previous(of);
+    };
+    const auto stretch = [&](int32_t of) { return forward ? of : ends_.Previous(of); };
+    flipped_.clear();
+    size_t keep = 0;
+    double longer_nm = 0;  // links, than before
+    int32_t best_end = end;
+    for (int step = 0; step < kReach; ++step) {
+      const int32_t near = neighbour(end);
+      if (near == end || ends_.StretchLength(stretch(end)) > max_link_nm_) break;
+      const int32_t far = LinkedTo(ends_, links_, near);
+      if (far == kNoEnd || far != neighbour(near)) break;
+      longer_nm += ends_.StretchLength(stretch(end)) - ends_.StretchLength(stretch(near));
+      Flip(stretch(near));
+      Flip(stretch(end));
+      end = far;
+      const std::optional<double> ways = WaysBetween(ends_, links_);
+      if (!ways || *ways + longer_nm >= least_) continue;
+      least_ = *ways + longer_nm;
+      best_end = end;
+      keep = flipped_.size();
+    }
+    TakeBack(keep);
+    return best_end;
+  }
+
+  void Flip(int32_t stretch) {
+    links_[static_cast<size_t>(stretch)] = !links_[static_cast<size_t>(stretch)];
+    flipped_.push_back(stretch);
+  }
+
+  /// All but the first flips.
+  void TakeBack(size_t keep) {
+    for (; flipped_.size() > keep; flipped_.pop_back()) {
+      const auto last = static_cast<size_t>(flipped_.back());
+      links_[last] = !links_[last];
+    }
+  }
+
+  const EdgeEnds& ends_;
+  const double max_link_nm_;
+  Links links_;
+  std::vector<int32_t> flipped_;  ///< stretches, in order
+  double least_ = 0;              ///< ways between paths, and what links are longer than at first
+};
+
+}  // namespace
+
+std::optional<double> WaysBetween(const EdgeEnds& ends, const Links& links) {
+  std::vector<PathEnds> paths;
+  std::vector<char> seen(static_cast<size_t>(ends.PieceCount()), 0);
+  int32_t pieces = 0;
+  for (int32_t end = 0; end < ends.size(); ++end) {
+    if (seen[static_cast<size_t>(end / 2)] != 0 || LinkedTo(ends, links, end) != kNoEnd) continue;
+    int32_t out = end;
+    for (int32_t at = end; at != kNoEnd; at = LinkedTo(ends, links, out)) {
+      seen[static_cast<size_t>(at / 2)] = 1;
+      ++pieces;
+      out = at ^ 1;
+    }
+    paths.push_back({ends.PlaceOf(end), ends.PlaceOf(out)});
+  }
+  if (pieces < ends.PieceCount()) return std::nullopt;
+  return TreeOf(paths);
+}
+
+Links BringEndsTogether(const EdgeEnds& ends, Links links, double max_link_nm) {
+  return Mover(ends, std::move(links), max_link_nm).Run();
+}
+
+}  // namespace slicefarm::infill
