@@ -11,8 +11,6 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes nearer than this to another one are not made.
-constexpr double kLeastPieceNm = 10'000;
 /// Where a stretch has no room for its half of a transition, its beads may deviate by this many
 /// times what they may otherwise.
 constexpr double kShortDeviation = 3;
