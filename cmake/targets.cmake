@@ -37,6 +37,10 @@ function(slicefarm_use_precompiled target kind)
   target_precompile_headers(${target} REUSE_FROM slicefarm_pch${grpc}_${kind})
 endfunction()
 
+# The cold preset compiles eight files of a target as one: headers and templates, most of a compiler's work, are then done
+# once for eight. So all files of a library or a program need different names in their unnamed namespaces. Who edits and
+# builds uses the release preset, where a changed file is compiled alone.
+
 # slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
 function(slicefarm_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
@@ -65,9 +69,10 @@ function(slicefarm_binary name)
   endif()
 endfunction()
 
-# slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
+# slicefarm_test(name [TOGETHER] SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
+# TOGETHER: their names differ, too, and the cold preset compiles eight files as one.
 function(slicefarm_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPS;LABELS" ${ARGN})
   if(NOT BUILD_TESTING)
     return()
   endif()
@@ -79,6 +84,9 @@ function(slicefarm_test name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests POSITION_INDEPENDENT_CODE OFF)
   slicefarm_compile_fast(${name})
   slicefarm_use_precompiled(${name} test ${ARG_DEPS})
+  if(NOT ARG_TOGETHER)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  endif()
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}")
 endfunction()

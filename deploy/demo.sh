@@ -9,7 +9,7 @@ model=${1:-tests/corpus/models/benchy.stl}
 [[ -f "$model" ]] || { echo "demo.sh: no file $model" >&2; exit 2; }
 
 deploy/setup.sh
-cmake --preset release
+[[ -f build/CMakeCache.txt ]] || cmake --preset cold
 cmake --build --preset release --target programs
 
 out=demo-out

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 deploy/setup.sh
 python3 tests/check_layers.py
 python3 tests/check_docs.py
-cmake --preset release
+[[ -f build/CMakeCache.txt ]] || cmake --preset cold
 cmake --build --preset release
 tests=(-LE slow)
 [[ "${1:-}" == --slow ]] && tests=(-C nightly)

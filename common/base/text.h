@@ -5,10 +5,17 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/strings/ascii.h"
+
 namespace slicefarm {
 
 /// A character that ends a line, moves the cursor or shows as nothing.
 constexpr bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// An ASCII letter, a digit or an underscore.
+inline bool IsOfName(char c) {
+  return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
 
 /// UTF-8 text with `with` for each character that some reader takes for the end of a line, or a
 /// terminal for a command: control characters, also those beyond ASCII (U+0080 to U+009F), and

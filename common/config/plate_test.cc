@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/config/setting_pairs_test.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {
@@ -20,14 +21,6 @@ using testing::Not;
 using testing::Pair;
 using testing::SizeIs;
 using testing::UnorderedElementsAre;
-
-using Pairs = std::vector<std::pair<std::string, std::string>>;
-
-std::vector<Setting> Settings(const Pairs& pairs, Source source = Source::kRequest) {
-  std::vector<Setting> settings;
-  for (const auto& [key, value] : pairs) settings.push_back({key, value, source});
-  return settings;
-}
 
 SceneObject ObjectNamed(const std::string& name, const Pairs& own = {}, int32_t copies = 1) {
   SceneObject object = ObjectOfFile(name, 0, {}, copies);
@@ -62,7 +55,7 @@ ResolvedPlate PlateOrDie(const Pairs& job, const std::vector<SceneObject>& objec
   return *std::move(plate);
 }
 
-absl::Status Refusal(const Pairs& job, const std::vector<SceneObject>& objects) {
+absl::Status PlateRefusal(const Pairs& job, const std::vector<SceneObject>& objects) {
   return ResolvePlate(Settings(job), objects).status();
 }
 
@@ -229,11 +222,12 @@ TEST(ResolvePlate, AnUnprintableCopyIsLeftOut) {
   object.instances[0].printable = false;
   EXPECT_THAT(PlateOrDie({}, {object}).objects[0].copies, SizeIs(1));
   object.instances[1].printable = false;
-  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kNothingToPrint);
+  EXPECT_EQ(DetailOf(PlateRefusal({}, {object})).reason, Reason::kNothingToPrint);
 }
 
 TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
-  const absl::Status refusal = Refusal({}, {ObjectNamed("box \"1\"", {{"temperature", "200"}})});
+  const absl::Status refusal =
+      PlateRefusal({}, {ObjectNamed("box \"1\"", {{"temperature", "200"}})});
   EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMisplaced);
   EXPECT_THAT(std::string(refusal.message()),
               HasSubstr("temperature is a setting of the job and cannot be given to an object"));
@@ -244,7 +238,7 @@ TEST(ResolvePlate, ASettingOfTheJobIsMisplacedInAnObject) {
 TEST(ResolvePlate, ASettingOfTheObjectIsMisplacedInAPart) {
   SceneObject object = ObjectNamed("box");
   object.parts[0].settings = Settings({{"layer_height", "0.1"}});
-  EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kSettingMisplaced);
+  EXPECT_EQ(DetailOf(PlateRefusal({}, {object})).reason, Reason::kSettingMisplaced);
 }
 
 // Project files carry what their program wrote; that is told, and no reason to refuse the job.
@@ -257,13 +251,13 @@ TEST(ResolvePlate, AMisplacedSettingOfAFileIsTold) {
 
 TEST(ResolvePlate, AnErrorSaysWhichObject) {
   const absl::Status refusal =
-      Refusal({}, {ObjectNamed("good"), ObjectNamed("bad", {{"fill_density", "many"}})});
+      PlateRefusal({}, {ObjectNamed("good"), ObjectNamed("bad", {{"fill_density", "many"}})});
   EXPECT_EQ(DetailOf(refusal).reason, Reason::kSettingMalformed);
   EXPECT_THAT(std::string(refusal.message()), HasSubstr("object \"bad\""));
 }
 
 TEST(ResolvePlate, AnUnknownSettingOfAnObjectIsRefused) {
-  EXPECT_EQ(DetailOf(Refusal({}, {ObjectNamed("box", {{"fill_densty", "10%"}})})).reason,
+  EXPECT_EQ(DetailOf(PlateRefusal({}, {ObjectNamed("box", {{"fill_densty", "10%"}})})).reason,
             Reason::kSettingUnknown);
 }
 
@@ -271,7 +265,8 @@ TEST(ResolvePlate, ARangeMustBeOne) {
   for (const auto& [from, to] : {std::pair{5.0, 5.0}, {7.0, 5.0}, {-1.0, 5.0}, {0.0, 1e9}}) {
     SceneObject object = ObjectNamed("box");
     object.ranges.push_back({from, to, {}});
-    EXPECT_EQ(DetailOf(Refusal({}, {object})).reason, Reason::kRequestMalformed) << from << " " << to;
+    EXPECT_EQ(DetailOf(PlateRefusal({}, {object})).reason, Reason::kRequestMalformed)
+        << from << " " << to;
   }
 }
 
@@ -280,7 +275,7 @@ TEST(ResolvePlate, TooManySetsOfSettings) {
   for (int i = 0; i <= limits::kMaxRegionSettings; ++i)
     objects.push_back(ObjectNamed("box", {{"top_infill_extrusion_width",
                                            std::to_string(0.3 + i * 0.0001)}}));
-  EXPECT_EQ(DetailOf(Refusal({}, objects)).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(PlateRefusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
   EXPECT_TRUE(ResolvePlate({}, objects).ok());
 }

@@ -13,6 +13,7 @@
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/projects/ini.h"
+#include "common/config/setting_pairs_test.h"
 #include "common/config/table/settings_table.h"
 #include "common/model/limits.h"
 
@@ -25,14 +26,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-using Pairs = std::vector<std::pair<std::string, std::string>>;
-
-std::vector<Setting> Settings(const Pairs& pairs, Source source = Source::kRequest) {
-  std::vector<Setting> settings;
-  for (const auto& [key, value] : pairs) settings.push_back({key, value, source});
-  return settings;
-}
 
 ResolvedSettings ResolveOrDie(const std::vector<Setting>& given) {
   auto resolved = Resolve(given);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "absl/strings/ascii.h"
 #include "common/base/text.h"
 #include "common/config/table/known_keys.h"
 #include "common/config/table/settings_table.h"
@@ -12,13 +13,9 @@
 namespace slicefarm::config {
 namespace {
 
-bool IsDigit(char c) { return '0' <= c && c <= '9'; }
-bool InName(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || IsDigit(c) || c == '_';
-}
-
 bool IsName(std::string_view key) {
-  return !key.empty() && !IsDigit(key[0]) && std::all_of(key.begin(), key.end(), InName);
+  return !key.empty() && !absl::ascii_isdigit(key[0]) &&
+         std::all_of(key.begin(), key.end(), IsOfName);
 }
 
 /// Variables that stand for a setting of another name.
@@ -38,7 +35,7 @@ constexpr Alias kAliases[] = {
 /// `temperature_0` is the first item of `temperature`.
 std::string_view WithoutIndex(std::string_view word) {
   size_t end = word.size();
-  while (end > 0 && IsDigit(word[end - 1])) --end;
+  while (end > 0 && absl::ascii_isdigit(word[end - 1])) --end;
   const bool indexed = end < word.size() && end > 1 && word[end - 1] == '_';
   return indexed ? word.substr(0, end - 1) : word;
 }
@@ -46,8 +43,8 @@ std::string_view WithoutIndex(std::string_view word) {
 std::set<std::string_view> WordsOf(std::string_view code) {
   std::set<std::string_view> words;
   while (!code.empty()) {
-    const auto begin = std::find_if(code.begin(), code.end(), InName);
-    const auto end = std::find_if_not(begin, code.end(), InName);
+    const auto begin = std::find_if(code.begin(), code.end(), IsOfName);
+    const auto end = std::find_if_not(begin, code.end(), IsOfName);
     const std::string_view word(begin, end);
     code = std::string_view(end, code.end());
     words.insert(word);

@@ -14,7 +14,6 @@ namespace {
 using std::chrono::milliseconds;
 
 /// How soon a rest ends when nobody wants it any more: a token can only be polled.
-constexpr milliseconds kPollCancel{20};
 
 }  // namespace
 

@@ -7,6 +7,9 @@
 
 namespace slicefarm::rpc {
 
+/// How often who waits asks whether it is still wanted.
+constexpr std::chrono::milliseconds kPollCancel{20};
+
 /// After how long the server that gave this error wants to be asked again; 0 if it does not say.
 std::chrono::milliseconds RetryAfter(const absl::Status& error);
 

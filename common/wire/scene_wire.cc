@@ -19,8 +19,6 @@ namespace {
 
 using Numbers = google::protobuf::RepeatedField<double>;
 
-constexpr int kPartRoles = v1::PartRole_MAX;
-
 absl::StatusOr<Transform> TransformFromProto(const Numbers& proto, std::string_view field) {
   if (proto.empty()) return Transform(Transform::Identity());
   absl::StatusOr<Transform> transform = TakeTransform(proto, field);
@@ -168,7 +166,7 @@ class SceneReader {
     if (mesh.mesh() < 0 || mesh.first_triangle() < 0 || mesh.triangle_count() < 0)
       return Malformed("mesh", "has negative numbers");
     if (proto.role() != v1::PART_ROLE_UNSPECIFIED) {
-      const auto role = EnumFromProto<PartRole>(proto.role(), kPartRoles, "role");
+      const auto role = EnumFromProto<PartRole>(proto.role(), v1::PartRole_MAX, "role");
       if (!role.ok()) return role.status();
       part.role = *role;
     }

@@ -29,7 +29,7 @@ constexpr int64_t kMaxJsonBytes = 64 << 20;
 constexpr int64_t kMaxRawBytes = 64 << 20;
 constexpr double kSteps = 1e4;  ///< densities and shares keep four digits
 
-absl::Status Malformed(const std::string& why) {
+absl::Status NotField(const std::string& why) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed, why);
 }
 
@@ -50,7 +50,7 @@ std::vector<double> NumbersOf(std::string_view bytes, double full) {
 absl::StatusOr<std::string> TextOf(const Json& json, const std::string& key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string())
-    return Malformed(fmt::format("the entry '{}' must be a text", key));
+    return NotField(fmt::format("the entry '{}' must be a text", key));
   return found->get<std::string>();
 }
 
@@ -58,7 +58,7 @@ absl::StatusOr<std::vector<double>> Pair(const Json& json, const std::string& ke
   const auto found = json.find(key);
   if (found == json.end() || !found->is_array() || found->size() != 2 ||
       !(*found)[0].is_number() || !(*found)[1].is_number())
-    return Malformed(fmt::format("the entry '{}' must be two numbers", key));
+    return NotField(fmt::format("the entry '{}' must be two numbers", key));
   return found->get<std::vector<double>>();
 }
 
@@ -73,7 +73,7 @@ absl::StatusOr<Picture> ReadPng(const std::string& bytes) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
-    return Malformed(fmt::format("is no PNG picture: {}", image.message));
+    return NotField(fmt::format("is no PNG picture: {}", image.message));
   Picture picture{image.width, image.height, {}};
   const int64_t pixels = picture.width * picture.height;
   if (pixels > limits::kMaxFieldValues) {
@@ -85,7 +85,7 @@ absl::StatusOr<Picture> ReadPng(const std::string& bytes) {
   const png_color black = {};
   std::vector<png_byte> grey(static_cast<size_t>(pixels));
   if (png_image_finish_read(&image, &black, grey.data(), 0, nullptr) == 0)
-    return Malformed(fmt::format("is no PNG picture: {}", image.message));
+    return NotField(fmt::format("is no PNG picture: {}", image.message));
   for (int64_t y = picture.height - 1; y >= 0; --y)
     for (int64_t x = 0; x < picture.width; ++x)
       picture.grey.push_back(grey[static_cast<size_t>(y * picture.width + x)] / 255.0);
@@ -139,13 +139,13 @@ class Inliner {
       numbers = NumbersOf<float>(file->second, 1);
       size = 4;
     } else {
-      return Malformed(fmt::format("type = '{:.60}': must be {}float32", *type,
-                                   kind_ == FieldKind::kStress ? "" : "uint8, uint16 or "));
+      return NotField(fmt::format("type = '{:.60}': must be {}float32", *type,
+                                  kind_ == FieldKind::kStress ? "" : "uint8, uint16 or "));
     }
     if (file->second.size() % size != 0)
-      return InFile(file->first, Malformed("ends within a number"));
+      return InFile(file->first, NotField("ends within a number"));
     if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
-      return InFile(file->first, Malformed("has what is not a finite number"));
+      return InFile(file->first, NotField("has what is not a finite number"));
     field.erase("file");
     field.erase("type");
     field[kind_ == FieldKind::kStress ? "stress" : "values"] = std::move(numbers);
@@ -164,7 +164,7 @@ class Inliner {
     double range[2] = {0, 1};
     for (const auto& [key, bound] : {std::pair("min", &range[0]), std::pair("max", &range[1])}) {
       if (!field.contains(key)) continue;
-      if (!field[key].is_number()) return Malformed(fmt::format("{} must be a number", key));
+      if (!field[key].is_number()) return NotField(fmt::format("{} must be a number", key));
       *bound = field[key].get<double>();
       field.erase(key);
     }
@@ -191,7 +191,7 @@ absl::StatusOr<std::string> Canonical(const Json& json,
                                       absl::StatusOr<T> (*parse)(std::string_view),
                                       std::string (*print)(const T&)) {
   const auto field = parse(json.dump());
-  if (!field.ok()) return Malformed(std::string(field.status().message()));
+  if (!field.ok()) return NotField(std::string(field.status().message()));
   return print(*field);
 }
 
@@ -226,7 +226,7 @@ absl::StatusOr<Setting> ReadFieldFile(const std::string& path, FieldKind kind) {
   const auto text = ReadFile(path, kMaxJsonBytes);
   if (!text.ok()) return text.status();
   Json json = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
-  if (json.is_discarded()) return InFile(path, Malformed("is not JSON"));
+  if (json.is_discarded()) return InFile(path, NotField("is not JSON"));
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (absl::Status ok = Inliner(folder, kind).Take(json); !ok.ok()) return InFile(path, ok);
   auto setting = SettingOf(json, kind);

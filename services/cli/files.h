@@ -9,6 +9,8 @@
 
 namespace slicefarm::cli {
 
+constexpr int64_t kMaxConfigBytes = 512 << 20;  ///< a G-code file that quotes its settings is big
+
 /// All bytes of a regular file or a pipe. Errors: REQUEST_MALFORMED with the system's words;
 /// REQUEST_TOO_LARGE past `max_bytes`, before they are read if the file tells its size.
 absl::StatusOr<std::string> ReadFile(const std::string& path, int64_t max_bytes);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -17,12 +18,6 @@
 
 namespace slicefarm::cli {
 namespace {
-
-constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
-
-absl::Status Malformed(const std::string& message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
 
 /// Settings travel and are reported as UTF-8.
 absl::Status CheckText(const config::Setting& setting) {
@@ -118,6 +113,10 @@ absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::str
   config::Setting setting{key, text.substr(equals + 1), config::Source::kRequest};
   if (absl::Status ok = CheckText(setting); !ok.ok()) return ok;
   return setting;
+}
+
+absl::Status Malformed(const std::string& message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
 }
 
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options) {

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/config/resolve.h"
 #include "common/model/process.h"
+
+namespace CLI {
+class App;
+}
 
 namespace slicefarm::cli {
 
@@ -58,6 +61,9 @@ absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions&
 /// REQUEST_MALFORMED for such a name (.cli, .svg, .dxf) where the job is not of lasers.
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output);
+
+/// REQUEST_MALFORMED: what the command line asks for cannot be had.
+absl::Status Malformed(const std::string& message);
 
 /// `KEY=VALUE` as a setting that was asked for. `option`: for errors, as GivenSettings' are.
 absl::StatusOr<config::Setting> ParseSet(std::string_view option, const std::string& text);

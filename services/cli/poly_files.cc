@@ -21,15 +21,15 @@ namespace {
 constexpr Coord kMaxCoord = Coord{1} << 51;  ///< as decomposition takes them
 constexpr int kMaxDecimals = 18;
 
-absl::Status Malformed(const std::string& what) {
+absl::Status NotPolygons(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    "not a polygon file: " + what);
 }
 
-using Words = std::vector<std::string_view>;
+using LineWords = std::vector<std::string_view>;
 
-Words Split(std::string_view text) {
-  Words words;
+LineWords Split(std::string_view text) {
+  LineWords words;
   for (size_t i = 0; i < text.size();) {
     if (text[i] == '#') {
       while (i < text.size() && text[i] != '\n') ++i;
@@ -116,10 +116,10 @@ struct ReadRing {
   std::optional<bool> hole;      ///< by nesting if the file does not say
 };
 
-/// Words taken one after the other.
-class Reader {
+/// LineWords taken one after the other.
+class NumberReader {
  public:
-  explicit Reader(Words words) : words_(std::move(words)) {}
+  explicit NumberReader(LineWords words) : words_(std::move(words)) {}
 
   bool AtEnd() const { return next_ >= words_.size(); }
   std::string_view Next() { return AtEnd() ? std::string_view() : words_[next_++]; }
@@ -135,45 +135,45 @@ class Reader {
   }
 
  private:
-  Words words_;
+  LineWords words_;
   size_t next_ = 0;
 };
 
-bool HasChains(const Words& words) {
+bool HasChains(const LineWords& words) {
   return words.size() > 2 && (words[2] == "in" || words[2] == "out");
 }
 
-absl::StatusOr<std::vector<ReadRing>> ReadChains(const Words& words) {
-  Reader reader(words);
+absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
+  NumberReader reader(words);
   std::vector<ReadRing> rings;
   const std::optional<int64_t> chains = ToCount(reader.Next());
-  if (!chains) return Malformed("no number of chains");
+  if (!chains) return NotPolygons("no number of chains");
   for (int64_t chain = 0; chain < *chains; ++chain) {
     const std::optional<int64_t> count = ToCount(reader.Next());
     const std::string_view kind = reader.Next();
     if (!count || *count < 3 || (kind != "in" && kind != "out"))
-      return Malformed(
+      return NotPolygons(
           fmt::format("chain {} has no number of points with `in` or `out`", chain + 1));
     std::vector<Decimal> listed;
     if (!reader.ReadNumbers(2 * *count, listed))
-      return Malformed(fmt::format("chain {} has too few points", chain + 1));
+      return NotPolygons(fmt::format("chain {} has too few points", chain + 1));
     ReadRing ring{.numbers = {}, .hole = kind == "in"};
     for (int64_t i = 0; i < *count; ++i) {
       const std::optional<int64_t> at = ToCount(reader.Next());
       if (!at || *at < 1 || *at > *count)
-        return Malformed(fmt::format("chain {}: the order of its points is wrong", chain + 1));
+        return NotPolygons(fmt::format("chain {}: the order of its points is wrong", chain + 1));
       ring.numbers.push_back(listed[static_cast<size_t>(2 * *at - 2)]);
       ring.numbers.push_back(listed[static_cast<size_t>(2 * *at - 1)]);
     }
     rings.push_back(std::move(ring));
   }
-  if (!reader.AtEnd()) return Malformed("there is more behind the last chain");
+  if (!reader.AtEnd()) return NotPolygons("there is more behind the last chain");
   return rings;
 }
 
 /// Two heights, then rings; nullopt: it is not that.
-std::optional<std::vector<ReadRing>> ReadOutlineRings(const Words& words) {
-  Reader reader(words);
+std::optional<std::vector<ReadRing>> ReadOutlineRings(const LineWords& words) {
+  NumberReader reader(words);
   reader.Next();
   reader.Next();
   std::vector<ReadRing> rings;
@@ -187,14 +187,14 @@ std::optional<std::vector<ReadRing>> ReadOutlineRings(const Words& words) {
   return rings;
 }
 
-absl::StatusOr<std::vector<ReadRing>> ReadRings(const Words& words) {
+absl::StatusOr<std::vector<ReadRing>> ReadRings(const LineWords& words) {
   if (HasChains(words)) return ReadChains(words);
   if (auto rings = ReadOutlineRings(words)) return *rings;
-  Reader reader(words);
+  NumberReader reader(words);
   ReadRing ring{.numbers = {}, .hole = false};
   if (words.size() < 6 || words.size() % 2 != 0 ||
       !reader.ReadNumbers(std::ssize(words), ring.numbers))
-    return Malformed("neither chains, nor outlines, nor `x y` a line");
+    return NotPolygons("neither chains, nor outlines, nor `x y` a line");
   return std::vector<ReadRing>{std::move(ring)};
 }
 
@@ -260,7 +260,7 @@ absl::StatusOr<MultiPolygon> Nested(std::vector<Polygon> rings, const std::vecto
       if (Inside(rings[i], island.outer) &&
           (owner == nullptr || SignedArea(island.outer) < SignedArea(owner->outer)))
         owner = &island;
-    if (owner == nullptr) return Malformed("a hole lies outside of all outer rings");
+    if (owner == nullptr) return NotPolygons("a hole lies outside of all outer rings");
     owner->holes.push_back(std::move(rings[i]));
   }
   return islands;
@@ -278,7 +278,7 @@ absl::StatusOr<PolyFile> ParsePoly(std::string_view text) {
       magnitude = std::max(magnitude, number.Magnitude());
     }
   // 10^15 < kMaxCoord.
-  if (magnitude > 14) return Malformed("a number is too large");
+  if (magnitude > 14) return NotPolygons("a number is too large");
   PolyFile file;
   file.decimals = static_cast<int>(std::min<int64_t>({decimals, 14 - magnitude, kMaxDecimals}));
   std::vector<Polygon> rings;

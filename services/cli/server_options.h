@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +8,10 @@
 #include "services/cli/console.h"
 #include "services/cli/interrupt.h"
 #include "services/cli/jobs_client.h"
+
+namespace CLI {
+class App;
+}
 
 namespace slicefarm::cli {
 

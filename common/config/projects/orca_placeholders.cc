@@ -1,15 +1,12 @@
 #include "common/config/projects/orca_placeholders.h"
 
 #include <algorithm>
-#include <cctype>
 
+#include "absl/strings/ascii.h"
 #include "common/base/text.h"
 
 namespace slicefarm::config {
 namespace {
-
-bool InName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// How long the name, the number or the text in quotes is that `text` begins with; else 1.
 size_t TokenSize(std::string_view text) {
@@ -18,8 +15,8 @@ size_t TokenSize(std::string_view text) {
     while (size < text.size() && text[size] != '"') size += text[size] == '\\' ? 2 : 1;
     return std::min(size + 1, text.size());
   }
-  if (!InName(text.front())) return 1;
-  while (size < text.size() && InName(text[size])) ++size;
+  if (!IsOfName(text.front())) return 1;
+  while (size < text.size() && IsOfName(text[size])) ++size;
   return size;
 }
 
@@ -42,7 +39,7 @@ std::string ReplaceInExpression(std::string_view text, const PlaceholderMeaning&
   while (!text.empty()) {
     const std::string_view token = text.substr(0, TokenSize(text));
     text.remove_prefix(token.size());
-    const bool is_name = InName(token.front()) && !IsDigit(token.front());
+    const bool is_name = IsOfName(token.front()) && !absl::ascii_isdigit(token.front());
     const std::string_view next = WithoutSpace(text);
     const auto found = is_name && !next.starts_with('(') ? meaning(token) : std::nullopt;
     result += found ? std::string_view(found->text) : token;
@@ -56,7 +53,7 @@ std::string ReplaceInExpression(std::string_view text, const PlaceholderMeaning&
 /// `inside`: of the brackets. A value needs braces.
 std::string ReplaceInBrackets(std::string_view inside, const PlaceholderMeaning& meaning) {
   const std::string_view name = Trim(inside.substr(0, inside.find('[')));
-  const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(), InName);
+  const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(), IsOfName);
   const auto found = is_name ? meaning(name) : std::nullopt;
   const bool is_value = found && !found->is_variable;
   const std::string replaced = is_name ? ReplaceInExpression(inside, meaning) : std::string(inside);

@@ -100,7 +100,7 @@ constexpr Group kGroups[] = {
     {"--threads is the option here", "threads", false},
 };
 
-std::vector<KnownKey> MakeTable() {
+std::vector<KnownKey> MakeKnownKeys() {
   std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
   for (const Group& group : kGroups) {
     for (const std::string_view key : Split(group.keys, " ")) {
@@ -124,7 +124,7 @@ bool SameValue(std::string_view a, std::string_view b) {
 }  // namespace
 
 const KnownKey* FindKnownKey(std::string_view key) {
-  static const std::vector<KnownKey>& table = *new std::vector<KnownKey>(MakeTable());
+  static const std::vector<KnownKey>& table = *new std::vector<KnownKey>(MakeKnownKeys());
   const auto found = std::find_if(table.begin(), table.end(),
                                   [&](const KnownKey& k) { return Matches(k.key, key); });
   return found == table.end() ? nullptr : &*found;

@@ -14,19 +14,20 @@
 namespace slicefarm {
 namespace {
 
-MultiPolygon P(std::string_view text) {
+MultiPolygon PolygonsOf(std::string_view text) {
   MultiPolygon polygons = MakePolygonsOrDie(text);
   Canonicalize(polygons);
   return polygons;
 }
-double Mm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
+double AreaInMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
 
 TEST(CleanOffset, Squares) {
-  const MultiPolygon square = P("(0 0, 10 0, 10 10, 0 10)");
-  EXPECT_EQ(TryOffset(square, FromMm(-1))->polygons, P("(1 1, 9 1, 9 9, 1 9)"));
-  EXPECT_EQ(TryOffset(square, FromMm(1))->polygons, P("(-1 -1, 11 -1, 11 11, -1 11)"));
-  const MultiPolygon frame = P("(0 0, 10 0, 10 10, 0 10) (3 3, 7 3, 7 7, 3 7)");
-  EXPECT_EQ(TryOffset(frame, FromMm(-1))->polygons, P("(1 1, 9 1, 9 9, 1 9) (2 2, 8 2, 8 8, 2 8)"));
+  const MultiPolygon square = PolygonsOf("(0 0, 10 0, 10 10, 0 10)");
+  EXPECT_EQ(TryOffset(square, FromMm(-1))->polygons, PolygonsOf("(1 1, 9 1, 9 9, 1 9)"));
+  EXPECT_EQ(TryOffset(square, FromMm(1))->polygons, PolygonsOf("(-1 -1, 11 -1, 11 11, -1 11)"));
+  const MultiPolygon frame = PolygonsOf("(0 0, 10 0, 10 10, 0 10) (3 3, 7 3, 7 7, 3 7)");
+  EXPECT_EQ(TryOffset(frame, FromMm(-1))->polygons,
+            PolygonsOf("(1 1, 9 1, 9 9, 1 9) (2 2, 8 2, 8 8, 2 8)"));
 }
 
 struct DirtyCase {
@@ -37,7 +38,7 @@ struct DirtyCase {
 class Dirty : public testing::TestWithParam<DirtyCase> {};
 
 TEST_P(Dirty, IsLeftToOthers) {
-  EXPECT_FALSE(TryOffset(P(GetParam().text), FromMm(GetParam().distance_mm)).has_value());
+  EXPECT_FALSE(TryOffset(PolygonsOf(GetParam().text), FromMm(GetParam().distance_mm)).has_value());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -56,13 +57,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(CleanOffset, TellsTips) {
-  EXPECT_TRUE(TryOffset(P("(0 0, 20 -4, 20 4)"), FromMm(-0.5))->has_tips);
-  EXPECT_FALSE(TryOffset(P("(0 0, 10 0, 10 10, 0 10)"), FromMm(-0.5))->has_tips);
+  EXPECT_TRUE(TryOffset(PolygonsOf("(0 0, 20 -4, 20 4)"), FromMm(-0.5))->has_tips);
+  EXPECT_FALSE(TryOffset(PolygonsOf("(0 0, 10 0, 10 10, 0 10)"), FromMm(-0.5))->has_tips);
 }
 
 TEST(Erode, SplitsAndSwallows) {
-  const MultiPolygon dumbbell =
-      P("(0 0, 4 0, 4.1 1.5, 6 1.6, 6.1 0, 10 0, 10 4, 6.2 4, 6.1 2.5, 4.2 2.4, 3.9 4, 0 4)");
+  const MultiPolygon dumbbell = PolygonsOf(
+      "(0 0, 4 0, 4.1 1.5, 6 1.6, 6.1 0, 10 0, 10 4, 6.2 4, 6.1 2.5, 4.2 2.4, 3.9 4, 0 4)");
   const auto eroded = TryErode(dumbbell[0], FromMm(0.7));
   ASSERT_TRUE(eroded.has_value());
   EXPECT_EQ(eroded->size(), 2u);
@@ -114,7 +115,8 @@ TEST(FastOffset, TurnsWithTheRegion) {
     const MultiPolygon region = {{Blob(random, false), {}}};
     MultiPolygon turned = region;
     for (Point& p : turned[0].outer) p = {-p.y, p.x};
-    EXPECT_NEAR(Mm2(FastOffset(region, FromMm(-0.5))), Mm2(FastOffset(turned, FromMm(-0.5))), 1e-6);
+    EXPECT_NEAR(AreaInMm2(FastOffset(region, FromMm(-0.5))),
+                AreaInMm2(FastOffset(turned, FromMm(-0.5))), 1e-6);
   }
 }
 

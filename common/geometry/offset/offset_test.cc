@@ -11,7 +11,7 @@
 namespace slicefarm {
 namespace {
 
-double AreaMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
+double OffsetAreaMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
 
 const MultiPolygon kUnitSquare = MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)");
 
@@ -19,7 +19,7 @@ const MultiPolygon kUnitSquare = MakePolygonsOrDie("(0 0, 1 0, 1 1, 0 1)");
 TEST(Offset, RoundJoinsGiveTheMinkowskiSum) {
   const MultiPolygon grown =
       Offset(kUnitSquare, FromMm(0.1), {.join = Join::kRound, .arc_tolerance_nm = 10});
-  EXPECT_NEAR(AreaMm2(grown), 1.4314159, 1e-5);
+  EXPECT_NEAR(OffsetAreaMm2(grown), 1.4314159, 1e-5);
   EXPECT_NEAR(Perimeter(grown[0].outer) / 1e6, 4.6283185, 1e-4);
 }
 
@@ -120,8 +120,8 @@ TEST(Offset, LongMitersAreCutAtTheLimit) {
 }
 
 TEST(Offset, MiterAtNinetyDegreesIsASquare) {
-  EXPECT_NEAR(AreaMm2(Offset(kUnitSquare, FromMm(0.1))), 1.44, 1e-9);
-  EXPECT_NEAR(AreaMm2(Offset(kUnitSquare, FromMm(0.1), {.join = Join::kSquare})),
+  EXPECT_NEAR(OffsetAreaMm2(Offset(kUnitSquare, FromMm(0.1))), 1.44, 1e-9);
+  EXPECT_NEAR(OffsetAreaMm2(Offset(kUnitSquare, FromMm(0.1), {.join = Join::kSquare})),
               1.44 - 4 * 0.01 * (std::sqrt(2) - 1) * (std::sqrt(2) - 1), 1e-6);
 }
 
@@ -139,7 +139,7 @@ TEST(Offset, ExerciseTriangleInset) {
   ASSERT_EQ(inset.size(), 1u);
   const Polygon& ring = inset[0].outer;
   ASSERT_EQ(ring.size(), 3u);
-  EXPECT_NEAR(AreaMm2(inset), 1.70370727, 1e-5);
+  EXPECT_NEAR(OffsetAreaMm2(inset), 1.70370727, 1e-5);
   EXPECT_NEAR(ToMm(ring[0].x), .93425855, 2e-6);
   EXPECT_NEAR(ToMm(ring[0].y), .5, 2e-6);
   EXPECT_NEAR(ToMm(ring[1].x), 3.06574145, 2e-6);
@@ -149,9 +149,9 @@ TEST(Offset, ExerciseTriangleInset) {
 
 TEST(Offset, HolesShrinkAsThePartGrows) {
   const MultiPolygon frame = MakePolygonsOrDie("(0 0, 9 0, 9 9, 0 9) (3 3, 6 3, 6 6, 3 6)");
-  EXPECT_NEAR(AreaMm2(Offset(frame, FromMm(1))), 121 - 1, 1e-9);
-  EXPECT_NEAR(AreaMm2(Offset(frame, FromMm(2))), 169, 1e-9);
-  EXPECT_NEAR(AreaMm2(Offset(frame, -FromMm(1))), 49 - 25, 1e-9);
+  EXPECT_NEAR(OffsetAreaMm2(Offset(frame, FromMm(1))), 121 - 1, 1e-9);
+  EXPECT_NEAR(OffsetAreaMm2(Offset(frame, FromMm(2))), 169, 1e-9);
+  EXPECT_NEAR(OffsetAreaMm2(Offset(frame, -FromMm(1))), 49 - 25, 1e-9);
 }
 
 TEST(Offset, ZeroAndEmptyAreUnchanged) {
@@ -162,14 +162,15 @@ TEST(Offset, ZeroAndEmptyAreUnchanged) {
 TEST(OffsetTwice, OpeningDropsWhatIsNarrow) {
   const MultiPolygon lollipop =
       MakePolygonsOrDie("(0 0, 4 0, 4 1.9, 9 1.9, 9 2.1, 4 2.1, 4 4, 0 4)");
-  EXPECT_NEAR(AreaMm2(OffsetTwice(lollipop, -FromMm(0.2), FromMm(0.2))), 16, 1e-6);
+  EXPECT_NEAR(OffsetAreaMm2(OffsetTwice(lollipop, -FromMm(0.2), FromMm(0.2))), 16, 1e-6);
 }
 
 TEST(OffsetLines, CapsDecideTheEnds) {
   const std::vector<Polyline> line = {MakeLineOrDie("(0 0, 10 0)")};
-  EXPECT_NEAR(AreaMm2(OffsetLines(line, FromMm(1), Cap::kButt)), 20, 1e-6);
-  EXPECT_NEAR(AreaMm2(OffsetLines(line, FromMm(1), Cap::kSquare)), 24, 1e-6);
-  EXPECT_NEAR(AreaMm2(OffsetLines(line, FromMm(1), Cap::kRound)), 20 + std::numbers::pi, 0.02);
+  EXPECT_NEAR(OffsetAreaMm2(OffsetLines(line, FromMm(1), Cap::kButt)), 20, 1e-6);
+  EXPECT_NEAR(OffsetAreaMm2(OffsetLines(line, FromMm(1), Cap::kSquare)), 24, 1e-6);
+  EXPECT_NEAR(OffsetAreaMm2(OffsetLines(line, FromMm(1), Cap::kRound)), 20 + std::numbers::pi,
+              0.02);
 }
 
 // Turning the input by a right angle, mirroring it and moving it turn, mirror and move the result.

@@ -8,7 +8,7 @@
 namespace slicefarm {
 namespace {
 
-struct Case {
+struct CleaningCase {
   const char* name;
   Polygon ring;
   size_t want;
@@ -16,8 +16,8 @@ struct Case {
 
 const Polygon kTriangle = {{0, 0}, {9, 0}, {0, 9}};
 
-const std::vector<Case>& Cases() {
-  static const auto* cases = new std::vector<Case>{
+const std::vector<CleaningCase>& Cases() {
+  static const auto* cases = new std::vector<CleaningCase>{
       {"Triangle", kTriangle, 3},
       {"Repeated", {{0, 0}, {0, 0}, {9, 0}, {9, 0}, {9, 0}, {0, 9}}, 3},
       {"Straight", {{0, 0}, {4, 0}, {9, 0}, {5, 4}, {0, 9}, {0, 3}}, 3},
@@ -33,11 +33,11 @@ const std::vector<Case>& Cases() {
 }
 
 TEST(CleanedRing, LeavesTrueCornersOnly) {
-  for (const Case& c : Cases()) EXPECT_EQ(CleanedRing(c.ring).size(), c.want) << c.name;
+  for (const CleaningCase& c : Cases()) EXPECT_EQ(CleanedRing(c.ring).size(), c.want) << c.name;
 }
 
 TEST(CleanedRing, DoesNotDependOnTheStart) {
-  for (const Case& c : Cases()) {
+  for (const CleaningCase& c : Cases()) {
     Polygon ring = c.ring;
     for (size_t turn = 0; turn < ring.size(); ++turn) {
       std::rotate(ring.begin(), ring.begin() + 1, ring.end());

@@ -9,12 +9,12 @@
 namespace slicefarm {
 namespace {
 
-struct Case {
+struct SimpleCase {
   std::string name;
   std::string text;
   bool want;
 };
-class SimpleRings : public testing::TestWithParam<Case> {};
+class SimpleRings : public testing::TestWithParam<SimpleCase> {};
 
 TEST_P(SimpleRings, AreToldFromOthers) {
   const MultiPolygon polygons = MakePolygonsOrDie(GetParam().text);
@@ -25,19 +25,20 @@ TEST_P(SimpleRings, AreToldFromOthers) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, SimpleRings,
-    testing::Values(Case{"Square", "(0 0, 4 0, 4 4, 0 4)", true},
-                    Case{"WithCollinearPoint", "(0 0, 2 0, 4 0, 4 4, 0 4)", true},
-                    Case{"SquareWithHole", "(0 0, 4 0, 4 4, 0 4) (1 1, 2 1, 2 2, 1 2)", true},
-                    Case{"TwoApart", "(0 0, 4 0, 4 4, 0 4) ; (5 0, 9 0, 9 4, 5 4)", true},
-                    Case{"BowTie", "(0 0, 4 4, 4 0, 0 3)", false},
-                    Case{"Spike", "(0 0, 4 0, 8 0, 4 0, 4 4, 0 4)", false},
-                    Case{"CornerOnEdge", "(0 0, 4 0, 2 2, 4 4, 0 4, 2 2)", false},
-                    Case{"TwiceThroughAPoint", "(0 0, 2 2, 4 0, 4 4, 2 2, 0 4)", false},
-                    Case{"HoleTouchesOuter", "(0 0, 4 0, 4 4, 0 4) (0 2, 1 1, 1 3)", false},
-                    Case{"HoleCrossesOuter", "(0 0, 4 0, 4 4, 0 4) (3 1, 5 1, 5 3, 3 3)", false},
-                    Case{"SharedCorner", "(0 0, 4 0, 4 4, 0 4) ; (4 4, 8 4, 8 8, 4 8)", false},
-                    Case{"SharedEdge", "(0 0, 4 0, 4 4, 0 4) ; (4 1, 8 1, 8 3, 4 3)", false},
-                    Case{"SameRingTwice", "(0 0, 4 0, 4 4, 0 4) ; (0 0, 4 0, 4 4, 0 4)", false}),
+    testing::Values(
+        SimpleCase{"Square", "(0 0, 4 0, 4 4, 0 4)", true},
+        SimpleCase{"WithCollinearPoint", "(0 0, 2 0, 4 0, 4 4, 0 4)", true},
+        SimpleCase{"SquareWithHole", "(0 0, 4 0, 4 4, 0 4) (1 1, 2 1, 2 2, 1 2)", true},
+        SimpleCase{"TwoApart", "(0 0, 4 0, 4 4, 0 4) ; (5 0, 9 0, 9 4, 5 4)", true},
+        SimpleCase{"BowTie", "(0 0, 4 4, 4 0, 0 3)", false},
+        SimpleCase{"Spike", "(0 0, 4 0, 8 0, 4 0, 4 4, 0 4)", false},
+        SimpleCase{"CornerOnEdge", "(0 0, 4 0, 2 2, 4 4, 0 4, 2 2)", false},
+        SimpleCase{"TwiceThroughAPoint", "(0 0, 2 2, 4 0, 4 4, 2 2, 0 4)", false},
+        SimpleCase{"HoleTouchesOuter", "(0 0, 4 0, 4 4, 0 4) (0 2, 1 1, 1 3)", false},
+        SimpleCase{"HoleCrossesOuter", "(0 0, 4 0, 4 4, 0 4) (3 1, 5 1, 5 3, 3 3)", false},
+        SimpleCase{"SharedCorner", "(0 0, 4 0, 4 4, 0 4) ; (4 4, 8 4, 8 8, 4 8)", false},
+        SimpleCase{"SharedEdge", "(0 0, 4 0, 4 4, 0 4) ; (4 1, 8 1, 8 3, 4 3)", false},
+        SimpleCase{"SameRingTwice", "(0 0, 4 0, 4 4, 0 4) ; (0 0, 4 0, 4 4, 0 4)", false}),
     [](const auto& info) { return info.param.name; });
 
 TEST(SimpleRingsLimits, TooFewOrRepeatedPoints) {

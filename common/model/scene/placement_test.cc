@@ -24,14 +24,14 @@ TEST(CheckPlacement, RefusesSenselessFactors) {
   EXPECT_TRUE(CheckPlacement({}).ok());
 }
 
-struct Case {
+struct PlacementCase {
   const char* name;
   Placement placement;
   Eigen::Vector3d want;  ///< of (10, 20, 30)
 };
 
 TEST(TransformOf, UnitsThenScaleThenTurn) {
-  const std::vector<Case> cases = {
+  const std::vector<PlacementCase> cases = {
       {"AsIs", {}, {10, 20, 30}},
       {"Inches", {.unit_mm = 25.4}, {254, 508, 762}},
       {"Scale", {.scale = {1, 2, 0.5}}, {10, 40, 15}},
@@ -40,7 +40,7 @@ TEST(TransformOf, UnitsThenScaleThenTurn) {
       {"AboutZ", {.rotate_deg = {0, 0, 270}}, {20, -10, 30}},
       {"ScaleThenTurn", {.scale = {2, 1, 1}, .rotate_deg = {0, 0, 90}}, {-20, 20, 30}},
   };
-  for (const Case& c : cases) {
+  for (const PlacementCase& c : cases) {
     const Transform transform = TransformOf(c.placement);
     const Eigen::Vector3d got = transform * Eigen::Vector4d(10, 20, 30, 1);
     EXPECT_TRUE(got.isApprox(c.want, 1e-14)) << c.name << ": " << got.transpose();

@@ -3,14 +3,14 @@
 #include <string>
 
 #include "common/base/error.h"
-#include "common/rpc/status_mapping.h"
 #include "common/rpc/observe/trace_metadata.h"
+#include "common/rpc/retry_after.h"
+#include "common/rpc/status_mapping.h"
 
 namespace slicefarm::rpc {
 namespace {
 
 /// How soon a call notices that it is not wanted any more.
-constexpr std::chrono::milliseconds kPollCancel{20};
 
 }  // namespace
 

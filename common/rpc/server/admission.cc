@@ -4,12 +4,12 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/rpc/retry_after.h"
 #include "common/rpc/status_mapping.h"
 
 namespace slicefarm::rpc {
 namespace {
 
-constexpr std::chrono::milliseconds kPollCancel{20};
 constexpr int kRetryAfter = 200;  // ms
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -18,7 +19,7 @@ std::string Shown(std::string text) {
   return text;
 }
 
-ExitCode Check(const GcodeOptions& options) {
+ExitCode CheckGcode(const GcodeOptions& options) {
   const auto file = ReadGcode(options);
   if (!file.ok()) return Fail(file.status());
   const motion::ProgramReport report =
@@ -47,7 +48,8 @@ void AddCheck(CLI::App& app, CommandContext& context) {
       "retractions and restarts that do not fit, filament pushed cold.\n"
       "Example:\n"
       "  slicefarm check part.gcode --flavor klipper --config prusa.ini");
-  command->callback([options, &context] { context.run = [options] { return Check(*options); }; });
+  command->callback(
+      [options, &context] { context.run = [options] { return CheckGcode(*options); }; });
 }
 
 }  // namespace slicefarm::cli

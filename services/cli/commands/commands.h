@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "services/cli/exit_code.h"
 #include "services/cli/interrupt.h"
+
+namespace CLI {
+class App;
+}
 
 namespace slicefarm::cli {
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -32,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Beads this low have square sides, so that their width is what they fill.
-constexpr Coord kFlatNm = 1;
+constexpr Coord kFlatHeightNm = 1;
 /// What conductivity is told for: PLA, and air.
 constexpr double kPlasticWmK = 0.2;
 constexpr double kAirWmK = 0.026;
@@ -103,7 +104,7 @@ absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPatte
     return SolidPaths(islands, {.pattern = pattern,
                                 .angle_rad = angle,
                                 .width_nm = width,
-                                .height_nm = kFlatNm,
+                                .height_nm = kFlatHeightNm,
                                 .layer = options.layer});
   }
   return infill::FillSparse(islands, {.pattern = pattern,
@@ -112,14 +113,14 @@ absl::StatusOr<std::vector<Path>> PathsIn(const MultiPolygon& islands, FillPatte
                                       .layer = options.layer,
                                       .z_nm = FromMm(options.z_mm),
                                       .width_nm = width,
-                                      .height_nm = kFlatNm,
+                                      .height_nm = kFlatHeightNm,
                                       .anchor_nm = 6 * width,
                                       .anchor_max_nm = 50 * kNmPerMm});
 }
 
 void AddQuality(const MultiPolygon& islands, const std::vector<Path>& paths,
                 const FillOptions& options, infill::FillQuality& all) {
-  const auto one = infill::QualityOf(islands, paths, kFlatNm, FromMm(options.width_mm));
+  const auto one = infill::QualityOf(islands, paths, kFlatHeightNm, FromMm(options.width_mm));
   const double area = Area(islands) / kNmPerMm / kNmPerMm;
   all.got += one.got * area;
   all.covered += one.covered * area;

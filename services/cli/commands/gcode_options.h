@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "absl/status/statusor.h"
 #include "services/cli/program/machine_config.h"
+
+namespace CLI {
+class App;
+}
 
 namespace slicefarm::cli {
 

@@ -2,6 +2,7 @@
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/support/byte_buffer.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -40,15 +41,15 @@ bool IsServing(grpc::ByteBuffer& response) {
   return bytes == "\x08\x01";
 }
 
-ExitCode Check(const HealthOptions& options, Interrupt& interrupt) {
+ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
   const auto connection = rpc::Secured({}, options.security, options.address);
   if (!connection.ok()) return Fail(connection.status());
   grpc::GenericStub stub(rpc::MakeChannel(options.address, *connection));
   rpc::ClientCall call({std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
                         interrupt.Token()});
   const grpc::ByteBuffer request(nullptr, 0);
-  const auto reader =
-      stub.PrepareUnaryCall(call.context(), "/grpc.health.v1.Health/Check", request, call.queue());
+  const auto reader = stub.PrepareUnaryCall(call.context(), "/grpc.health.v1.Health/CheckHealth",
+                                            request, call.queue());
   reader->StartCall();
   grpc::ByteBuffer response;
   grpc::Status status;
@@ -83,7 +84,7 @@ void AddHealth(CLI::App& app, CommandContext& context) {
       "Exit code 0: serving; 5: not, or nobody answers; 2: its own certificate cannot be used. For "
       "container health checks.");
   command->callback([options, &context] {
-    context.run = [options, &context] { return Check(*options, *context.interrupt); };
+    context.run = [options, &context] { return CheckHealth(*options, *context.interrupt); };
   });
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <google/protobuf/util/time_util.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 #include <string>
@@ -36,7 +37,7 @@ ExitCode Put(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-ExitCode Get(const ProfileOptions& options, Interrupt& interrupt) {
+ExitCode GetProfile(const ProfileOptions& options, Interrupt& interrupt) {
   v1::GetProfileRequest request;
   request.set_name(options.name);
   request.set_revision(options.revision);
@@ -50,7 +51,7 @@ ExitCode Get(const ProfileOptions& options, Interrupt& interrupt) {
   return ExitCode::kOk;
 }
 
-ExitCode List(const ProfileOptions& options, Interrupt& interrupt) {
+ExitCode ListProfiles(const ProfileOptions& options, Interrupt& interrupt) {
   using google::protobuf::util::TimeUtil;
   JobsClient client(ClientOptions(options.server, &interrupt));
   std::string text = fmt::format("{:<40}  {:>8}  {}\n", "PROFILE", "REVISION", "CREATED");
@@ -91,12 +92,13 @@ void AddProfile(CLI::App& app, CommandContext& context) {
       AddTo(*command, "put", "Add a revision, and print NAME@REVISION", options, context, Put);
   put->add_option("NAME", options->name, "Letters, digits, -, _ and .")->required();
   AddSettingOptions(*put, options->settings);
-  CLI::App* get = AddTo(*command, "get", "Print a revision as a config.ini", options, context, Get);
+  CLI::App* get =
+      AddTo(*command, "get", "Print a revision as a config.ini", options, context, GetProfile);
   get->add_option("NAME", options->name)->required();
   get->add_option("--revision", options->revision, "Default: the newest")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  AddTo(*command, "list", "List the newest revisions", options, context, List);
+  AddTo(*command, "list", "ListProfiles the newest revisions", options, context, ListProfiles);
   command->footer(
       "A revision never changes: a job says which it was made with.\n"
       "Examples:\n"

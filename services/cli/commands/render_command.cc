@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,7 +18,7 @@
 namespace slicefarm::cli {
 namespace {
 
-constexpr int64_t kMaxGcodeBytes = int64_t{4} << 30;
+constexpr int64_t kMostRenderedBytes = int64_t{4} << 30;
 
 struct RenderOptions {
   std::string gcode;
@@ -71,7 +72,7 @@ absl::StatusOr<GcodeLayer> ReadLayer(const RenderOptions& options, std::string_v
 ExitCode Render(const RenderOptions& options) {
   const auto format = FormatOf(options);
   if (!format.ok()) return Fail(format.status());
-  const auto gcode = ReadFile(options.gcode, kMaxGcodeBytes);
+  const auto gcode = ReadFile(options.gcode, kMostRenderedBytes);
   if (!gcode.ok()) return Fail(gcode.status());
   const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
                                        : ReadLayer(options, *gcode);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -43,7 +44,7 @@ std::string ToIni(const config::SettingSpec& spec) {
                      spec.unit.empty() ? "" : "; unit: ", spec.unit, spec.key, spec.standard);
 }
 
-ExitCode List(const SettingsOptions& options) {
+ExitCode ListSettings(const SettingsOptions& options) {
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const config::SettingSpec& spec : config::SettingsTable(options.process)) {
@@ -65,8 +66,8 @@ ExitCode List(const SettingsOptions& options) {
 }  // namespace
 
 void AddSettings(CLI::App& app, CommandContext& context) {
-  CLI::App* command =
-      app.add_subcommand("settings", "List every setting with its range, default and meaning");
+  CLI::App* command = app.add_subcommand(
+      "settings", "ListSettings every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
   command->add_option("PATTERN", options->pattern, "Only those with this in their name");
   AddMachineOption(*command, options->process);
@@ -77,7 +78,8 @@ void AddSettings(CLI::App& app, CommandContext& context) {
       "Names and meanings are those of PrusaSlicer's config.ini.\n"
       "Example:\n"
       "  slicefarm settings speed");
-  command->callback([options, &context] { context.run = [options] { return List(*options); }; });
+  command->callback(
+      [options, &context] { context.run = [options] { return ListSettings(*options); }; });
 }
 
 }  // namespace slicefarm::cli

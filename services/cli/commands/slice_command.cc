@@ -1,20 +1,21 @@
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
 #include <thread>
 #include <utility>
 
-#include "common/config/plate.h"
 #include "common/base/build_info.h"
 #include "common/base/sha256.h"
+#include "common/config/plate.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
 #include "services/cli/files.h"
 #include "services/cli/job_options.h"
-#include "services/cli/models/given_models.h"
 #include "services/cli/local_pipeline.h"
+#include "services/cli/models/given_models.h"
 #include "services/cli/summary.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <google/protobuf/util/time_util.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,10 +37,6 @@ struct SubmitOptions {
   std::string traceparent;
   bool detach = false;
 };
-
-absl::Status Malformed(const std::string& message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
 
 /// As the standard wants it, what is no trace context is ignored.
 TraceContext TraceOf(const SubmitOptions& options) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <openssl/rand.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdlib>
 #include <memory>

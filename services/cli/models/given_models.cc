@@ -20,10 +20,6 @@
 namespace slicefarm::cli {
 namespace {
 
-absl::Status Malformed(const std::string& message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
-
 /// An object, and by which names the command line may call it.
 struct NamedObject {
   SceneObject object;

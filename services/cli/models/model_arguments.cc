@@ -13,10 +13,6 @@
 namespace slicefarm::cli {
 namespace {
 
-absl::Status Malformed(const std::string& message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
-
 /// `count` numbers between commas.
 absl::StatusOr<std::vector<double>> Numbers(std::string_view option, std::string_view text,
                                             size_t count) {

@@ -7,16 +7,16 @@
 namespace slicefarm::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json ToJson(const std::vector<Setting>& settings) {
-  Json json = Json::object();
+OrderedJson ToJson(const std::vector<Setting>& settings) {
+  OrderedJson json = OrderedJson::object();
   for (const Setting& setting : settings) json[setting.key] = setting.value;
   return json;
 }
 
-Json ToJson(const Transform& transform) {
-  Json json = Json::array();
+OrderedJson ToJson(const Transform& transform) {
+  OrderedJson json = OrderedJson::array();
   for (int i = 0; i < 12; ++i) json.push_back(transform(i / 4, i % 4));
   return json;
 }
@@ -41,7 +41,7 @@ std::string_view NameOf(PartRole role) {
   return "unknown";
 }
 
-Json ToJson(const Part& part) {
+OrderedJson ToJson(const Part& part) {
   return {{"name", part.name},
           {"role", NameOf(part.role)},
           {"mesh", part.mesh.mesh},
@@ -51,16 +51,16 @@ Json ToJson(const Part& part) {
           {"settings", ToJson(part.settings)}};
 }
 
-Json ToJson(const SceneObject& object) {
-  Json json = {{"name", object.name}, {"settings", ToJson(object.settings)}};
-  json["parts"] = Json::array();
+OrderedJson ToJson(const SceneObject& object) {
+  OrderedJson json = {{"name", object.name}, {"settings", ToJson(object.settings)}};
+  json["parts"] = OrderedJson::array();
   for (const Part& part : object.parts) json["parts"].push_back(ToJson(part));
-  json["height_ranges"] = Json::array();
+  json["height_ranges"] = OrderedJson::array();
   for (const HeightRange& range : object.ranges)
     json["height_ranges"].push_back({{"from_mm", range.from_mm},
                                      {"to_mm", range.to_mm},
                                      {"settings", ToJson(range.settings)}});
-  json["copies"] = Json::array();
+  json["copies"] = OrderedJson::array();
   for (const Instance& instance : object.instances)
     json["copies"].push_back({{"printable", instance.printable},
                               {"placed", instance.placed},
@@ -77,9 +77,10 @@ std::vector<ProjectPlate> PlatesOf(const Project& project) {
   return {all};
 }
 
-Json ToJson(const ProjectPlate& plate, size_t number) {
-  Json json = {{"number", number}, {"name", plate.name}, {"settings", ToJson(plate.settings)}};
-  json["objects"] = Json::array();
+OrderedJson ToJson(const ProjectPlate& plate, size_t number) {
+  OrderedJson json = {
+      {"number", number}, {"name", plate.name}, {"settings", ToJson(plate.settings)}};
+  json["objects"] = OrderedJson::array();
   for (const ProjectPlate::Member& member : plate.members)
     json["objects"].push_back({{"object", member.object}, {"copy", member.instance}});
   return json;
@@ -89,15 +90,15 @@ Json ToJson(const ProjectPlate& plate, size_t number) {
 
 std::string ProjectJson(const Project& given) {
   const Project project = config::InPrusaNames(given);
-  Json json = {{"application", project.application},
-               {"settings", ToJson(project.settings)},
-               {"without_effect", project.without_effect}};
-  json["objects"] = Json::array();
+  OrderedJson json = {{"application", project.application},
+                      {"settings", ToJson(project.settings)},
+                      {"without_effect", project.without_effect}};
+  json["objects"] = OrderedJson::array();
   for (const SceneObject& object : project.objects) json["objects"].push_back(ToJson(object));
-  json["plates"] = Json::array();
+  json["plates"] = OrderedJson::array();
   const std::vector<ProjectPlate> plates = PlatesOf(project);
   for (size_t i = 0; i < plates.size(); ++i) json["plates"].push_back(ToJson(plates[i], i + 1));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace slicefarm::cli

@@ -13,8 +13,6 @@
 namespace slicefarm::cli {
 namespace {
 
-constexpr int64_t kMaxConfigBytes = 512 << 20;  // a G-code file that quotes its settings is big
-
 /// In mm: as high as the finest nozzle is wide.
 constexpr std::string_view kFinestLayer = "0.05";
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kHeaderStart = "$$HEADERSTART";
 constexpr std::string_view kHeaderEnd = "$$HEADEREND";
 
-absl::Status Malformed(const std::string& what) {
+absl::Status NotCli(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    "not a CLI file as the format says: " + what);
 }
@@ -102,7 +102,7 @@ absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKe
   if (name != "LAYER" && header == 0) return absl::OkStatus();  // labels and the like
   const auto numbers = NumbersOf(values);
   if (!numbers || numbers->size() < std::max<size_t>(header, 1))
-    return Malformed(fmt::format("$${} has no numbers", name));
+    return NotCli(fmt::format("$${} has no numbers", name));
   if (header == 0) {
     keeper.Layer(numbers->front());
     return absl::OkStatus();
@@ -110,7 +110,7 @@ absl::Status TakeCommand(std::string_view name, std::string_view values, LayerKe
   const size_t each = name == "HATCHES" ? 4 : 2;
   const double count = (*numbers)[header - 1];
   if (static_cast<double>(numbers->size() - header) != count * static_cast<double>(each))
-    return Malformed(fmt::format("$${} has not the {} items that it says", name, count));
+    return NotCli(fmt::format("$${} has not the {} items that it says", name, count));
   const std::vector<double> xy(numbers->begin() + static_cast<std::ptrdiff_t>(header),
                                numbers->end());
   const int id = IdOf(numbers->front());
@@ -185,18 +185,18 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
     const bool hatches = command == 131 || command == 132;
     if (layer) {
       const auto z = command == 127 ? reader.Next<float>() : reader.Next<uint16_t>();
-      if (!z) return Malformed(fmt::format("it ends in a layer, at byte {}", at));
+      if (!z) return NotCli(fmt::format("it ends in a layer, at byte {}", at));
       keeper.Layer(*z);
       continue;
     }
     if (command < 129 || command > 132)
-      return Malformed(fmt::format("command {} at byte {} of the geometry", command, at));
+      return NotCli(fmt::format("command {} at byte {} of the geometry", command, at));
     const bool is_short = command == 129 || command == 131;
     const int heads = hatches ? 2 : 3;
     const size_t each = hatches ? 4 : 2;
     const auto items = is_short ? Items<uint16_t, uint16_t>(reader, heads, each)
                                 : Items<int32_t, float>(reader, heads, each);
-    if (!items) return Malformed(fmt::format("it ends within the command at byte {}", at));
+    if (!items) return NotCli(fmt::format("it ends within the command at byte {}", at));
     hatches ? keeper.Hatches(items->id, items->xy) : keeper.Polyline(items->id, items->xy);
   }
   return absl::OkStatus();
@@ -210,8 +210,7 @@ bool IsCliFile(std::string_view bytes) {
 
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
   const size_t end = bytes.find(kHeaderEnd);
-  if (!IsCliFile(bytes) || end == std::string_view::npos)
-    return Malformed("it has no whole header");
+  if (!IsCliFile(bytes) || end == std::string_view::npos) return NotCli("it has no whole header");
   const std::string_view header = bytes.substr(0, end);
   constexpr std::string_view kUnits = "$$UNITS/";
   double unit_mm = 0;
@@ -221,7 +220,7 @@ absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, doubl
     const std::string_view number = Trim(rest.substr(0, rest.find_first_of("\r\n$/")));
     if (!absl::SimpleAtod(absl::string_view(number.data(), number.size()), &unit_mm)) unit_mm = 0;
   }
-  if (!(unit_mm > 0)) return Malformed("its header has no $$UNITS");
+  if (!(unit_mm > 0)) return NotCli("its header has no $$UNITS");
   LayerKeeper keeper(index, unit_mm, width_mm, StylesOf(header));
   const std::string_view body = bytes.substr(end + kHeaderEnd.size());
   const bool binary = header.find("$$BINARY") != std::string_view::npos;

@@ -1,21 +1,16 @@
 #include "services/cli/render/exposure_map.h"
 
-#include <cairo.h>
-
 #include <algorithm>
 #include <map>
 #include <memory>
+
+#include "services/cli/render/cairo_release.h"
 
 namespace slicefarm::cli {
 namespace {
 
 /// What one pass adds to a pixel of 255 levels.
 constexpr double kLevels = 17;
-
-struct Release {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
 
 /// Strokes each run once: where a run crosses itself it counts once.
 void AddRuns(cairo_t* cairo, const std::vector<const BeadRun*>& runs, const Layout& layout) {
@@ -38,10 +33,10 @@ bool AddPasses(const std::vector<const BeadRun*>& runs, const Layout& layout, do
                std::vector<double>& values) {
   const int width = layout.part_width_px;
   const int height = layout.height_px;
-  const std::unique_ptr<cairo_surface_t, Release> surface(
+  const std::unique_ptr<cairo_surface_t, CairoRelease> surface(
       cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return false;
-  const std::unique_ptr<cairo_t, Release> cairo(cairo_create(surface.get()));
+  const std::unique_ptr<cairo_t, CairoRelease> cairo(cairo_create(surface.get()));
   AddRuns(cairo.get(), runs, layout);
   cairo_surface_flush(surface.get());
   const unsigned char* rows = cairo_image_surface_get_data(surface.get());

@@ -131,15 +131,15 @@ class Reader {
 
   /// Where the chords of an arc end.
   std::vector<PointMm> Chords(const Words& words, PointMm to, Way way) const {
-    const motion::PlaceMm from = {at_.x, at_.y};
-    const motion::PlaceMm end = {to.x, to.y};
+    const motion::ArcPlace from = {at_.x, at_.y};
+    const motion::ArcPlace end = {to.x, to.y};
     motion::Arc arc = {from, end, {}, way == Way::kClockwise};
     arc.centre = {at_.x + words['I'].value_or(0), at_.y + words['J'].value_or(0)};
     if (const auto radius = words['R']; radius && from != end)
       arc.centre = motion::CentreByRadius(from, end, *radius, arc.clockwise);
     std::vector<PointMm> points;
     const double length_mm = arc.StartRadius() * arc.Angle();
-    for (const motion::PlaceMm& place : motion::ArcChords(arc, length_mm, kArcChordMm))
+    for (const motion::ArcPlace& place : motion::ArcChords(arc, length_mm, kArcChordMm))
       points.push_back({place.x, place.y});
     return points;
   }

@@ -1,7 +1,6 @@
 #include "services/cli/render/layer_drawing.h"
 
 #include <cairo-svg.h>
-#include <cairo.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "services/cli/render/cairo_release.h"
 #include "services/cli/render/exposure_map.h"
 
 namespace slicefarm::cli {
@@ -83,11 +83,6 @@ cairo_status_t Append(void* bytes, const unsigned char* data, unsigned int size)
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
   return CAIRO_STATUS_SUCCESS;
 }
-
-struct Release {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
 
 /// Paints one layer; all lengths in the part are mm, in the legend pixels.
 class Painter {
@@ -315,11 +310,11 @@ absl::StatusOr<std::string> DrawLayer(const GcodeLayer& layer, const DrawingOpti
   const Layout layout = LayOut(layer, options);
   std::string bytes;
   const bool svg = options.format == ImageFormat::kSvg;
-  const std::unique_ptr<cairo_surface_t, Release> surface(
+  const std::unique_ptr<cairo_surface_t, CairoRelease> surface(
       svg ? cairo_svg_surface_create_for_stream(Append, &bytes, layout.width_px, layout.height_px)
           : cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.width_px, layout.height_px));
   {
-    const std::unique_ptr<cairo_t, Release> cairo(cairo_create(surface.get()));
+    const std::unique_ptr<cairo_t, CairoRelease> cairo(cairo_create(surface.get()));
     Painter(cairo.get(), layer, options, layout).Paint();
     const cairo_status_t status = cairo_status(cairo.get());
     if (status != CAIRO_STATUS_SUCCESS) return absl::InternalError(cairo_status_to_string(status));

@@ -7,7 +7,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-constexpr int64_t kDeadlineUs = 25 * kSecondUs;
+constexpr int64_t kRangeDeadlineUs = 25 * kSecondUs;
 /// When keepalive has noticed a broken line.
 constexpr int64_t kNoticedUs = 3 * kSecondUs;
 
@@ -43,7 +43,7 @@ void Farm::Partition(int coordinator, int worker, int64_t until_us) {
 
 void Farm::Call(int coordinator, int worker, const RangeOfWork& range, Reply reply) {
   const auto flight = std::make_shared<InFlight>(InFlight{std::move(reply), coordinator});
-  world_.events.After(kDeadlineUs, [this, flight, worker] {
+  world_.events.After(kRangeDeadlineUs, [this, flight, worker] {
     nodes_[worker]->flights.remove(flight);
     Settle(flight, 0, absl::DeadlineExceededError("no answer"));
   });

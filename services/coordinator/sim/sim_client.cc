@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator::sim {
 namespace {
 
-constexpr int64_t kDeadlineUs = 5 * kSecondUs;
+constexpr int64_t kCallDeadlineUs = 5 * kSecondUs;
 
 }  // namespace
 
@@ -44,7 +44,8 @@ void SimClient::Send(const Call& call, const ReplyTo& then) {
     ++world_.totals.doubled_messages;
     Arrive(to, world_.random.Between(0, 10 * kSecondUs), call, settle);
   }
-  world_.events.After(kDeadlineUs, [settle] { settle(absl::DeadlineExceededError("no answer")); });
+  world_.events.After(kCallDeadlineUs,
+                      [settle] { settle(absl::DeadlineExceededError("no answer")); });
 }
 
 void SimClient::Arrive(SimCoordinator& to, int64_t delay_us, const Call& call,

@@ -12,7 +12,7 @@ namespace {
 
 /// Ends farther apart along the edge than so many spacings are not joined: the nozzle would drag
 /// along it.
-constexpr double kMaxLinkSpacings = 3;
+constexpr double kIroningLinkSpacings = 3;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ absl::StatusOr<FillGroup> IronedLines(const MultiPolygon& region, const IroningF
   FillGroup group{.keep_order = true, .paths = {}};
   for (SerpentinePath& line :
        Serpentine(*lines, {.monotonic = true,
-                          .max_link_nm = kMaxLinkSpacings * spacing,
+                          .max_link_nm = kIroningLinkSpacings * spacing,
                           .min_length_nm = static_cast<double>(fill.width_nm)})) {
     Path& path = group.paths.emplace_back();
     path.feature = Feature::kIroning;

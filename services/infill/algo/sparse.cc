@@ -22,7 +22,7 @@ constexpr double kLeastFlow = 0.3;
 /// The band along the edge in which links may change the pattern, in widths.
 constexpr double kBandWidths = 2;
 /// Pieces shorter than this many widths hold nothing.
-constexpr double kMinLengthWidths = 1;
+constexpr double kMinPieceWidths = 1;
 /// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
 /// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
 constexpr double kMinLoneWidths = 2.5;
@@ -74,18 +74,18 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.
   const double room = static_cast<double>(spacing) / 2 + static_cast<double>(inset);
-  paths = LinkedPaths(
-      filled->area, filled->pieces,
-      {.width_nm = fill.width_nm,
-       .height_nm = fill.height_nm,
-       .max_link_nm = static_cast<double>(fill.anchor_max_nm),
-       .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
-       .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
-       .budget_nm = LinkBudget(region, area, fill, pitch, *filled, kMostExcess),
-       .aim_nm = LinkBudget(region, area, fill, pitch, *filled, 0),
-       .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
-       .least_flow = kLeastFlow,
-       .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinLengthWidths) * width});
+  paths =
+      LinkedPaths(filled->area, filled->pieces,
+                  {.width_nm = fill.width_nm,
+                   .height_nm = fill.height_nm,
+                   .max_link_nm = static_cast<double>(fill.anchor_max_nm),
+                   .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
+                   .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
+                   .budget_nm = LinkBudget(region, area, fill, pitch, *filled, kMostExcess),
+                   .aim_nm = LinkBudget(region, area, fill, pitch, *filled, 0),
+                   .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
+                   .least_flow = kLeastFlow,
+                   .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinPieceWidths) * width});
   for (Path& path : paths) path.feature = Feature::kInternalInfill;
   return paths;
 }

@@ -1,5 +1,6 @@
 #include "services/load/client/flags.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 

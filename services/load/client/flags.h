@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +7,10 @@
 #include "common/rpc/security/client_security.h"
 #include "services/load/client/run.h"
 #include "services/load/client/scenario.h"
+
+namespace CLI {
+class App;
+}
 
 namespace slicefarm::load {
 

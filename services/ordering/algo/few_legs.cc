@@ -7,12 +7,12 @@
 namespace slicefarm::ordering {
 namespace {
 
-constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
+constexpr int64_t kNoWay = std::numeric_limits<int64_t>::max();
 constexpr size_t kWays = 2 * kFewLegs;  ///< 2k: leg k as it is, 2k + 1: reversed
 
 /// The least cost of having printed a set of legs, the last of them in that way.
 struct State {
-  int64_t cost = kFar;
+  int64_t cost = kNoWay;
   size_t before = kWays;  ///< the way before; kWays: none
 };
 
@@ -54,16 +54,16 @@ std::vector<Visit> BestOrder(const Journey& journey, std::span<const Leg> legs,
       if (others == 0) state.cost = cost(journey.from, EntryOf(legs, way));
       for (size_t last = 0; last < ways; ++last) {
         const int64_t so_far = states[others][last].cost;
-        if (so_far == kFar || so_far + between[last][way] >= state.cost) continue;
+        if (so_far == kNoWay || so_far + between[last][way] >= state.cost) continue;
         state = {so_far + between[last][way], last};
       }
     }
   }
   size_t last = kWays;
-  int64_t least = kFar;
+  int64_t least = kNoWay;
   for (size_t way = 0; way < ways; ++way) {
     int64_t whole = states[all][way].cost;
-    if (whole == kFar) continue;
+    if (whole == kNoWay) continue;
     if (journey.to) whole += cost(ExitOf(legs, way), *journey.to);
     if (whole >= least) continue;
     least = whole;

@@ -12,8 +12,6 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes nearer than this to another one are not made.
-constexpr double kLeastPieceNm = 10'000;
 Coord Thickness(double radius) { return std::llround(2 * radius); }
 
 /// What is left of a transition at a node: it falls from its full height at the transition's place

@@ -8,6 +8,9 @@
 
 namespace slicefarm::beading {
 
+/// Nodes nearer than this to another one are not made.
+constexpr double kLeastPieceNm = 10'000;
+
 struct CountOptions {
   double filter_deviation_nm = 100'000;     ///< how much wider or narrower beads may get ...
   double filter_distance_nm = 100'000'000;  ///< ... along a stretch this long, to save a transition

@@ -7,9 +7,6 @@
 namespace slicefarm::beading {
 namespace {
 
-/// Nodes nearer than this to another one are not made.
-constexpr double kLeastPieceNm = 10'000;
-
 NodeBeading LaidOut(const BeadingStrategy& strategy, double radius, const BeadCount& count) {
   const auto thickness = static_cast<Coord>(std::llround(2 * radius));
   NodeBeading lower = FromBeading(strategy.Compute(thickness, count.count));

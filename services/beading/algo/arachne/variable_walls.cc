@@ -64,7 +64,7 @@ CountOptions ForCounts(const VariableWallOptions& options, Point origin) {
   return counts;
 }
 
-ThickLine Rounded(const BeadLine& line, Point origin) {
+ThickLine AsThickLine(const BeadLine& line, Point origin) {
   ThickLine rounded;
   rounded.closed = line.closed;
   for (const BeadPoint& point : line.points) {
@@ -88,7 +88,7 @@ void AddBeads(SkeletalGraph graph, const BeadingStrategy& strategy,
       strategy, static_cast<double>(options.transition_length_nm), graph, counts, central);
   for (const BeadLine& line :
        TraceBeads(graph, central, field, {static_cast<double>(options.min_middle_width_nm)})) {
-    ThickLine bead = SimplifyThickLine(Rounded(line, graph.origin), options.tolerance_nm);
+    ThickLine bead = SimplifyThickLine(AsThickLine(line, graph.origin), options.tolerance_nm);
     if (line.is_marker) {
       if (bead.points.size() >= 3) markers.push_back(std::move(bead.points));
     } else if (bead.points.size() >= 2) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Coord kCoarseUnitNm = 1'000;
 
-Coord Rounded(Coord nm, Coord unit_nm) {
+Coord OnGrid(Coord nm, Coord unit_nm) {
   return std::llround(static_cast<double>(nm) / static_cast<double>(unit_nm));
 }
 
@@ -22,7 +22,7 @@ Coord Rounded(Coord nm, Coord unit_nm) {
 bool AppendRing(Polygon ring, Boundary& boundary) {
   for (Point& p : ring) {
     p = p - boundary.origin;
-    if (boundary.unit_nm != 1) p = {Rounded(p.x, boundary.unit_nm), Rounded(p.y, boundary.unit_nm)};
+    if (boundary.unit_nm != 1) p = {OnGrid(p.x, boundary.unit_nm), OnGrid(p.y, boundary.unit_nm)};
   }
   Polygon points = CleanedRing(ring);
   if (points.empty()) return false;

@@ -31,7 +31,7 @@ constexpr double kRetreat = 0.8;
 constexpr double kExtend = 0.25;
 /// The least length of a line, in radii of its widest point: rounder regions give a dot of this
 /// length.
-constexpr double kDotLength = 0.8;
+constexpr double kLeastLength = 0.8;
 
 struct AxisEdge {
   int a = 0;  ///< nodes
@@ -329,7 +329,7 @@ void FinishEnd(ThickLine& line, End end, double radius) {
 /// Lengthens a line that is shorter than a dot of its thickness.
 void MakeDot(ThickLine& line) {
   const Coord widest = *std::max_element(line.thickness_nm.begin(), line.thickness_nm.end());
-  const double missing = kDotLength * static_cast<double>(widest) / 2 - Length(line);
+  const double missing = kLeastLength * static_cast<double>(widest) / 2 - Length(line);
   if (missing <= 0) return;
   ExtendEnd(line, missing / 2);
   Reverse(line);
@@ -370,7 +370,7 @@ std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   const Coord thickness = std::llround(2 * graph.Node(widest).radius);
   ThickLine line{false, {graph.PointOf(farthest), graph.PointOf(widest)}, {thickness, thickness}};
   CutEnd(line, 0);
-  const double half = kDotLength * graph.Node(widest).radius / 2;
+  const double half = kLeastLength * graph.Node(widest).radius / 2;
   Reverse(line);
   CutEnd(line, std::max(0.0, reach - half));
   Reverse(line);
@@ -378,8 +378,8 @@ std::vector<ThickLine> LoneDot(const AxisGraph& graph, int widest) {
   return {line};
 }
 
-std::optional<SkeletalGraph> MakeGraph(const PolygonWithHoles& region,
-                                       const MedialAxisOptions& options) {
+std::optional<SkeletalGraph> AxisSkeleton(const PolygonWithHoles& region,
+                                          const MedialAxisOptions& options) {
   const std::optional<Boundary> boundary = MakeBoundary(region);
   if (!boundary) return std::nullopt;
   return MakeSkeletalGraph(*boundary, {.tolerance_nm = static_cast<double>(options.tolerance_nm),
@@ -391,7 +391,7 @@ std::optional<SkeletalGraph> MakeGraph(const PolygonWithHoles& region,
 std::vector<ThickLine> MedialAxis(const PolygonWithHoles& region,
                                   const MedialAxisOptions& options) {
   const double min_radius = static_cast<double>(options.min_thickness_nm) / 2;
-  const std::optional<SkeletalGraph> skeleton = MakeGraph(region, options);
+  const std::optional<SkeletalGraph> skeleton = AxisSkeleton(region, options);
   if (!skeleton) return {};
   AxisGraph graph(*skeleton, min_radius);
   const int widest = graph.Widest();

@@ -7,9 +7,9 @@
 namespace slicefarm::coordinator {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json ToJson(const MeshReport& mesh) {
+OrderedJson ToJson(const MeshReport& mesh) {
   return {{"name", mesh.name},
           {"closed", mesh.Closed()},
           {"triangles", mesh.triangles},
@@ -30,8 +30,8 @@ Json ToJson(const MeshReport& mesh) {
           {"overlapping_copies", mesh.overlapping_copies}};
 }
 
-Json Features(const ProgramStats& stats) {
-  Json features = Json::object();
+OrderedJson Features(const ProgramStats& stats) {
+  OrderedJson features = OrderedJson::object();
   for (int i = 0; i < kFeatureCount; ++i) {
     const FeatureUse& use = stats.features[i];
     if (use.length_mm == 0) continue;
@@ -43,7 +43,7 @@ Json Features(const ProgramStats& stats) {
   return features;
 }
 
-Json ToJson(const StageTimes& times) {
+OrderedJson ToJson(const StageTimes& times) {
   return {{"slicing", times.slicing_s},
           {"planning", times.planning_s},
           {"beading", times.beading_s},
@@ -53,8 +53,8 @@ Json ToJson(const StageTimes& times) {
           {"exposure", times.exposure_s}};
 }
 
-Json Exposure(const ExposureReport& report) {
-  Json kinds = Json::object();
+OrderedJson Exposure(const ExposureReport& report) {
+  OrderedJson kinds = OrderedJson::object();
   for (int i = 0; i < kExposureKindCount; ++i) {
     const KindExposure& kind = report.kinds[static_cast<size_t>(i)];
     if (kind.lines == 0) continue;
@@ -83,13 +83,13 @@ Json Exposure(const ExposureReport& report) {
 }
 
 /// Sparse infill has a density, all else of it is to cover what it fills.
-Json Infill(const std::vector<FillUse>& fills) {
-  Json list = Json::array();
+OrderedJson Infill(const std::vector<FillUse>& fills) {
+  OrderedJson list = OrderedJson::array();
   for (const FillUse& use : fills) {
     const bool sparse = use.feature == Feature::kInternalInfill;
-    Json json = {{"settings", use.settings},
+    OrderedJson json = {{"settings", use.settings},
                  {"feature", FeatureName(use.feature)},
-                 {"pattern", use.pattern ? Json(InfoOf(*use.pattern).name) : Json()},
+                 {"pattern", use.pattern ? OrderedJson(InfoOf(*use.pattern).name) : OrderedJson()},
                  {sparse ? "density_asked" : "coverage_asked", use.asked_mm3 / use.room_mm3},
                  {sparse ? "density" : "coverage", use.plastic_mm3 / use.room_mm3},
                  {"area_mm2", use.area_mm2},
@@ -102,7 +102,7 @@ Json Infill(const std::vector<FillUse>& fills) {
   return list;
 }
 
-Json Travel(const JobReport& report) {
+OrderedJson Travel(const JobReport& report) {
   return {{"length_mm", report.travel_mm},
           {"time_s", report.stats.travel_time_s},
           {"retract_time_s", report.stats.retract_time_s},
@@ -111,7 +111,7 @@ Json Travel(const JobReport& report) {
 }
 
 /// Parts of print_time_s, beside those that `features` and `travel` tell, and all of it by layer.
-Json Times(const PrintTimes& times) {
+OrderedJson Times(const PrintTimes& times) {
   return {{"custom_gcode_s", times.custom_s}, {"dwell_s", times.dwell_s},
           {"heating_s", times.heating_s},     {"homings", times.homings},
           {"heat_waits", times.heat_waits},   {"tool_changes", times.tool_changes},
@@ -120,22 +120,23 @@ Json Times(const PrintTimes& times) {
 }
 
 /// Shares are of the loops that they can be of; none if there are no such loops.
-Json Seams(const SeamQuality& seams) {
+OrderedJson Seams(const SeamQuality& seams) {
   const auto share = [](int64_t part, int64_t whole) {
-    return whole == 0 ? Json() : Json(static_cast<double>(part) / static_cast<double>(whole));
+    return whole == 0 ? OrderedJson()
+                      : OrderedJson(static_cast<double>(part) / static_cast<double>(whole));
   };
   const int64_t steps = seams.followers - seams.jumps;
-  Json json = {{"loops", seams.loops},
-               {"jumps", seams.jumps},
-               {"jumps_share", share(seams.jumps, seams.followers)},
-               {"mean_step_mm", Json()},
-               {"on_corner_share", share(seams.on_corner, seams.with_corner)},
-               {"overhanging_share", share(seams.overhanging, seams.loops)}};
+  OrderedJson json = {{"loops", seams.loops},
+                      {"jumps", seams.jumps},
+                      {"jumps_share", share(seams.jumps, seams.followers)},
+                      {"mean_step_mm", OrderedJson()},
+                      {"on_corner_share", share(seams.on_corner, seams.with_corner)},
+                      {"overhanging_share", share(seams.overhanging, seams.loops)}};
   if (steps > 0) json["mean_step_mm"] = seams.steps_mm / static_cast<double>(steps);
   return json;
 }
 
-void AddFdm(const JobReport& report, Json& json) {
+void AddFdm(const JobReport& report, OrderedJson& json) {
   json["filament"] = {{"mm", report.filament.length_mm},
                       {"mm3", report.filament.volume_mm3},
                       {"g", report.filament.mass_g},
@@ -150,8 +151,8 @@ void AddFdm(const JobReport& report, Json& json) {
 }  // namespace
 
 std::string ReportJson(const JobReport& report, const ReportContext& context) {
-  Json json;
-  json["meshes"] = Json::array();
+  OrderedJson json;
+  json["meshes"] = OrderedJson::array();
   for (const MeshReport& mesh : report.meshes) json["meshes"].push_back(ToJson(mesh));
   json["layers"] = report.layer_count;
   json["object_height_mm"] = report.object_height_mm;
@@ -168,7 +169,7 @@ std::string ReportJson(const JobReport& report, const ReportContext& context) {
   json["settings_without_effect"] = context.settings_without_effect;
   json["settings_digest"] = context.settings_digest;
   json["build_id"] = context.build_id;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace slicefarm::coordinator

@@ -12,8 +12,6 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int32_t kDefaultPageSize = 50;
-
 /// 9999-12-31T23:59:59Z, as google.protobuf.Timestamp has it.
 constexpr int64_t kMaxSeconds = 253'402'300'799;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "absl/status/statusor.h"
 #include "services/coordinator/algo/pipeline/preflight.h"
 #include "services/coordinator/server/api/job_request.h"
@@ -9,6 +11,8 @@
 #include "slicefarm/v1/jobs.pb.h"
 
 namespace slicefarm::coordinator {
+
+constexpr int32_t kDefaultPageSize = 50;  ///< of lists, for requests that say none
 
 /// jobs.proto <-> what the coordinator keeps. Errors: REQUEST_MALFORMED naming the field; those of
 /// common/wire/mesh_wire.h.

@@ -17,8 +17,6 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int32_t kDefaultPageSize = 50;
-
 absl::Status CheckSettings(const google::protobuf::RepeatedPtrField<v1::Setting>& settings) {
   const std::vector<Setting> given = SettingsFromProto(settings);
   const absl::Status of_fdm = config::Resolve(given).status();

@@ -8,8 +8,8 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// Tenants with open jobs, those whose turn it is first.
-absl::StatusOr<std::vector<std::string>> Tenants(SqlConnection& db, int64_t now_us) {
+/// TenantsInTurn with open jobs, those whose turn it is first.
+absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db, int64_t now_us) {
   const std::string sql = TenantsSql(db.dialect());
   SqlQuery query(db, sql);
   query.Bind(now_us);
@@ -84,7 +84,7 @@ std::string ClaimableSql(const SqlDialect& dialect, const ClaimRequest& request)
 }
 
 absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request) {
-  const auto tenants = Tenants(db, request.now_us);
+  const auto tenants = TenantsInTurn(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
   const std::string sql = ClaimableSql(db.dialect(), request);
   for (const std::string& tenant : *tenants) {
@@ -98,7 +98,7 @@ absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request
 
 absl::StatusOr<std::optional<std::string>> ClaimJob(SqlConnection& db,
                                                     const ClaimRequest& request) {
-  const auto tenants = Tenants(db, request.now_us);
+  const auto tenants = TenantsInTurn(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
   for (const std::string& tenant : *tenants) {
     auto id = ClaimOf(db, tenant, request);

@@ -17,7 +17,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr SqlDialect kDialect = {
+constexpr SqlDialect kPostgresDialect = {
     .begin = "BEGIN",
     .for_update = " FOR UPDATE",
     .skip_locked = " FOR UPDATE SKIP LOCKED",
@@ -217,7 +217,7 @@ absl::StatusOr<std::unique_ptr<PostgresConnection>> PostgresConnection::Open(
 
 PostgresConnection::~PostgresConnection() { PQfinish(connection_); }
 
-const SqlDialect& PostgresConnection::dialect() const { return kDialect; }
+const SqlDialect& PostgresConnection::dialect() const { return kPostgresDialect; }
 
 bool PostgresConnection::alive() const {
   return !given_up_ && PQstatus(connection_) == CONNECTION_OK;

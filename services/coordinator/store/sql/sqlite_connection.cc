@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBusyTimeoutMs = 5000;
 /// From its beginning no other connection writes, which is all the locking there is.
-constexpr SqlDialect kDialect = {
+constexpr SqlDialect kSqliteDialect = {
     .begin = "BEGIN IMMEDIATE",
     .for_update = "",
     .skip_locked = "",
@@ -132,7 +132,7 @@ SqliteConnection::~SqliteConnection() {
   sqlite3_close(db_);
 }
 
-const SqlDialect& SqliteConnection::dialect() const { return kDialect; }
+const SqlDialect& SqliteConnection::dialect() const { return kSqliteDialect; }
 
 absl::Status SqliteConnection::Execute(const std::string& sql) {
   return ErrorOf(db_, sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr));

@@ -25,7 +25,6 @@ namespace {
 
 constexpr double kKeptArea = 2e-10;     ///< share of the area that merging corners may change
 constexpr Coord kMaxScale = 1'000'000;  ///< finer parts than of a nanometre serve nobody
-constexpr double kCosine30 = 0.86602540378443865;
 
 Coord Extent(const MultiPolygon& islands) {
   Coord extent = 1;

@@ -10,7 +10,6 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr double kCosine30 = 0.86602540378443865;
 /// Cuts this close to an edge part slivers off walls that are straight but for rounding; the paper
 /// has no limit between reflex corners.
 constexpr double kCosine1 = 0.99984769515639127;

@@ -11,6 +11,8 @@
 
 namespace slicefarm::exposure {
 
+constexpr double kCosine30 = 0.86602540378443865;  ///< cuts at a smaller angle are sharp
+
 /// Where a cut from a reflex corner ends.
 struct Link {
   CornerIndex end;                  ///< the corner; or the start of the edge that is divided

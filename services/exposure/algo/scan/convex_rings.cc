@@ -15,7 +15,7 @@ namespace {
 /// A spine runs along the middle if it is at least as long there, as a share.
 constexpr double kAsLong = 0.95;
 /// Pieces lie this close to the region's border, as it is simplified before it is cut.
-constexpr double kTouchNm = 1'000;
+constexpr double kRingTouchNm = 1'000;
 /// Lines closer to parallel than this have no corner.
 constexpr double kParallel = 1e-12;
 
@@ -158,7 +158,7 @@ double LengthOf(const Spine& spine) { return Norm(spine.to - spine.from); }
 /// What of a line keeps `gap_nm` from the region's border.
 Spine Cleared(Spine spine, double gap_nm, const MultiPolygon& region) {
   const auto is_clear = [&](PlaneVector p) {
-    return DistanceToBorder(p, region) >= gap_nm - kTouchNm;
+    return DistanceToBorder(p, region) >= gap_nm - kRingTouchNm;
   };
   const double length = LengthOf(spine), step = std::max(gap_nm / 4, length / 64);
   const PlaneVector from = spine.from, way = spine.to - from;

@@ -15,7 +15,7 @@ constexpr double kOpenTip = 0.25;
 /// Sine of half of the bluntest angle with a spur: it leaves a tenth of a spot's width open.
 constexpr double kBluntest = 0.83;
 /// Pieces lie this close to the region's border, as it is simplified before it is cut.
-constexpr double kTouchNm = 3'000;
+constexpr double kSpurTouchNm = 3'000;
 /// A spur along the border is as far from it as its ring, but for what rounding does.
 constexpr double kRoundingNm = 500;
 
@@ -110,7 +110,7 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPoly
   // Whether a side of the piece is the region's border: at the foot of the corner on it.
   const auto is_border = [&](PlaneVector corner, PlaneVector side) {
     const PlaneVector foot = Along(corner, {side.y, -side.x}, gap_nm);
-    return DistanceToBorder(foot, region) < kTouchNm;
+    return DistanceToBorder(foot, region) < kSpurTouchNm;
   };
   return Spurred(ring, fill, [&](const SharpCorner& corner) {
     const bool in_border = is_border(corner.at, corner.in);
@@ -124,7 +124,7 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPoly
       spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
     // It may come near to the border beside the cuts.
-    const double least = std::max(fill.least_nm, kTouchNm);
+    const double least = std::max(fill.least_nm, kSpurTouchNm);
     for (; spur.length > least; spur.length *= 0.7)
       if (IsWithin(Along(corner.at, spur.way, spur.length), gap_nm - kRoundingNm, region))
         return spur;

@@ -7,7 +7,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr Coord kToleranceNm = 1'000;
+constexpr Coord kMergeNm = 1'000;
 
 bool IsCrossing(const absl::Status& status) { return absl::IsInvalidArgument(status); }
 
@@ -15,16 +15,15 @@ bool IsCrossing(const absl::Status& status) { return absl::IsInvalidArgument(sta
 
 absl::StatusOr<ConvexPieces> ScanPieces(const MultiPolygon& region, DecomposeMethod method,
                                         const CancelToken& cancel) {
-  const DecomposeOptions how = {.method = method, .merge_nm = kToleranceNm};
-  auto pieces = Decompose(Simplify(region, kToleranceNm), how, cancel);
+  const DecomposeOptions how = {.method = method, .merge_nm = kMergeNm};
+  auto pieces = Decompose(Simplify(region, kMergeNm), how, cancel);
   // Narrow places may close when they are simplified.
   if (IsCrossing(pieces.status())) pieces = Decompose(region, how, cancel);
   if (!IsCrossing(pieces.status())) return pieces;
   const MultiPolygon united = Union(region, {});
   pieces = Decompose(united, how, cancel);
   if (!IsCrossing(pieces.status())) return pieces;
-  return Decompose(OffsetTwice(united, -kToleranceNm, kToleranceNm, {.miter_limit = 2}), how,
-                   cancel);
+  return Decompose(OffsetTwice(united, -kMergeNm, kMergeNm, {.miter_limit = 2}), how, cancel);
 }
 
 }  // namespace slicefarm::exposure

@@ -16,7 +16,7 @@
 namespace slicefarm::exposure {
 namespace {
 
-constexpr Coord kToleranceNm = 1'000;
+constexpr Coord kRegrownNm = 1'000;
 /// A wall is at least this many times as long as the spot's half width.
 constexpr double kLeastLength = 4;
 
@@ -34,7 +34,7 @@ MultiPolygon Doubtful(const MultiPolygon& outline, Coord inset_nm) {
 MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
   if (outline.empty()) return {};
   const MultiPolygon thick =
-      OffsetTwice(outline, -inset_nm, inset_nm + kToleranceNm, {.miter_limit = 10});
+      OffsetTwice(outline, -inset_nm, inset_nm + kRegrownNm, {.miter_limit = 10});
   MultiPolygon thin = Difference(outline, thick);
   const double least =
       kLeastLength * static_cast<double>(inset_nm) * static_cast<double>(inset_nm) / 4;

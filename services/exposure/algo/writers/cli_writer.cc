@@ -15,7 +15,7 @@ namespace slicefarm::exposure {
 namespace {
 
 enum Command : uint16_t { kLayerLong = 127, kPolylineLong = 130, kHatchesLong = 132 };
-enum Direction { kClockwise = 0, kCounterClockwise = 1, kOpen = 2 };
+enum Winding { kClockwise = 0, kCounterClockwise = 1, kOpen = 2 };
 
 bool IsBinary(const FileFacts& facts) { return facts.output.format == OutputFormat::kCliBinary; }
 
@@ -26,7 +26,7 @@ int32_t IdOf(const ExposureGroup& group) {
   return IdOf(group.settings, static_cast<size_t>(group.kind));
 }
 
-Direction DirectionOf(std::span<const Point> line) {
+Winding DirectionOf(std::span<const Point> line) {
   if (line.size() < 4 || line.front() != line.back()) return kOpen;
   return SignedArea(Polygon(line.begin(), line.end() - 1)) < 0 ? kClockwise : kCounterClockwise;
 }

@@ -10,7 +10,7 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr double kSigma = 1.5;       // of the filter, in cells: Ulichney's choice
-constexpr int32_t kStartShare = 10;  // one cell of so many is set at the start
+constexpr int32_t kCellsPerStart = 10;  // one cell of so many is set at the start
 constexpr uint32_t kSeed = 20'261;
 
 /// e^-x.
@@ -100,7 +100,7 @@ Pattern Start(int32_t side, uint32_t seed, int32_t count) {
 
 std::vector<int32_t> VoidAndCluster(int32_t side, uint32_t seed) {
   const int32_t size = side * side;
-  const int32_t count = std::max(1, size / kStartShare);
+  const int32_t count = std::max(1, size / kCellsPerStart);
   const Pattern start = Start(side, seed, count);
   std::vector<int32_t> ranks(static_cast<size_t>(size), 0);
   Pattern fewer = start;

@@ -30,7 +30,7 @@ constexpr double kCosTurn = 0.9945;     // 6 degrees
 constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
 constexpr double kGridStepMm = 0.5;
 constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
-constexpr Coord kToleranceNm = 10'000;
+constexpr Coord kLineToleranceNm = 10'000;
 constexpr double kMostSteps = 1e6;  ///< of one line
 
 struct Vec2 {
@@ -288,12 +288,12 @@ std::optional<Curve> CurveOf(const Line& line) {
   }
   if (line.closed) {
     while (points.size() > 1 && points.front() == points.back()) points.pop_back();
-    Polygon ring = SimplifyRing(points, kToleranceNm);
+    Polygon ring = SimplifyRing(points, kLineToleranceNm);
     if (ring.size() < 3) return std::nullopt;
     return Curve{std::move(ring), true};
   }
   if (points.size() < 2) return std::nullopt;
-  return Curve{SimplifyLine(points, kToleranceNm), false};
+  return Curve{SimplifyLine(points, kLineToleranceNm), false};
 }
 
 }  // namespace

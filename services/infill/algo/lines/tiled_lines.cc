@@ -10,7 +10,7 @@
 namespace slicefarm::infill {
 namespace {
 
-constexpr double kSamePlaceNm = 3;
+constexpr double kSamePointNm = 3;
 
 /// Distance of p to the left of the line ab, signed.
 double LeftOf(Vec p, Vec a, Vec b) {
@@ -142,7 +142,7 @@ class Tiler {
     for (const Vec p : line.points) {
       const Point q = frame_.At((p.u + u) * period_nm_, (p.v + v) * period_nm_);
       // Where copies follow each other, one's last point is the other's first, but for rounding.
-      if (points.empty() || Distance(points.back(), q) > kSamePlaceNm) points.push_back(q);
+      if (points.empty() || Distance(points.back(), q) > kSamePointNm) points.push_back(q);
     }
   }
 

@@ -29,7 +29,7 @@ Point EndOfStretch(const Path& path, size_t i) {
 }
 
 /// Where ab and cd cross, `margin` from their ends at least.
-std::optional<Point> Meeting(Point a, Point b, Point c, Point d, double margin) {
+std::optional<Point> MeetingOf(Point a, Point b, Point c, Point d, double margin) {
   const auto x = [](Point p) { return static_cast<double>(p.x); };
   const auto y = [](Point p) { return static_cast<double>(p.y); };
   const Point u = b - a, v = d - c, w = c - a;
@@ -72,7 +72,7 @@ std::optional<Crossing> FirstCrossing(const Placed& placed, const Path& ring, do
     for (size_t i = 0; i < StretchCount(path); ++i) {
       const Point a = path.points[i], b = EndOfStretch(path, i);
       if (IsBeside(a, b, box)) continue;
-      if (auto at = Meeting(a, b, c, d, margin)) return Crossing{i, j, *at};
+      if (auto at = MeetingOf(a, b, c, d, margin)) return Crossing{i, j, *at};
     }
   }
   return std::nullopt;

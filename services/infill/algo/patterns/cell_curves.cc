@@ -28,9 +28,9 @@ struct Cell {
 };
 
 /// Follows a curve through the cells that come near a region, and leaves out squares that do not.
-class Walker {
+class CellWalker {
  public:
-  Walker(const MultiPolygon& region, const PatternPlace& place)
+  CellWalker(const MultiPolygon& region, const PatternPlace& place)
       : frame_(place.angle_rad), box_(BoxIn(frame_, region)), pitch_(place.pitch_nm) {}
 
   absl::Status Check() const {
@@ -127,7 +127,7 @@ class Walker {
 
 absl::StatusOr<std::vector<Piece>> Hilbert(const MultiPolygon& region, const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  Walker walker(region, place);
+  CellWalker walker(region, place);
   if (absl::Status ok = walker.Check(); !ok.ok()) return ok;
   const int64_t low = -(int64_t{1} << (kHilbertOrder - 1));
   walker.Hilbert(kHilbertOrder, {low, low}, {1, 0}, {0, 1});
@@ -136,7 +136,7 @@ absl::StatusOr<std::vector<Piece>> Hilbert(const MultiPolygon& region, const Pat
 
 absl::StatusOr<std::vector<Piece>> Peano(const MultiPolygon& region, const PatternPlace& place) {
   if (region.empty()) return std::vector<Piece>{};
-  Walker walker(region, place);
+  CellWalker walker(region, place);
   if (absl::Status ok = walker.Check(); !ok.ok()) return ok;
   int64_t size = 1;
   for (int i = 0; i < kPeanoOrder; ++i) size *= 3;

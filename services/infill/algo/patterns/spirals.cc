@@ -15,7 +15,7 @@ namespace slicefarm::infill {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kToleranceNm = 50'000;
+constexpr double kChordToleranceNm = 50'000;
 constexpr int kCorners = 16;
 
 /// Distance from the origin to the nearest and farthest place of a region's box.
@@ -36,7 +36,7 @@ Radii RadiiOf(const MultiPolygon& region, const LineAxes& frame) {
 /// Corners lie a third of a chord's rise outside, so that the length stays: the rise may be half as
 /// much again as the tolerance.
 double ChordsAt(double radius_nm) {
-  const double rise = std::min(1.5 * kToleranceNm, radius_nm / 8);
+  const double rise = std::min(1.5 * kChordToleranceNm, radius_nm / 8);
   return std::ceil(std::numbers::pi / Acos(1 - rise / radius_nm));
 }
 

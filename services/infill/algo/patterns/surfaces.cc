@@ -12,11 +12,11 @@ namespace {
 
 /// Largest distance of a straight segment from the section's points, and for close surfaces in
 /// periods; with the points' own distance a segment lies within 50 um of the surface.
-constexpr double kToleranceNm = 40'000;
+constexpr double kSurfaceToleranceNm = 40'000;
 constexpr double kTolerancePeriods = 0.01;
 /// Squares of the grid on which sections are found; it is fine enough that what lies between two of
 /// its lines hardly bends.
-constexpr double kSquareNm = 250'000;
+constexpr double kSampleNm = 250'000;
 constexpr int kLeastSquares = 32;
 constexpr int kMostSquares = 96;
 
@@ -38,10 +38,10 @@ absl::StatusOr<std::vector<Piece>> Section(const MultiPolygon& region, const Pat
   const double height = static_cast<double>(place.z_nm) / period;
   const Turn z(height - std::floor(height));
   const int squares =
-      static_cast<int>(std::clamp(period / kSquareNm, 1.0 * kLeastSquares, 1.0 * kMostSquares));
+      static_cast<int>(std::clamp(period / kSampleNm, 1.0 * kLeastSquares, 1.0 * kMostSquares));
   std::vector<LevelLine> lines = LevelLines(
       [&](Vec at) { return value(Turn(at.u), Turn(at.v), z); }, squares);
-  const double tolerance = std::min(kToleranceNm / period, kTolerancePeriods);
+  const double tolerance = std::min(kSurfaceToleranceNm / period, kTolerancePeriods);
   for (LevelLine& line : lines) line = WithLongSegments(line, tolerance);
   const auto curves = TiledLines(region, lines, LineAxes(place.angle_rad), period);
   if (!curves.ok()) return curves.status();

@@ -23,7 +23,7 @@ constexpr double kTypical = 0.9;
 constexpr double kRounding = 1e-6;
 constexpr double kMaxSamples = 200;
 /// Two ends are one if they are nearer than this: where regions meet, edges are rounded.
-constexpr double kSamePlaceNm = 5'000;
+constexpr double kSameEndNm = 5'000;
 
 /// Where the pieces of one line begin and end.
 std::vector<double> EndsOn(const ScanLines& lines, int64_t line) {
@@ -35,8 +35,8 @@ std::vector<double> EndsOn(const ScanLines& lines, int64_t line) {
 }
 
 bool HasNear(const std::vector<double>& sorted, double u) {
-  const auto it = std::lower_bound(sorted.begin(), sorted.end(), u - kSamePlaceNm);
-  return it != sorted.end() && *it <= u + kSamePlaceNm;
+  const auto it = std::lower_bound(sorted.begin(), sorted.end(), u - kSameEndNm);
+  return it != sorted.end() && *it <= u + kSameEndNm;
 }
 
 /// A line's span over nothing.

@@ -20,7 +20,7 @@ constexpr Coord kNearSpacings = 4;
 /// How far over what bears it the fill begins, in spacings: about where its anchor ends.
 constexpr int kAnchorLines = 3;
 /// Ends that lie no farther apart than so many spacings are joined.
-constexpr double kMaxLinkSpacings = 1.6;
+constexpr double kOverhangLinkSpacings = 1.6;
 
 /// The edge of what lies within a distance of a region.
 std::vector<Curve> LinesAround(const MultiPolygon& region, Coord distance_nm) {
@@ -87,7 +87,7 @@ FillGroup FillOverhang(const PolygonWithHoles& region, const MultiPolygon& below
   const MultiPolygon air = Difference({region}, bearing);
   const MultiPolygon area =
       FastOffset({region}, -std::max<Coord>(0, spacing / 2 - fill.overlap_nm));
-  Chain chain(fill.width_nm, kMaxLinkSpacings * static_cast<double>(spacing));
+  Chain chain(fill.width_nm, kOverhangLinkSpacings * static_cast<double>(spacing));
   const auto add = [&](const MultiPolygon& from, int line) {
     std::vector<Piece> lines = ClipCurves(area, LinesAround(from, line * spacing + spacing / 2));
     const bool any = !lines.empty();

@@ -6,8 +6,8 @@
 namespace slicefarm::infill {
 namespace {
 
-constexpr double kSquareNm = 400'000;
-constexpr int32_t kMostSquares = 512;  ///< in a row or column
+constexpr double kMaskSquareNm = 400'000;
+constexpr int32_t kMostMaskSquares = 512;  ///< in a row or column
 /// Edges count as this much thicker, in squares, for rounding.
 constexpr double kSlack = 1e-3;
 
@@ -20,7 +20,7 @@ RegionMask::RegionMask(const MultiPolygon& region) : box_(Bounds(region)) {
   if (box_.Empty()) return;
   const auto width = static_cast<double>(box_.max.x - box_.min.x);
   const auto height = static_cast<double>(box_.max.y - box_.min.y);
-  squares_per_nm_ = 1 / std::max(kSquareNm, std::max(width, height) / (kMostSquares - 2));
+  squares_per_nm_ = 1 / std::max(kMaskSquareNm, std::max(width, height) / (kMostMaskSquares - 2));
   columns_ = static_cast<int32_t>(width * squares_per_nm_) + 1;
   rows_ = static_cast<int32_t>(height * squares_per_nm_) + 1;
   words_ = (columns_ + 63) / 64;

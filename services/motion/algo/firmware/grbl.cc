@@ -7,14 +7,14 @@ namespace slicefarm::motion {
 namespace {
 
 // grbl 1.1, doc/markdown/commands.md. G38 and G59 stand for their decimals.
-constexpr int kG[] = {0,  1,  2,  3,  4,  10, 17, 18, 19, 20, 21, 28, 30, 38, 40, 43,
-                      49, 53, 54, 55, 56, 57, 58, 59, 61, 80, 90, 91, 92, 93, 94};
-constexpr int kM[] = {0, 1, 2, 3, 4, 5, 7, 8, 9, 30, 56};
-constexpr KnownCommands kKnown{kG, kM};
+constexpr int kGrblG[] = {0,  1,  2,  3,  4,  10, 17, 18, 19, 20, 21, 28, 30, 38, 40, 43,
+                          49, 53, 54, 55, 56, 57, 58, 59, 61, 80, 90, 91, 92, 93, 94};
+constexpr int kGrblM[] = {0, 1, 2, 3, 4, 5, 7, 8, 9, 30, 56};
+constexpr KnownCommands kGrblCommands{kGrblG, kGrblM};
 
 /// $11 as grbl ships.
 constexpr double kJunctionDeviationMm = 0.01;
-constexpr double kArcSegmentMm = 1;
+constexpr double kGrblArcSegmentMm = 1;
 
 class GrblFirmware : public Firmware {
  public:
@@ -32,11 +32,11 @@ class GrblFirmware : public Firmware {
     return limits.max_acceleration_mm_s2[0];
   }
   double ArcSegmentMm(double /*radius_mm*/, double /*speed_mm_s*/) const override {
-    return kArcSegmentMm;
+    return kGrblArcSegmentMm;
   }
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kApart; }
-  bool Knows(const GcodeLine& line) const override { return kKnown.Contain(line); }
+  bool Knows(const GcodeLine& line) const override { return kGrblCommands.Contain(line); }
   /// Limits are settings of the controller ($110 to $122).
   void ApplyLimits(const GcodeLine& /*line*/, MachineLimits& /*limits*/) const override {}
 

@@ -11,10 +11,11 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr int kG[] = {0, 1, 2, 3, 4, 10, 11, 17, 18, 19, 20, 21, 28, 90, 91, 92};
-constexpr int kM[] = {18,  20,  21,  23,  24,  25,  26,  27,  73,  82,  83,  84,  104, 105, 106,
-                      107, 109, 110, 112, 114, 115, 117, 118, 119, 140, 190, 204, 220, 221, 400};
-constexpr KnownCommands kKnown{kG, kM};
+constexpr int kKlipperG[] = {0, 1, 2, 3, 4, 10, 11, 17, 18, 19, 20, 21, 28, 90, 91, 92};
+constexpr int kKlipperM[] = {18,  20,  21,  23,  24,  25,  26,  27,  73,  82,
+                             83,  84,  104, 105, 106, 107, 109, 110, 112, 114,
+                             115, 117, 118, 119, 140, 190, 204, 220, 221, 400};
+constexpr KnownCommands kKlipperCommands{kKlipperG, kKlipperM};
 
 /// Those that slicers and start G-code use; others of Klipper's own would pass for macros.
 constexpr std::string_view kNamed[] = {
@@ -29,7 +30,7 @@ constexpr std::string_view kNamed[] = {
 
 /// As by default: [gcode_arcs] resolution, [extruder] max_extrude_only_distance and
 /// max_extrude_cross_section.
-constexpr double kArcSegmentMm = 1;
+constexpr double kKlipperArcSegmentMm = 1;
 constexpr double kLongestExtrusionMm = 50;
 constexpr double kMostSectionsOfNozzle = 4;
 
@@ -80,12 +81,12 @@ class KlipperFirmware : public Firmware {
   }
   bool StopsForFilament() const override { return true; }
   double ArcSegmentMm(double /*radius_mm*/, double /*speed_mm_s*/) const override {
-    return kArcSegmentMm;
+    return kKlipperArcSegmentMm;
   }
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kEitherWise; }
   bool Knows(const GcodeLine& line) const override {
-    if (line.letter != 0) return kKnown.Contain(line);
+    if (line.letter != 0) return kKlipperCommands.Contain(line);
     std::string upper(line.command);
     std::ranges::transform(upper, upper.begin(), [](char c) {
       return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;

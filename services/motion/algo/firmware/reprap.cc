@@ -11,9 +11,9 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr int kG[] = {0,  1,  2,  3,  4,  10, 11, 17, 18, 19, 20, 21, 28, 29, 30, 31, 32,
-                      38, 53, 54, 55, 56, 57, 58, 59, 60, 68, 69, 90, 91, 92, 93, 94};
-constexpr int kM[] = {
+constexpr int kRepRapG[] = {0,  1,  2,  3,  4,  10, 11, 17, 18, 19, 20, 21, 28, 29, 30, 31, 32,
+                            38, 53, 54, 55, 56, 57, 58, 59, 60, 68, 69, 90, 91, 92, 93, 94};
+constexpr int kRepRapM[] = {
     0,   1,   2,   3,   4,   5,   17,  18,  20,  21,  22,  23,  24,  25,  26,  27,  28,  29,  30,
     32,  36,  37,  38,  39,  42,  73,  80,  81,  82,  83,  84,  85,  92,  98,  99,  101, 102, 103,
     104, 105, 106, 107, 108, 109, 110, 111, 112, 114, 115, 116, 117, 118, 119, 120, 121, 122, 140,
@@ -25,7 +25,7 @@ constexpr int kM[] = {
     593, 594, 595, 596, 597, 598, 599, 600, 601, 606, 665, 666, 667, 669, 670, 671, 672, 673, 674,
     675, 701, 702, 703, 750, 751, 752, 753, 754, 755, 756, 851, 905, 906, 911, 912, 913, 915, 916,
     917, 918, 929, 950, 951, 952, 953, 954, 955, 956, 957, 997, 998, 999};
-constexpr KnownCommands kKnown{kG, kM};
+constexpr KnownCommands kRepRapCommands{kRepRapG, kRepRapM};
 
 constexpr double kPerMinute = 1.0 / 60;
 // Arcs: chords no farther from the arc than this, at most so many a second.
@@ -53,7 +53,7 @@ class RepRapFirmware : public NumberedObjects {
   }
 
   ExtruderMode extruder_mode() const override { return ExtruderMode::kApart; }
-  bool Knows(const GcodeLine& line) const override { return kKnown.Contain(line); }
+  bool Knows(const GcodeLine& line) const override { return kRepRapCommands.Contain(line); }
   bool HasLists() const override { return true; }
 
   void ApplyLimits(const GcodeLine& line, MachineLimits& limits) const override {

@@ -10,7 +10,7 @@
 namespace slicefarm::motion {
 namespace {
 
-using Vector = std::array<double, 4>;
+using MoveVector = std::array<double, 4>;
 
 constexpr double kNearlyOne = 0.999999;
 /// Short moves of a curve: see JD_HANDLE_SMALL_SEGMENTS.
@@ -19,16 +19,16 @@ constexpr double kCos135 = -0.70710678118654752;
 /// A junction this close to the safe speeds of both moves gives way to them.
 constexpr double kSafeSpeedShare = 0.99;
 
-double Dot(const Vector& a, const Vector& b) {
+double Dot(const MoveVector& a, const MoveVector& b) {
   return a[kX] * b[kX] + a[kY] * b[kY] + a[kZ] * b[kZ] + a[kE] * b[kE];
 }
 
-Vector Scaled(const Vector& v, double by) {
+MoveVector Scaled(const MoveVector& v, double by) {
   return {v[kX] * by, v[kY] * by, v[kZ] * by, v[kE] * by};
 }
 
 /// Of length 1 over all four axes; where e does not move, it is so already.
-Vector Direction(const KinematicMove& move) {
+MoveVector Direction(const KinematicMove& move) {
   if (move.ratio[kE] == 0) return move.ratio;
   return Scaled(move.ratio, 1 / std::sqrt(Dot(move.ratio, move.ratio)));
 }
@@ -56,12 +56,12 @@ KinematicMove LimitedByMarlin(KinematicMove move, const MachineLimits& limits) {
 
 double JunctionDeviationV2(const KinematicMove& before, const KinematicMove& move,
                            const MachineLimits& limits) {
-  const Vector in = Direction(before);
-  const Vector out = Direction(move);
+  const MoveVector in = Direction(before);
+  const MoveVector out = Direction(move);
   const double inner_cos = std::max(-Dot(in, out), -kNearlyOne);
   if (inner_cos > kNearlyOne) return kMarlinRestMmS * kMarlinRestMmS;
 
-  Vector change = {out[kX] - in[kX], out[kY] - in[kY], out[kZ] - in[kZ], out[kE] - in[kE]};
+  MoveVector change = {out[kX] - in[kX], out[kY] - in[kY], out[kZ] - in[kZ], out[kE] - in[kE]};
   const double size = std::sqrt(Dot(change, change));
   change = size > 0 ? Scaled(change, 1 / size) : out;
   const double a = LimitedByAxes(move.acceleration_mm_s2, change, limits.max_acceleration_mm_s2);

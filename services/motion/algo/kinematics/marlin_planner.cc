@@ -7,7 +7,7 @@ namespace {
 
 double Squared(double v) { return v * v; }
 
-double StartV2(const KinematicMove& first, const MachineLimits& limits) {
+double MarlinStartV2(const KinematicMove& first, const MachineLimits& limits) {
   return limits.junction_deviation_mm > 0 ? 0 : Squared(SafeSpeed(first, limits));
 }
 
@@ -20,6 +20,7 @@ double JunctionV2(const KinematicMove& before, const KinematicMove& move,
 }  // namespace
 
 MarlinPlanner::MarlinPlanner(const MachineLimits& limits)
-    : TwoPassPlanner({LimitedByMarlin, StartV2, JunctionV2, Squared(kMarlinRestMmS)}, limits) {}
+    : TwoPassPlanner({LimitedByMarlin, MarlinStartV2, JunctionV2, Squared(kMarlinRestMmS)},
+                     limits) {}
 
 }  // namespace slicefarm::motion

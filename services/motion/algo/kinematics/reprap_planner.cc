@@ -5,11 +5,11 @@
 namespace slicefarm::motion {
 namespace {
 
-double StartV2(const KinematicMove& /*first*/, const MachineLimits& /*limits*/) { return 0; }
+double RepRapStartV2(const KinematicMove& /*first*/, const MachineLimits& /*limits*/) { return 0; }
 
 }  // namespace
 
 RepRapPlanner::RepRapPlanner(const MachineLimits& limits)
-    : TwoPassPlanner({LimitedByRepRap, StartV2, RepRapJunctionV2, 0}, limits) {}
+    : TwoPassPlanner({LimitedByRepRap, RepRapStartV2, RepRapJunctionV2, 0}, limits) {}
 
 }  // namespace slicefarm::motion

@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/cord.h"
+#include "common/base/text.h"
 #include "services/motion/algo/macro/template_absences.h"
 #include "services/motion/algo/macro/template_arithmetic.h"
 
@@ -32,8 +34,6 @@ absl::Status Unknown(std::string_view name) {
 }
 
 bool StartsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool InName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Operators by how tightly they bind, the loosest first; of one that begins another, the longer
 /// first.
@@ -145,7 +145,7 @@ class Parser {
     const char next = Peek();
     if (next == '(') return Parenthesised();
     if (next == '"') return Text();
-    if (IsDigit(next) || (next == '.' && IsDigit(Peek(1)))) return Number();
+    if (absl::ascii_isdigit(next) || (next == '.' && absl::ascii_isdigit(Peek(1)))) return Number();
     if (StartsName(next)) return Named();
     return next == '\0' ? Wrong("expression expected") : Unexpected();
   }
@@ -275,7 +275,7 @@ class Parser {
     SkipSpace();
     const std::string_view rest = text_.substr(at_);
     if (!rest.starts_with(word)) return false;
-    if (rest.size() > word.size() && InName(rest[word.size()])) return false;
+    if (rest.size() > word.size() && IsOfName(rest[word.size()])) return false;
     at_ += word.size();
     return true;
   }
@@ -289,7 +289,7 @@ class Parser {
 
   std::string_view TakeName() {
     const size_t begin = at_;
-    while (at_ < text_.size() && InName(text_[at_])) ++at_;
+    while (at_ < text_.size() && IsOfName(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
   }
 

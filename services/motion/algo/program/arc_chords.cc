@@ -27,7 +27,7 @@ double Arc::Angle() const {
   return angle > 0 ? angle : angle + kTurn;
 }
 
-PlaceMm CentreByRadius(PlaceMm from, PlaceMm to, double radius, bool clockwise) {
+ArcPlace CentreByRadius(ArcPlace from, ArcPlace to, double radius, bool clockwise) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double chord2 = dx * dx + dy * dy;
   const double rest2 = std::max(0.0, radius * radius - chord2 / 4);
@@ -36,11 +36,11 @@ PlaceMm CentreByRadius(PlaceMm from, PlaceMm to, double radius, bool clockwise) 
   return {(from.x + to.x) / 2 - share * dy, (from.y + to.y) / 2 + share * dx};
 }
 
-std::vector<PlaceMm> ArcChords(const Arc& arc, double length_mm, double segment_mm) {
+std::vector<ArcPlace> ArcChords(const Arc& arc, double length_mm, double segment_mm) {
   const double count = std::clamp(std::floor(length_mm / segment_mm), 1.0, kMostChords);
   const double step = (arc.clockwise ? -1 : 1) * arc.Angle() / count;
   const double ax = arc.from.x - arc.centre.x, ay = arc.from.y - arc.centre.y;
-  std::vector<PlaceMm> ends;
+  std::vector<ArcPlace> ends;
   ends.reserve(static_cast<size_t>(count));
   for (double i = 1; i < count; ++i) {
     const double c = Cos(i * step), s = Sin(i * step);

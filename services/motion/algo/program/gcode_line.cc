@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "absl/strings/ascii.h"
 #include "common/base/text.h"
 
 namespace slicefarm::motion {
@@ -12,7 +13,6 @@ namespace {
 constexpr double kFarthest = 1e9;
 
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 char Upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -50,7 +50,7 @@ bool TakeNumber(std::string_view& text, double& value) {
   // Only digits, a point and a sign: from_chars would read "inf", "1e5" and the like.
   const char* to = from;
   if (to != end && *to == '-') ++to;
-  while (to != end && (IsDigit(*to) || *to == '.')) ++to;
+  while (to != end && (absl::ascii_isdigit(*to) || *to == '.')) ++to;
   const auto [after, error] = std::from_chars(from, to, value, std::chars_format::fixed);
   if (error != std::errc() || after != to) return false;
   text.remove_prefix(static_cast<size_t>(after - text.data()));
@@ -125,15 +125,16 @@ GcodeLine ParseGcodeLine(std::string_view line) {
     line = line.substr(0, semicolon);
   }
   line = Trim(line);
-  if (!line.empty() && Upper(line.front()) == 'N' && line.size() > 1 && IsDigit(line[1])) {
+  if (!line.empty() && Upper(line.front()) == 'N' && line.size() > 1 &&
+      absl::ascii_isdigit(line[1])) {
     line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
     line = SkipBlanks(line.substr(0, line.rfind('*')));
   }
   if (line.empty()) return result;
   size_t end = 1;
-  if (IsLetter(line.front()) && line.size() > 1 && IsDigit(line[1])) {
+  if (IsLetter(line.front()) && line.size() > 1 && absl::ascii_isdigit(line[1])) {
     result.letter = Upper(line.front());
-    while (end < line.size() && (IsDigit(line[end]) || line[end] == '.')) ++end;
+    while (end < line.size() && (absl::ascii_isdigit(line[end]) || line[end] == '.')) ++end;
     std::from_chars(line.data() + 1, line.data() + end, result.number);
   } else if (Upper(line.front()) == 'T' && line.size() == 2) {
     result.letter = 'T';  // T?, Tx, Tc of Prusa's multi-material unit

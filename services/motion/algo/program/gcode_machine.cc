@@ -169,8 +169,7 @@ GcodeAction GcodeMachine::ArcTo(const GcodeLine& line) {
   const double radius = arc.StartRadius();
   const double rise = to[kZ] - start[kZ];
   const double length = Hypot(radius * arc.Angle(), rise);
-  const std::vector<PlaceMm> ends =
-      ArcChords(arc, length, firmware_.ArcSegmentMm(radius, speed));
+  const std::vector<ArcPlace> ends = ArcChords(arc, length, firmware_.ArcSegmentMm(radius, speed));
   const auto count = static_cast<double>(ends.size());
   for (size_t i = 0; i < ends.size(); ++i) {
     const double share = static_cast<double>(i + 1) / count;

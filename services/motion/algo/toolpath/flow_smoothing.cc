@@ -11,7 +11,7 @@
 namespace slicefarm::motion {
 namespace {
 
-constexpr double kPieceMm = 1;
+constexpr double kFlowPieceMm = 1;
 
 /// A piece of a bead. Flows squared, (mm^3/s)^2.
 struct Piece {
@@ -68,7 +68,7 @@ class Smoother {
         Hypot(move.x_um - before.x_um, move.y_um - before.y_um) / static_cast<double>(kUmPerMm);
     const double volume = static_cast<double>(move.filament) / kFilamentUnitsPerMm * filament_mm2_;
     const double flow = volume * SpeedOf(move.feed_rate) / length_mm;
-    const auto count = std::max<int64_t>(1, std::llround(length_mm / kPieceMm));
+    const auto count = std::max<int64_t>(1, std::llround(length_mm / kFlowPieceMm));
     const Piece piece = {i, volume / static_cast<double>(count), flow * flow, flow * flow};
     pieces_.insert(pieces_.end(), static_cast<size_t>(count), piece);
   }

@@ -75,8 +75,8 @@ void LayerTiming::QueueArc(const EdgeMove& from, const EdgeMove& to, const MoveA
   const auto ends = ArcChords(way, radius * way.Angle(), firmware_.ArcSegmentMm(radius, speed));
   const double filament_mm =
       static_cast<double>(filament) / kFilamentUnitsPerMm / static_cast<double>(ends.size());
-  PlaceMm at = way.from;
-  for (const PlaceMm end : ends) {
+  ArcPlace at = way.from;
+  for (const ArcPlace end : ends) {
     const double length = Hypot(end.x - at.x, end.y - at.y);
     const double scale = 1 / length;
     if (length > 0)

@@ -9,7 +9,7 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr Coord kRowNm = kNmPerMm;
-constexpr double kPieceMm = 1;
+constexpr double kRestingPieceMm = 1;
 
 /// Squared distance from a point to an edge, nm^2.
 double SquaredDistance(Point p, Point from, Point to) {
@@ -74,7 +74,7 @@ uint8_t LayerBelow::RestOf(Point point, Coord width_nm) const {
 
 std::vector<RestingPiece> PiecesOf(Point from, Point to, Coord width_nm, const LayerBelow& below) {
   const auto count =
-      std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kPieceMm)));
+      std::max<int64_t>(1, std::llround(std::ceil(ToMm(Distance(from, to)) / kRestingPieceMm)));
   std::vector<RestingPiece> pieces;
   int before = below.RestOf(from, width_nm);
   for (int64_t i = 1; i <= count; ++i) {

@@ -15,13 +15,13 @@ constexpr double kArmNm = 500'000;
 constexpr double kSmoothCosine = 0.866;
 
 /// The points of a loop from its start, its start again at the end, and widths of the same shape.
-struct Line {
+struct OpenedLine {
   std::vector<Point> points;
   std::vector<Coord> widths_nm;
 };
 
-Line Opened(const Path& path) {
-  Line line;
+OpenedLine Opened(const Path& path) {
+  OpenedLine line;
   for (size_t i = 0; i <= path.points.size(); ++i) {
     const size_t at = i % path.points.size();
     line.points.push_back(path.points[at]);
@@ -51,7 +51,8 @@ bool StartsAtCorner(const Path& path) {
 /// Cuts the first `length_nm` of a line into pieces: at its points and so that none is longer than
 /// `longest_nm`. Calls visit(to, width, middle, end): the last two by the length along the line.
 template <typename Visit>
-void CutIntoPieces(const Line& line, double length_nm, double longest_nm, const Visit& visit) {
+void CutIntoPieces(const OpenedLine& line, double length_nm, double longest_nm,
+                   const Visit& visit) {
   double from = 0;
   for (size_t i = 0; i + 1 < line.points.size() && from < length_nm; ++i) {
     const Point a = line.points[i], b = line.points[i + 1];
@@ -76,7 +77,7 @@ void CutIntoPieces(const Line& line, double length_nm, double longest_nm, const 
 }
 
 /// What is left of a line after its first `length_nm`, as pieces of a full bead.
-void AppendRest(const Line& line, double length_nm, std::vector<ScarfPiece>& pieces) {
+void AppendRest(const OpenedLine& line, double length_nm, std::vector<ScarfPiece>& pieces) {
   double from = 0;
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {
     from += Distance(line.points[i], line.points[i + 1]);
@@ -97,7 +98,7 @@ bool HasScarf(const Path& path, const ScarfOptions& options) {
 }
 
 std::vector<ScarfPiece> ScarfedLoop(const Path& path, const ScarfOptions& options) {
-  const Line line = Opened(path);
+  const OpenedLine line = Opened(path);
   const double loop_nm = PathLength(path);
   const double asked_nm = options.entire_loop ? loop_nm : options.length_mm * kNmPerMm;
   const double length_nm = std::min(asked_nm, loop_nm);

@@ -20,8 +20,6 @@ namespace {
 
 /// Between a raft and what does not stand on it.
 constexpr Coord kRaftClearanceNm = 500'000;
-/// Closes the cracks that rounding leaves between regions with a common border.
-constexpr Coord kGlueNm = 500;
 constexpr int64_t kMaxSkirtPoints = 20'000'000;
 
 /// The bed, or all that has coordinates.

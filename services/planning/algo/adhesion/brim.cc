@@ -14,9 +14,6 @@
 namespace slicefarm::planning {
 namespace {
 
-/// Closes the cracks that rounding leaves between two regions with a common border.
-constexpr Coord kGlueNm = 500;
-
 constexpr OffsetOptions kRound{.join = Join::kRound};
 
 Coord Separation(const BrimOptions& options) { return std::max<Coord>(options.separation_nm, 0); }

@@ -10,6 +10,9 @@
 
 namespace slicefarm::planning {
 
+/// Closes the cracks that rounding leaves between regions with a common border.
+constexpr Coord kGlueNm = 500;
+
 /// One object on the plate.
 struct BrimObject {
   MultiPolygon outlines;  ///< what its first layer prints, elephant foot compensation applied

@@ -95,12 +95,6 @@ bool Holds(const MultiPolygon& polygons, Point p) {
   });
 }
 
-}  // namespace
-
-bool IsCorner(const SeamPlace& place) {
-  return place.turn_rad <= -std::numbers::pi / 12 || place.turn_rad >= std::numbers::pi / 6;
-}
-
 /// The rings of one layer while their places are sought.
 class LayerRings {
  public:
@@ -168,6 +162,12 @@ class LayerRings {
   std::vector<std::vector<Along>> wanted_;
   std::vector<std::map<int32_t, double>> votes_;  ///< by ring, then by ring below
 };
+
+}  // namespace
+
+bool IsCorner(const SeamPlace& place) {
+  return place.turn_rad <= -std::numbers::pi / 12 || place.turn_rad >= std::numbers::pi / 6;
+}
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,6 @@ constexpr int64_t kLinesPerPoll = 1 << 16;
 /// Three indices of ten digits for each corner of the largest face.
 constexpr int64_t kMaxLineBytes = limits::kMaxFaceVertices * 33 + 16;
 /// More vertices than any mesh within the limits needs.
-constexpr size_t kMaxVertices = 3 * limits::kMaxTriangles;
 
 constexpr std::array<std::string_view, 13> kFirstStatements = {
     "v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl", "maplib"};
@@ -74,7 +74,7 @@ class ObjParser {
   }
 
   absl::Status Vertex(Words& words) {
-    if (mesh_.positions.size() >= kMaxVertices)
+    if (std::ssize(mesh_.positions) >= kMaxVertices)
       return LimitError(Reason::kMeshTooLarge, "vertices", kMaxVertices, kMaxVertices + 1);
     std::array<double, 3> at;
     for (double& value : at) {
@@ -99,8 +99,7 @@ class ObjParser {
         return lines_.Error(Reason::kMeshMalformed, "a face's index is not a number but 0");
       const int64_t count = static_cast<int64_t>(mesh_.positions.size());
       const int64_t from_one = *index > 0 ? *index : count + 1 + *index;
-      if (from_one < 1 || from_one > static_cast<int64_t>(kMaxVertices))
-        return IndexError(*index, lines_.number());
+      if (from_one < 1 || from_one > kMaxVertices) return IndexError(*index, lines_.number());
       if (corners_.size() >= static_cast<size_t>(limits::kMaxFaceVertices)) return FaceTooLarge();
       Remember(static_cast<size_t>(from_one));
       corners_.push_back(static_cast<uint32_t>(from_one - 1));

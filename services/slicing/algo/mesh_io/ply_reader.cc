@@ -20,7 +20,6 @@ namespace {
 
 constexpr int64_t kElementsPerPoll = 1 << 16;
 /// More vertices than any mesh within the limits needs.
-constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
 
 /// What a property is to us.
 enum class Use : uint8_t { kX, kY, kZ, kCorners, kNone };

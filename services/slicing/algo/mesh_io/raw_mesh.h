@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/model/limits.h"
+
 namespace slicefarm::slicing {
 
 /// A point in the units of the file.
@@ -14,6 +16,9 @@ struct Position {
 
   friend bool operator==(const Position&, const Position&) = default;
 };
+
+/// Of a file, used by its triangles or not.
+constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
 
 /// Triangles as a file gives them: corners index `positions`, every index is valid, every
 /// coordinate finite and within the limit given to the reader.

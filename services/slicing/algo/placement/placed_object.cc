@@ -12,10 +12,6 @@
 namespace slicefarm::slicing {
 namespace {
 
-absl::Status Malformed(std::string_view message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
-
 /// A project says how its meshes are turned, scaled and combined: to print them as they lie in the
 /// file would be wrong.
 absl::Status CheckNoProject(const MeshFile& file) {
@@ -26,7 +22,7 @@ absl::Status CheckNoProject(const MeshFile& file) {
       "a 3MF project is no single mesh: the job must name its objects, their parts and places");
 }
 
-absl::StatusOr<PlacedPart> Place(const RawMesh& raw, const Transform& transform) {
+absl::StatusOr<PlacedPart> PlacedPartOf(const RawMesh& raw, const Transform& transform) {
   absl::StatusOr<IndexedMesh> mesh = TransformMesh(raw, transform);
   if (!mesh.ok()) return mesh.status();
   PlacedPart part{*std::move(mesh), {}, static_cast<int64_t>(raw.positions.size())};
@@ -51,6 +47,10 @@ Polygon SolidFootprint(const ObjectInput& input, const std::vector<PlacedPart>& 
 }
 
 }  // namespace
+
+absl::Status Malformed(std::string_view message) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
+}
 
 PartMeshes::PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
                        const MeshSource& source, const CancelToken& cancel)
@@ -85,7 +85,8 @@ absl::StatusOr<PlacedObject> PlaceParts(const ObjectInput& input, PartMeshes& me
   for (const PartInput& part : input.parts) {
     absl::StatusOr<RawMesh> raw = meshes.Take(part.mesh);
     if (!raw.ok()) return raw.status();
-    absl::StatusOr<PlacedPart> placed = Place(*raw, Combined(input.to_plate, part.to_object));
+    absl::StatusOr<PlacedPart> placed =
+        PlacedPartOf(*raw, Combined(input.to_plate, part.to_object));
     if (!placed.ok()) return placed.status();
     object.parts.push_back(*std::move(placed));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -10,6 +11,9 @@
 #include "services/slicing/algo/topology/topology.h"
 
 namespace slicefarm::slicing {
+
+/// REQUEST_MALFORMED with these words.
+absl::Status Malformed(std::string_view message);
 
 /// The meshes of files, each file's freed after their last use.
 class PartMeshes {

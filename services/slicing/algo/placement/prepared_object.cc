@@ -14,10 +14,6 @@
 namespace slicefarm::slicing {
 namespace {
 
-absl::Status Malformed(std::string_view message) {
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed, message);
-}
-
 absl::StatusOr<PreparedPart> Connected(const PartInput& input, PlacedPart placed, Point shift,
                                        const CancelToken& cancel) {
   absl::StatusOr<ConnectedMesh> connected = Connect(std::move(placed.mesh), cancel);

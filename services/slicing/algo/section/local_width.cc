@@ -14,7 +14,7 @@ Direction Between(Point from, Point to) {
 }
 double Dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
 double Cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
-Direction Unit(Direction d) {
+Direction Normalized(Direction d) {
   const double length = Hypot(d.x, d.y);
   return {d.x / length, d.y / length};
 }
@@ -48,7 +48,7 @@ void AppendEdges(const Polygon& ring, std::vector<OutlineEdge>& edges) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point from = ring[i], to = ring[(i + 1) % ring.size()];
     if (from == to) continue;
-    const Direction along = Unit(Between(from, to));
+    const Direction along = Normalized(Between(from, to));
     edges.push_back({.from = from, .to = to, .along = along, .inward = Left(along)});
   }
   const size_t count = edges.size() - first;
@@ -119,7 +119,7 @@ void ForEachNormal(const OutlineEdge& edge, Point p, const OutlineEdge& other, V
   visit(at_from ? first : last);
   const Point q = Nearest(p, other);
   if (q == p) return;
-  const Direction d = Unit(Between(p, q));
+  const Direction d = Normalized(Between(p, q));
   if (IsBetween(first, d, last)) visit(d);
 }
 

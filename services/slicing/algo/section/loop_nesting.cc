@@ -9,7 +9,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr uint32_t kNone = UINT32_MAX;
+constexpr uint32_t kNoLoop = UINT32_MAX;
 constexpr int64_t kTestsPerEdge = 400;
 
 bool IsInside(int winding, FillRule rule) {
@@ -37,7 +37,7 @@ struct Edge {
 
 /// What the sweep finds out about a loop at its least corner.
 struct Nest {
-  uint32_t parent = kNone;  ///< the loop immediately around
+  uint32_t parent = kNoLoop;  ///< the loop immediately around
   int outside = 0;          ///< winding numbers
   int inside = 0;
   bool counter_clockwise = false;
@@ -77,7 +77,7 @@ class LoopNester {
 
   MultiPolygon Islands() const {
     MultiPolygon islands;
-    std::vector<uint32_t> island_of(loops_.size(), kNone);
+    std::vector<uint32_t> island_of(loops_.size(), kNoLoop);
     for (uint32_t i = 0; i < loops_.size(); ++i) {
       if (!IsOuter(i)) continue;
       island_of[i] = static_cast<uint32_t>(islands.size());

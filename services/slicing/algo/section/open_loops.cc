@@ -11,7 +11,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr uint32_t kNone = UINT32_MAX;
+constexpr uint32_t kNoEnd = UINT32_MAX;
 constexpr double kMaxGapOfLength = 0.3;
 constexpr Coord kFirstRadiusNm = 4;
 constexpr Coord kRadiusGrowth = 4;
@@ -45,7 +45,7 @@ class ChainJoiner {
   explicit ChainJoiner(std::vector<Polyline> chains) : chains_(std::move(chains)) {
     // From here on numbers stand for places, so that ties are broken by place.
     std::sort(chains_.begin(), chains_.end());
-    partner_.assign(2 * chains_.size(), kNone);
+    partner_.assign(2 * chains_.size(), kNoEnd);
     for (uint32_t end = 0; end < partner_.size(); ++end) far_end_.push_back(Across(end));
     for (const Polyline& chain : chains_) {
       const double length = Length(chain);
@@ -72,7 +72,7 @@ class ChainJoiner {
   std::vector<uint32_t> FreeEnds() const {
     std::vector<uint32_t> ends;
     for (uint32_t end = 0; end < partner_.size(); ++end)
-      if (partner_[end] == kNone) ends.push_back(end);
+      if (partner_[end] == kNoEnd) ends.push_back(end);
     return ends;
   }
 
@@ -110,7 +110,7 @@ class ChainJoiner {
     std::vector<Candidate> candidates = CandidatesWithin(radius_nm);
     std::sort(candidates.begin(), candidates.end());
     for (const Candidate& c : candidates) {
-      if (partner_[c.a] != kNone || partner_[c.b] != kNone) continue;
+      if (partner_[c.a] != kNoEnd || partner_[c.b] != kNoEnd) continue;
       if (MayJoin(c.a, c.b, c.gap_nm)) {
         Link(c.a, c.b, c.gap_nm);
         largest_gap_nm_ = std::max(largest_gap_nm_, c.gap_nm);
@@ -149,7 +149,7 @@ class ChainJoiner {
     result.counts.largest_gap_nm = largest_gap_nm_;
     std::vector<bool> taken(chains_.size(), false);
     for (uint32_t end = 0; end < partner_.size(); ++end) {
-      if (partner_[end] != kNone || taken[ChainOf(end)]) continue;
+      if (partner_[end] != kNoEnd || taken[ChainOf(end)]) continue;
       ++result.counts.dropped;
       Follow(end, taken, [&](uint32_t chain, bool) {
         result.counts.dropped_length_nm += Length(chains_[chain]);
@@ -168,7 +168,7 @@ class ChainJoiner {
   /// Calls visit(chain, forward) for each chain from the end `enter` on.
   template <typename Visit>
   void Follow(uint32_t enter, std::vector<bool>& taken, Visit visit) const {
-    while (enter != kNone && !taken[ChainOf(enter)]) {
+    while (enter != kNoEnd && !taken[ChainOf(enter)]) {
       taken[ChainOf(enter)] = true;
       visit(ChainOf(enter), Begins(enter));
       enter = partner_[Across(enter)];

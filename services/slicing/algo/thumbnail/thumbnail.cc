@@ -16,7 +16,7 @@ namespace {
 constexpr int32_t kMaxSizePx = 2048;
 constexpr double kMarginOfSize = 0.04;
 constexpr double kHalfSample = 0.5;
-constexpr size_t kTrianglesPerPoll = 1 << 16;
+constexpr size_t kDrawnPerPoll = 1 << 16;
 constexpr std::array<double, 3> kColor = {237, 122, 44};
 
 constexpr double kInverseRoot2 = 0.70710678118654752;
@@ -214,7 +214,7 @@ absl::Status DrawFacets(const SceneMesh& object, const std::vector<Vector>& corn
                         DepthBuffer& buffer, const CancelToken& cancel) {
   size_t count = 0;
   for (const auto& t : object.mesh->triangles) {
-    if (++count % kTrianglesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
+    if (++count % kDrawnPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
     buffer.Draw(corners[t[0]], corners[t[1]], corners[t[2]], !object.solid);
   }
   return absl::OkStatus();

@@ -8,24 +8,26 @@
 namespace slicefarm::slicing {
 namespace {
 
-using Vector = std::array<Coord, 3>;
+using EdgeVector = std::array<Coord, 3>;
 
-Vector Difference(const Vertex& a, const Vertex& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+EdgeVector Difference(const Vertex& a, const Vertex& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
-__int128 Minor(const Vector& a, const Vector& b, int i, int j) {
+__int128 Minor(const EdgeVector& a, const EdgeVector& b, int i, int j) {
   return static_cast<__int128>(a[i]) * b[j] - static_cast<__int128>(a[j]) * b[i];
 }
 
 int Sign(__int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// Of three differences within 2^32 the determinant stays below 2^100.
-int DeterminantSign(const Vector& a, const Vector& b, const Vector& c) {
+int DeterminantSign(const EdgeVector& a, const EdgeVector& b, const EdgeVector& c) {
   return Sign(Minor(a, b, 1, 2) * c[0] + Minor(a, b, 2, 0) * c[1] + Minor(a, b, 0, 1) * c[2]);
 }
 
 constexpr std::array<std::array<int, 2>, 3> kPlanes = {{{1, 2}, {2, 0}, {0, 1}}};
 
-bool IsAlong(const Vector& a, const Vector& b) {
+bool IsAlong(const EdgeVector& a, const EdgeVector& b) {
   return std::all_of(kPlanes.begin(), kPlanes.end(),
                      [&](const auto& plane) { return Minor(a, b, plane[0], plane[1]) == 0; });
 }
@@ -83,7 +85,7 @@ class Fan {
         std::min_element(leaves_.begin(), leaves_.end(), [](const Leaf& a, const Leaf& b) {
           return a.half_turn != b.half_turn ? a.half_turn > b.half_turn : a.apex < b.apex;
         });
-    const Vector reference = Difference(first->apex, low_);
+    const EdgeVector reference = Difference(first->apex, low_);
     for (Leaf& leaf : leaves_)
       if (leaf.half_turn != kFlat)
         leaf.half_turn = HalfTurn(reference, Difference(leaf.apex, low_));
@@ -91,7 +93,7 @@ class Fan {
               [&](const Leaf& a, const Leaf& b) { return Before(a, b); });
   }
 
-  int HalfTurn(const Vector& reference, const Vector& arm) const {
+  int HalfTurn(const EdgeVector& reference, const EdgeVector& arm) const {
     const int side = DeterminantSign(axis_, reference, arm);
     if (side != 0) return side > 0 ? 0 : 1;
     // In one plane with the axis: on the same side of it or on the other?
@@ -114,7 +116,7 @@ class Fan {
   }
 
   Vertex low_;
-  Vector axis_;
+  EdgeVector axis_;
   std::vector<Leaf> leaves_;
 };
 

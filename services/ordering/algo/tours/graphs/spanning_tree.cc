@@ -7,7 +7,7 @@
 namespace slicefarm::ordering {
 namespace {
 
-constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
+constexpr int64_t kUnreached = std::numeric_limits<int64_t>::max();
 /// Penalties in parts of a unit.
 constexpr int64_t kScale = 256;
 /// Without a better bound for so many iterations, steps are halved.
@@ -23,7 +23,7 @@ void GrowTree(int32_t first, int32_t size, const Length& length, const Join& joi
     int64_t distance;
   };
   std::vector<Outside> outside;
-  for (int32_t node = first + 1; node < size; ++node) outside.push_back({node, first, kFar});
+  for (int32_t node = first + 1; node < size; ++node) outside.push_back({node, first, kUnreached});
   int32_t newest = first;
   while (!outside.empty()) {
     size_t nearest = 0;
@@ -94,7 +94,7 @@ OneTree ShortestOneTree(const Penalized& lengths, int32_t size) {
   };
   GrowTree(1, size, lengths, add);
   struct Near {
-    int64_t length = kFar;
+    int64_t length = kUnreached;
     int32_t node = 0;
   };
   Near nearest, second;

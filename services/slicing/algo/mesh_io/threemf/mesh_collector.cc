@@ -13,8 +13,6 @@
 namespace slicefarm::slicing::threemf {
 namespace {
 
-constexpr int64_t kMaxVertices = 3 * limits::kMaxTriangles;
-
 absl::Status Bad(Reason reason, std::string_view what) {
   return MakeError(absl::StatusCode::kInvalidArgument, reason, what);
 }

@@ -104,13 +104,13 @@ Polygon UsableBed(const ArrangeOptions& options) {
 }
 
 /// The task, and which item each of its sequence is.
-struct Prepared {
+struct PreparedItems {
   PackingTask task;
   std::vector<size_t> item_of;
 };
 
-Prepared Prepare(std::span<const ArrangeItem> items, std::span<const FixedFootprint> fixed,
-                 const ArrangeOptions& options) {
+PreparedItems Prepare(std::span<const ArrangeItem> items, std::span<const FixedFootprint> fixed,
+                      const ArrangeOptions& options) {
   // Equal items are one shape; the largest come first, whatever the order of the input.
   using Key = std::tuple<double, const Polygon&, const std::vector<double>&>;
   std::vector<std::pair<double, size_t>> by_area;
@@ -123,7 +123,7 @@ Prepared Prepare(std::span<const ArrangeItem> items, std::span<const FixedFootpr
   std::stable_sort(by_area.begin(), by_area.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
 
-  Prepared prepared;
+  PreparedItems prepared;
   PackingTask& task = prepared.task;
   task.bed = UsableBed(options);
   task.max_plates = options.max_plates;
@@ -238,7 +238,7 @@ void CenterPlates(const PackingTask& task, Packing& packing) {
     if (item) item->translation = item->translation + moves[item->plate];
 }
 
-Arrangement Result(const Prepared& prepared, const Packing& packing) {
+Arrangement Result(const PreparedItems& prepared, const Packing& packing) {
   const PackingTask& task = prepared.task;
   Arrangement result;
   result.plates = packing.plates;
@@ -262,7 +262,7 @@ absl::StatusOr<Arrangement> Arrange(std::span<const ArrangeItem> items,
                                     std::span<const FixedFootprint> fixed,
                                     const ArrangeOptions& options, const CancelToken& cancel) {
   if (absl::Status status = Check(items, fixed, options); !status.ok()) return status;
-  const Prepared prepared = Prepare(items, fixed, options);
+  const PreparedItems prepared = Prepare(items, fixed, options);
   Packing packing;
   packing.items.resize(items.size());
   if (prepared.task.bed.size() >= 3 && !items.empty()) {

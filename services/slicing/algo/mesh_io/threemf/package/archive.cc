@@ -20,7 +20,7 @@ namespace {
   throw std::bad_alloc();
 }
 
-std::string Quoted(std::string_view part) {
+std::string Printable(std::string_view part) {
   constexpr size_t kMostBytes = 128;
   return ReplaceControls(part.substr(0, kMostBytes), '?');
 }
@@ -77,8 +77,10 @@ absl::Status CheckRatio(std::string_view part, int64_t expanded, int64_t packed)
   return MakeError(
       absl::StatusCode::kInvalidArgument, Reason::kMeshTooLarge,
       fmt::format("{} says it expands from {} to {} bytes; at most {} times is accepted",
-                  Quoted(part), packed, expanded, limits::kMaxCompressionRatio),
-      {{"limit", std::to_string(most)}, {"got", std::to_string(expanded)}, {"part", Quoted(part)}});
+                  Printable(part), packed, expanded, limits::kMaxCompressionRatio),
+      {{"limit", std::to_string(most)},
+       {"got", std::to_string(expanded)},
+       {"part", Printable(part)}});
 }
 
 absl::Status CheckEntry(const zip_stat_t& stat, int64_t file_bytes) {
@@ -104,7 +106,8 @@ absl::Status CheckEntry(const zip_stat_t& stat, int64_t file_bytes) {
 absl::Status PartError(std::string_view part, std::string_view reason_text, bool truncated) {
   return MakeError(absl::StatusCode::kInvalidArgument,
                    truncated ? Reason::kMeshTruncated : Reason::kMeshMalformed,
-                   fmt::format("{}: {}", Quoted(part), reason_text), {{"part", Quoted(part)}});
+                   fmt::format("{}: {}", Printable(part), reason_text),
+                   {{"part", Printable(part)}});
 }
 
 void EntryStream::Closer::operator()(zip_file* file) const { zip_fclose(file); }
@@ -186,7 +189,7 @@ absl::StatusOr<EntryStream> Archive::Stream(const ArchiveEntry& entry) const {
 
 absl::StatusOr<std::string> Archive::ReadAll(const ArchiveEntry& entry) const {
   if (entry.bytes > limits::kMaxMetadataBytes)
-    return LimitError(Reason::kMeshTooLarge, fmt::format("bytes of {}", Quoted(entry.name)),
+    return LimitError(Reason::kMeshTooLarge, fmt::format("bytes of {}", Printable(entry.name)),
                       limits::kMaxMetadataBytes, entry.bytes);
   absl::StatusOr<EntryStream> stream = Stream(entry);
   if (!stream.ok()) return stream.status();
