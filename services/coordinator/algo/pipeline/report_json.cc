@@ -87,16 +87,17 @@ OrderedJson Infill(const std::vector<FillUse>& fills) {
   OrderedJson list = OrderedJson::array();
   for (const FillUse& use : fills) {
     const bool sparse = use.feature == Feature::kInternalInfill;
-    OrderedJson json = {{"settings", use.settings},
-                 {"feature", FeatureName(use.feature)},
-                 {"pattern", use.pattern ? OrderedJson(InfoOf(*use.pattern).name) : OrderedJson()},
-                 {sparse ? "density_asked" : "coverage_asked", use.asked_mm3 / use.room_mm3},
-                 {sparse ? "density" : "coverage", use.plastic_mm3 / use.room_mm3},
-                 {"area_mm2", use.area_mm2},
-                 {"volume_mm3", use.plastic_mm3},
-                 {"paths", use.paths},
-                 {"length_mm", use.length_mm},
-                 {"longest_path_mm", use.longest_mm}};
+    OrderedJson json = {
+        {"settings", use.settings},
+        {"feature", FeatureName(use.feature)},
+        {"pattern", use.pattern ? OrderedJson(InfoOf(*use.pattern).name) : OrderedJson()},
+        {sparse ? "density_asked" : "coverage_asked", use.asked_mm3 / use.room_mm3},
+        {sparse ? "density" : "coverage", use.plastic_mm3 / use.room_mm3},
+        {"area_mm2", use.area_mm2},
+        {"volume_mm3", use.plastic_mm3},
+        {"paths", use.paths},
+        {"length_mm", use.length_mm},
+        {"longest_path_mm", use.longest_mm}};
     list.push_back(std::move(json));
   }
   return list;

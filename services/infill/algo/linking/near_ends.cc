@@ -16,8 +16,8 @@ struct PathEnds {
   Point from, to;
 
   double DistanceTo(const PathEnds& other) const {
-    return std::min({Distance(from, other.from), Distance(from, other.to),
-                     Distance(to, other.from), Distance(to, other.to)});
+    return std::min({Distance(from, other.from), Distance(from, other.to), Distance(to, other.from),
+                     Distance(to, other.to)});
   }
 };
 
