@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Parts to judge seams on, and what the seams of a G-code file are like.
 
-usage: seams.py part NAME        an STL on stdout: cylinder, twisted_cube, box, ell, sphere, leaning
+usage: seams.py part NAME        an STL on stdout: one of PARTS
        seams.py measure FILE     one row: loops jumps% step_mean step_p95 on_corner% overhanging% avoidable%
 
 loops: closed outer walls above the first layer. jumps: of them, those that start more than 1 mm from the nearest start of
@@ -56,6 +56,36 @@ def rounded(side, radius, steps=12):
             for a in (math.pi / 2 * (q + i / steps),)]
 
 
+def shell(heights, radius, n=240):
+    """Rings around the z axis: radius(angle, z)."""
+    angles = [2 * math.pi * i / n for i in range(n)]
+    return prism([(z, [(r * math.cos(a), r * math.sin(a)) for a in angles for r in (max(radius(a, z), 1e-3),)])
+                  for z in heights])
+
+
+def ball(height, steps=120):
+    """Heights at even angles from pole to pole."""
+    return [height / 2 * (1 - math.cos(math.pi * k / steps)) for k in range(steps + 1)]
+
+
+def of_ball(z, height):
+    """The radius of a ball at this height."""
+    return math.sqrt(max(z * (height - z), 0))
+
+
+def bump(x, width):
+    return math.exp(-(x / width) ** 2)
+
+
+def head(a, z):
+    """An egg with a nose, a brow and ears."""
+    front = math.remainder(a, 2 * math.pi)
+    skull = 0.8 * of_ball(z, 50) * (0.8 + 0.2 * math.cos(a))
+    ears = bump(z - 26, 5) * bump(abs(front) - 1.7, 0.12)
+    face = 5 * bump(z - 22, 4) * bump(front, 0.25) + 1.2 * bump(z - 31, 2.5) * bump(front, 0.9)
+    return skull + (face + 3 * ears) * min(1, 8 * z * (50 - z) / 2500)
+
+
 PARTS = {
     "cylinder": lambda: prism([(0, circle(15)), (30, circle(15))]),
     # 0.4 degrees a layer of 0.2 mm: its corners go 0.1 mm a layer.
@@ -65,6 +95,15 @@ PARTS = {
     "ell": lambda: prism([(z, [(0, 0), (20, 0), (20, 8), (8, 8), (8, 20), (0, 20)]) for z in (0, 20)]),
     "sphere": lambda: prism([(15 - 15 * math.cos(math.pi * k / 60), circle(max(15 * math.sin(math.pi * k / 60), 1e-3)))
                              for k in range(61)]),
+    "ellipsoid": lambda: shell(ball(32), lambda a, z: of_ball(z, 32) / 16 / math.hypot(math.cos(a) / 22, math.sin(a) / 12)),
+    "bumpy_ball": lambda: shell(ball(40), lambda a, z: of_ball(z, 40) * (
+        1 + 0.08 * math.sin(3 * a + z / 5) + 0.05 * math.sin(5 * a - z / 3) + 0.03 * math.cos(11 * a) * math.sin(z / 2))),
+    "vase": lambda: shell([z / 3 for z in range(151)],
+                          lambda a, z: (16 + 5 * math.sin(z / 9)) * (1 + 0.12 * math.cos(7 * (a - z / 60)))),
+    "head": lambda: shell(ball(50), head),
+    # A thread of 4 mm, its flanks at 45 degrees.
+    "screw": lambda: shell([z / 10 for z in range(401)],
+                           lambda a, z: 8 + 2 * (1 - abs(2 * ((z / 4 - a / (2 * math.pi)) % 1) - 1))),
     # 60 degrees out to the rear, where seams would be.
     "leaning": lambda: prism([(z, [(0, 0), (20, 0), (20, 20 + 1.73 * z), (0, 20 + 1.73 * z)]) for z in (0, 20)]),
 }

@@ -16,7 +16,7 @@ done
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 models=()
-for part in cylinder twisted_cube box rounded_box ell sphere leaning; do
+for part in cylinder twisted_cube box rounded_box ell leaning sphere ellipsoid bumpy_ball vase head screw; do
   python3 tests/bench/seams.py part "$part" >"$out/$part.stl"
   models+=("$out/$part.stl")
 done
