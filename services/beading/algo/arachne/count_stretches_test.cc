@@ -71,9 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         MergeCase{"AShortMiddleBetweenUnlikeStays",
                   {{6, 5, 2.4}, {5, 1.4, 2.05}, {4, 5, 1.6}},
                   {6, 5, 4}},
-        MergeCase{"AShortNeckWithoutAMiddleStays",
-                  {{6, 5, 2.4}, {4, 1, 1.6}, {6, 5, 2.4}},
-                  {6, 4, 6}},
+        MergeCase{
+            "AShortNeckWithoutAMiddleStays", {{6, 5, 2.4}, {4, 1, 1.6}, {6, 5, 2.4}}, {6, 4, 6}},
         MergeCase{"AloneAndNearerToFour", {{5, 1, 1.96}}, {4}},
         MergeCase{"AloneAndNearerToSix", {{5, 1, 2.3}}, {6}},
         MergeCase{"AloneAndLong", {{5, 2, 1.96}}, {5}},
