@@ -72,9 +72,7 @@ TEST(SmallFills, WallsReachAsFarAsTheyMayBeWide) {
 // Places in one region that are large enough together are still too small one by one.
 TEST(SmallFills, PlacesCountOneByOne) {
   EXPECT_TRUE(
-      IsSmall("(0 0, 3.2 0, 3.2 0.6, 6 0.6, 6 0, 9.2 0, 9.2 3.2, 6 3.2, 6 2.6, 3.2 2.6, "
-              "3.2 3.2, 0 3.2)",
-              3));
+      IsSmall("(0 0, 3 0, 3 0.5, 6 0.5, 6 0, 9 0, 9 3, 6 3, 6 2.5, 3 2.5, 3 3, 0 3)", 3));
 }
 
 }  // namespace
