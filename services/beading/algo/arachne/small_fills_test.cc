@@ -72,7 +72,9 @@ TEST(SmallFills, WallsReachAsFarAsTheyMayBeWide) {
 // Places in one region that are large enough together are still too small one by one.
 TEST(SmallFills, PlacesCountOneByOne) {
   EXPECT_TRUE(
-      IsSmall("(0 0, 3 0, 3 0.5, 6 0.5, 6 0, 9 0, 9 3, 6 3, 6 2.5, 3 2.5, 3 3, 0 3)", 3));
+      IsSmall("(0 0, 2.9 0, 2.9 1.25, 6 1.25, 6 0, 8.9 0, 8.9 2.9, 6 2.9, 6 1.65, 2.9 1.65, "
+              "2.9 2.9, 0 2.9)",
+              3));
 }
 
 }  // namespace
