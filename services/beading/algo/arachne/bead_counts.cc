@@ -32,8 +32,8 @@ class CountPlanner {
     leaving_ = graph_.Leaving();
     JoinAcrossTops();
     SplitWhereThicknessTells();
-    CountEdges();
     leaving_ = graph_.Leaving();
+    CountEdges();
     FindTransitions();
     Spread(up_, true);
     Spread(down_, false);
@@ -137,9 +137,27 @@ class CountPlanner {
 
   void LeaveSmallFillsToWalls() {
     in_small_fill_ = SmallFills(strategy_, graph_, edge_count_);
-    for (size_t edge = 0; edge < central_.size(); ++edge)
-      if (edge_count_[edge] > MostWalls() && in_small_fill_[graph_.half_edges[2 * edge].from])
-        edge_count_[edge] = MostWalls();
+    const std::vector<char> before = central_;
+    for (size_t edge = 0; edge < before.size(); ++edge) {
+      if (!before[edge]) continue;
+      for (const int half : {static_cast<int>(2 * edge), static_cast<int>(2 * edge + 1)}) {
+        const int node = graph_.half_edges[half].from;
+        if (!in_small_fill_[node]) continue;
+        edge_count_[edge] = std::min(edge_count_[edge], MostWalls());
+        graph_.ForEachLeaving(leaving_[node], [&](int up) {
+          if (!before[up / 2]) LeaveWayUpToWalls(up, before);
+        });
+      }
+    }
+  }
+
+  /// On the way up to a top the walls are as wide at each node as its own thickness asks for.
+  void LeaveWayUpToWalls(int half, const std::vector<char>& before) {
+    for (; half >= 0; half = SteepestUp(graph_.To(half), before)) {
+      if (graph_.ToNode(half).radius <= graph_.FromNode(half).radius) return;
+      central_[half / 2] = true;
+      edge_count_[half / 2] = MostWalls();
+    }
   }
 
   /// On both sides together; where there is room for more, it is the infill's.

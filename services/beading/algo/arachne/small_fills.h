@@ -7,9 +7,9 @@
 
 namespace slicefarm::beading {
 
-/// A place between the walls that is left to the infill covers at least this much: 0.2 mm3 in a
+/// A place between the walls that is left to the infill covers at least this much: 0.1 mm3 in a
 /// layer of 0.2 mm. A bead in a smaller one is a dot, about as long as it is wide.
-inline constexpr double kLeastFillNm2 = 1.0 * kNmPerMm * kNmPerMm;
+inline constexpr double kLeastFillNm2 = 0.5 * kNmPerMm * kNmPerMm;
 
 /// By node: whether it lies in a place that is the infill's by its thickness, but too small for it
 /// (kLeastFillNm2), while the inner walls on both sides can be widened until they meet there.

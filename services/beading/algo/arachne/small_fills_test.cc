@@ -51,11 +51,11 @@ TEST_P(Boxes, AreLeftToTheWallsBelowTheLeastArea) {
             GetParam().small);
 }
 
-// Within three walls on each side 2.4 mm less are left: 0.5 mm times 1.9 or 2.1 mm.
+// Within three walls on each side 2.4 mm less are left: 0.5 mm times 0.9 or 1.1 mm.
 INSTANTIATE_TEST_SUITE_P(SmallFills, Boxes,
                          testing::Values(BoxCase{"Square", 3, 3, 3, true},
-                                         BoxCase{"BelowASquareMillimetre", 3, 4.3, 2.9, true},
-                                         BoxCase{"AboveASquareMillimetre", 3, 4.5, 2.9, false},
+                                         BoxCase{"BelowTheLeastArea", 3, 3.3, 2.9, true},
+                                         BoxCase{"AboveTheLeastArea", 3, 3.5, 2.9, false},
                                          BoxCase{"NothingLeft", 3, 9, 2.7, false},
                                          BoxCase{"WiderThanWallsReach", 2, 2.5, 2.5, false},
                                          BoxCase{"TwoWalls", 2, 2.2, 2.2, true},
@@ -69,11 +69,11 @@ TEST(SmallFills, WallsReachAsFarAsTheyMayBeWide) {
   EXPECT_FALSE(IsSmall(square, 3, 540'000));
 }
 
-// Two places of less than a square millimetre are two, though one region has them.
+// Places in one region that are large enough together are still too small one by one.
 TEST(SmallFills, PlacesCountOneByOne) {
   EXPECT_TRUE(
-      IsSmall("(0 0, 3.2 0, 3.2 0.6, 6 0.6, 6 0, 9.2 0, 9.2 3.2, 6 3.2, 6 2.6, 3.2 2.6, "
-              "3.2 3.2, 0 3.2)",
+      IsSmall("(0 0, 2.9 0, 2.9 1.25, 6 1.25, 6 0, 8.9 0, 8.9 2.9, 6 2.9, 6 1.65, 2.9 1.65, "
+              "2.9 2.9, 0 2.9)",
               3));
 }
 
