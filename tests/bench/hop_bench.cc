@@ -145,7 +145,7 @@ class CannedStages : public BeadingStage,
     return ProgramEnvelope{};
   }
   absl::StatusOr<FdmResult> Run(const StageCall&, const FdmTask& task) const override {
-    return FdmResult{Part(job_.programs, task.range), {}, {}};
+    return FdmResult{Part(job_.programs, task.range), {}, {}, {}};
   }
 
  private:
