@@ -116,7 +116,7 @@ struct ReadRing {
   std::optional<bool> hole;      ///< by nesting if the file does not say
 };
 
-/// LineWords taken one after the other.
+/// Words taken one after the other.
 class NumberReader {
  public:
   explicit NumberReader(LineWords words) : words_(std::move(words)) {}

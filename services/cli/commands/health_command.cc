@@ -48,7 +48,7 @@ ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
   rpc::ClientCall call({std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
                         interrupt.Token()});
   const grpc::ByteBuffer request(nullptr, 0);
-  const auto reader = stub.PrepareUnaryCall(call.context(), "/grpc.health.v1.Health/CheckHealth",
+  const auto reader = stub.PrepareUnaryCall(call.context(), "/grpc.health.v1.Health/Check",
                                             request, call.queue());
   reader->StartCall();
   grpc::ByteBuffer response;

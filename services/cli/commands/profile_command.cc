@@ -98,7 +98,7 @@ void AddProfile(CLI::App& app, CommandContext& context) {
   get->add_option("--revision", options->revision, "Default: the newest")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  AddTo(*command, "list", "ListProfiles the newest revisions", options, context, ListProfiles);
+  AddTo(*command, "list", "List the newest revisions", options, context, ListProfiles);
   command->footer(
       "A revision never changes: a job says which it was made with.\n"
       "Examples:\n"

@@ -67,7 +67,7 @@ ExitCode ListSettings(const SettingsOptions& options) {
 
 void AddSettings(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand(
-      "settings", "ListSettings every setting with its range, default and meaning");
+      "settings", "List every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
   command->add_option("PATTERN", options->pattern, "Only those with this in their name");
   AddMachineOption(*command, options->process);

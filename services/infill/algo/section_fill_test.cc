@@ -249,7 +249,7 @@ TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   const FillUse& solid = filled->uses[1];
   EXPECT_EQ(solid.settings, 1);
   EXPECT_EQ(solid.feature, Feature::kSolidInfill);
-  EXPECT_EQ(solid.pattern, FillPattern::kMonotonic);
+  EXPECT_EQ(solid.pattern, FillPattern::kRectilinear);
   EXPECT_NEAR(solid.asked_mm3, solid.room_mm3, 1e-9);
   EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.01);
 

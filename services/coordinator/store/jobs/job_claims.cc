@@ -8,7 +8,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// TenantsInTurn with open jobs, those whose turn it is first.
+/// Tenants with open jobs, those whose turn it is first.
 absl::StatusOr<std::vector<std::string>> TenantsInTurn(SqlConnection& db, int64_t now_us) {
   const std::string sql = TenantsSql(db.dialect());
   SqlQuery query(db, sql);
