@@ -143,7 +143,7 @@ class CountPlanner {
       for (const int half : {static_cast<int>(2 * edge), static_cast<int>(2 * edge + 1)}) {
         const int node = graph_.half_edges[half].from;
         if (!in_small_fill_[node]) continue;
-        edge_count_[edge] = std::min(edge_count_[edge], MostWalls());
+        edge_count_[edge] = std::min(edge_count_[edge], MostWalls(strategy_));
         graph_.ForEachLeaving(leaving_[node], [&](int up) {
           if (!before[up / 2]) LeaveWayUpToWalls(up, before);
         });
@@ -156,12 +156,9 @@ class CountPlanner {
     for (; half >= 0; half = SteepestUp(graph_.To(half), before)) {
       if (graph_.ToNode(half).radius <= graph_.FromNode(half).radius) return;
       central_[half / 2] = true;
-      edge_count_[half / 2] = MostWalls();
+      edge_count_[half / 2] = MostWalls(strategy_);
     }
   }
-
-  /// On both sides together; where there is room for more, it is the infill's.
-  int MostWalls() const { return strategy_.OptimalCount(kUnreachableNm - 1) - 1; }
 
   int CountAlong(int half) const {
     const SkeletalNode &a = graph_.FromNode(half), &b = graph_.ToNode(half);
@@ -316,7 +313,7 @@ class CountPlanner {
   /// exactly the right volume, as a ring halfway to the middle is half as long as the outline.
   int CountAtTop(size_t node) const {
     const int count = strategy_.OptimalCount(Thickness(graph_.nodes[node].radius));
-    if (count > MostWalls()) return IsInSmallFill(node) ? MostWalls() : count;
+    if (count > MostWalls(strategy_)) return IsInSmallFill(node) ? MostWalls(strategy_) : count;
     const bool has_middle = count % 2 == 1;
     return has_middle && count >= kLeastInnerMiddle ? count - 1 : count;
   }

@@ -9,7 +9,7 @@
 namespace slicefarm::beading {
 
 /// Nodes nearer than this to another one are not made.
-constexpr double kLeastPieceNm = 10'000;
+inline constexpr double kLeastPieceNm = 10'000;
 
 struct CountOptions {
   double filter_deviation_nm = 100'000;     ///< how much wider or narrower beads may get ...

@@ -149,9 +149,8 @@ class Stretches {
 
   /// Whether the stretch has a bead along the middle that would hardly be worth a travel.
   static bool HasShortMiddle(const Data& data, const BeadingStrategy& strategy) {
-    const bool is_fill = data.count >= strategy.OptimalCount(kUnreachableNm - 1);
-    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle && !is_fill &&
-           data.length < kLeastMiddleNm;
+    return data.count % 2 == 1 && data.count >= kLeastInnerMiddle &&
+           data.count <= MostWalls(strategy) && data.length < kLeastMiddleNm;
   }
 
   /// In a neck that lies between steep sides alone.

@@ -18,7 +18,7 @@ class FillPlaces {
         graph_(graph),
         edge_counts_(edge_counts),
         leaving_(graph.Leaving()),
-        walls_(strategy.OptimalCount(kUnreachableNm - 1) - 1),
+        walls_(MostWalls(strategy)),
         least_(strategy.TransitionThickness(walls_)),
         depth_(static_cast<double>(strategy.Compute(least_, walls_ + 1).locations_nm[walls_ / 2])) {
   }

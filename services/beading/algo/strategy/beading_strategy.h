@@ -62,4 +62,10 @@ class BeadingStrategy {
 
 inline constexpr Coord kUnreachableNm = Coord{9'000} * kNmPerMm;
 
+/// The most walls of a place, on both sides of it together: what has room for more beads is left to
+/// the infill.
+inline int MostWalls(const BeadingStrategy& strategy) {
+  return strategy.OptimalCount(kUnreachableNm - 1) - 1;
+}
+
 }  // namespace slicefarm::beading

@@ -90,8 +90,8 @@ class Firmware {
   virtual bool HasTravelAcceleration() const = 0;
   /// Whether moves of filament alone have one of their own.
   virtual bool HasRetractAcceleration() const { return true; }
-  /// One of them 0: not told. REQUIRES: `travel_mm_s2` is 0 unless HasTravelAcceleration, and
-  /// `print_mm_s2` is not unless it is.
+  /// Tells the acceleration of printing, of travels, or both; 0: not told. REQUIRES: not both are
+  /// 0, and `travel_mm_s2` is 0 unless HasTravelAcceleration.
   virtual void WriteAcceleration(double print_mm_s2, double travel_mm_s2, GcodeText& out) const = 0;
 
   /// Pressure advance (linear advance), in the firmware's own unit.
