@@ -1,9 +1,9 @@
 # Precompiled headers: four, each made once. Without them a clean build takes twice the time.
 option(SLICEFARM_PCH "Precompile what nearly every file includes" ON)
 
-# slicefarm_precompiled(name folder-header [EXECUTABLE] DEPS ...): makes a precompiled header for others to use.
+# slicefarm_precompiled(name folder-header [TESTS] DEPS ...): makes a precompiled header for libraries and programs, or for tests.
 function(slicefarm_precompiled name header)
-  cmake_parse_arguments(ARG "EXECUTABLE" "" "DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "TESTS" "" "DEPS" ${ARGN})
   if(NOT SLICEFARM_PCH)
     return()
   endif()
@@ -12,8 +12,7 @@ function(slicefarm_precompiled name header)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE slicefarm_warnings)
   target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/pch/${header})
-  if(ARG_EXECUTABLE) # the compiler takes only what was made with the same flags
-    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  if(ARG_TESTS) # the compiler takes only what was made with the same flags
     slicefarm_compile_fast(${name})
   endif()
 endfunction()
@@ -60,6 +59,7 @@ function(slicefarm_binary name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} slicefarm_warnings)
+  slicefarm_use_precompiled(${name} library ${ARG_DEPS})
   if(NOT ARG_LIBC_HEAP)
     target_link_libraries(${name} PRIVATE slicefarm_heap)
   endif()
@@ -80,8 +80,7 @@ function(slicefarm_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE SLICEFARM_CORPUS="${PROJECT_SOURCE_DIR}/tests/corpus")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} slicefarm_warnings GTest::gmock GTest::gtest_main)
-  set_target_properties(${name} PROPERTIES
-    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests POSITION_INDEPENDENT_CODE OFF)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   slicefarm_compile_fast(${name})
   slicefarm_use_precompiled(${name} test ${ARG_DEPS})
   if(NOT ARG_TOGETHER)

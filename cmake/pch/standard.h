@@ -1,6 +1,8 @@
 // Precompiled for libraries: what nearly every file of slicefarm includes.
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

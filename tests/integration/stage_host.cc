@@ -8,6 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "services/beading/server/beading_service.h"
+#include "services/exposure/server/exposure_service.h"
+#include "services/infill/server/infill_service.h"
+#include "services/motion/server/motion_service.h"
+#include "services/ordering/server/ordering_service.h"
+#include "services/slicing/server/slicing_service.h"
+#include "services/worker/server/worker_service.h"
+
 namespace slicefarm {
 
 rpc::JsonLog NoLog() {
@@ -17,20 +25,18 @@ rpc::JsonLog NoLog() {
 
 StageHost::StageHost(const HostedStages& stages, const rpc::CallGateOptions& gate,
                      const rpc::ServerOptions& options)
-    : gate_(gate, NoLog()),
-      slicing_(stages.slicing, *arranging_, gate_, kThreads),
-      planning_(stages.planning(gate_)),
-      beading_(stages.beading, gate_),
-      infill_(stages.infill, gate_),
-      ordering_(stages.ordering, gate_),
-      motion_(stages.motion, gate_),
-      worker_(stages.runner, gate_) {
-  std::vector<grpc::Service*> services = {&slicing_,  planning_.get(), &beading_, &infill_,
-                                          &ordering_, &motion_,        &worker_};
-  if (stages.exposure != nullptr) {
-    exposure_.emplace(*stages.exposure, gate_);
-    services.push_back(&*exposure_);
-  }
+    : gate_(gate, NoLog()) {
+  services_.push_back(slicing::MakeSlicingService(stages.slicing, *arranging_, gate_, kThreads));
+  services_.push_back(stages.planning(gate_));
+  services_.push_back(beading::MakeBeadingService(stages.beading, gate_));
+  services_.push_back(infill::MakeInfillService(stages.infill, gate_));
+  services_.push_back(ordering::MakeOrderingService(stages.ordering, gate_));
+  services_.push_back(motion::MakeMotionService(stages.motion, gate_));
+  services_.push_back(worker::MakeWorkerService(stages.runner, gate_));
+  if (stages.exposure != nullptr)
+    services_.push_back(exposure::MakeExposureService(*stages.exposure, gate_));
+  std::vector<grpc::Service*> services;
+  for (const auto& service : services_) services.push_back(service.get());
   auto server = rpc::Server::Start(options, services, call_metrics_);
   if (!server.ok()) {
     std::fprintf(stderr, "%s\n", server.status().ToString().c_str());

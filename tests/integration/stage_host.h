@@ -2,22 +2,15 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/rpc/observe/metrics.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
 #include "common/stage/task.h"
-#include "services/beading/server/beading_service.h"
-#include "services/exposure/server/exposure_service.h"
-#include "services/infill/server/infill_service.h"
-#include "services/motion/server/motion_service.h"
-#include "services/ordering/server/ordering_service.h"
 #include "services/planning/server/planning_service.h"
 #include "services/slicing/algo/placement/arranging/local_arranging_stage.h"
-#include "services/slicing/server/slicing_service.h"
-#include "services/worker/server/worker_service.h"
 
 namespace slicefarm {
 
@@ -30,8 +23,8 @@ struct HostedStages {
   const MotionStage& motion;
   const TaskRunner& runner;
   /// Planning has its algorithm within its service.
-  std::function<std::unique_ptr<v1::Planning::Service>(rpc::CallGate&)> planning =
-      [](rpc::CallGate& gate) { return std::make_unique<planning::PlanningService>(gate); };
+  std::function<std::unique_ptr<grpc::Service>(rpc::CallGate&)> planning =
+      planning::MakePlanningService;
   const ExposureStage* exposure = nullptr;  ///< null: it is not served
 };
 
@@ -51,14 +44,7 @@ class StageHost {
   rpc::CallMetrics call_metrics_{metrics_.registry()};
   rpc::CallGate gate_;
   const std::unique_ptr<ArrangingStage> arranging_ = slicing::MakeLocalArranging();
-  slicing::SlicingService slicing_;
-  const std::unique_ptr<v1::Planning::Service> planning_;
-  beading::BeadingService beading_;
-  infill::InfillService infill_;
-  ordering::OrderingService ordering_;
-  motion::MotionService motion_;
-  std::optional<exposure::ExposureService> exposure_;
-  worker::WorkerService worker_;
+  std::vector<std::unique_ptr<grpc::Service>> services_;
   std::unique_ptr<rpc::Server> server_;
 };
 

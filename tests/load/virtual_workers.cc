@@ -50,11 +50,11 @@ class SleepingRunner final : public FdmRunner {
 struct VirtualWorker {
   VirtualWorker(const FdmRunner& runner, const rpc::JsonLog& log, rpc::CallMetrics& metrics)
       : gate({.slots = 1, .queue = 4}, log),
-        service(runner, gate),
-        server(*rpc::Server::Start({}, {&service}, metrics)) {}
+        service(worker::MakeWorkerService(runner, gate)),
+        server(*rpc::Server::Start({}, {service.get()}, metrics)) {}
 
   rpc::CallGate gate;
-  worker::WorkerService service;
+  std::unique_ptr<grpc::Service> service;
   std::unique_ptr<rpc::Server> server;
 };
 

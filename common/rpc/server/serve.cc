@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 #include "common/base/build_info.h"
@@ -70,19 +71,6 @@ void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags) {
                  "Calls worked on at once; 0: one for each core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-}
-
-std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
-                                   const std::string& about, ServeFlags* flags) {
-  CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
-  AddServeFlags(app, flags);
-  AddConcurrencyFlag(app, flags);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  }
-  return std::nullopt;
 }
 
 CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
@@ -159,6 +147,36 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   metrics_.Stop();  // what it shows may be the caller's, and end with his scope
   log_.Info("stopped");
   return 0;
+}
+
+namespace {
+
+/// Reads the command line of slicefarm-`name`, which has no other flags than these. Returns the
+/// exit code if that is all there was to do: a bad flag, --help or --version.
+std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
+                                   const std::string& about, ServeFlags* flags) {
+  CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
+  AddServeFlags(app, flags);
+  AddConcurrencyFlag(app, flags);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
+               const MakeService& make) {
+  ServerProgram program(name);
+  ServeFlags flags;
+  if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
+  CallGate gate(program.GateOptions(flags), program.log());
+  program.Show(gate);
+  const std::unique_ptr<grpc::Service> service = make(gate);
+  return program.Run(flags, {service.get()});
 }
 
 }  // namespace slicefarm::rpc

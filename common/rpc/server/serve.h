@@ -3,7 +3,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,23 +76,11 @@ class ServerProgram {
   CallMetrics call_metrics_;
 };
 
-/// Reads the command line of slicefarm-`name`, which has no other flags than these. Returns the
-/// exit code if that is all there was to do: a bad flag, --help or --version.
-std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
-                                   const std::string& about, ServeFlags* flags);
+/// Makes a service behind a gate, which outlives it.
+using MakeService = std::function<std::unique_ptr<grpc::Service>(CallGate& gate)>;
 
-/// main() of the server program of one stage. `Service`: made of `parts`, such as a stage, and a
-/// gate.
-template <typename Service, typename... Parts>
+/// main() of the server program of one stage.
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
-               const Parts&... parts) {
-  ServerProgram program(name);
-  ServeFlags flags;
-  if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
-  CallGate gate(program.GateOptions(flags), program.log());
-  program.Show(gate);
-  Service service(parts..., gate);
-  return program.Run(flags, {&service});
-}
+               const MakeService& make);
 
 }  // namespace slicefarm::rpc

@@ -3,10 +3,31 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/beading.grpc.pb.h"
 
 namespace slicefarm::beading {
+namespace {
+
+class BeadingService final : public v1::Beading::Service {
+ public:
+  BeadingService(const BeadingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+
+  grpc::Status BeadLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::WalledLayer, v1::BeadRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::WalledLayer, v1::BeadRequest>;
+  absl::Status Bead(rpc::Call& call, Stream& stream) const;
+
+  const BeadingStage& stage_;
+  rpc::CallGate& gate_;
+};
+
+}  // namespace
 
 grpc::Status BeadingService::BeadLayers(
     grpc::ServerContext* context,
@@ -30,6 +51,10 @@ absl::Status BeadingService::Bead(rpc::Call& call, Stream& stream) const {
   return WriteEach<v1::WalledLayer>(
       stream, *walled,
       [](const WalledLayer& layer, v1::WalledLayer* proto) { return ToProto(layer, proto); });
+}
+
+std::unique_ptr<grpc::Service> MakeBeadingService(const BeadingStage& stage, rpc::CallGate& gate) {
+  return std::make_unique<BeadingService>(stage, gate);
 }
 
 }  // namespace slicefarm::beading

@@ -3,6 +3,8 @@
 #include "services/beading/server/beading_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::beading::BeadingService>(
-      argc, argv, "beading", "Outlines to walls", *slicefarm::beading::MakeLocalBeading());
+  const auto stage = slicefarm::beading::MakeLocalBeading();
+  return slicefarm::rpc::ServeStage(argc, argv, "beading", "Outlines to walls", [&](auto& gate) {
+    return slicefarm::beading::MakeBeadingService(*stage, gate);
+  });
 }

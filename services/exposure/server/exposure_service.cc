@@ -3,14 +3,39 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/options/exposure_options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/exposure.grpc.pb.h"
 
 namespace slicefarm::exposure {
+namespace {
+
+class ExposureService final : public v1::Exposure::Service {
+ public:
+  ExposureService(const ExposureStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+
+  grpc::Status ExposeLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::ExposedProgram, v1::ExposeRequest>* stream) override;
+  grpc::Status FrameExposure(grpc::ServerContext* context, const v1::ExposureFrameRequest* request,
+                             v1::ExposureFrame* response) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::ExposedProgram, v1::ExposeRequest>;
+  absl::Status Expose(rpc::Call& call, Stream& stream) const;
+  absl::Status Frame(rpc::Call& call, const v1::ExposureFrameRequest& request,
+                     v1::ExposureFrame* response) const;
+
+  const ExposureStage& stage_;
+  rpc::CallGate& gate_;
+};
+
+}  // namespace
 
 grpc::Status ExposureService::ExposeLayers(
     grpc::ServerContext* context,
@@ -58,6 +83,11 @@ absl::Status ExposureService::Frame(rpc::Call& call, const v1::ExposureFrameRequ
   if (!frame.ok()) return frame.status();
   *response = ToProto(*std::move(frame));
   return absl::OkStatus();
+}
+
+std::unique_ptr<grpc::Service> MakeExposureService(const ExposureStage& stage,
+                                                   rpc::CallGate& gate) {
+  return std::make_unique<ExposureService>(stage, gate);
 }
 
 }  // namespace slicefarm::exposure

@@ -3,7 +3,8 @@
 #include "services/exposure/server/exposure_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::exposure::ExposureService>(
+  const auto stage = slicefarm::exposure::MakeLocalExposure();
+  return slicefarm::rpc::ServeStage(
       argc, argv, "exposure", "Scan vectors of lasers",
-      *slicefarm::exposure::MakeLocalExposure());
+      [&](auto& gate) { return slicefarm::exposure::MakeExposureService(*stage, gate); });
 }

@@ -3,13 +3,34 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
+#include "slicefarm/v1/infill.grpc.pb.h"
 
 namespace slicefarm::infill {
+namespace {
+
+class InfillService final : public v1::Infill::Service {
+ public:
+  InfillService(const InfillStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+
+  grpc::Status FillLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::FilledLayer, v1::FillRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::FilledLayer, v1::FillRequest>;
+  absl::Status Fill(rpc::Call& call, Stream& stream) const;
+
+  const InfillStage& stage_;
+  rpc::CallGate& gate_;
+};
+
+}  // namespace
 
 grpc::Status InfillService::FillLayers(
     grpc::ServerContext* context,
@@ -45,6 +66,10 @@ absl::Status InfillService::Fill(rpc::Call& call, Stream& stream) const {
   return WriteEach<v1::FilledLayer>(
       stream, *filled,
       [](const FilledLayer& layer, v1::FilledLayer* proto) { return ToProto(layer, proto); });
+}
+
+std::unique_ptr<grpc::Service> MakeInfillService(const InfillStage& stage, rpc::CallGate& gate) {
+  return std::make_unique<InfillService>(stage, gate);
 }
 
 }  // namespace slicefarm::infill

@@ -3,6 +3,8 @@
 #include "services/infill/server/infill_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::infill::InfillService>(
-      argc, argv, "infill", "Skins and infill", *slicefarm::infill::MakeLocalInfill());
+  const auto stage = slicefarm::infill::MakeLocalInfill();
+  return slicefarm::rpc::ServeStage(argc, argv, "infill", "Skins and infill", [&](auto& gate) {
+    return slicefarm::infill::MakeInfillService(*stage, gate);
+  });
 }

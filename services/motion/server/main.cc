@@ -3,6 +3,8 @@
 #include "services/motion/server/motion_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::motion::MotionService>(
-      argc, argv, "motion", "Paths to G-code", *slicefarm::motion::MakeLocalMotion());
+  const auto stage = slicefarm::motion::MakeLocalMotion();
+  return slicefarm::rpc::ServeStage(argc, argv, "motion", "Paths to G-code", [&](auto& gate) {
+    return slicefarm::motion::MakeMotionService(*stage, gate);
+  });
 }

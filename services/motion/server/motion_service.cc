@@ -3,14 +3,40 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/options/motion_options_wire.h"
 #include "common/wire/stage_call_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/motion.grpc.pb.h"
 
 namespace slicefarm::motion {
+namespace {
+
+class MotionService final : public v1::Motion::Service {
+ public:
+  MotionService(const MotionStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+
+  grpc::Status ProgramLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::LayerProgram, v1::ProgramRequest>* stream) override;
+
+  grpc::Status FrameProgram(grpc::ServerContext* context, const v1::FrameRequest* request,
+                            v1::ProgramFrame* response) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::LayerProgram, v1::ProgramRequest>;
+  absl::Status Program(rpc::Call& call, Stream& stream) const;
+  absl::Status Frame(rpc::Call& call, const v1::FrameRequest& request,
+                     v1::ProgramFrame* response) const;
+
+  const MotionStage& stage_;
+  rpc::CallGate& gate_;
+};
+
+}  // namespace
 
 grpc::Status MotionService::ProgramLayers(
     grpc::ServerContext* context,
@@ -63,6 +89,10 @@ absl::Status MotionService::Frame(rpc::Call& call, const v1::FrameRequest& reque
   if (!frame.ok()) return frame.status();
   *response = ToProto(*std::move(frame));
   return absl::OkStatus();
+}
+
+std::unique_ptr<grpc::Service> MakeMotionService(const MotionStage& stage, rpc::CallGate& gate) {
+  return std::make_unique<MotionService>(stage, gate);
 }
 
 }  // namespace slicefarm::motion

@@ -3,7 +3,8 @@
 #include "services/ordering/server/ordering_service.h"
 
 int main(int argc, char** argv) {
-  return slicefarm::rpc::ServeStage<slicefarm::ordering::OrderingService>(
+  const auto stage = slicefarm::ordering::MakeLocalOrdering();
+  return slicefarm::rpc::ServeStage(
       argc, argv, "ordering", "The order and direction of paths",
-      *slicefarm::ordering::MakeLocalOrdering());
+      [&](auto& gate) { return slicefarm::ordering::MakeOrderingService(*stage, gate); });
 }

@@ -3,12 +3,33 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/ordering.grpc.pb.h"
 
 namespace slicefarm::ordering {
+namespace {
+
+class OrderingService final : public v1::Ordering::Service {
+ public:
+  OrderingService(const OrderingStage& stage, rpc::CallGate& gate) : stage_(stage), gate_(gate) {}
+
+  grpc::Status OrderLayers(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::OrderedLayer, v1::OrderRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::OrderedLayer, v1::OrderRequest>;
+  absl::Status Order(rpc::Call& call, Stream& stream) const;
+
+  const OrderingStage& stage_;
+  rpc::CallGate& gate_;
+};
+
+}  // namespace
 
 grpc::Status OrderingService::OrderLayers(
     grpc::ServerContext* context,
@@ -38,6 +59,11 @@ absl::Status OrderingService::Order(rpc::Call& call, Stream& stream) const {
   return WriteEach<v1::OrderedLayer>(
       stream, *ordered,
       [](const OrderedLayer& layer, v1::OrderedLayer* proto) { return ToProto(layer, proto); });
+}
+
+std::unique_ptr<grpc::Service> MakeOrderingService(const OrderingStage& stage,
+                                                   rpc::CallGate& gate) {
+  return std::make_unique<OrderingService>(stage, gate);
 }
 
 }  // namespace slicefarm::ordering

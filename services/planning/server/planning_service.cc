@@ -4,15 +4,32 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/layers/plan_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/message_stream.h"
 #include "common/wire/support/repeated_wire.h"
 #include "services/planning/algo/job_planner.h"
+#include "slicefarm/v1/planning.grpc.pb.h"
 
 namespace slicefarm::planning {
 namespace {
+
+class PlanningService final : public v1::Planning::Service {
+ public:
+  explicit PlanningService(rpc::CallGate& gate) : gate_(gate) {}
+
+  grpc::Status PlanJob(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::PlanResponse, v1::PlanRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::PlanResponse, v1::PlanRequest>;
+  static absl::Status Plan(rpc::Call& call, Stream& stream);
+
+  rpc::CallGate& gate_;
+};
 
 template <typename Stream>
 absl::Status AnswerLayers(const std::vector<LayerPlan>& layers, Stream& stream) {
@@ -75,6 +92,10 @@ absl::Status PlanningService::Plan(rpc::Call& call, Stream& stream) {
   const absl::StatusOr<JobPlan> plan = planner->Finish(call.cancel);
   if (!plan.ok()) return plan.status();
   return AnswerRest(*plan, stream);
+}
+
+std::unique_ptr<grpc::Service> MakePlanningService(rpc::CallGate& gate) {
+  return std::make_unique<PlanningService>(gate);
 }
 
 }  // namespace slicefarm::planning

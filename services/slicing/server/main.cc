@@ -35,6 +35,6 @@ int main(int argc, char** argv) {
   const auto arranging = slicefarm::slicing::MakeLocalArranging(*std::move(meshes_to_arrange));
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  slicefarm::slicing::SlicingService service(*slicing, *arranging, gate, threads);
-  return program.Run(flags, {&service});
+  const auto service = slicefarm::slicing::MakeSlicingService(*slicing, *arranging, gate, threads);
+  return program.Run(flags, {service.get()});
 }

@@ -3,12 +3,40 @@
 #include <utility>
 #include <vector>
 
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/layer_wire.h"
 #include "common/wire/slicing_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/slicing.grpc.pb.h"
 
 namespace slicefarm::slicing {
 namespace {
+
+class SlicingService final : public v1::Slicing::Service {
+ public:
+  SlicingService(const SlicingStage& slicing, const ArrangingStage& arranging, rpc::CallGate& gate,
+                 int threads)
+      : slicing_(slicing), arranging_(arranging), gate_(gate), threads_(threads) {}
+
+  grpc::Status Slice(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::SliceResponse, v1::SliceRequest>* stream) override;
+  grpc::Status PutOnPlates(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::PlatePlace, v1::SliceRequest>* stream) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::SliceResponse, v1::SliceRequest>;
+  using PlacesStream = rpc::ServerStream<v1::PlatePlace, v1::SliceRequest>;
+  absl::Status SliceFiles(rpc::Call& call, Stream& stream) const;
+  absl::Status ArrangeFiles(rpc::Call& call, PlacesStream& stream) const;
+  static absl::Status Answer(const SlicedJob& job, Stream& stream);
+
+  const SlicingStage& slicing_;
+  const ArrangingStage& arranging_;
+  rpc::CallGate& gate_;
+  const int threads_;
+};
 
 struct Request {
   StageCall call;
@@ -77,6 +105,12 @@ absl::Status SlicingService::Answer(const SlicedJob& job, Stream& stream) {
                                       [](const SlicedLayer& layer, v1::SliceResponse* proto) {
                                         return ToProto(layer, proto->mutable_layer());
                                       });
+}
+
+std::unique_ptr<grpc::Service> MakeSlicingService(const SlicingStage& slicing,
+                                                  const ArrangingStage& arranging,
+                                                  rpc::CallGate& gate, int threads) {
+  return std::make_unique<SlicingService>(slicing, arranging, gate, threads);
 }
 
 }  // namespace slicefarm::slicing

@@ -55,6 +55,6 @@ int main(int argc, char** argv) {
   const slicefarm::ProcessRunners runners = RunnersOf(names, fdm, laser);
   slicefarm::rpc::CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
-  slicefarm::worker::WorkerService service(runners, gate);
-  return program.Run(flags, {&service});
+  const auto service = slicefarm::worker::MakeWorkerService(runners, gate);
+  return program.Run(flags, {service.get()});
 }

@@ -4,15 +4,37 @@
 #include <vector>
 
 #include "common/base/build_info.h"
+#include "common/rpc/server/server_stream.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/fill_use_wire.h"
 #include "common/wire/layers/program_wire.h"
 #include "common/wire/start_wire.h"
 #include "common/wire/support/enum_wire.h"
 #include "common/wire/support/message_stream.h"
+#include "slicefarm/v1/worker.grpc.pb.h"
 
 namespace slicefarm::worker {
 namespace {
+
+class WorkerService final : public v1::Worker::Service {
+ public:
+  WorkerService(const TaskRunner& runner, rpc::CallGate& gate) : runner_(runner), gate_(gate) {}
+
+  grpc::Status WorkRange(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::WorkResponse, v1::WorkRequest>* stream) override;
+  grpc::Status GetWorkerInfo(grpc::ServerContext* context, const v1::GetWorkerInfoRequest* request,
+                             v1::WorkerInfo* response) override;
+
+ private:
+  using Stream = rpc::ServerStream<v1::WorkResponse, v1::WorkRequest>;
+  absl::Status Work(rpc::Call& call, Stream& stream) const;
+  static absl::Status Answer(FdmResult result, Stream& stream);
+  static absl::Status Answer(LaserResult result, Stream& stream);
+
+  const TaskRunner& runner_;
+  rpc::CallGate& gate_;
+};
 
 /// A range of the start's process. It points into its arguments.
 Task TaskOf(const WorkStart& start, std::span<const SlicedLayer> layers) {
@@ -99,6 +121,10 @@ absl::Status WorkerService::Answer(LaserResult result, Stream& stream) {
   if (!status.ok()) return status;
   WriteTimes(result.times, stream);
   return absl::OkStatus();
+}
+
+std::unique_ptr<grpc::Service> MakeWorkerService(const TaskRunner& runner, rpc::CallGate& gate) {
+  return std::make_unique<WorkerService>(runner, gate);
 }
 
 }  // namespace slicefarm::worker

@@ -49,6 +49,8 @@ TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   const auto locker = PostgresConnection::Open(database);
   const auto watcher = PostgresConnection::Open(database);
   ASSERT_TRUE(locker.ok() && watcher.ok());
+  // The lock is to outlive the limit on idle transactions, however long the callers take to come.
+  ASSERT_TRUE((*locker)->Execute("SET idle_in_transaction_session_timeout = 0").ok());
   SqlTransaction lock(**locker);
   ASSERT_TRUE((*locker)->Execute("SELECT 1 FROM jobs WHERE id = 'wanted' FOR UPDATE").ok());
   std::vector<std::thread> callers;
