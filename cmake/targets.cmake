@@ -36,8 +36,8 @@ function(slicefarm_use_precompiled target kind)
   target_precompile_headers(${target} REUSE_FROM slicefarm_pch${grpc}_${kind})
 endfunction()
 
-# The cold preset compiles eight files of a target as one: headers and templates, most of a compiler's work, are then done
-# once for eight. So all files of a library or a program need different names in their unnamed namespaces. Who edits and
+# The cold preset compiles sixteen files of a target as one: headers and templates, most of a compiler's work, are then done
+# once for all. So all files of a library or a program need different names in their unnamed namespaces. Who edits and
 # builds uses the release preset, where a changed file is compiled alone.
 
 # slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
@@ -70,7 +70,7 @@ function(slicefarm_binary name)
 endfunction()
 
 # slicefarm_test(name [TOGETHER] SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
-# TOGETHER: their names differ, too, and the cold preset compiles eight files as one.
+# TOGETHER: their names differ, too, and the cold preset compiles sixteen files as one.
 function(slicefarm_test name)
   cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPS;LABELS" ${ARGN})
   if(NOT BUILD_TESTING)

@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "common/base/build_info.h"
-#include "common/rpc/security/certificate_metrics.h"
 #include "common/rpc/observe/gate_metrics.h"
+#include "common/rpc/security/certificate_metrics.h"
+#include "common/rpc/security/tls_options.h"
 #include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/open_files.h"
-#include "common/rpc/security/tls_options.h"
 
 namespace slicefarm::rpc {
 namespace {

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "common/rpc/security/authorizer.h"
-#include "common/rpc/server/call_gate.h"
 #include "common/rpc/observe/call_metrics.h"
 #include "common/rpc/observe/json_log.h"
 #include "common/rpc/observe/library_log.h"
 #include "common/rpc/observe/metrics.h"
+#include "common/rpc/security/authorizer.h"
+#include "common/rpc/security/tls.h"
+#include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/server.h"
 #include "common/rpc/server/shutdown_signal.h"
-#include "common/rpc/security/tls.h"
 
 namespace CLI {
 class App;

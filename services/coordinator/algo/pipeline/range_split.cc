@@ -11,7 +11,7 @@ constexpr int64_t kLayerCost = 100;
 /// For how many slots to cut while no worker has joined yet.
 constexpr int kSlotsToCome = 8;
 
-int64_t Cost(const SlicedLayer& layer) {
+int64_t WorkIn(const SlicedLayer& layer) {
   int64_t cost = kLayerCost;
   for (const ObjectSection& section : layer.sections) {
     for (const Region& region : section.regions)
@@ -25,7 +25,7 @@ int64_t Cost(const SlicedLayer& layer) {
 std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int slots,
                                         const RangeSplitOptions& options) {
   std::vector<int64_t> costs(layers.size());
-  std::transform(layers.begin(), layers.end(), costs.begin(), Cost);
+  std::transform(layers.begin(), layers.end(), costs.begin(), WorkIn);
   const int shares = 2 * (slots > 0 ? slots : kSlotsToCome);
   int64_t remaining = std::accumulate(costs.begin(), costs.end(), int64_t{0});
 

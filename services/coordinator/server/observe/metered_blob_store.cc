@@ -12,8 +12,8 @@ prometheus::Gauge& Gauge(prometheus::Registry& registry, const std::string& name
   return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
 }
 
-prometheus::Counter& Counter(prometheus::Registry& registry, const std::string& name,
-                             const std::string& help) {
+prometheus::Counter& OneCounter(prometheus::Registry& registry, const std::string& name,
+                                const std::string& help) {
   return prometheus::BuildCounter().Name(name).Help(help).Register(registry).Add({});
 }
 
@@ -83,10 +83,10 @@ MeteredBlobStores::MeteredBlobStores(BlobStores& stores, prometheus::Registry& r
       bytes_(Gauge(registry, "slicefarm_blob_bytes",
                    "Bytes of blobs and uploads when the store was last swept")),
       blobs_(Gauge(registry, "slicefarm_blobs", "Blobs and uploads when the store was last swept")),
-      written_(Counter(registry, "slicefarm_blob_written_bytes_total",
-                       "Bytes of uploads and results that were written")),
-      corrupt_(Counter(registry, "slicefarm_blob_corrupt_total",
-                       "Blobs whose bytes were found to be others than their name says")) {}
+      written_(OneCounter(registry, "slicefarm_blob_written_bytes_total",
+                          "Bytes of uploads and results that were written")),
+      corrupt_(OneCounter(registry, "slicefarm_blob_corrupt_total",
+                          "Blobs whose bytes were found to be others than their name says")) {}
 
 absl::StatusOr<std::shared_ptr<BlobStore>> MeteredBlobStores::Of(const std::string& tenant) {
   auto store = stores_.Of(tenant);
