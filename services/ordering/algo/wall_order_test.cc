@@ -63,8 +63,8 @@ TEST(PrintWalls, APieceOfAWallEndsAtTheSeamOfTheOneOutside) {
   }
 }
 
-// A bead in the middle of one end of a thin wall comes before the wall's seam at the other end: what
-// stands beside that bead is printed on the way to it.
+// A bead in the middle of one end of a thin wall comes before the wall's seam at the other end:
+// what stands beside that bead is printed on the way to it.
 TEST(PrintWalls, AContourIsEnteredWhereItsInnermostWallStarts) {
   Path middle = MakePathOrDie("(90 0.5, 99 0.5)", false);
   middle.inset = 1;
