@@ -10,8 +10,9 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Shorter stretches of the edge, in pitches along the lines, are no flat ones.
-constexpr double kLeastFlatPitches = 1.0;
+/// Shorter stretches of the edge, in pitches along the lines, are no flat ones: at steeper angles
+/// the round ends of lines leave little, and each fitted end takes some moves more.
+constexpr double kLeastFlatPitches = 1.5;
 /// The round end of a line takes so much of the room beyond it, in pitches.
 constexpr double kEndPitches = 0.5;
 /// Corners of a strip lie at least so far apart, in pitches.
