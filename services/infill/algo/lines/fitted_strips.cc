@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/base/portable_math.h"
 #include "services/infill/algo/linking/ring_way.h"
 
 namespace slicefarm::infill {
@@ -97,7 +98,7 @@ void FittedStrips::AddStretch(int32_t from, double reach_nm) {
 
   double length = 0;
   for (size_t i = first; i < last; ++i)
-    length += std::hypot(way[i + 1].u - way[i].u, way[i + 1].v - way[i].v);
+    length += Hypot(way[i + 1].u - way[i].u, way[i + 1].v - way[i].v);
   const double reach = reach_nm * length / (way[last].u - way[first].u);
   std::vector<Knot> edge;
   for (size_t i = first; i <= last; ++i) {
