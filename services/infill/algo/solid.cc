@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
+#include "services/infill/algo/lines/fitted_strips.h"
 #include "services/infill/algo/lines/frame_box.h"
 #include "services/infill/algo/lines/scan_lines.h"
 #include "services/infill/algo/linking/linked_paths.h"
@@ -47,29 +50,37 @@ LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
-/// Pieces of one width, joined by links of another: the width steps where two points are equal.
-Path MakePath(const SerpentinePath& line, Coord width, Coord link_width) {
+/// The strips of a path's pieces, joined by links of one width: the width steps where two points
+/// are equal.
+Path MakePath(const SerpentinePath& line, const FittedStrips& strips, Coord height,
+              Coord link_width) {
   Path path;
-  if (line.pieces.size() == 1 || link_width == width) {
-    path.points = line.points;
-    path.widths_nm = {width};
-    return path;
-  }
-  const size_t count = line.points.size() + 2 * (line.pieces.size() - 1);
-  path.points.reserve(count);
-  path.widths_nm.reserve(count);
-  const auto append = [&](Point point, Coord w) {
+  const auto append = [&](Point point, Coord width) {
+    if (!path.points.empty() && path.points.back() == point && path.widths_nm.back() == width)
+      return;
     path.points.push_back(point);
-    path.widths_nm.push_back(w);
+    path.widths_nm.push_back(width);
   };
   for (size_t k = 0; k < line.pieces.size(); ++k) {
-    const int32_t first = line.pieces[k], last = first + 1;
-    append(line.points[first], width);
-    append(line.points[last], width);
+    const std::vector<StripPoint> strip = strips.From(line.places[k]);
+    if (k > 0) append(strip.front().at, link_width);
+    for (const StripPoint& p : strip) append(p.at, WidthToFill(std::llround(p.strip_nm), height));
     if (k + 1 == line.pieces.size()) break;
-    for (int32_t i = last; i <= line.pieces[k + 1]; ++i) append(line.points[i], link_width);
+    append(strip.back().at, link_width);
+    for (int32_t i = line.pieces[k] + 2; i < line.pieces[k + 1]; ++i)
+      append(line.points[i], link_width);
   }
+  if (std::ranges::count(path.widths_nm, path.widths_nm[0]) == std::ssize(path.widths_nm))
+    path.widths_nm.resize(1);
   return path;
+}
+
+/// By crossing, whether a link runs from it to the next one.
+std::vector<bool> LinkedStretches(const ScanLines& lines, std::span<const SerpentinePath> paths) {
+  std::vector<bool> linked(lines.crossings.size(), false);
+  for (const SerpentinePath& path : paths)
+    for (const int32_t from : path.stretches) linked[from] = true;
+  return linked;
 }
 
 /// Half the width of a region's widest place, to `precision`.
@@ -111,8 +122,10 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
   const SerpentineOptions options{.monotonic = group.keep_order,
                                   .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
-  for (const SerpentinePath& line : Serpentine(*lines, options)) {
-    Path& path = group.paths.emplace_back(MakePath(line, width, link_width));
+  const std::vector<SerpentinePath> paths = Serpentine(*lines, options);
+  const FittedStrips strips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset));
+  for (const SerpentinePath& line : paths) {
+    Path& path = group.paths.emplace_back(MakePath(line, strips, fill.height_nm, link_width));
     path.feature = fill.feature;
     path.reversible = !group.keep_order;
   }

@@ -88,7 +88,7 @@ void SortByLine(int32_t line_count, ScanLines& lines) {
 }  // namespace
 
 Point ScanLines::PlaceOf(const Crossing& crossing) const {
-  return frame.At(crossing.u, first_v + pitch * crossing.line);
+  return frame.At(crossing.u, VOf(crossing.line));
 }
 
 double ScanLines::PieceLength(int32_t piece) const {

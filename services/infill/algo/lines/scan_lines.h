@@ -42,6 +42,7 @@ struct ScanLines {
 
   int32_t LineCount() const { return static_cast<int32_t>(line_begin.size()) - 1; }
   int32_t PieceCount() const { return static_cast<int32_t>(order.size() / 2); }
+  double VOf(int32_t line) const { return first_v + pitch * line; }
   Point PlaceOf(const Crossing& crossing) const;
   /// In nm, of one piece and of all of them.
   double PieceLength(int32_t piece) const;

@@ -141,12 +141,14 @@ class Walker {
     if (!BestLink(lines_.order[place ^ 1]) && BestLink(lines_.order[place])) place ^= 1;
     while (true) {
       path.pieces.push_back(static_cast<int32_t>(path.points.size()));
+      path.places.push_back(place);
       path.points.push_back(PlaceAt(place));
       path.points.push_back(PlaceAt(place ^ 1));
       const int32_t from = lines_.order[place ^ 1];
       const std::optional<Link> link = BestLink(from);
       if (!link) return path;
       AppendLink(from, *link, path.points);
+      path.stretches.push_back(link->forward ? from : link->to);
       place = lines_.crossings[link->to].place;
       Finish(place / 2);
     }

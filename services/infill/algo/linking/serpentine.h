@@ -22,6 +22,9 @@ struct SerpentinePath {
   /// Places in `points` at which the pieces of line begin; each ends at the next point. What lies
   /// between two pieces is their link along the boundary.
   std::vector<int32_t> pieces;
+  std::vector<int32_t> places;  ///< in ScanLines::order, of the crossings at which they begin
+  /// The links, by the crossing from which each one runs forwards along its ring.
+  std::vector<int32_t> stretches;
 };
 
 /// Joins pieces of scan lines to long back-and-forth paths. Neighbouring ends are joined along the

@@ -1,0 +1,145 @@
+#include "services/infill/algo/lines/fitted_strips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr double kPitch = 400'000;
+
+MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
+
+struct Strips {
+  explicit Strips(const MultiPolygon& region, double angle_rad = 0, double phase_nm = 200'000,
+                  double reach_nm = 0, bool linked = false)
+      : lines(*CutLines(region, {angle_rad, phase_nm, kPitch})),
+        fitted(lines, std::vector<bool>(lines.crossings.size(), linked), reach_nm) {}
+
+  /// Of all strips, in mm2.
+  double AreaMm2() const {
+    double area = 0;
+    for (int32_t piece = 0; piece < lines.PieceCount(); ++piece) {
+      const std::vector<StripPoint> strip = fitted.From(2 * piece);
+      for (size_t i = 1; i < strip.size(); ++i)
+        area += Distance(strip[i - 1].at, strip[i].at) *
+                (strip[i - 1].strip_nm + strip[i].strip_nm) / 2;
+    }
+    return area / 1e12;
+  }
+
+  ScanLines lines;
+  FittedStrips fitted;
+};
+
+TEST(FittedStrips, HalfAPitchToEachSideWhereTheEdgeIsSteep) {
+  const Strips strips(P("(0 0, 10 0, 11 2, 10 4, 0 4)"));
+  for (int32_t place = 0; place < 2 * strips.lines.PieceCount(); ++place) {
+    const std::vector<StripPoint> strip = strips.fitted.From(place);
+    ASSERT_EQ(strip.size(), 2u);
+    const auto at = [&](int32_t p) {
+      return strips.lines.PlaceOf(strips.lines.crossings[strips.lines.order[p]]);
+    };
+    EXPECT_EQ(strip.front(), (StripPoint{at(place), kPitch}));
+    EXPECT_EQ(strip.back(), (StripPoint{at(place ^ 1), kPitch}));
+  }
+}
+
+// The last line lies 0.2 mm below where its strip would end, had the region 0.3 mm more: all of that
+// is its own.
+TEST(FittedStrips, TheLastLineFillsUpToAnEdgeAlongIt) {
+  const Strips strips(P("(0 0, 10 0, 10 2.15, 0 2.15)"));
+  const std::vector<StripPoint> last = strips.fitted.From(2 * (strips.lines.PieceCount() - 1));
+  for (const StripPoint& p : last) {
+    EXPECT_NEAR(p.strip_nm, 0.55e6, 1);
+    EXPECT_EQ(p.at.y, 1'875'000);
+  }
+  EXPECT_NEAR(strips.AreaMm2(), 21.5, 1e-6);
+}
+
+// A slope of 5 degrees: lines run into it, and the ones below reach up to it beyond their ends.
+TEST(FittedStrips, NarrowWhereTheyRunIntoTheEdgeAndWideBesideEnds) {
+  const MultiPolygon wedge = P("(0 0, 30 0, 3 2.4)");
+  const Strips strips(wedge);
+  for (int32_t piece = 0; piece + 1 < strips.lines.PieceCount(); ++piece) {
+    const std::vector<StripPoint> strip = strips.fitted.From(2 * piece);
+    EXPECT_NEAR(strip.back().strip_nm, kPitch / 2, 1e3) << piece;
+    double widest = 0;
+    for (const StripPoint& p : strip) widest = std::max(widest, p.strip_nm);
+    EXPECT_GT(widest, 1.2 * kPitch) << piece;
+    EXPECT_LT(widest, 1.5 * kPitch) << piece;
+  }
+  EXPECT_NEAR(strips.AreaMm2() / (Area(wedge) / 1e12), 1, 0.02);
+}
+
+TEST(FittedStrips, ReachIsFilledToo) {
+  const MultiPolygon region = P("(0 0, 10 0, 10 2, 0 2)");
+  const Strips strips(region, 0, 200'000, 45'000);
+  const std::vector<StripPoint> last = strips.fitted.From(2 * (strips.lines.PieceCount() - 1));
+  EXPECT_NEAR(last.front().strip_nm, kPitch + 45'000, 1);
+}
+
+// With a link along the edge, strips end before what the link fills; but none ends below its own
+// line, and links are not beside the ramps.
+TEST(FittedStrips, LeaveRoomForLinks) {
+  const MultiPolygon wedge = P("(0 0, 30 0, 3 2.4)");
+  const double reach = 45'000;
+  const Strips loose(wedge, 0, 200'000, reach, false), linked(wedge, 0, 200'000, reach, true);
+  const double band = 2 * reach * 1e-6 * std::hypot(2.4, 27);
+  EXPECT_LT(loose.AreaMm2() - linked.AreaMm2(), band);
+  EXPECT_GT(loose.AreaMm2() - linked.AreaMm2(), band / 3);
+  for (int32_t piece = 0; piece + 1 < linked.lines.PieceCount(); ++piece)
+    EXPECT_NEAR(linked.fitted.From(2 * piece).back().strip_nm, kPitch / 2, 1) << piece;
+}
+
+// A hole that dips between two lines leaves its room to the line below it, beside no end of which it
+// lies.
+TEST(FittedStrips, FillBelowAHole) {
+  const MultiPolygon holed = P("(0 0, 10 0, 10 4, 0 4) (3 2.1, 7 2.1, 7 3, 3 3)");
+  const Strips strips(holed);
+  // Line 4, at 1.8 mm, lies below the hole, 0.3 mm.
+  const std::vector<StripPoint> below = strips.fitted.From(2 * 4);
+  ASSERT_GT(below.size(), 2u);
+  double widest = 0;
+  for (const StripPoint& p : below) widest = std::max(widest, p.strip_nm);
+  EXPECT_NEAR(widest, kPitch + 100'000, 1);
+  EXPECT_EQ(below.front().strip_nm, kPitch);
+  EXPECT_EQ(below.back().strip_nm, kPitch);
+  EXPECT_EQ(below.front().at.y, 1'800'000);
+}
+
+TEST(FittedStrips, BackwardsIsTheSame) {
+  const Strips strips(P("(0 0, 30 0, 3 2.4)"), 0.05);
+  for (int32_t piece = 0; piece < strips.lines.PieceCount(); ++piece) {
+    std::vector<StripPoint> back = strips.fitted.From(2 * piece + 1);
+    std::ranges::reverse(back);
+    EXPECT_EQ(back, strips.fitted.From(2 * piece));
+  }
+}
+
+// Turning the region with its lines turns the strips.
+TEST(FittedStrips, TurnWithTheLines) {
+  const MultiPolygon flat = P("(0 0, 12 0, 12 3, 2 2.1)");
+  const MultiPolygon upright = P("(0 0, 0 12, -3 12, -2.1 2)");
+  const Strips a(flat), b(upright, std::numbers::pi / 2);
+  ASSERT_EQ(a.lines.PieceCount(), b.lines.PieceCount());
+  for (int32_t piece = 0; piece < a.lines.PieceCount(); ++piece) {
+    const auto p = a.fitted.From(2 * piece), q = b.fitted.From(2 * piece);
+    ASSERT_EQ(p.size(), q.size());
+    for (size_t i = 0; i < p.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(q[i].at.y), static_cast<double>(p[i].at.x), 2);
+      EXPECT_NEAR(static_cast<double>(q[i].at.x), static_cast<double>(-p[i].at.y), 2);
+      EXPECT_NEAR(q[i].strip_nm, p[i].strip_nm, 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slicefarm::infill
