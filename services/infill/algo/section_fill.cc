@@ -70,10 +70,10 @@ Cover CoverOf(const SectionView& view, const InfillOptions& options) {
 absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
   if (view.on_bed) {
     return slicefarm::CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
-                        view.height_nm);
+                                   view.height_nm);
   }
-  absl::Status status =
-      slicefarm::CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
+  absl::Status status = slicefarm::CheckSpacing("solid_infill_extrusion_width",
+                                                options.solid_width_nm, view.height_nm);
   status.Update(
       slicefarm::CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
   if (options.density > 0 || !options.density_field.empty()) {

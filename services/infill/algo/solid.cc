@@ -123,7 +123,11 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
                                   .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
   const std::vector<SerpentinePath> paths = Serpentine(*lines, options);
-  const FittedStrips strips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset));
+  // A thread in the air is as thick as it leaves the nozzle.
+  const FittedStrips strips =
+      fill.feature == Feature::kBridgeInfill
+          ? FittedStrips(*lines)
+          : FittedStrips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset));
   for (const SerpentinePath& line : paths) {
     Path& path = group.paths.emplace_back(MakePath(line, strips, fill.height_nm, link_width));
     path.feature = fill.feature;

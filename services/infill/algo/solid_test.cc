@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
@@ -133,6 +134,20 @@ TEST(SolidGroup, MonotonicKeepsItsOrder) {
   const PolygonWithHoles region = Island("(0 0, 20 0, 20 20, 0 20) (6 6, 14 6, 14 14, 6 14)");
   EXPECT_TRUE(FillSolid(region, {.pattern = FillPattern::kMonotonic})->keep_order);
   EXPECT_FALSE(FillSolid(region, {.pattern = FillPattern::kRectilinear})->keep_order);
+}
+
+// Beside a flat slope strips are as wide as there is room; threads in the air are not.
+TEST(SolidGroup, BridgesHaveEvenLines) {
+  const PolygonWithHoles region = Island("(0 0, 60 0, 60 1, 3 11, 0 11)");
+  const auto widths = [&](Feature feature) {
+    const auto group =
+        FillSolid(region, {.feature = feature, .pattern = FillPattern::kMonotonicLines});
+    std::set<Coord> all;
+    for (const Path& path : group->paths) all.insert(path.widths_nm.begin(), path.widths_nm.end());
+    return all;
+  };
+  EXPECT_EQ(widths(Feature::kBridgeInfill).size(), 1u);
+  EXPECT_GT(widths(Feature::kSolidInfill).size(), 1u);
 }
 
 TEST(SolidGroup, LinesRunAtTheAngle) {

@@ -39,21 +39,6 @@ size_t OuterGroup(const std::vector<WallGroup>& groups) {
   return static_cast<size_t>(std::ranges::max_element(groups, {}, width) - groups.begin());
 }
 
-/// Walls side by side start no further from each other.
-constexpr double kSideBySideNm = 2.5 * kNmPerMm;
-
-/// A contour's walls as one leg, from where the first of them starts to where the last ends: the
-/// place of the outermost one but where the innermost lies elsewhere.
-Leg LegOf(const WallGroup& group, InsetOrder order, const StartRule& rule, Point nozzle) {
-  const Leg outer = LegOf(group.Outermost(), rule, nozzle);
-  const Leg inner = LegOf(*group.walls.back(), rule, nozzle);
-  if (std::min(Distance(inner.start, outer.start), Distance(inner.end, outer.start)) <=
-      kSideBySideNm)
-    return outer;
-  return order == InsetOrder::kOuterFirst ? Leg{outer.start, inner.start, false}
-                                          : Leg{inner.start, outer.end, false};
-}
-
 /// Which walls of a contour come before which.
 std::vector<Precedence> PrecedenceOf(const WallGroup& group, InsetOrder order) {
   std::vector<Precedence> rules;
@@ -82,7 +67,7 @@ class Contours {
       if (0 <= wall.ring && wall.ring < std::ssize(rules.seams))
         start.seam = rules.seams[static_cast<size_t>(wall.ring)];
       starts_.push_back(start);
-      legs_.push_back(LegOf(group, rules.order, start, nozzle));
+      legs_.push_back(LegOf(wall, start, nozzle));
     }
   }
 

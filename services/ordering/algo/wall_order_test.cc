@@ -63,24 +63,6 @@ TEST(PrintWalls, APieceOfAWallEndsAtTheSeamOfTheOneOutside) {
   }
 }
 
-// A bead in the middle of one end of a thin wall comes before the wall's seam at the other end:
-// what stands beside that bead is printed on the way to it.
-TEST(PrintWalls, AContourIsEnteredWhereItsInnermostWallStarts) {
-  Path middle = MakePathOrDie("(90 0.5, 99 0.5)", false);
-  middle.inset = 1;
-  std::vector<Path> walls = {Wall(0, "(0 0, 100 0, 100 1, 0 1)"), middle,
-                             Wall(0, "(95 3, 105 3, 105 5, 95 5)")};
-  walls[0].ring = 0;
-  walls[2].ring = 1;
-  const std::vector<Point> seams = {Mm(0, 0), Mm(95, 3)};
-  const auto inside_out = Printed(walls, {InsetOrder::kInnerFirst, seams}, Mm(0, 0));
-  EXPECT_THAT(Insets(inside_out), ElementsAre(0, 1, 0));
-  EXPECT_EQ(StartOf(inside_out[0]), Mm(95, 3));
-  const auto outside_in = Printed(walls, {InsetOrder::kOuterFirst, seams}, Mm(0, 0));
-  EXPECT_THAT(Insets(outside_in), ElementsAre(0, 1, 0));
-  EXPECT_EQ(StartOf(outside_in[0]), Mm(0, 0));
-}
-
 TEST(PrintWalls, TheLastPieceEndsOnTheWayToWhatIsNext) {
   std::vector<Path> walls = {MakePathOrDie("(0 0, 40 0)", false)};
   for (const Point next : {Mm(-5, 0), Mm(45, 0)}) {

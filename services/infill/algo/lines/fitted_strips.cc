@@ -24,8 +24,7 @@ constexpr double kWidest = 2.0;
 
 }  // namespace
 
-FittedStrips::FittedStrips(const ScanLines& lines, const std::vector<bool>& linked,
-                           double reach_nm)
+FittedStrips::FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm)
     : lines_(lines) {
   for (size_t i = 0; i < lines.crossings.size(); ++i)
     AddStretch(static_cast<int32_t>(i), linked[i] ? -reach_nm : reach_nm);
@@ -103,8 +102,8 @@ void FittedStrips::AddStretch(int32_t from, double reach_nm) {
   std::vector<Knot> edge;
   for (size_t i = first; i <= last; ++i) {
     const double room = std::abs(way[i].v - lines_.VOf(line)) + reach;
-    edge.push_back({way[i].u, std::clamp(room - lines_.pitch / 2, -lines_.pitch / 2,
-                                         lines_.pitch / 2)});
+    edge.push_back(
+        {way[i].u, std::clamp(room - lines_.pitch / 2, -lines_.pitch / 2, lines_.pitch / 2)});
   }
   edge.front().u = start->u;
   edge.back().u = end->u;
@@ -165,8 +164,8 @@ std::vector<StripPoint> FittedStrips::From(int32_t place) const {
     if (!is_end && (u < last + step || u > end.u - step) && u != start.u) continue;
     if (!strip.empty() && u == last) continue;
     const double low = MoreAt(below, u), high = MoreAt(above, u);
-    const double width = std::clamp(lines_.pitch + low + high, kNarrowest * lines_.pitch,
-                                    kWidest * lines_.pitch);
+    const double width =
+        std::clamp(lines_.pitch + low + high, kNarrowest * lines_.pitch, kWidest * lines_.pitch);
     strip.push_back({lines_.frame.At(u, lines_.VOf(start.line) + (high - low) / 2), width});
     last = u;
   }

@@ -16,17 +16,21 @@ struct StripPoint {
 };
 
 /// The strips of a region that solid lines fill, one for each piece of line: half a pitch to each
-/// side of it. But where the region's edge runs at a flat angle to the lines, a strip goes as far as
-/// the edge: it is narrower where the line runs into the edge, and wider, by half a pitch at most,
-/// beside the end of the next line and below the top of a slope that no line reaches. So lines
-/// leave no wedge between their ends, and do not lie over what is beyond the edge.
+/// side of it. But where the region's edge runs at a flat angle to the lines, a strip goes as far
+/// as the edge: it is narrower where the line runs into the edge, and wider, by half a pitch at
+/// most, beside the end of the next line and below the top of a slope that no line reaches. So
+/// lines leave no wedge between their ends, and do not lie over what is beyond the edge.
 ///
 /// Where a link runs along the edge, strips end before it, so that it fills its own.
 class FittedStrips {
  public:
-  /// `linked`: by crossing, whether a link runs from it to the next one on its ring. `reach_nm`: what
-  /// lies outside of the region of `lines` and is filled too; links fill twice as much, half of it
-  /// inside. `lines` must outlive this. Cost: O(n + k log k), n points of the region, k pieces.
+  /// None reaches farther than half a pitch, or less far.
+  explicit FittedStrips(const ScanLines& lines) : lines_(lines) {}
+
+  /// `linked`: by crossing, whether a link runs from it to the next one on its ring. `reach_nm`:
+  /// what lies outside of the region of `lines` and is filled too; links fill twice as much, half
+  /// of it inside. `lines` must outlive this. Cost: O(n + k log k), n points of the region, k
+  /// pieces.
   FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm);
 
   /// The strip of the piece that begins at `place` (ScanLines::order), to its other end: two points

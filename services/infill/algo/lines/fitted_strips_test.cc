@@ -52,8 +52,8 @@ TEST(FittedStrips, HalfAPitchToEachSideWhereTheEdgeIsSteep) {
   }
 }
 
-// The last line lies 0.2 mm below where its strip would end, had the region 0.3 mm more: all of that
-// is its own.
+// The last line lies 0.2 mm below where its strip would end, had the region 0.3 mm more: all of
+// that is its own.
 TEST(FittedStrips, TheLastLineFillsUpToAnEdgeAlongIt) {
   const Strips strips(P("(0 0, 10 0, 10 2.15, 0 2.15)"));
   const std::vector<StripPoint> last = strips.fitted.From(2 * (strips.lines.PieceCount() - 1));
@@ -99,8 +99,8 @@ TEST(FittedStrips, LeaveRoomForLinks) {
     EXPECT_NEAR(linked.fitted.From(2 * piece).back().strip_nm, kPitch / 2, 1) << piece;
 }
 
-// A hole that dips between two lines leaves its room to the line below it, beside no end of which it
-// lies.
+// A hole that dips between two lines leaves its room to the line below it, beside no end of which
+// it lies.
 TEST(FittedStrips, FillBelowAHole) {
   const MultiPolygon holed = P("(0 0, 10 0, 10 4, 0 4) (3 2.1, 7 2.1, 7 3, 3 3)");
   const Strips strips(holed);
