@@ -93,7 +93,7 @@ std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing, cons
 
 absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region, Coord spacing,
                                            const Curve& curve) {
-  if (absl::Status status = CheckSpacing(region, spacing); !status.ok()) return status;
+  if (absl::Status status = CheckRingSpacing(region, spacing); !status.ok()) return status;
   std::vector<Polyline> paths;
   for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
     std::vector<Polyline> linked = FillPart(part, spacing, curve);
