@@ -39,17 +39,28 @@ StreamBox BoxAround(const MultiPolygon& region) {
   return {down(box.min.x), down(box.min.y), down(box.max.x) + kBoxMm, down(box.max.y) + kBoxMm};
 }
 
-absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coord spacing_nm,
-                                         const LayerField& field) {
+absl::StatusOr<std::vector<Curve>> StreamCurves(const StreamBox& box, Coord spacing_nm,
+                                                const LayerField& field) {
   const double spacing_mm = ToMm(static_cast<double>(spacing_nm));
   const StreamOptions options{
       .z_mm = field.z_mm, .separation_mm = [&](double x_mm, double y_mm) {
         const double density = std::min(1.0, field.DensityAt(x_mm, y_mm));
         return density < kThinnest ? 0 : spacing_mm / density;
       }};
-  const auto curves = Streamlines(BoxAround(region), *field.directions, options);
-  if (!curves.ok()) return curves.status();
-  return ClipCurves(region, *curves);
+  return Streamlines(box, *field.directions, options);
+}
+
+absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coord spacing_nm,
+                                                const LayerField& field) {
+  StreamMemo own;
+  StreamMemo& memo = field.memo != nullptr ? *field.memo : own;
+  const StreamBox box = BoxAround(region);
+  if (memo.spacing_nm != spacing_nm || memo.box != box) {
+    auto curves = StreamCurves(box, spacing_nm, field);
+    if (!curves.ok()) return curves.status();
+    memo = {box, spacing_nm, *std::move(curves)};
+  }
+  return ClipCurves(region, memo.curves);
 }
 
 }  // namespace
@@ -73,9 +84,10 @@ absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
                                                  const PatternPlace& place,
                                                  const LayerField& field) {
+  if (region.empty()) return std::vector<Piece>{};
   if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
   const double greatest = field.density->Greatest();
-  if (region.empty() || greatest <= 0) return std::vector<Piece>{};
+  if (greatest <= 0) return std::vector<Piece>{};
   const auto spacing = static_cast<double>(place.spacing_nm);
   PatternPlace upright = place;  // graded lines lean as all of them do, and no pattern its own way
   upright.pitch_nm = spacing / greatest;

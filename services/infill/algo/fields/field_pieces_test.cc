@@ -4,6 +4,7 @@
 
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/field_samples_test.h"
+#include "services/infill/algo/fields/streamlines.h"
 #include "services/infill/algo/inside_checks_test.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/sparse.h"
@@ -74,6 +75,27 @@ TEST(PiecesOfField, StreamlinesStandInForThePattern) {
     length += LengthMm(piece);
   }
   EXPECT_NEAR(length * 0.4 / 3600, 0.2, 0.01);
+}
+
+TEST(PiecesOfField, RememberedStreamlinesAreThoseOfTheirBoxAndSpacing) {
+  StressField stress;
+  stress.xx.values = {1};
+  const DirectionField directions(stress);
+  const LayerField plain{.directions = &directions, .plain_density = 0.2};
+  StreamMemo memo;
+  LayerField remembers = plain;
+  remembers.memo = &memo;
+  for (const Coord spacing : {400'000, 400'000, 500'000}) {
+    for (const double side : {20.0, 20.5, 60.0, 20.0}) {
+      const PatternPlace place{.spacing_nm = spacing};
+      const auto fresh = PiecesOfField(Square(side), FillPattern::kGrid, place, plain);
+      const auto again = PiecesOfField(Square(side), FillPattern::kGrid, place, remembers);
+      ASSERT_TRUE(fresh.ok() && again.ok());
+      ASSERT_EQ(fresh->size(), again->size());
+      for (size_t i = 0; i < fresh->size(); ++i)
+        EXPECT_EQ((*fresh)[i].points, (*again)[i].points) << side << ", " << spacing;
+    }
+  }
 }
 
 TEST(PiecesOfField, PathsLieInsideAndKeepTheDensity) {
