@@ -35,11 +35,13 @@ MultiPolygon WholeOf(const std::vector<Region>& regions) {
 /// What cannot be as exact as the regions' density fields ask for.
 std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
   std::vector<std::string> notes;
+  if (settings.slicing.objects.empty()) return notes;
+  const Coord height = settings.slicing.objects.front().layer_height_nm;
   for (const InfillOptions& options : settings.infill) {
     if (options.density_field.empty() || options.choose_pattern) continue;
     const auto field = ParseDensityField(options.density_field);
     if (!field.ok()) continue;  // the infill stage says so
-    const Coord spacing = Spacing(options.sparse_width_nm, settings.slicing.layer_height_nm);
+    const Coord spacing = Spacing(options.sparse_width_nm, height);
     std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
                       std::back_inserter(notes));
   }
