@@ -98,6 +98,11 @@ double DensityField::Greatest() const {
   return DensityOf(*std::ranges::max_element(all), law, steepness, threshold);  // laws rise
 }
 
+double DensityField::Least() const {
+  const std::vector<double>& all = kind == Kind::kGrid ? grid.values : values;
+  return DensityOf(*std::ranges::min_element(all), law, steepness, threshold);
+}
+
 double DensityField::ReachMm() const {
   return kind == Kind::kSurfaceDistance ? at_mm.back() : 0;
 }

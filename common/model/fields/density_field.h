@@ -42,6 +42,7 @@ struct DensityField {
   /// The density of a whole layer, if it is the same everywhere.
   std::optional<double> UniformAt(double z_mm) const;
   double Greatest() const;
+  double Least() const;
   /// How far away the surface still counts, mm; 0: not at all.
   double ReachMm() const;
 

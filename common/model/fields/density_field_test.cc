@@ -51,6 +51,7 @@ TEST(DensityField, ByHeightIsTheSameAllOverALayer) {
   EXPECT_DOUBLE_EQ(field.UniformAt(99).value(), 0.5);
   EXPECT_DOUBLE_EQ(field.At({7, 7, 5}, 0), 0.3);
   EXPECT_DOUBLE_EQ(field.Greatest(), 0.5);
+  EXPECT_DOUBLE_EQ(field.Least(), 0.1);
   EXPECT_EQ(field.ReachMm(), 0);
 }
 

@@ -1,6 +1,7 @@
 #include "services/infill/algo/sparse.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/geometry/measure.h"
@@ -15,8 +16,6 @@ namespace {
 
 /// Links are left out where they bring a region's plastic this far over what its density asks for.
 constexpr double kMostExcess = 0.01;
-/// The same where links lie all over it, and not in the band along its edge.
-constexpr double kMostExcessInside = 0.005;
 /// Thinner links than this share of a bead would not hold.
 constexpr double kLeastFlow = 0.3;
 /// The band along the edge in which links may change the pattern, in widths.
@@ -27,12 +26,10 @@ constexpr double kMinPieceWidths = 1;
 /// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
 constexpr double kMinLoneWidths = 2.5;
 
-absl::StatusOr<FieldPieces> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
-                                     const PatternPlace& place) {
+absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
+                                            const PatternPlace& place) {
   if (fill.field != nullptr) return PiecesOfField(area, fill.pattern, place, *fill.field);
-  auto pieces = PatternOf(fill.pattern)(area, place);
-  if (!pieces.ok()) return pieces.status();
-  return FieldPieces{area, *std::move(pieces)};
+  return PatternOf(fill.pattern)(area, place);
 }
 
 bool IsByLaw(const SparseFill& fill) {
@@ -52,11 +49,26 @@ double LengthOf(const std::vector<Piece>& pieces) {
 /// What the links may add to the length of the pieces: the pattern's length over the whole region,
 /// and `excess` of it more, less that of the pieces.
 double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const SparseFill& fill,
-                  double pitch, const FieldPieces& filled, double excess) {
+                  double pitch, const std::vector<Piece>& pieces, double excess) {
   if (IsByLaw(fill)) return ((1 + excess) * Area(region) - Area(area)) / pitch;
-  if (filled.in_cells) return kMostExcessInside * LengthOf(filled.pieces);
   const double whole = Area(area);
-  return whole <= 0 ? 0 : ((1 + excess) * Area(region) / whole - 1) * LengthOf(filled.pieces);
+  return whole <= 0 ? 0 : ((1 + excess) * Area(region) / whole - 1) * LengthOf(pieces);
+}
+
+/// Each part by itself, as dense as it is.
+absl::StatusOr<std::vector<Path>> FillParts(const MultiPolygon& region, const SparseFill& fill) {
+  const auto parts = PartsOfField(region, *fill.field);
+  if (!parts.ok()) return parts.status();
+  std::vector<Path> all;
+  for (const DensityPart& part : *parts) {
+    SparseFill plain = fill;
+    plain.field = nullptr;
+    plain.density = part.density;
+    auto paths = FillSparse(part.area, plain);
+    if (!paths.ok()) return paths.status();
+    std::ranges::move(*paths, std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -64,25 +76,27 @@ double LinkBudget(const MultiPolygon& region, const MultiPolygon& area, const Sp
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill) {
   std::vector<Path> paths;
   if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return paths;
+  if (fill.field != nullptr && IsInParts(fill.pattern, *fill.field))
+    return FillParts(region, fill);
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = FastOffset(region, -inset);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
-  const auto filled = PiecesOf(
+  const auto pieces = PiecesOf(
       fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, fill.planned});
-  if (!filled.ok()) return filled.status();
+  if (!pieces.ok()) return pieces.status();
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.
   const double room = static_cast<double>(spacing) / 2 + static_cast<double>(inset);
   paths =
-      LinkedPaths(filled->area, filled->pieces,
+      LinkedPaths(area, *pieces,
                   {.width_nm = fill.width_nm,
                    .height_nm = fill.height_nm,
                    .max_link_nm = static_cast<double>(fill.anchor_max_nm),
                    .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
                    .most_cut_nm = kBandWidths * width - static_cast<double>(inset),
-                   .budget_nm = LinkBudget(region, area, fill, pitch, *filled, kMostExcess),
-                   .aim_nm = LinkBudget(region, area, fill, pitch, *filled, 0),
+                   .budget_nm = LinkBudget(region, area, fill, pitch, *pieces, kMostExcess),
+                   .aim_nm = LinkBudget(region, area, fill, pitch, *pieces, 0),
                    .most_flow = std::min(1.0, room / static_cast<double>(spacing)),
                    .least_flow = kLeastFlow,
                    .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinPieceWidths) * width});

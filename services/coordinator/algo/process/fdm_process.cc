@@ -11,6 +11,9 @@
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
 #include "common/geometry/boolean/boolean.h"
+#include "common/model/bead_section.h"
+#include "common/model/fields/field_notes.h"
+#include "common/model/fields/field_text.h"
 #include "common/stage/object_layers.h"
 #include "services/coordinator/algo/pipeline/bed_warnings.h"
 #include "services/coordinator/algo/pipeline/check_printable.h"
@@ -27,6 +30,22 @@ MultiPolygon WholeOf(const std::vector<Region>& regions) {
   for (const Region& region : regions)
     all.insert(all.end(), region.outlines.begin(), region.outlines.end());
   return Union(all, {});
+}
+
+/// What cannot be as exact as the regions' density fields ask for.
+std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
+  std::vector<std::string> notes;
+  if (settings.slicing.objects.empty()) return notes;
+  const Coord height = settings.slicing.objects.front().layer_height_nm;
+  for (const InfillOptions& options : settings.infill) {
+    if (options.density_field.empty() || options.choose_pattern) continue;
+    const auto field = ParseDensityField(options.density_field);
+    if (!field.ok()) continue;  // the infill stage says so
+    const Coord spacing = Spacing(options.sparse_width_nm, height);
+    std::ranges::move(FieldNotes(*field, options.pattern, ToMm(static_cast<double>(spacing))),
+                      std::back_inserter(notes));
+  }
+  return notes;
 }
 
 /// Puts what planning adds to the plate where the stages look for it: regions among the sections of
@@ -325,6 +344,7 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
                                 sliced->object_names),
                     std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
+  std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
   auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
                                       std::move(input.settings_text), std::move(report));
   if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())

@@ -30,6 +30,7 @@ class DirectionField {
 
   /// None: degenerate.
   std::optional<Direction> At(const PlaceMm& place_mm) const;
+  bool IsSameAtAllHeights() const { return cos2_.count[2] == 1; }
 
  private:
   FieldGrid cos2_;

@@ -9,7 +9,6 @@
 #include "services/infill/algo/fields/graded_lines.h"
 #include "services/infill/algo/fields/streamlines.h"
 #include "services/infill/algo/patterns/line_families.h"
-#include "services/infill/algo/patterns/registry.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -20,10 +19,6 @@ constexpr double kShortest = 4;
 constexpr double kThinnest = 0.01;
 /// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
 constexpr double kBoxMm = 8;
-
-double Greatest(const LayerField& field) {
-  return field.density == nullptr ? field.plain_density : field.density->Greatest();
-}
 
 /// Lines move aside with the height, at 45 degrees, to one side and the other in turn: each stands
 /// on the one below, and over a few pitches of height all places have seen all ranks.
@@ -44,44 +39,61 @@ StreamBox BoxAround(const MultiPolygon& region) {
   return {down(box.min.x), down(box.min.y), down(box.max.x) + kBoxMm, down(box.max.y) + kBoxMm};
 }
 
-absl::StatusOr<FieldPieces> StreamPieces(const MultiPolygon& region, Coord spacing_nm,
-                                         const LayerField& field) {
+absl::StatusOr<std::vector<Curve>> StreamCurves(const StreamBox& box, Coord spacing_nm,
+                                                const LayerField& field) {
   const double spacing_mm = ToMm(static_cast<double>(spacing_nm));
   const StreamOptions options{
       .z_mm = field.z_mm, .separation_mm = [&](double x_mm, double y_mm) {
         const double density = std::min(1.0, field.DensityAt(x_mm, y_mm));
         return density < kThinnest ? 0 : spacing_mm / density;
       }};
-  const auto curves = Streamlines(BoxAround(region), *field.directions, options);
-  if (!curves.ok()) return curves.status();
-  return FieldPieces{region, ClipCurves(region, *curves)};
+  return Streamlines(box, *field.directions, options);
+}
+
+absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coord spacing_nm,
+                                                const LayerField& field) {
+  StreamMemo own;
+  StreamMemo& memo = field.memo != nullptr ? *field.memo : own;
+  const StreamBox box = BoxAround(region);
+  if (memo.spacing_nm != spacing_nm || memo.box != box) {
+    auto curves = StreamCurves(box, spacing_nm, field);
+    if (!curves.ok()) return curves.status();
+    memo = {box, spacing_nm, *std::move(curves)};
+  }
+  return ClipCurves(region, memo.curves);
 }
 
 }  // namespace
 
-absl::StatusOr<FieldPieces> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
-                                          const PatternPlace& place, const LayerField& field) {
-  const double greatest = Greatest(field);
-  if (region.empty() || greatest <= 0) return FieldPieces{};
-  if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
-  const auto spacing = static_cast<double>(place.spacing_nm);
-  PatternPlace densest = place;
-  densest.pitch_nm = spacing / greatest;
-  PatternPlace upright = densest;  // graded lines lean as all of them do, and no pattern its own way
-  upright.z_nm = 0;
-  const auto families = LineFamiliesOf(pattern, upright);
-  const Dither dither = field.density->dither;
-  if (dither == Dither::kNone && !families.empty()) {
-    auto pieces = GradedPieces(region, Leaning(families, place.z_nm), field,
-                               {.greatest = greatest, .min_length_nm = kShortest * spacing});
-    if (!pieces.ok()) return pieces.status();
-    return FieldPieces{region, *std::move(pieces)};
-  }
-  auto cells = DitheredRegion(region, field, dither, greatest, field.density->cell_mm);
+bool IsInParts(FillPattern pattern, const LayerField& field) {
+  if (field.directions != nullptr) return false;
+  return field.density->dither != Dither::kNone ||
+         LineFamiliesOf(pattern, {.pitch_nm = kNmPerMm}).empty();
+}
+
+absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region,
+                                                      const LayerField& field) {
+  const DensityField& density = *field.density;
+  if (density.dither == Dither::kNone) return LevelParts(region, field, density.cell_mm);
+  const double greatest = density.Greatest();
+  auto cells = DitheredRegion(region, field, density.dither, greatest, density.cell_mm);
   if (!cells.ok()) return cells.status();
-  auto pieces = PatternOf(pattern)(*cells, densest);
-  if (!pieces.ok()) return pieces.status();
-  return FieldPieces{*std::move(cells), *std::move(pieces), true};
+  return std::vector<DensityPart>{{*std::move(cells), greatest}};
+}
+
+absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
+                                                 const PatternPlace& place,
+                                                 const LayerField& field) {
+  if (region.empty()) return std::vector<Piece>{};
+  if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
+  const double greatest = field.density->Greatest();
+  if (greatest <= 0) return std::vector<Piece>{};
+  const auto spacing = static_cast<double>(place.spacing_nm);
+  PatternPlace upright = place;  // graded lines lean as all of them do, and no pattern its own way
+  upright.pitch_nm = spacing / greatest;
+  upright.z_nm = 0;
+  return GradedPieces(region, Leaning(LineFamiliesOf(pattern, upright), place.z_nm), field,
+                      {.greatest = greatest, .min_length_nm = kShortest * spacing});
 }
 
 }  // namespace slicefarm::infill

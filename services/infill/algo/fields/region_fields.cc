@@ -16,6 +16,10 @@ absl::Status Malformed(const std::string& setting, const absl::Status& why) {
                    fmt::format("{}: {}", setting, std::string(why.message())), {{"setting", setting}});
 }
 
+bool IsSameAtAllHeights(const DensityField& density) {
+  return density.kind == DensityField::Kind::kGrid && density.grid.count[2] == 1;
+}
+
 }  // namespace
 
 absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> regions,
@@ -34,6 +38,9 @@ absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> r
       const auto stress = ParseStressField(options.stress_field);
       if (!stress.ok()) return Malformed("stress_field", stress.status());
       row.directions.emplace(*stress);
+      if (row.directions->IsSameAtAllHeights() &&
+          (!row.density.has_value() || IsSameAtAllHeights(*row.density)))
+        row.memo.emplace();
     }
   }
   return fields;
@@ -41,10 +48,11 @@ absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> r
 
 absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t object,
                                                            int32_t own_layer, double z_mm) {
-  const Fields& fields = rows_[static_cast<size_t>(row)];
+  Fields& fields = rows_[static_cast<size_t>(row)];
   if (!fields.density.has_value() && !fields.directions.has_value()) return std::nullopt;
   LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
   if (fields.directions.has_value()) field.directions = &*fields.directions;
+  if (fields.memo.has_value()) field.memo = &*fields.memo;
   if (!fields.density.has_value()) return field;
   field.density = &*fields.density;
   if (field.density->kind == DensityField::Kind::kSurfaceDistance) {

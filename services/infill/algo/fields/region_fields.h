@@ -10,6 +10,7 @@
 #include "common/model/layer.h"
 #include "common/model/options/infill_options.h"
 #include "services/infill/algo/fields/layer_field.h"
+#include "services/infill/algo/fields/streamlines.h"
 
 namespace slicefarm::infill {
 
@@ -29,6 +30,7 @@ class RegionFields {
     std::optional<DensityField> density;
     std::optional<DirectionField> directions;
     double plain_density = 0;
+    std::optional<StreamMemo> memo;  ///< of fields that are the same at all heights
   };
 
   std::vector<Fields> rows_;

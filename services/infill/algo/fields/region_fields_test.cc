@@ -43,6 +43,20 @@ TEST(RegionFields, AreThoseOfTheirRow) {
   EXPECT_EQ(stress->DensityAt(Point{7, 7}), 0.35);
 }
 
+TEST(RegionFields, RememberLinesOfFieldsThatAreTheSameAtAllHeights) {
+  std::vector<InfillOptions> regions(3);
+  for (InfillOptions& options : regions)
+    options.stress_field = R"({"kind":"constant","stress":[1,0,0]})";
+  regions[1].density_field = R"({"kind":"height","table":[[0,0.1],[10,0.3]]})";
+  regions[2].density_field =
+      R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[1,1,1],"values":[0.1,0.2]})";
+  auto fields = RegionFields::Read(regions, {});
+  ASSERT_TRUE(fields.ok());
+  EXPECT_NE((*fields->Of(0, 0, 3, 5))->memo, nullptr);
+  EXPECT_EQ((*fields->Of(1, 0, 3, 5))->memo, nullptr);
+  EXPECT_NE((*fields->Of(2, 0, 3, 5))->memo, nullptr);
+}
+
 TEST(RegionFields, LookForTheSurface) {
   std::vector<InfillOptions> regions(1);
   regions[0].density_field = R"({"kind":"surface_distance","near":0.6,"far":0.2,"length":4})";

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/fields/cell_limit.h"
+#include "services/infill/algo/fields/even_gaps.h"
+#include "services/infill/algo/fields/stream_line.h"
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
@@ -20,7 +21,7 @@ constexpr double kLongestStepMm = 1;
 constexpr double kShortestStepMm = 0.01;
 /// A new line starts where no other one is nearer than this share of the separation.
 constexpr double kStartShare = 0.95;
-/// In the gaps that are left, in their middle: they are then wider than 1.6 separations.
+/// In the gaps that are left, in their middle: they are then wider than 1.5 separations.
 constexpr double kGapShare = kEndShare;
 /// Shorter lines, in separations, hold nothing.
 constexpr double kShortestLine = 1.5;
@@ -32,17 +33,6 @@ constexpr double kGridStepMm = 0.5;
 constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
 constexpr Coord kLineToleranceNm = 10'000;
 constexpr double kMostSteps = 1e6;  ///< of one line
-
-struct Vec2 {
-  double x = 0, y = 0;
-
-  Vec2 operator+(Vec2 o) const { return {x + o.x, y + o.y}; }
-  Vec2 operator-(Vec2 o) const { return {x - o.x, y - o.y}; }
-  Vec2 operator*(double f) const { return {x * f, y * f}; }
-};
-
-double Dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-double Length(Vec2 a) { return std::sqrt(Dot(a, a)); }
 
 /// A point of a line, and how far along it lies.
 struct Mark {
@@ -104,17 +94,12 @@ class MarkGrid {
   std::vector<std::vector<Mark>> cells_;
 };
 
-struct Line {
-  std::deque<Vec2> points;
-  bool closed = false;
-};
-
 class Tracer {
  public:
   Tracer(const StreamBox& box, const DirectionField& directions, const StreamOptions& options)
       : box_(box), directions_(directions), options_(options), grid_(box, GridCell()) {}
 
-  absl::StatusOr<std::vector<Line>> Run() {
+  absl::StatusOr<std::vector<StreamLine>> Run() {
     Start({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2}, kStartShare);
     if (absl::Status ok = Spread(); !ok.ok()) return ok;
     for (double y = box_.min_y_mm + kGridStepMm / 2; y < box_.max_y_mm; y += kGridStepMm) {
@@ -123,6 +108,7 @@ class Tracer {
         if (absl::Status ok = Spread(); !ok.ok()) return ok;
       }
     }
+    EvenGaps([&](Vec2 at) { return Separation(at); }, lines_);
     return std::move(lines_);
   }
 
@@ -190,7 +176,7 @@ class Tracer {
   }
 
   /// Follows the field from the start of `line` on, forwards or backwards. True: it closed.
-  bool Follow(Line& line, int32_t number, Vec2 start, Vec2 along, double sign,
+  bool Follow(StreamLine& line, int32_t number, Vec2 start, Vec2 along, double sign,
               std::vector<Vec2>& marked) {
     const Vec2 first = along;
     Vec2 at = start;
@@ -219,7 +205,7 @@ class Tracer {
     return false;
   }
 
-  static void Put(Line& line, Vec2 at, double sign) {
+  static void Put(StreamLine& line, Vec2 at, double sign) {
     if (sign > 0) {
       line.points.push_back(at);
     } else {
@@ -235,7 +221,7 @@ class Tracer {
     if (separation <= 0 || !direction.has_value()) return false;
     if (grid_.Near(at, share * separation, [](const Mark&) { return true; })) return false;
     const auto number = static_cast<int32_t>(lines_.size());
-    Line line{{at}};
+    StreamLine line{{at}};
     std::vector<Vec2> marked = {at};
     grid_.Add({at, number, 0});
     line.closed = Follow(line, number, at, *direction, 1, marked);
@@ -275,12 +261,12 @@ class Tracer {
   const DirectionField& directions_;
   const StreamOptions& options_;
   MarkGrid grid_;
-  std::vector<Line> lines_;
+  std::vector<StreamLine> lines_;
   size_t spread_ = 0;
   double points_ = 0;  ///< of the lines that were spread from
 };
 
-std::optional<Curve> CurveOf(const Line& line) {
+std::optional<Curve> CurveOf(const StreamLine& line) {
   Polyline points;
   for (const Vec2 at : line.points) {
     const Point point{std::llround(at.x * kNmPerMm), std::llround(at.y * kNmPerMm)};
@@ -306,7 +292,7 @@ absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
   const auto lines = Tracer(box, directions, options).Run();
   if (!lines.ok()) return lines.status();
   std::vector<Curve> curves;
-  for (const Line& line : *lines)
+  for (const StreamLine& line : *lines)
     if (auto curve = CurveOf(line)) curves.push_back(*std::move(curve));
   return curves;
 }

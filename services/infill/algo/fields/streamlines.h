@@ -12,6 +12,8 @@ namespace slicefarm::infill {
 struct StreamBox {
   double min_x_mm = 0, min_y_mm = 0;
   double max_x_mm = 0, max_y_mm = 0;
+
+  friend bool operator==(const StreamBox&, const StreamBox&) = default;
 };
 
 struct StreamOptions {
@@ -24,7 +26,8 @@ struct StreamOptions {
 /// evenly-spaced streamlines of arbitrary density", 1997). Each new line starts beside one that is
 /// there, at the separation; it goes on both ways until it leaves the box, comes to a degenerate
 /// place, or to within kEndShare of the separation from another line; or until it closes. What is
-/// left open then is looked for on a grid, so that no gap of two separations stays.
+/// left open then is looked for on a grid, so that no gap of two separations stays. At last the
+/// gaps are shared out among neighbours (EvenGaps).
 ///
 /// Integration: classic Runge-Kutta of order 4; each stage's direction is turned to go with the
 /// last step, as directions have no sign; the step is halved where the direction turns by more than
@@ -32,9 +35,16 @@ struct StreamOptions {
 ///
 /// Errors: as CheckLineCount; REQUEST_TOO_LARGE past kMaxFieldCells and kMaxStreamPoints. Cost: O(length / step) field evaluations, and as many searches of a
 /// few neighbours.
-inline constexpr double kEndShare = 0.8;
+inline constexpr double kEndShare = 0.75;
 absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const DirectionField& directions,
                                                const StreamOptions& options);
+
+/// The lines that were asked for last, for layers whose fields and boxes are the same.
+struct StreamMemo {
+  StreamBox box{};
+  Coord spacing_nm = 0;
+  std::vector<Curve> curves{};
+};
 
 }  // namespace slicefarm::infill

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -140,6 +141,41 @@ TEST(Streamlines, ThatBendKeepTheirDistance) {
   EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), bent, Inner), 2);
   // Lines that are parallel along y come nearer to each other where they are steep: to 0.89.
   EXPECT_GT(EvenShare(curves, 2, Inner), 0.95);
+}
+
+/// Stresses of a plate that is drawn along x, around a hole of `radius` in its middle (Kirsch).
+StressField AroundHole(double radius) {
+  StressField stress;
+  std::array<FieldGrid*, 3> parts = {&stress.xx, &stress.yy, &stress.xy};
+  for (size_t part = 0; part < 3; ++part) {
+    *parts[part] = GridOf(65, kSide, [&](double x_mm, double y_mm) {
+      const double x = x_mm - kSide / 2, y = y_mm - kSide / 2;
+      const double r = std::max(std::hypot(x, y), radius), turn = std::atan2(y, x);
+      const double q = radius * radius / (r * r), c = std::cos(turn), s = std::sin(turn);
+      const double rr = 0.5 * (1 - q) + 0.5 * (1 - 4 * q + 3 * q * q) * std::cos(2 * turn);
+      const double tt = 0.5 * (1 + q) - 0.5 * (1 + 3 * q * q) * std::cos(2 * turn);
+      const double rt = -0.5 * (1 + 2 * q - 3 * q * q) * std::sin(2 * turn);
+      return std::array{rr * c * c + tt * s * s - 2 * rt * s * c,
+                        rr * s * s + tt * c * c + 2 * rt * s * c,
+                        (rr - tt) * s * c + rt * (c * c - s * s)}[part];
+    });
+  }
+  return stress;
+}
+
+TEST(Streamlines, KeepTheirDistanceBesideAHole) {
+  const StressField stress = AroundHole(8);
+  const DirectionField field(stress);
+  const auto away = [](double x, double y) {
+    return std::hypot(x - kSide / 2, y - kSide / 2) > 16 && Inner(x, y);
+  };
+  const auto along = [&](double x, double y) {
+    const Direction direction = field.At({x, y, 0}).value();
+    return std::pair(direction.x, direction.y);
+  };
+  const auto curves = Lines(stress, 2);
+  EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), along, away), 2);
+  EXPECT_GT(EvenShare(curves, 2, away), 0.92);
 }
 
 TEST(Streamlines, LeaveNoGapOfTwoSeparations) {

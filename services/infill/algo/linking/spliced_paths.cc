@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kMostPairs = 4'000'000;
 
 /// Where stretch i of a path, from its point i on, crosses stretch j of another.
-struct Crossing {
+struct CrossPlace {
   size_t i = 0;
   size_t j = 0;
   Point at;
@@ -61,7 +61,7 @@ struct Placed {
   Box box;
 };
 
-std::optional<Crossing> FirstCrossing(const Placed& placed, const Path& ring, double margin,
+std::optional<CrossPlace> FirstCrossing(const Placed& placed, const Path& ring, double margin,
                                       size_t& pairs) {
   const Path& path = placed.path;
   for (size_t j = 0; j < StretchCount(ring); ++j) {
@@ -72,13 +72,13 @@ std::optional<Crossing> FirstCrossing(const Placed& placed, const Path& ring, do
     for (size_t i = 0; i < StretchCount(path); ++i) {
       const Point a = path.points[i], b = EndOfStretch(path, i);
       if (IsBeside(a, b, box)) continue;
-      if (auto at = MeetingOf(a, b, c, d, margin)) return Crossing{i, j, *at};
+      if (auto at = MeetingOf(a, b, c, d, margin)) return CrossPlace{i, j, *at};
     }
   }
   return std::nullopt;
 }
 
-void TakeIn(const Path& ring, const Crossing& crossing, Path& path) {
+void TakeIn(const Path& ring, const CrossPlace& crossing, Path& path) {
   const bool varies = path.widths_nm.size() > 1 || ring.widths_nm.size() > 1;
   std::vector<Point> points{crossing.at};
   std::vector<Coord> widths{path.WidthAt(crossing.i)};

@@ -38,7 +38,7 @@ std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm) {
   return rings;
 }
 
-absl::Status CheckSpacing(const PolygonWithHoles& region, Coord spacing_nm) {
+absl::Status CheckRingSpacing(const PolygonWithHoles& region, Coord spacing_nm) {
   if (spacing_nm <= 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                      absl::StrCat("lines ", spacing_nm, " nm apart: must be above 0"),

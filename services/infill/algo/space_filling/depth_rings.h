@@ -21,6 +21,6 @@ std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm);
 /// Errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE) unless the
 /// spacing is positive; LimitError (REQUEST_TOO_LARGE) if the region's box has more squares of a
 /// spacing than limits::kMaxPointsPerLayer.
-absl::Status CheckSpacing(const PolygonWithHoles& region, Coord spacing_nm);
+absl::Status CheckRingSpacing(const PolygonWithHoles& region, Coord spacing_nm);
 
 }  // namespace slicefarm::infill

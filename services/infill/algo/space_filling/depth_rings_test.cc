@@ -41,12 +41,12 @@ TEST(DepthRings, OfNothingAndOfASliver) {
 
 TEST(DepthRings, RefusesWhatItCannotFill) {
   const PolygonWithHoles square = Shape("square");
-  EXPECT_TRUE(CheckSpacing(square, 450'000).ok());
-  EXPECT_TRUE(CheckSpacing({}, 450'000).ok());
+  EXPECT_TRUE(CheckRingSpacing(square, 450'000).ok());
+  EXPECT_TRUE(CheckRingSpacing({}, 450'000).ok());
   for (const Coord spacing : {Coord{0}, Coord{-1}})
-    EXPECT_EQ(DetailOf(CheckSpacing(square, spacing)).reason, Reason::kSettingOutOfRange);
-  EXPECT_EQ(DetailOf(CheckSpacing(square, 1)).reason, Reason::kRequestTooLarge);
-  EXPECT_EQ(DetailOf(CheckSpacing(square, 5'000)).reason, Reason::kRequestTooLarge);
+    EXPECT_EQ(DetailOf(CheckRingSpacing(square, spacing)).reason, Reason::kSettingOutOfRange);
+  EXPECT_EQ(DetailOf(CheckRingSpacing(square, 1)).reason, Reason::kRequestTooLarge);
+  EXPECT_EQ(DetailOf(CheckRingSpacing(square, 5'000)).reason, Reason::kRequestTooLarge);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace slicefarm::infill {
 absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,
                                                  const FermatOptions& options) {
   const Coord spacing = options.spacing_nm;
-  if (absl::Status status = CheckSpacing(region, spacing); !status.ok()) return status;
+  if (absl::Status status = CheckRingSpacing(region, spacing); !status.ok()) return status;
   std::vector<Polyline> paths;
   for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
     std::vector<Polyline> linked =

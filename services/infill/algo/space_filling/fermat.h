@@ -18,7 +18,7 @@ struct FermatOptions {
 /// Parts that are less than two lines wide get two lines that lie nearer to each other. Length
 /// times spacing is the region's area: see RingsFrom.
 ///
-/// Errors: those of CheckSpacing.
+/// Errors: those of CheckRingSpacing.
 /// Source: Zhao et al., "Connected Fermat Spirals for Layered Fabrication", SIGGRAPH 2016, for the
 ///         idea; the joining is that of LinkRings.
 absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,

@@ -16,15 +16,15 @@ namespace slicefarm::infill {
 namespace {
 
 /// A space-filling curve that divides squares by `base` a side.
-struct Curve {
+struct CellCurve {
   uint32_t base = 2;
   int index_order = 0;  ///< of a square that has all cells of a cover
   uint64_t (*index)(int order, CurveCell cell) = nullptr;
   std::vector<CurveCell> (*closed)(int order) = nullptr;
 };
 
-constexpr Curve kHilbert{2, 31, HilbertIndex, ClosedHilbert};
-constexpr Curve kPeano{3, 18, PeanoIndex, ClosedPeano};
+constexpr CellCurve kHilbert{2, 31, HilbertIndex, ClosedHilbert};
+constexpr CellCurve kPeano{3, 18, PeanoIndex, ClosedPeano};
 
 /// The corners of a closed curve through cells, as places in units of half a cell.
 std::vector<CurveCell> CornersOf(const std::vector<CurveCell>& cells) {
@@ -40,7 +40,7 @@ std::vector<CurveCell> CornersOf(const std::vector<CurveCell>& cells) {
 
 /// The closed curves of a cover's blocks, in the order of the curve through all of them. Cells of
 /// the cover are two spacings wide, and the curve's one.
-std::vector<StepRing> BlockRings(const CellCover& cover, const Curve& curve) {
+std::vector<StepRing> BlockRings(const CellCover& cover, const CellCurve& curve) {
   std::vector<CellBlock> blocks = LargestBlocks(cover, curve.base);
   const auto index = [&](const CellBlock& block) {
     // The least index in the block: that of its first cell at the order of its side.
@@ -76,7 +76,8 @@ std::vector<StepRing> BlockRings(const CellCover& cover, const Curve& curve) {
 }
 
 /// A part of a region that lies half a spacing inside: the lines' places, not their width.
-std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing, const Curve& curve) {
+std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing,
+                               const CellCurve& curve) {
   // A line along the edge, and one around the cells.
   const CellCover cover =
       CoverOf(FastOffset({part}, -(spacing + spacing / 2)), 2 * spacing, curve.base);
@@ -92,8 +93,8 @@ std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing, cons
 }
 
 absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region, Coord spacing,
-                                           const Curve& curve) {
-  if (absl::Status status = CheckSpacing(region, spacing); !status.ok()) return status;
+                                           const CellCurve& curve) {
+  if (absl::Status status = CheckRingSpacing(region, spacing); !status.ok()) return status;
   std::vector<Polyline> paths;
   for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
     std::vector<Polyline> linked = FillPart(part, spacing, curve);

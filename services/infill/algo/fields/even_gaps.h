@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "services/infill/algo/fields/stream_line.h"
+
+namespace slicefarm::infill {
+
+/// Shifts lines aside until each lies in the middle between its neighbours, as far as it can do so
+/// without turning much: gaps that open where another line ends, and those that are too narrow for
+/// one beside them, are shared out among several lines. Where neighbours lie evenly nothing moves.
+///
+/// Shifts are relaxed in up to 60 rounds. In each, a node is drawn to the place where the gaps to
+/// both sides are to each other as `separation_mm` is there, and the shifts of a line are smoothed
+/// along it, some separations far. Nodes with a neighbour on one side only stay with their line.
+/// Rounds end before the shifts turn the lines by more than 1.6 degrees, root of the mean square.
+/// REQUIRES: separation_mm > 0 on all lines. Cost: in each round, a search of a few segments for
+/// each node, of which there are two in a separation.
+void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<StreamLine>& lines);
+
+}  // namespace slicefarm::infill

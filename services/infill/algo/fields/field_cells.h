@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/geometry/polygon.h"
+#include "services/infill/algo/fields/layer_field.h"
+
+namespace slicefarm::infill {
+
+/// What a field asks for in the square cells that meet a region, on a grid through the object's
+/// origin, row by row.
+struct FieldCells {
+  int64_t first_x = 0, first_y = 0;  ///< of the cells' indices
+  int64_t width = 0, height = 0;
+  Coord cell_nm = 1;
+  std::vector<double> density;  ///< at the cells' middles
+  std::vector<char> touched;    ///< whether the cell and the region have some area in common
+};
+
+/// Errors: REQUEST_TOO_LARGE for more than kMaxFieldCells. Cost: O(n log n + cells).
+absl::StatusOr<FieldCells> FieldCellsOf(const MultiPolygon& region, const LayerField& field,
+                                        double cell_mm);
+
+/// The part of the region that lies in the cells that are `on`. Cost: O(n log n + cells).
+MultiPolygon PartInCells(const MultiPolygon& region, const FieldCells& cells,
+                         std::vector<char> on);
+
+}  // namespace slicefarm::infill
