@@ -14,8 +14,8 @@ namespace slicefarm {
 std::vector<std::string> FieldNotes(const DensityField& field, FillPattern pattern,
                                     double spacing_mm);
 
-/// How far apart lines of a pattern may be, mm, to be as dense as asked for in cells of 5 mm, to 5 %
-/// on average. Measured with densities that are the same everywhere, by the plastic in 196 cells
+/// How far apart lines of a pattern may be, mm, to be as dense as asked for in cells of 5 mm, to 5
+/// % on average. Measured with densities that are the same everywhere, by the plastic in 196 cells
 /// of a box of 16 mm height. 0: nothing is known of it, or its lines are graded.
 double MostEvenPitchMm(FillPattern pattern);
 

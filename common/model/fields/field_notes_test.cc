@@ -7,9 +7,7 @@ namespace {
 
 constexpr double kSpacingMm = 0.4;
 
-DensityField FromTo(double low, double high) {
-  return {.at_mm = {0, 10}, .values = {low, high}};
-}
+DensityField FromTo(double low, double high) { return {.at_mm = {0, 10}, .values = {low, high}}; }
 
 TEST(FieldNotes, AreNoneForWhatIsExact) {
   EXPECT_TRUE(FieldNotes(FromTo(0.2, 0.5), FillPattern::kGyroid, kSpacingMm).empty());

@@ -69,16 +69,16 @@ Cover CoverOf(const SectionView& view, const InfillOptions& options) {
 /// Lines closer than nothing to each other would be infinitely many.
 absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) {
   if (view.on_bed) {
-    return slicefarm::CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
-                                   view.height_nm);
+    return CheckSpacing("first_layer_extrusion_width", options.first_layer_width_nm,
+                        view.height_nm);
   }
-  absl::Status status = slicefarm::CheckSpacing("solid_infill_extrusion_width",
-                                                options.solid_width_nm, view.height_nm);
+  absl::Status status =
+      CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
   status.Update(
-      slicefarm::CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
+      CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
   if (options.density > 0 || !options.density_field.empty()) {
     status.Update(
-        slicefarm::CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
+        CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
   }
   return status;
 }

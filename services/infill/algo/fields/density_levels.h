@@ -25,9 +25,10 @@ inline constexpr double kLevelSwingMm = 4;
 /// graded: the levels are the greatest density and kLevelStep of it, again and again.
 ///
 /// Places between two levels are filled with either, by a threshold that all cells of a layer
-/// share. It swings with the height, so each place has either for the share of the height that makes
-/// it as dense as the field asks for: exactly over a swing, and parts stay whole in each layer.
-/// Edges of parts are those of cells of `cell_mm`, the field's value is that in their middles.
+/// share. It swings with the height, so each place has either for the share of the height that
+/// makes it as dense as the field asks for: exactly over a swing, and parts stay whole in each
+/// layer. Edges of parts are those of cells of `cell_mm`, the field's value is that in their
+/// middles.
 ///
 /// Errors: as FieldCellsOf. Cost: O(levels (n log n + cells)).
 absl::StatusOr<std::vector<DensityPart>> LevelParts(const MultiPolygon& region,

@@ -67,7 +67,8 @@ TEST(LevelParts, PartTheRegionWithNothingTwice) {
 }
 
 TEST(LevelParts, AreWholeWhereTheFieldIsSmooth) {
-  const DensityField density = GridField(3, 80, [](double x, double) { return 0.1 + 0.4 * x / 80; });
+  const DensityField density =
+      GridField(3, 80, [](double x, double) { return 0.1 + 0.4 * x / 80; });
   for (double z = 0.1; z < 4; z += 0.4)
     for (const DensityPart& part : PartsAt(Square(0, 80), density, z))
       EXPECT_EQ(part.area.size(), 1u) << "level " << part.density << " at " << z;

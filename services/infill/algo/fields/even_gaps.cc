@@ -23,8 +23,8 @@ constexpr double kNoPlace = 1e9;
 constexpr int64_t kOwnNodes = 6;
 
 struct Node {
-  Vec2 home;    ///< before any shift
-  Vec2 aside;   ///< unit vector to the left
+  Vec2 home;   ///< before any shift
+  Vec2 aside;  ///< unit vector to the left
   double separation = 0;
   size_t point = 0;  ///< of the line, where it stands
   double shift = 0;
@@ -51,8 +51,7 @@ NodeLine NodesOf(const StreamLine& line, const std::function<double(Vec2)>& sepa
     const double length = Length(along);
     if (length == 0) continue;
     separation = separation_mm(points[i]);
-    result.nodes.push_back(
-        {points[i], Vec2{-along.y, along.x} * (1 / length), separation, i, 0});
+    result.nodes.push_back({points[i], Vec2{-along.y, along.x} * (1 / length), separation, i, 0});
     since = 0;
   }
   return result;
@@ -160,8 +159,8 @@ void Relax(const std::function<double(Vec2)>& separation_mm, double cell,
     for (size_t line = 0; line < lines.size(); ++line) {
       for (size_t i = 0; i < lines[line].nodes.size(); ++i) {
         const Node& node = lines[line].nodes[i];
-        shifts[line].push_back(node.shift + PullOn(node, grid.Gap(line, i, 1),
-                                                   grid.Gap(line, i, -1), separation_mm));
+        shifts[line].push_back(
+            node.shift + PullOn(node, grid.Gap(line, i, 1), grid.Gap(line, i, -1), separation_mm));
       }
     }
   }
@@ -195,8 +194,7 @@ void Shift(const NodeLine& nodes, StreamLine& line) {
     const size_t end = b.point > a.point ? b.point : line.points.size();
     const Vec2 from = a.aside * a.shift, to = b.aside * b.shift;
     for (size_t i = a.point; i < end; ++i) {
-      const double share =
-          static_cast<double>(i - a.point) / static_cast<double>(end - a.point);
+      const double share = static_cast<double>(i - a.point) / static_cast<double>(end - a.point);
       line.points[i] = line.points[i] + from * (1 - share) + to * share;
     }
   }

@@ -16,8 +16,7 @@ namespace {
 FieldCells WindowOf(const MultiPolygon& region, Coord cell_nm) {
   const Box box = Bounds(region);
   const auto index = [&](Coord at) {
-    return static_cast<int64_t>(
-        std::floor(static_cast<double>(at) / static_cast<double>(cell_nm)));
+    return static_cast<int64_t>(std::floor(static_cast<double>(at) / static_cast<double>(cell_nm)));
   };
   const int64_t x = index(box.min.x), y = index(box.min.y);
   return {x, y, index(box.max.x - 1) - x + 1, index(box.max.y - 1) - y + 1, cell_nm, {}, {}};

@@ -24,7 +24,6 @@ absl::StatusOr<FieldCells> FieldCellsOf(const MultiPolygon& region, const LayerF
                                         double cell_mm);
 
 /// The part of the region that lies in the cells that are `on`. Cost: O(n log n + cells).
-MultiPolygon PartInCells(const MultiPolygon& region, const FieldCells& cells,
-                         std::vector<char> on);
+MultiPolygon PartInCells(const MultiPolygon& region, const FieldCells& cells, std::vector<char> on);
 
 }  // namespace slicefarm::infill

@@ -17,8 +17,8 @@ DensityField Slope() {
 
 TEST(FieldCells, LieOnTheGridOfTheOriginWithTheFieldOfTheirMiddles) {
   const DensityField density = Slope();
-  const auto cells = FieldCellsOf(MakePolygonsOrDie("(-1 1, 5 1, 5 3, -1 3)"),
-                                  {.density = &density}, 2);
+  const auto cells =
+      FieldCellsOf(MakePolygonsOrDie("(-1 1, 5 1, 5 3, -1 3)"), {.density = &density}, 2);
   ASSERT_TRUE(cells.ok());
   EXPECT_EQ(cells->first_x, -1);
   EXPECT_EQ(cells->first_y, 0);
@@ -58,8 +58,8 @@ TEST(FieldCells, PartARegionWithoutLoss) {
 
 TEST(FieldCells, RefuseTooMany) {
   const DensityField density = Slope();
-  const auto cells = FieldCellsOf(MakePolygonsOrDie("(0 0, 900 0, 900 900, 0 900)"),
-                                  {.density = &density}, 0.5);
+  const auto cells =
+      FieldCellsOf(MakePolygonsOrDie("(0 0, 900 0, 900 900, 0 900)"), {.density = &density}, 0.5);
   EXPECT_EQ(DetailOf(cells.status()).reason, Reason::kRequestTooLarge);
 }
 

@@ -25,7 +25,8 @@ double LengthMm(const Piece& piece) {
 }
 
 TEST(PiecesOfField, EveryPatternGivesTheMeanDensity) {
-  const DensityField density = GridField(3, 64, [](double x, double) { return 0.1 + 0.3 * x / 64; });
+  const DensityField density =
+      GridField(3, 64, [](double x, double) { return 0.1 + 0.3 * x / 64; });
   for (const FillPatternInfo& info : kFillPatterns) {
     if (!info.sparse || !info.has_law) continue;
     double plastic_mm3 = 0;

@@ -31,10 +31,11 @@ struct StreamOptions {
 ///
 /// Integration: classic Runge-Kutta of order 4; each stage's direction is turned to go with the
 /// last step, as directions have no sign; the step is halved where the direction turns by more than
-/// 6 degrees within it. Points lie within 0.01 mm of the line, after smoothing out what is straight.
+/// 6 degrees within it. Points lie within 0.01 mm of the line, after smoothing out what is
+/// straight.
 ///
-/// Errors: as CheckLineCount; REQUEST_TOO_LARGE past kMaxFieldCells and kMaxStreamPoints. Cost: O(length / step) field evaluations, and as many searches of a
-/// few neighbours.
+/// Errors: as CheckLineCount; REQUEST_TOO_LARGE past kMaxFieldCells and kMaxStreamPoints. Cost:
+/// O(length / step) field evaluations, and as many searches of a few neighbours.
 inline constexpr double kEndShare = 0.75;
 absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const DirectionField& directions,

@@ -62,7 +62,7 @@ struct Placed {
 };
 
 std::optional<CrossPlace> FirstCrossing(const Placed& placed, const Path& ring, double margin,
-                                      size_t& pairs) {
+                                        size_t& pairs) {
   const Path& path = placed.path;
   for (size_t j = 0; j < StretchCount(ring); ++j) {
     const Point c = ring.points[j], d = EndOfStretch(ring, j);
