@@ -54,8 +54,8 @@ TEST_P(Solid, CoversTheRegionOnce) {
   EXPECT_LT(Area(Difference(covered, Offset({region}, 182'000))), 1e8);
 }
 
-// Links at flat angles, several spacings long, are made too: lines that end on a slope of 10 degrees
-// are one path, and the plastic is the region's.
+// Links at flat angles, several spacings long, are made too: lines that end on a slope of 10
+// degrees are one path, and the plastic is the region's.
 TEST(Solid, LinesEndingOnAFlatSlopeAreLinked) {
   const PolygonWithHoles region = Island("(0 0, 60 0, 60 1, 3 11, 0 11)");
   const auto group = FillSolid(region, {.overlap_nm = 157'500});
@@ -112,8 +112,8 @@ TEST(Solid, CurvesFillTheRegion) {
 }
 
 TEST(SolidGroup, MonotonicLinesAreNotLinked) {
-  const auto group = FillSolid(Island("(0 0, 20 0, 20 20, 0 20)"),
-                               {.pattern = FillPattern::kMonotonicLines});
+  const auto group =
+      FillSolid(Island("(0 0, 20 0, 20 20, 0 20)"), {.pattern = FillPattern::kMonotonicLines});
   EXPECT_TRUE(group->keep_order);
   for (const Path& path : group->paths) EXPECT_EQ(path.points.size(), 2u);
 }

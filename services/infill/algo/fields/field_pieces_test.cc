@@ -100,11 +100,15 @@ TEST(PiecesOfField, RememberedStreamlinesAreThoseOfTheirBoxAndSpacing) {
 }
 
 TEST(PiecesOfField, PathsLieInsideAndKeepTheDensity) {
-  const DensityField density = GridField(31, 60, [](double x, double y) { return 0.1 + 0.2 * (x + y) / 60; });
+  const DensityField density =
+      GridField(31, 60, [](double x, double y) { return 0.1 + 0.2 * (x + y) / 60; });
   const LayerField field{.density = &density};
   const MultiPolygon region = Square(60);
-  for (const FillPattern pattern : {FillPattern::kRectilinear, FillPattern::kGrid, FillPattern::kCubic, FillPattern::kGyroid}) {
-    const auto paths = FillSparse(region, {.pattern = pattern, .anchor_nm = 2'000'000, .anchor_max_nm = 20'000'000, .field = &field});
+  for (const FillPattern pattern :
+       {FillPattern::kRectilinear, FillPattern::kGrid, FillPattern::kCubic, FillPattern::kGyroid}) {
+    const auto paths = FillSparse(
+        region,
+        {.pattern = pattern, .anchor_nm = 2'000'000, .anchor_max_nm = 20'000'000, .field = &field});
     ASSERT_TRUE(paths.ok());
     ASSERT_FALSE(paths->empty());
     ExpectInside(*paths, region);

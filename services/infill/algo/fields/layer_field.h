@@ -20,8 +20,7 @@ struct LayerField {
 
   double DensityAt(double x_mm, double y_mm) const {
     if (density == nullptr) return plain_density;
-    return density->At({x_mm, y_mm, z_mm},
-                       to_surface == nullptr ? 0 : to_surface->At(x_mm, y_mm));
+    return density->At({x_mm, y_mm, z_mm}, to_surface == nullptr ? 0 : to_surface->At(x_mm, y_mm));
   }
   double DensityAt(Point p) const {
     return DensityAt(ToMm(static_cast<double>(p.x)), ToMm(static_cast<double>(p.y)));

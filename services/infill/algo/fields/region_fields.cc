@@ -13,7 +13,8 @@ namespace {
 
 absl::Status Malformed(const std::string& setting, const absl::Status& why) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
-                   fmt::format("{}: {}", setting, std::string(why.message())), {{"setting", setting}});
+                   fmt::format("{}: {}", setting, std::string(why.message())),
+                   {{"setting", setting}});
 }
 
 bool IsSameAtAllHeights(const DensityField& density) {
@@ -56,9 +57,9 @@ absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t 
   if (!fields.density.has_value()) return field;
   field.density = &*fields.density;
   if (field.density->kind == DensityField::Kind::kSurfaceDistance) {
-    auto& distances = distances_
-                          .try_emplace({row, object}, layers_, object, field.density->ReachMm())
-                          .first->second;
+    auto& distances =
+        distances_.try_emplace({row, object}, layers_, object, field.density->ReachMm())
+            .first->second;
     const MapOf wanted{row, object, own_layer};
     if (!distances.Has(own_layer)) return field;  // an object that is not sliced is all surface
     if (map_of_ != wanted) {

@@ -22,8 +22,10 @@ class RegionFields {
                                            std::span<const SlicedLayer> layers);
 
   /// What the fields of a row of settings say about an object's own layer, whose middle is at
-  /// `z_mm`. None: it has no fields. It holds until the next call. Errors: those of SurfaceDistances.
-  absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer, double z_mm);
+  /// `z_mm`. None: it has no fields. It holds until the next call. Errors: those of
+  /// SurfaceDistances.
+  absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,
+                                               double z_mm);
 
  private:
   struct Fields {

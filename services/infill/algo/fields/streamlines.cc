@@ -27,7 +27,7 @@ constexpr double kGapShare = kEndShare;
 constexpr double kShortestLine = 1.5;
 /// A line does not mind itself within this many separations along it, nor its own start.
 constexpr double kOwnNear = 2, kOwnStart = 1;
-constexpr double kCosTurn = 0.9945;     // 6 degrees
+constexpr double kCosTurn = 0.9945;      // 6 degrees
 constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
 constexpr double kGridStepMm = 0.5;
 constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
@@ -120,8 +120,8 @@ class Tracer {
 
   /// The cells of the grid are as large as lines are apart in the middle.
   double GridCell() const {
-    const double middle = Separation(
-        {(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
+    const double middle =
+        Separation({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2});
     return std::clamp(middle, 0.5, 5.0);
   }
 
@@ -247,7 +247,8 @@ class Tracer {
         if (length == 0) continue;
         const Vec2 aside{-along.y / length, along.x / length};
         const double separation = Separation(points[i]);
-        for (const double side : {separation, -separation}) Start(points[i] + aside * side, kStartShare);
+        for (const double side : {separation, -separation})
+          Start(points[i] + aside * side, kStartShare);
       }
       points_ += static_cast<double>(points.size());
       absl::Status ok = CheckLineCount(static_cast<double>(lines_.size()));

@@ -60,7 +60,9 @@ std::vector<Sample> SamplesOf(const std::vector<Curve>& curves, double step_mm) 
         const double share = (k + 0.5) / steps;
         samples.push_back({{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
                             a.y + std::llround(share * static_cast<double>(b.y - a.y))},
-                           ToMm(b.x - a.x) / length, ToMm(b.y - a.y) / length, line});
+                           ToMm(b.x - a.x) / length,
+                           ToMm(b.y - a.y) / length,
+                           line});
       }
     }
   }
@@ -84,8 +86,8 @@ double AngleRms(const std::vector<Sample>& samples,
   return std::sqrt(sum / all);
 }
 
-/// Share of the length that has a neighbour on each side, away from the box's edge, at 0.8 to 1.2 of
-/// the separation: by a ray across to the next line.
+/// Share of the length that has a neighbour on each side, away from the box's edge, at 0.8 to 1.2
+/// of the separation: by a ray across to the next line.
 double EvenShare(const std::vector<Curve>& curves, double separation_mm,
                  const std::function<bool(double, double)>& counts) {
   double even = 0, all = 0;
@@ -99,7 +101,8 @@ double EvenShare(const std::vector<Curve>& curves, double separation_mm,
         const Polyline& points = curves[line].points;
         for (size_t i = 1; i < points.size() + (curves[line].closed ? 1 : 0); ++i) {
           const Point p = points[i - 1], q = points[i % points.size()];
-          const double ax = ToMm(p.x) - x, ay = ToMm(p.y) - y, bx = ToMm(q.x) - x, by = ToMm(q.y) - y;
+          const double ax = ToMm(p.x) - x, ay = ToMm(p.y) - y, bx = ToMm(q.x) - x,
+                       by = ToMm(q.y) - y;
           const double ca = nx * ay - ny * ax, cb = nx * by - ny * bx;
           if ((ca > 0) == (cb > 0)) continue;
           const double t = ca / (ca - cb);
@@ -126,7 +129,9 @@ TEST(Streamlines, OfAConstantFieldAreParallelLines) {
 
 TEST(Streamlines, OfCirclesClose) {
   const auto around = [](double x, double y) { return std::pair(-(y - 32), x - 32); };
-  const auto away = [](double x, double y) { return std::hypot(x - 32, y - 32) > 5 && Inner(x, y); };
+  const auto away = [](double x, double y) {
+    return std::hypot(x - 32, y - 32) > 5 && Inner(x, y);
+  };
   const auto curves = Lines(Along(around), 2);
   EXPECT_LT(AngleRms(SamplesOf(curves, 0.5), around, away), 2);
   EXPECT_GT(EvenShare(curves, 2, away), 0.95);
@@ -220,8 +225,9 @@ TEST(Streamlines, StopAtDegeneratePlaces) {
 
 TEST(Streamlines, AreCloserWhereTheSeparationIsSmaller) {
   const DirectionField directions(Along([](double, double) { return std::pair(1.0, 0.0); }));
-  const auto curves = Streamlines({0, 0, kSide, kSide}, directions,
-                                  {.separation_mm = [](double, double y) { return y < 32 ? 1 : 4; }});
+  const auto curves =
+      Streamlines({0, 0, kSide, kSide}, directions,
+                  {.separation_mm = [](double, double y) { return y < 32 ? 1 : 4; }});
   ASSERT_TRUE(curves.ok());
   std::vector<Polyline> lines;
   for (const Curve& curve : *curves) lines.push_back(curve.points);
