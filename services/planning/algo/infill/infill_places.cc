@@ -11,6 +11,14 @@ MultiPolygon Opened(const MultiPolygon& region, Coord width_nm) {
   return FastOffset(FastOffset(region, -width_nm / 2), width_nm / 2);
 }
 
+/// `shared`, and what lies around it but for `least_nm` around what is of `area` beyond that.
+MultiPolygon WithEdges(const MultiPolygon& shared, const MultiPolygon& area, Coord least_nm) {
+  const MultiPolygon around = FastOffset(shared, least_nm);
+  const MultiPolygon beyond = Difference(area, around);
+  if (beyond.empty()) return around;
+  return Union(shared, Difference(around, FastOffset(beyond, least_nm)));
+}
+
 }  // namespace
 
 void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const MultiPolygon> roofs,
@@ -26,7 +34,7 @@ void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const Multi
 }
 
 void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
-                   int32_t every_layers, std::span<InfillPlaces> places) {
+                   int32_t every_layers, Coord least_nm, std::span<InfillPlaces> places) {
   const auto count = static_cast<size_t>(every_layers);
   // The first layer lies on the bed, where nothing may be missing.
   for (size_t first = 1; first + count <= stack.size(); first += count) {
@@ -38,8 +46,9 @@ void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas
     }
     if (shared.empty()) continue;
     const size_t last = first + count - 1;
-    for (size_t i = first; i < last; ++i) places[i].left_out = Union(places[i].left_out, shared);
-    places[last].combined = shared;
+    for (size_t i = first; i < last; ++i)
+      places[i].left_out = Union(places[i].left_out, WithEdges(shared, areas[i], least_nm));
+    places[last].combined = WithEdges(shared, areas[last], least_nm);
     places[last].combined_height_nm = height_nm;
   }
 }

@@ -22,8 +22,10 @@ void LeaveOutUnneeded(std::span<const MultiPolygon> areas, std::span<const Multi
                       Coord least_nm, Coord margin_nm, std::span<InfillPlaces> places);
 
 /// infill_every_layers: stretches of so many layers, from the second layer up, in which the last
-/// one prints what all of them share, and the others leave it out.
+/// one prints what all of them share, and the others leave it out. What a layer has besides, but
+/// no further than `least_nm` from that, has no room for lines of its own: it belongs to what the
+/// last layer prints, or is left out with it. On slopes the one is as much as the other.
 void CombineLayers(const ObjectStack& stack, std::span<const MultiPolygon> areas,
-                   int32_t every_layers, std::span<InfillPlaces> places);
+                   int32_t every_layers, Coord least_nm, std::span<InfillPlaces> places);
 
 }  // namespace slicefarm::planning

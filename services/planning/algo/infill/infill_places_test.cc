@@ -48,7 +48,7 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
   });
   const auto areas = SparseAreas(stack, {1'000'000, 1, 1});
   std::vector<InfillPlaces> places(stack.size());
-  CombineLayers(stack, areas, 3, places);
+  CombineLayers(stack, areas, 3, 1'800'000, places);
   // Stretches: 1-3, 4-6, 7-9; layers 10 and 11 are too few for another one.
   for (const size_t i : {0u, 10u, 11u}) {
     EXPECT_TRUE(places[i].left_out.empty()) << i;
@@ -57,13 +57,28 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
   for (const size_t i : {3u, 6u, 9u}) {
     EXPECT_TRUE(places[i].left_out.empty()) << i;
     EXPECT_EQ(places[i].combined_height_nm, 3 * kStackHeight) << i;
-    EXPECT_EQ(places[i - 1].left_out, places[i].combined);
-    EXPECT_EQ(places[i - 2].left_out, places[i].combined);
-    for (const size_t k : {i, i - 1, i - 2})
-      EXPECT_TRUE(Difference(places[i].combined, areas[k]).empty());
+    const double shared = i == 3 ? 18 * 8 : 8 * 8;
+    EXPECT_NEAR(Mm2(Intersection(places[i].combined, areas[i])), shared, 1e-6) << i;
+    for (const size_t k : {i - 1, i - 2})
+      EXPECT_NEAR(Mm2(Intersection(places[k].left_out, areas[k])), shared, 1e-6) << k;
   }
-  EXPECT_NEAR(Mm2(places[3].combined), 18 * 8, 1e-6);
-  EXPECT_NEAR(Mm2(places[6].combined), 8 * 8, 1e-6);
+}
+
+// On a slope each layer has a strip more than the one above it.
+TEST(CombineLayers, StripsWithoutRoomForLinesGoWithWhatIsBesideThem) {
+  const ObjectStack stack = StackOf(12, [](int i) {
+    const Coord edge = FromMm(20 - 0.3 * i);
+    return MultiPolygon{{{{0, 0}, {edge, 0}, {edge, FromMm(10)}, {0, FromMm(10)}}, {}}};
+  });
+  const auto areas = SparseAreas(stack, {1'000'000, 1, 1});
+  std::vector<InfillPlaces> places(stack.size());
+  CombineLayers(stack, areas, 2, 1'800'000, places);
+  int stretches = 0;
+  for (size_t last = 2; last + 1 < stack.size(); last += 2, ++stretches) {
+    EXPECT_TRUE(Difference(areas[last], places[last].combined).empty()) << last;
+    EXPECT_TRUE(Difference(areas[last - 1], places[last - 1].left_out).empty()) << last;
+  }
+  EXPECT_EQ(stretches, 5);
 }
 
 }  // namespace

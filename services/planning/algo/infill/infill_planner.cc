@@ -21,6 +21,8 @@ using LinesByLayer = std::vector<std::vector<Polyline>>;
 
 /// Solid infill narrower than this many beads needs nothing under it: it rests on both sides.
 constexpr Coord kBridgedWidths = 2;
+/// A strip of so many beads has no room for lines of its own.
+constexpr Coord kNarrowWidths = 4;
 
 bool NeedsPlan(const InfillPlanOptions& options) {
   return options.choose_pattern || InfoOf(options.pattern).planned || options.every_layers > 1 ||
@@ -106,8 +108,7 @@ bool InfillPlanner::IsNeeded(const PlanningOptions& options) {
   return std::ranges::any_of(options.infill, NeedsPlan);
 }
 
-absl::Status InfillPlanner::Finish(const CancelToken& cancel, OpenLayers& layers,
-                                   JobPlan& plan) {
+absl::Status InfillPlanner::Finish(const CancelToken& cancel, OpenLayers& layers, JobPlan& plan) {
   for (const auto& [key, regions] : regions_) {
     ObjectStack stack = stacks_[key.first];
     for (const auto& [place, outlines] : regions) stack[place].region = outlines;
@@ -128,9 +129,8 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
     plan.notes.push_back(fmt::format(
         "fill_pattern = auto: {} for {} ({:.0f} % dense, {:.1f} mm high, {:.1f} mm wide on "
         "average): {}",
-        InfoOf(pattern).name,
-        NameOf(key.first, object_names_),
-        100 * options.density, shape.height_mm, shape.width_mm, choice.reason));
+        InfoOf(pattern).name, NameOf(key.first, object_names_), 100 * options.density,
+        shape.height_mm, shape.width_mm, choice.reason));
   }
   const bool looks_at_places =
       pattern == FillPattern::kLightning || options.only_where_needed || options.every_layers > 1;
@@ -140,12 +140,15 @@ void InfillPlanner::FinishRow(const Key& key, const ObjectStack& stack, OpenLaye
   if (options.only_where_needed)
     LeaveOutUnneeded(sparse.areas, sparse.roofs, kBridgedWidths * options.width_nm,
                      options.walls_nm + options.width_nm, places);
-  if (options.every_layers > 1) CombineLayers(stack, sparse.areas, options.every_layers, places);
+  if (options.every_layers > 1)
+    CombineLayers(stack, sparse.areas, options.every_layers, kNarrowWidths * options.width_nm,
+                  places);
   for (size_t i = 0; i < stack.size(); ++i) {
     if (stack[i].region.empty()) continue;
-    layers.At(stack[i].job_layer).infill.push_back(
-        {key.first, key.second, pattern, std::move(lines[i]), std::move(places[i].left_out),
-         std::move(places[i].combined), places[i].combined_height_nm});
+    layers.At(stack[i].job_layer)
+        .infill.push_back({key.first, key.second, pattern, std::move(lines[i]),
+                           std::move(places[i].left_out), std::move(places[i].combined),
+                           places[i].combined_height_nm});
   }
 }
 
