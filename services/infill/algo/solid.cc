@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
@@ -50,10 +51,38 @@ LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
 }
 
+/// The strips of pieces of line: those that are fitted, but for such as a narrow bay or a leaning
+/// edge would leave outside of the region.
+class Strips {
+ public:
+  Strips(const PolygonWithHoles& region, FittedStrips fitted, FittedStrips even, Coord spacing)
+      : edges_({region}, spacing), fitted_(std::move(fitted)), even_(std::move(even)) {}
+
+  std::vector<StripPoint> From(int32_t place) const {
+    std::vector<StripPoint> fitted = fitted_.From(place), even = even_.From(place);
+    return fitted == even || StaysInside(fitted, even) ? fitted : even;
+  }
+
+ private:
+  /// The middle of `even` lies in the region.
+  bool StaysInside(const std::vector<StripPoint>& fitted,
+                   const std::vector<StripPoint>& even) const {
+    const auto leaves = [&](Point a, Point b) { return a != b && edges_.Meets(a, b); };
+    if (leaves(even.front().at, fitted.front().at) || leaves(fitted.back().at, even.back().at))
+      return false;
+    for (size_t i = 1; i < fitted.size(); ++i)
+      if (leaves(fitted[i - 1].at, fitted[i].at)) return false;
+    return true;
+  }
+
+  EdgeIndex edges_;
+  FittedStrips fitted_;
+  FittedStrips even_;
+};
+
 /// The strips of a path's pieces, joined by links of one width: the width steps where two points
 /// are equal.
-Path MakePath(const SerpentinePath& line, const FittedStrips& strips, Coord height,
-              Coord link_width) {
+Path MakePath(const SerpentinePath& line, const Strips& strips, Coord height, Coord link_width) {
   Path path;
   const auto append = [&](Point point, Coord width) {
     if (!path.points.empty() && path.points.back() == point && path.widths_nm.back() == width)
@@ -124,10 +153,13 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
   const std::vector<SerpentinePath> paths = Serpentine(*lines, options);
   // A thread in the air is as thick as it leaves the nozzle.
-  const FittedStrips strips =
+  const FittedStrips even(*lines);
+  const Strips strips(
+      region,
       fill.feature == Feature::kBridgeInfill
-          ? FittedStrips(*lines)
-          : FittedStrips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset));
+          ? even
+          : FittedStrips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset)),
+      even, spacing);
   for (const SerpentinePath& line : paths) {
     Path& path = group.paths.emplace_back(MakePath(line, strips, fill.height_nm, link_width));
     path.feature = fill.feature;
@@ -146,18 +178,17 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   if (area.empty()) return FillGroup{};
   if (fill.pattern == FillPattern::kConcentric) pitch = FittingLoops(area, pitch);
   const Coord spacing = std::llround(pitch);
-  const auto pieces = PatternOf(fill.pattern)(
-      area, {0, fill.layer, pitch, fill.angle_rad, spacing});
+  const auto pieces =
+      PatternOf(fill.pattern)(area, {0, fill.layer, pitch, fill.angle_rad, spacing});
   if (!pieces.ok()) return pieces.status();
   const Coord width = WidthForSpacing(spacing, fill.height_nm);
   FillGroup group;
-  group.paths =
-      LinkedPaths(area, *pieces,
-                  {.width_nm = width,
-                   .height_nm = fill.height_nm,
-                   .max_link_nm = kMaxLinkSpacings * pitch,
-                   .budget_nm = kMostLinkShare * Area(region) / pitch,
-                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
+  group.paths = LinkedPaths(area, *pieces,
+                            {.width_nm = width,
+                             .height_nm = fill.height_nm,
+                             .max_link_nm = kMaxLinkSpacings * pitch,
+                             .budget_nm = kMostLinkShare * Area(region) / pitch,
+                             .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
   for (Path& path : group.paths) path.feature = fill.feature;
   return group;
 }
