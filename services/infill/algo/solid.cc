@@ -152,13 +152,14 @@ absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const Soli
                                   .max_link_nm = linked ? kMaxLinkSpacings * family.pitch_nm : 0,
                                   .min_length_nm = kMinLengthWidths * static_cast<double>(width)};
   const std::vector<SerpentinePath> paths = Serpentine(*lines, options);
-  // A thread in the air is as thick as it leaves the nozzle.
+  // A thread in the air is as thick as it leaves the nozzle, and without walls the lines' ends are
+  // the edge.
+  const bool fitted = fill.beside_walls && fill.feature != Feature::kBridgeInfill;
   const FittedStrips even(*lines);
   const Strips strips(
       region,
-      fill.feature == Feature::kBridgeInfill
-          ? even
-          : FittedStrips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset)),
+      fitted ? FittedStrips(*lines, LinkedStretches(*lines, paths), static_cast<double>(inset))
+             : even,
       even, spacing);
   for (const SerpentinePath& line : paths) {
     Path& path = group.paths.emplace_back(MakePath(line, strips, fill.height_nm, link_width));
