@@ -59,8 +59,9 @@ TEST(CombineLayers, TheLastOfEachStretchPrintsWhatAllShare) {
     EXPECT_EQ(places[i].combined_height_nm, 3 * kStackHeight) << i;
     const double shared = i == 3 ? 18 * 8 : 8 * 8;
     EXPECT_NEAR(Mm2(Intersection(places[i].combined, areas[i])), shared, 1e-6) << i;
+    // The whole room of layer 4 is 10 mm longer; layer 5 has 1 mm more beside its skin, too little.
     for (const size_t k : {i - 1, i - 2})
-      EXPECT_NEAR(Mm2(Intersection(places[k].left_out, areas[k])), shared, 1e-6) << k;
+      EXPECT_NEAR(Mm2(Difference(areas[k], places[k].left_out)), k == 4 ? 10 * 8 : 0, 1e-6) << k;
   }
 }
 
