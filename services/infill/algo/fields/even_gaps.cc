@@ -16,8 +16,9 @@ constexpr double kMostTurn = 0.028;
 constexpr double kNodeStep = 0.5;
 /// Farther neighbours are none, in separations.
 constexpr double kFarthest = 2;
-/// Of the cells in which neighbours are looked for; they are no larger than lines are apart.
-constexpr double kMostCellMm = 5;
+/// Cells in which neighbours are looked for are as large as lines are apart, within these: their
+/// size decides what the search costs, not what it finds.
+constexpr double kLeastCellMm = 0.5, kMostCellMm = 5;
 constexpr double kNoPlace = 1e9;
 /// A line is no neighbour to itself within so many nodes.
 constexpr int64_t kOwnNodes = 6;
@@ -216,7 +217,7 @@ void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<Stre
   if (std::ranges::all_of(nodes, [](const NodeLine& line) { return line.nodes.empty(); })) return;
   for (int round = 0; round < kEvenRounds; ++round) {
     std::vector<NodeLine> next = nodes;
-    Relax(separation_mm, closest, next);
+    Relax(separation_mm, std::max(closest, kLeastCellMm), next);
     if (TurnOf(next) > kMostTurn) break;
     nodes = std::move(next);
   }
