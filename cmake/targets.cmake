@@ -1,9 +1,9 @@
 # Precompiled headers: four, each made once. Without them a clean build takes twice the time.
 option(SLICEFARM_PCH "Precompile what nearly every file includes" ON)
 
-# slicefarm_precompiled(name folder-header [TESTS] DEPS ...): makes a precompiled header for libraries and programs, or for tests.
+# slicefarm_precompiled(name header [FAST] DEPS ...): makes a precompiled header; FAST: for what slicefarm_compile_fast is called for.
 function(slicefarm_precompiled name header)
-  cmake_parse_arguments(ARG "TESTS" "" "DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "FAST" "" "DEPS" ${ARGN})
   if(NOT SLICEFARM_PCH)
     return()
   endif()
@@ -12,33 +12,37 @@ function(slicefarm_precompiled name header)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARG_DEPS} PRIVATE slicefarm_warnings)
   target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/pch/${header})
-  if(ARG_TESTS) # the compiler takes only what was made with the same flags
+  if(ARG_FAST) # the compiler takes only what was made with the same flags
     slicefarm_compile_fast(${name})
   endif()
 endfunction()
 
-# What runs for moments should not take minutes to compile.
+# What computes is compiled with -O2. Tests, which run for moments, and what speaks gRPC, which waits for others, should not take
+# minutes to compile: -O1 takes a quarter off, and a job's CPU is what it was.
 function(slicefarm_compile_fast target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # Which of them a target takes: one with gRPC if a library that it links has it.
 function(slicefarm_use_precompiled target kind)
-  if(NOT SLICEFARM_PCH)
-    return()
-  endif()
   set(grpc "")
   set(libraries ${ARGN})
   list(REMOVE_ITEM libraries slicefarm_load_algo slicefarm_postgres_server)  # in spite of their names
   if("${libraries}" MATCHES "slicefarm_(rpc|proto|wire|cli|load|integration_support)|_server|_remote|grpc")
     set(grpc "_grpc")
+    if(kind STREQUAL library)
+      slicefarm_compile_fast(${target})
+    endif()
   endif()
-  target_precompile_headers(${target} REUSE_FROM slicefarm_pch${grpc}_${kind})
+  if(SLICEFARM_PCH)
+    target_precompile_headers(${target} REUSE_FROM slicefarm_pch${grpc}_${kind})
+  endif()
 endfunction()
 
 # The cold preset compiles sixteen files of a target as one: headers and templates, most of a compiler's work, are then done
-# once for all. So all files of a library or a program need different names in their unnamed namespaces. Who edits and
-# builds uses the release preset, where a changed file is compiled alone.
+# once for all. So all files of a library or a program need different names in their unnamed namespaces; a test has a namespace
+# named like its file, and may call its helpers what it likes. Who edits and builds uses the release preset, where a changed
+# file is compiled alone.
 
 # slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
 function(slicefarm_library name)
@@ -69,10 +73,9 @@ function(slicefarm_binary name)
   endif()
 endfunction()
 
-# slicefarm_test(name [TOGETHER] SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
-# TOGETHER: their names differ, too, and the cold preset compiles sixteen files as one.
+# slicefarm_test(name SOURCES a_test.cc b_test.cc DEPS ... [LABELS slow]): the tests of one folder, one process.
 function(slicefarm_test name)
-  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;DEPS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
   if(NOT BUILD_TESTING)
     return()
   endif()
@@ -83,9 +86,6 @@ function(slicefarm_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   slicefarm_compile_fast(${name})
   slicefarm_use_precompiled(${name} test ${ARG_DEPS})
-  if(NOT ARG_TOGETHER)
-    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
-  endif()
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}")
 endfunction()

@@ -89,6 +89,8 @@ def check(root, file):
         yield f"{path}: in no known layer"
         return
     yield from check_includes(path, text, layer, service, is_test)
+    if re.search(r"^(TYPED_)?TEST(_[FP])?\(", text, re.M) and not re.search(rf"^namespace slicefarm\S*::{file.stem} {{$", text, re.M):
+        yield f"{path}: no namespace of its own, slicefarm::..::{file.stem}: files compiled as one share names"
     if layer in ("algo", "geometry", "model", "config", "run") and not is_test:
         for m in IMPURE.finditer(text):
             # A literal for tests may die; nothing else in pure code may touch the world.

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace slicefarm {
+namespace slicefarm::build_info_test {
 namespace {
 
 using testing::MatchesRegex;
@@ -17,4 +17,4 @@ TEST(BuildInfo, IsFilledIn) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::build_info_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slicefarm {
+namespace slicefarm::duration_text_test {
 namespace {
 
 TEST(DurationText, LeadingUnitsOfZeroAreLeftOut) {
@@ -21,4 +21,4 @@ TEST(DurationText, NonsenseIsBounded) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::duration_text_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace slicefarm {
+namespace slicefarm::error_test {
 namespace {
 
 TEST(Error, CarriesReasonAndMetadata) {
@@ -57,4 +57,4 @@ TEST(MakeError, NulDoesNotShiftTheMetadata) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::error_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace slicefarm {
+namespace slicefarm::portable_math_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -161,4 +161,4 @@ TEST(PortableMath, HasTheBitsOfAllOtherMachines) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::portable_math_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::sha256_test {
 namespace {
 
 TEST(Sha256, GivesTheStandardsExamples) {
@@ -28,4 +28,4 @@ TEST(IsSha256Hex, TakesDigestsOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::sha256_test

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace slicefarm {
+namespace slicefarm::span_log_test {
 namespace {
 
 using testing::ElementsAre;
@@ -50,4 +50,4 @@ TEST(SpanLog, TakesSpansFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::span_log_test

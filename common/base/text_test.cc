@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::text_test {
 namespace {
 
 using testing::ElementsAre;
@@ -37,4 +37,4 @@ TEST(ToNumber, TakesAllOfTheTextOrNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::text_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace slicefarm {
+namespace slicefarm::trace_context_test {
 namespace {
 
 constexpr char kTrace[] = "4bf92f3577b34da6a3ce929d0e0e4736";
@@ -73,4 +73,4 @@ TEST(TraceContext, ChildrenAreOtherSpansOfTheSameTrace) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::trace_context_test

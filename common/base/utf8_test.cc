@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::utf8_test {
 namespace {
 
 struct Case {
@@ -42,4 +42,4 @@ TEST(Utf8Limit, CutsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::utf8_test

@@ -9,7 +9,7 @@
 #include "common/config/derive.h"
 #include "common/config/draft_of_test.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::check_settings_test {
 namespace {
 
 using Metadata = std::map<std::string, std::string>;
@@ -116,4 +116,4 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CheckSettings, TakesTheStandards) { EXPECT_EQ(Check({}), absl::OkStatus()); }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::check_settings_test

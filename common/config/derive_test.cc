@@ -7,7 +7,7 @@
 #include "common/config/draft_of_test.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::derive_test {
 namespace {
 
 struct NumberCase {
@@ -325,4 +325,4 @@ TEST(Derive, RefusesWhatPercentagesComeTo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::derive_test

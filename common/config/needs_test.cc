@@ -5,7 +5,7 @@
 
 #include "common/config/resolve.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::needs_test {
 namespace {
 
 using testing::ElementsAre;
@@ -135,4 +135,4 @@ TEST(UnmetNeeds, CombiningByHeightTakesThePlaceOfANumberOfLayers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::needs_test

@@ -10,7 +10,7 @@
 #include "common/config/setting_pairs_test.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::plate_test {
 namespace {
 
 using testing::Contains;
@@ -305,4 +305,4 @@ TEST(ResolvePlate, RegionsThatDifferInFillingShareWalls) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::plate_test

@@ -17,7 +17,7 @@
 #include "common/config/table/settings_table.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::resolve_test {
 namespace {
 
 using testing::Contains;
@@ -909,4 +909,4 @@ TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::resolve_test

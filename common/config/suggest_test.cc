@@ -6,7 +6,7 @@
 
 #include "common/config/table/settings_table.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::suggest_test {
 namespace {
 
 TEST(EditDistance, CountsSteps) {
@@ -56,4 +56,4 @@ TEST(NearestSetting, SaysNothingWhereNothingComesNear) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::suggest_test

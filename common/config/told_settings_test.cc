@@ -6,7 +6,7 @@
 #include "common/config/projects/ini.h"
 #include "common/config/resolve.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::told_settings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -103,4 +103,4 @@ TEST(LinesNamedIn, TakesWordsIndicesAndAliases) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::told_settings_test

@@ -9,7 +9,7 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::convex_test {
 namespace {
 
 using testing::ElementsAre;
@@ -118,4 +118,4 @@ TEST(ConvexDistance, AgreesWithAllPairsOfCornersAndEdges) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::convex_test

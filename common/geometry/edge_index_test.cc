@@ -8,7 +8,7 @@
 #include "common/geometry/boolean/predicates.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::edge_index_test {
 namespace {
 
 MultiPolygon Star() {
@@ -66,4 +66,4 @@ TEST(EdgeIndex, OfNothingMeetsNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::edge_index_test

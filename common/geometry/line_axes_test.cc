@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm {
+namespace slicefarm::line_axes_test {
 namespace {
 
 TEST(LineAxes, RightAnglesAreExact) {
@@ -36,4 +36,4 @@ TEST(LineAxes, RoundsHalvesAwayFromZero) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::line_axes_test

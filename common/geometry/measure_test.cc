@@ -7,7 +7,7 @@
 #include "common/geometry/between.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::measure_test {
 namespace {
 
 constexpr double kMm2 = 1e12;  // nm^2
@@ -92,4 +92,4 @@ TEST(PointBetween, HasItsShareOfTheWayBehind) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::measure_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::moved_test {
 namespace {
 
 TEST(Moved, MovesRingsAndHoles) {
@@ -20,4 +20,4 @@ TEST(Moved, MovesRingsAndHoles) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::moved_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::polygon_test {
 namespace {
 
 TEST(Canonicalize, ForgetsStartsAndOrder) {
@@ -26,4 +26,4 @@ TEST(Rings, AreAllThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::polygon_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm {
+namespace slicefarm::text_format_test {
 namespace {
 
 TEST(TextFormat, RoundTrips) {
@@ -35,4 +35,4 @@ INSTANTIATE_TEST_SUITE_P(Bad, BadTextTest,
 TEST(TextFormat, EmptyTextIsNothing) { EXPECT_TRUE(MakePolygonsOrDie("  ").empty()); }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::text_format_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::bead_section_test {
 namespace {
 
 TEST(BeadSection, OfTheUsualBead) {
@@ -44,4 +44,4 @@ TEST(BeadSection, BeadsThatDoNotLieApartAreRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::bead_section_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::fill_use_test {
 namespace {
 
 using testing::ElementsAre;
@@ -47,4 +47,4 @@ TEST(FillUse, KindsStayApartAndInOrder) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::fill_use_test

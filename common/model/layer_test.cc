@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::layer_test {
 namespace {
 
 TEST(LayerRange, GrowsWithinTheJob) {
@@ -28,4 +28,4 @@ TEST(ProgramStats, AddsUp) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::layer_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::path_test {
 namespace {
 
 TEST(Path, LengthOfClosedCountsTheClosingEdge) {
@@ -45,4 +45,4 @@ TEST(FeatureName, IsWhatPreviewersRead) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::path_test

@@ -9,7 +9,7 @@
 #include "common/base/error.h"
 #include "slicefarm/v1/error_details.pb.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::status_mapping_test {
 namespace {
 
 using testing::ElementsAre;
@@ -215,4 +215,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::status_mapping_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::copy_groups_test {
 namespace {
 
 using testing::ElementsAre;
@@ -34,4 +34,4 @@ TEST(CopyGroups, AreOfCopiesThatDifferByAShiftAlone) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::copy_groups_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::laser_chain_test {
 namespace {
 
 struct Exposure : ExposureStage {
@@ -72,4 +72,4 @@ TEST_F(LaserChainTest, HandsErrorsOn) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::laser_chain_test

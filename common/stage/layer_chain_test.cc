@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::layer_chain_test {
 namespace {
 
 using testing::ElementsAre;
@@ -198,4 +198,4 @@ TEST_F(LayerChainTest, AStagesErrorEndsTheChain) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::layer_chain_test

@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::object_layers_test {
 namespace {
 
 using testing::Eq;
@@ -157,4 +157,4 @@ TEST(CheckHalo, ALayerTooFewIsRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::object_layers_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::plates_test {
 namespace {
 
 using testing::ElementsAre;
@@ -74,4 +74,4 @@ TEST(OnPlates, PlacesFollowTheCopiesOfObjectsToPlace) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::plates_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::task_test {
 namespace {
 
 class Fdm : public FdmRunner {
@@ -78,4 +78,4 @@ TEST(ProcessRunners, WhatNobodyMakesIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::task_test

@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::geometry_wire_test {
 namespace {
 
 constexpr Coord kMost = std::numeric_limits<int32_t>::max();
@@ -138,4 +138,4 @@ TEST(GeometryWire, OpenLinesReturn) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::geometry_wire_test

@@ -10,7 +10,7 @@
 #include "common/wire/support/every_field.h"
 #include "google/protobuf/util/message_differencer.h"
 
-namespace slicefarm {
+namespace slicefarm::mesh_wire_test {
 namespace {
 
 using google::protobuf::Message;
@@ -205,4 +205,4 @@ TEST(MeshWire, RefusesReportsWithoutABox) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::mesh_wire_test

@@ -9,7 +9,7 @@
 #include "common/base/sha256.h"
 #include "common/model/limits.h"
 
-namespace slicefarm {
+namespace slicefarm::scene_wire_test {
 namespace {
 
 using Objects = google::protobuf::RepeatedPtrField<v1::Object>;
@@ -185,4 +185,4 @@ TEST(SceneWire, HasBounds) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::scene_wire_test

@@ -11,7 +11,7 @@
 
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::slice_object_wire_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -188,4 +188,4 @@ TEST(SliceObjectWire, RefusesPlacesBeyondTheWire) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::slice_object_wire_test

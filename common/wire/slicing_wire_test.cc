@@ -10,7 +10,7 @@
 #include "common/stage/slice_input_test.h"
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::slicing_wire_test {
 namespace {
 
 SliceInput TwoFiles() {
@@ -130,4 +130,4 @@ TEST(SliceSummaryWire, RefusesWhatNoJobHas) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::slicing_wire_test

@@ -7,7 +7,7 @@
 #include "common/model/paths_test.h"
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::start_wire_test {
 namespace {
 
 constexpr LayerRange kRange{3, 5};
@@ -301,4 +301,4 @@ TEST(StartWire, ARangeWithoutItsPlansIsRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::start_wire_test

@@ -7,7 +7,7 @@
 #include "services/cli/server_options.h"
 #include "services/cli/summary.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::exit_code_test {
 namespace {
 
 absl::Status ErrorOf(Reason reason) {
@@ -82,4 +82,4 @@ TEST(SummaryText, SaysWhatMatters) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::exit_code_test

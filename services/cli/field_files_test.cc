@@ -12,7 +12,7 @@
 #include "common/base/temp_directory_test.h"
 #include "common/model/fields/field_text.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::field_files_test {
 namespace {
 
 class FieldFiles : public testing::Test {
@@ -108,4 +108,4 @@ TEST_F(FieldFiles, RefusesWhatIsNoFieldWithAReason) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::field_files_test

@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -113,4 +113,4 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::files_test

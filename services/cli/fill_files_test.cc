@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::fill_files_test {
 namespace {
 
 TEST(FillFiles, APathIsALine) {
@@ -17,4 +17,4 @@ TEST(FillFiles, APathIsALine) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::fill_files_test

@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "services/cli/files.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::job_options_test {
 namespace {
 
 using config::Setting;
@@ -78,4 +78,4 @@ TEST(GivenJobSettings, NamesOfLasersFilesAreForLasers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::job_options_test

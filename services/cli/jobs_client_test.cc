@@ -12,7 +12,7 @@
 #include "common/base/sha256.h"
 #include "services/cli/fake_coordinator_test.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::jobs_client_test {
 namespace {
 
 using testing::ElementsAre;
@@ -217,4 +217,4 @@ TEST(OutcomeOf, TellsHowAJobEnded) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::jobs_client_test

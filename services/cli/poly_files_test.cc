@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/geometry/measure.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::poly_files_test {
 namespace {
 
 PolyFile Read(std::string_view text) {
@@ -78,4 +78,4 @@ TEST(DecimalText, InFullWithoutTrailingZeros) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::poly_files_test

@@ -28,7 +28,7 @@
 
 extern char** environ;
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::program_test {
 namespace {
 
 using testing::HasSubstr;
@@ -694,4 +694,4 @@ TEST_F(Program, TellsItsVersion) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::program_test

@@ -22,7 +22,7 @@
 #include "services/ordering/algo/local_ordering_stage.h"
 #include "services/planning/algo/local_planning_stage.h"
 
-namespace slicefarm {
+namespace slicefarm::adhesion_plates_test {
 namespace {
 
 /// From settings to the paths that are printed: skirt, brim and raft of plates of random parts.
@@ -338,4 +338,4 @@ TEST(AdhesionPlates, RangesDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::adhesion_plates_test

@@ -12,7 +12,7 @@
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/postgres_server.h"
 
-namespace slicefarm {
+namespace slicefarm::cluster_test {
 namespace {
 
 using State = v1::JobState;
@@ -148,4 +148,4 @@ TEST_F(ClusterTest, AnUploadMayGoOnAtTheOther) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::cluster_test

@@ -17,7 +17,7 @@
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/http_get.h"
 
-namespace slicefarm {
+namespace slicefarm::coordinator_processes_test {
 namespace {
 
 class CoordinatorProcessesTest : public FarmProcessesTest {};
@@ -247,4 +247,4 @@ TEST(CoordinatorProgram, RefusesFlagsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::coordinator_processes_test

@@ -16,7 +16,7 @@
 #include "tests/integration/farm_processes_test.h"
 #include "tests/integration/tcp_proxy.h"
 
-namespace slicefarm {
+namespace slicefarm::failures_test {
 namespace {
 
 std::string ReadAll(const std::string& path) {
@@ -201,4 +201,4 @@ TEST_F(FullDiskTest, AResultThatDoesNotFitWaitsForRoom) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::failures_test

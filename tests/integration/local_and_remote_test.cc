@@ -23,7 +23,7 @@
 #include "tests/integration/stage_host.h"
 #include "tests/integration/whole_job.h"
 
-namespace slicefarm {
+namespace slicefarm::local_and_remote_test {
 namespace {
 
 /// The stages as they are, here and behind a socket.
@@ -392,4 +392,4 @@ TEST_F(OneAfterTheOther, RangesElsewhereGiveWhatTheWholeGivesHere) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::local_and_remote_test

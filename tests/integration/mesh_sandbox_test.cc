@@ -14,7 +14,7 @@
 #include "tests/integration/child_process.h"
 #include "tests/integration/remote_clients.h"
 
-namespace slicefarm {
+namespace slicefarm::mesh_sandbox_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ TEST(MeshSandbox, WithoutSeccompTheServiceRefusesToStartUnlessLimitsAreEnough) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::mesh_sandbox_test

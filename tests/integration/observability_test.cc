@@ -20,7 +20,7 @@
 #include "tests/integration/child_process.h"
 #include "tests/integration/http_get.h"
 
-namespace slicefarm {
+namespace slicefarm::observability_test {
 namespace {
 
 using testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST_F(ObservabilityTest, TheTraceOfAJobNamesItsWorkersCalls) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::observability_test

@@ -20,7 +20,7 @@
 #include "tests/integration/stage_host.h"
 #include "tests/integration/whole_job.h"
 
-namespace slicefarm {
+namespace slicefarm::processes_test {
 namespace {
 
 using coordinator::Dispatcher;
@@ -205,4 +205,4 @@ TEST(ServerPrograms, CancelCallsThatOutlastTheDrain) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::processes_test

@@ -18,7 +18,7 @@
 #include "tests/integration/remote_clients.h"
 #include "tests/integration/stage_host.h"
 
-namespace slicefarm {
+namespace slicefarm::remote_stages_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -452,4 +452,4 @@ TEST(RemoteStages, AnInputBeyondTheWireIsRefusedBeforeItIsSent) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::remote_stages_test

@@ -25,7 +25,7 @@
 #include "tests/corpus_file.h"
 #include "tests/integration/child_process.h"
 
-namespace slicefarm {
+namespace slicefarm::secure_farm_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -422,4 +422,4 @@ TEST_F(SecureFarmTest, ACoordinatorThatCannotBeSafeDoesNotStart) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::secure_farm_test

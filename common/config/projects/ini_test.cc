@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::ini_test {
 namespace {
 
 using testing::ElementsAre;
@@ -125,4 +125,4 @@ TEST(ReadIni, BoundsNumberAndSize) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::ini_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::config {
+namespace slicefarm::config::orca_placeholders_test {
 namespace {
 
 std::optional<Placeholder> Meaning(std::string_view name) {
@@ -41,4 +41,4 @@ TEST(ReplacePlaceholders, ReplacesNamesInBracketsOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::orca_placeholders_test

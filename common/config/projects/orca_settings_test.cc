@@ -10,7 +10,7 @@
 #include "common/config/table/known_keys.h"
 #include "common/config/table/settings_table.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::orca_settings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -157,4 +157,4 @@ TEST(OrcaTable, ChoicesBelongToRows) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::orca_settings_test

@@ -5,7 +5,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::project_test {
 namespace {
 
 using testing::Contains;
@@ -115,4 +115,4 @@ TEST(InPrusaNames, TranslatesSettingsOfEveryPlace) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::project_test

@@ -8,7 +8,7 @@
 
 #include "common/config/resolve.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::adhesion_rows_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
@@ -70,4 +70,4 @@ TEST(RaftRow, DensityAndAngleOfEachLayer) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::adhesion_rows_test

@@ -4,7 +4,7 @@
 
 #include "common/config/table/settings_table.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::setting_scope_test {
 namespace {
 
 TEST(ScopeOf, AsPrusaSlicerHasIt) {
@@ -34,4 +34,4 @@ TEST(ScopeOf, FindsAllThatTheTableSays) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::setting_scope_test

@@ -12,7 +12,7 @@
 #include "common/base/text.h"
 #include "common/config/table/known_keys.h"
 
-namespace slicefarm::config {
+namespace slicefarm::config::settings_table_test {
 namespace {
 
 using testing::HasSubstr;
@@ -255,4 +255,4 @@ TEST(KnownKeys, KnowWhichValueAsksForNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::config
+}  // namespace slicefarm::config::settings_table_test

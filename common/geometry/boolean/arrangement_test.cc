@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::internal {
+namespace slicefarm::internal::arrangement_test {
 namespace {
 
 std::vector<GroupedRing> Rings(std::vector<std::string_view> texts) {
@@ -102,4 +102,4 @@ TEST(Arrangement, ManyRingsBesideManyEdgesAreLeftToOthers) {
 TEST(Arrangement, NothingOfNothing) { EXPECT_TRUE(TryWindingRegion({}, 1)->empty()); }
 
 }  // namespace
-}  // namespace slicefarm::internal
+}  // namespace slicefarm::internal::arrangement_test

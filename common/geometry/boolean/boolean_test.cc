@@ -4,7 +4,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm {
+namespace slicefarm::boolean_test {
 namespace {
 
 double AreaMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
@@ -67,4 +67,4 @@ TEST(Boolean, ResultsAreCanonical) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::boolean_test

@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::internal {
+namespace slicefarm::internal::clipper_convert_test {
 namespace {
 
 TEST(FromTree, KeepsIslandsInHolesApart) {
@@ -32,4 +32,4 @@ TEST(ToPath, RoundTripsTheLargestCoordinates) {
 }
 
 }  // namespace
-}  // namespace slicefarm::internal
+}  // namespace slicefarm::internal::clipper_convert_test

@@ -18,7 +18,7 @@
 //   SLICEFARM_REGION_PAIRS       how many (1500)
 //   SLICEFARM_REGION_PAIRS_SEED  the first one (1); a failure again: its seed, and 1 pair
 
-namespace slicefarm {
+namespace slicefarm::differential_test {
 namespace {
 
 uint32_t FromEnvironment(const char* name, uint32_t otherwise) {
@@ -128,4 +128,4 @@ TEST(Differential, Offsets) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::differential_test

@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::fast_boolean_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -88,4 +88,4 @@ TEST(FastBoolean, GivesTheSetsThatClipperGives) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::fast_boolean_test

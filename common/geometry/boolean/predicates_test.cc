@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slicefarm {
+namespace slicefarm::predicates_test {
 namespace {
 
 constexpr Coord kMax = std::numeric_limits<Coord>::max();
@@ -57,4 +57,4 @@ TEST(OnSegment, TakesEndsAndMiddleOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::predicates_test

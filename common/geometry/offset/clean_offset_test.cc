@@ -11,7 +11,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::clean_offset_test {
 namespace {
 
 MultiPolygon PolygonsOf(std::string_view text) {
@@ -121,4 +121,4 @@ TEST(FastOffset, TurnsWithTheRegion) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::clean_offset_test

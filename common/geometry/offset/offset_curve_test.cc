@@ -10,7 +10,7 @@
 #include "common/geometry/boolean/clipper_oracle_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::internal {
+namespace slicefarm::internal::offset_curve_test {
 namespace {
 
 struct CurveCase {
@@ -85,4 +85,4 @@ TEST(OffsetCurve, GivesWhatClipperOffsetGives) {
 }
 
 }  // namespace
-}  // namespace slicefarm::internal
+}  // namespace slicefarm::internal::offset_curve_test

@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::offset_test {
 namespace {
 
 double OffsetAreaMm2(const MultiPolygon& polygons) { return Area(polygons) / 1e12; }
@@ -197,4 +197,4 @@ TEST(Offset, CommutesWithRigidMotions) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::offset_test

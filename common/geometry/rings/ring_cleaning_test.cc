@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace slicefarm {
+namespace slicefarm::ring_cleaning_test {
 namespace {
 
 struct CleaningCase {
@@ -51,4 +51,4 @@ TEST(CleanedRing, DoesNotDependOnTheStart) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::ring_cleaning_test

@@ -6,7 +6,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::simple_rings_test {
 namespace {
 
 struct SimpleCase {
@@ -76,4 +76,4 @@ TEST(SimpleRingsLimits, SlantedCombIsSimple) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::simple_rings_test

@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm {
+namespace slicefarm::simplify_test {
 namespace {
 
 Polygon Circle(int points, double radius_mm) {
@@ -100,4 +100,4 @@ TEST(SimplifyLine, DoesNotRecurse) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::simplify_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm {
+namespace slicefarm::density_field_test {
 namespace {
 
 TEST(DensityOf, IsWhatEachLawSays) {
@@ -80,4 +80,4 @@ TEST(DensityField, OfAGridIsUniformWhereItsSheetsAre) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::density_field_test

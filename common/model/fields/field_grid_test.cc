@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::field_grid_test {
 namespace {
 
 /// a + b x + c y + d z at the nodes: what is linear between them is exact everywhere.
@@ -44,4 +44,4 @@ TEST(FieldGrid, SameNodesLooksAtNoValues) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::field_grid_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::field_notes_test {
 namespace {
 
 constexpr double kSpacingMm = 0.4;
@@ -35,4 +35,4 @@ TEST(FieldNotes, SayThatDitheringIsRightOnAverageOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::field_notes_test

@@ -6,7 +6,7 @@
 
 #include "common/model/limits.h"
 
-namespace slicefarm {
+namespace slicefarm::field_text_test {
 namespace {
 
 TEST(FieldText, CanonicalTextsComeBackAsTheyAre) {
@@ -125,4 +125,4 @@ TEST(FieldText, SharesOfMaterialsSumToOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::field_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::fill_angles_test {
 namespace {
 
 struct Case {
@@ -47,4 +47,4 @@ TEST(FillAngles, RefuseWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::fill_angles_test

@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm {
+namespace slicefarm::placement_test {
 namespace {
 
 TEST(CheckPlacement, RefusesSenselessFactors) {
@@ -57,4 +57,4 @@ TEST(Combined, IsTheSecondAfterTheFirst) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::placement_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm {
+namespace slicefarm::rotation_test {
 namespace {
 
 TEST(SineCosine, RightAnglesAreExact) {
@@ -50,4 +50,4 @@ TEST(RotationXyz, NoTurnIsTheIdentity) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::rotation_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::scene_test {
 namespace {
 
 TEST(ObjectOfFile, ACopyAtEachCenter) {
@@ -27,4 +27,4 @@ TEST(ObjectOfFile, SoManyCopiesAnywhere) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::scene_test

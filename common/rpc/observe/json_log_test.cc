@@ -15,7 +15,7 @@
 #include "common/rpc/observe/library_log.h"
 #include "slicefarm/v1/jobs.pb.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::json_log_test {
 namespace {
 
 class JsonLogTest : public testing::Test {
@@ -121,4 +121,4 @@ TEST_F(JsonLogTest, RemembersTheLastProblems) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::json_log_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::line_limiter_test {
 namespace {
 
 TEST(LineLimiter, LetsABurstThroughAndThenALineNowAndThen) {
@@ -32,4 +32,4 @@ TEST(LineLimiter, TellsABoundedNumberOfMessagesApart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::line_limiter_test

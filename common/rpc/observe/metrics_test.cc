@@ -12,7 +12,7 @@
 #include "common/base/build_info.h"
 #include "prometheus/counter.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::metrics_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(Metrics, PagesStandBesideThem) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::metrics_test

@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "common/rpc/security/authorizer.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::authz_policy_test {
 namespace {
 
 AuthzPolicy Parse(const std::string& json) {
@@ -101,4 +101,4 @@ TEST(AuthzPolicy, BetweenServicesTheMethodsAreTheCoordinators) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::authz_policy_test

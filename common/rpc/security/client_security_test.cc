@@ -9,7 +9,7 @@
 #include "common/base/error.h"
 #include "common/rpc/security/dev_certs_test.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::client_security_test {
 namespace {
 
 constexpr char kHere[] = "127.0.0.1:50050";
@@ -83,4 +83,4 @@ TEST_F(ClientSecurityTest, HintsFitTheFilesAtHand) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::client_security_test

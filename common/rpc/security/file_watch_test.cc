@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::file_watch_test {
 namespace {
 
 class FileWatchTest : public testing::Test {
@@ -63,4 +63,4 @@ TEST_F(FileWatchTest, FilesThatCannotBeReadAreNamed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::file_watch_test

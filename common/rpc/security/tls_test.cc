@@ -24,7 +24,7 @@
 #include "common/rpc/server/server.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::tls_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -321,4 +321,4 @@ TEST(Identity, NamesATenantOrNot) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::tls_test

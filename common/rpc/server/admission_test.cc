@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/rpc/status_mapping.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::admission_test {
 namespace {
 
 void AwaitWaiting(const Admission& admission, int count) {
@@ -83,4 +83,4 @@ TEST(Admission, NeverLetsMoreWorkThanSlots) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::admission_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::listen_address_test {
 namespace {
 
 TEST(ListenAddress, LoopbackIsWhatOnlyThisMachineReaches) {
@@ -16,4 +16,4 @@ TEST(ListenAddress, LoopbackIsWhatOnlyThisMachineReaches) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::listen_address_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::open_files_test {
 namespace {
 
 TEST(OpenFiles, TheLimitIsRaisedToWhatIsAllowed) {
@@ -19,4 +19,4 @@ TEST(OpenFiles, TheLimitIsRaisedToWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::open_files_test

@@ -20,7 +20,7 @@
 #include "prometheus/text_serializer.h"
 #include "slicefarm/v1/motion.grpc.pb.h"
 
-namespace slicefarm::rpc {
+namespace slicefarm::rpc::server_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -372,4 +372,4 @@ TEST_F(ServerTest, NobodyThereIsUnavailable) {
 }
 
 }  // namespace
-}  // namespace slicefarm::rpc
+}  // namespace slicefarm::rpc::server_test

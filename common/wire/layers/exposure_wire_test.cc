@@ -11,7 +11,7 @@
 #include "common/wire/support/round_trip_test.h"
 #include "google/protobuf/util/message_differencer.h"
 
-namespace slicefarm {
+namespace slicefarm::exposure_wire_test {
 namespace {
 
 // The bindings name every member: a new one does not compile until it is sent here, and so on the
@@ -250,4 +250,4 @@ TEST(ExposureWire, RefusesSettingsThatNoResolverMakes) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::exposure_wire_test

@@ -9,7 +9,7 @@
 
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::fill_use_wire_test {
 namespace {
 
 // The binding names every member: a new one does not compile until it is sent here, and so on the
@@ -68,4 +68,4 @@ TEST(FillUseWire, RefusesWhatIsNoUse) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::fill_use_wire_test

@@ -12,7 +12,7 @@
 #include "common/wire/layers/path_wire.h"
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::layer_wire_test {
 namespace {
 
 constexpr LayerFrame kFrame{3, 800'000, 200'000};
@@ -430,4 +430,4 @@ TEST(LayerWire, ProgramsOfTheRangeAreByLayerThenPass) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::layer_wire_test

@@ -12,7 +12,7 @@
 #include "common/model/paths_test.h"
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::plan_wire_test {
 namespace {
 
 // The bindings name every member: a new one does not compile until it is sent here, and so on the
@@ -326,4 +326,4 @@ TEST(PlanWire, RefusesPointsBeyondTheWire) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::plan_wire_test

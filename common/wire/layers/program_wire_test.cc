@@ -14,7 +14,7 @@
 #include "common/wire/support/round_trip_test.h"
 #include "google/protobuf/util/message_differencer.h"
 
-namespace slicefarm {
+namespace slicefarm::program_wire_test {
 namespace {
 
 using google::protobuf::Message;
@@ -356,4 +356,4 @@ TEST(StageCallWire, LongJobIdsAreRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::program_wire_test

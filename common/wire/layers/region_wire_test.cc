@@ -11,7 +11,7 @@
 #include "common/model/limits.h"
 #include "common/wire/support/round_trip_test.h"
 
-namespace slicefarm {
+namespace slicefarm::region_wire_test {
 namespace {
 
 const MultiPolygon& Outlines() {
@@ -120,4 +120,4 @@ TEST(CheckSection, NamesTheField) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::region_wire_test

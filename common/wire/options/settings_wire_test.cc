@@ -13,7 +13,7 @@
 #include "google/protobuf/text_format.h"
 #include "google/protobuf/util/message_differencer.h"
 
-namespace slicefarm {
+namespace slicefarm::settings_wire_test {
 namespace {
 
 using google::protobuf::Message;
@@ -902,4 +902,4 @@ TEST(SettingsWire, RefusesABedBeyondTheWire) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::settings_wire_test

@@ -26,7 +26,7 @@
 //   SLICEFARM_HOSTILE_OUTLINES   how many (300)
 //   SLICEFARM_HOSTILE_SEED       the first one (1); a failure again: its seed, and 1 outline
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::hostile_outlines_test {
 namespace {
 
 constexpr Coord kWidthNm = 500'000;
@@ -282,4 +282,4 @@ TEST(HostileOutlines, AHundredThousandPoints) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::hostile_outlines_test

@@ -5,7 +5,7 @@
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::local_beading_stage_test {
 namespace {
 
 /// Layers of one object of one region.
@@ -172,4 +172,4 @@ TEST(LocalBeading, RefusesBeadsWithoutSpacing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::local_beading_stage_test

@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "services/beading/algo/local_beading_stage.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::section_walls_test {
 namespace {
 
 double Mm2(const MultiPolygon& area) { return Area(area) * 1e-12; }
@@ -101,4 +101,4 @@ TEST(WallSection, WhatIsNotThePartIsCalledByItsRole) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::section_walls_test

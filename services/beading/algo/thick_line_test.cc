@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::thick_line_test {
 namespace {
 
 ThickLine Line(std::string_view text, std::vector<double> thickness_mm) {
@@ -60,4 +60,4 @@ TEST(ThickLine, ReverseTwiceIsTheSame) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::thick_line_test

@@ -5,7 +5,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::wall_rings_test {
 namespace {
 
 Path Wall(std::string_view points, int32_t inset = 0) {
@@ -43,4 +43,4 @@ TEST(NameRings, OpenWallsAndGapFillFollowNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::wall_rings_test

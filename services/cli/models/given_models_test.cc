@@ -10,7 +10,7 @@
 #include "services/cli/models/model_arguments.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::given_models_test {
 namespace {
 
 namespace threemf = slicing::threemf;
@@ -308,4 +308,4 @@ TEST(ReadModels, DamagedProjectsAreNamed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::given_models_test

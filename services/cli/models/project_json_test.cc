@@ -7,7 +7,7 @@
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::project_json_test {
 namespace {
 
 namespace threemf = slicing::threemf;
@@ -47,4 +47,4 @@ TEST(ProjectJson, SettingsHavePrusaSlicersNames) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::project_json_test

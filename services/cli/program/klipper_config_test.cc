@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::klipper_config_test {
 namespace {
 
 constexpr char kConfig[] =
@@ -46,4 +46,4 @@ TEST(IsKlipperConfig, ByItsSection) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::klipper_config_test

@@ -6,7 +6,7 @@
 #include "common/base/temp_directory_test.h"
 #include "services/cli/files.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::machine_config_test {
 namespace {
 
 TEST(SetupOfSettings, TakesWhatItSaysOfTheMachineAlone) {
@@ -63,4 +63,4 @@ TEST(ReadMachine, ByFileByTheGcodeByDefault) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::machine_config_test

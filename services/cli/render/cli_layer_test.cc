@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::cli_layer_test {
 namespace {
 
 constexpr char kHeader[] = "$$HEADERSTART\n$$ASCII\n$$UNITS/0.01\n$$LAYERS/2\n$$HEADEREND\n";
@@ -98,4 +98,4 @@ TEST(ReadCliLayer, NamesTheLastLayer) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::cli_layer_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::exposure_map_test {
 namespace {
 
 BeadRun Line(PointMm from, PointMm to, double width_mm = 1) {
@@ -69,4 +69,4 @@ TEST(MapExposure, StopsCountingAtItsMost) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::exposure_map_test

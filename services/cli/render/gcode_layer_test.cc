@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::gcode_layer_test {
 namespace {
 
 using testing::ElementsAre;
@@ -141,4 +141,4 @@ TEST(ReadGcodeLayer, NamesTheLayersThereAre) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::gcode_layer_test

@@ -8,7 +8,7 @@
 
 #include "services/cli/render/picture_test.h"
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::layer_drawing_test {
 namespace {
 
 using testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(FeatureColour, TellsFeaturesApart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::layer_drawing_test

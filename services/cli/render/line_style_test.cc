@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::cli {
+namespace slicefarm::cli::line_style_test {
 namespace {
 
 TEST(StylesOf, ReadsWhatLabelsSay) {
@@ -19,4 +19,4 @@ TEST(StylesOf, ReadsWhatLabelsSay) {
 TEST(StylesOf, AHeaderWithoutLabels) { EXPECT_TRUE(StylesOf("$$HEADERSTART\n$$ASCII\n").empty()); }
 
 }  // namespace
-}  // namespace slicefarm::cli
+}  // namespace slicefarm::cli::line_style_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_state_test {
 namespace {
 
 using enum JobState;
@@ -33,4 +33,4 @@ TEST(JobState, NamesLeadBack) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_state_test

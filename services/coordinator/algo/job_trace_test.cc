@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_trace_test {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +129,4 @@ TEST(ChromeTrace, AttemptsAtTheSameRangeAreNumbered) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_trace_test

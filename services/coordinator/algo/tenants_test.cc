@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::tenants_test {
 namespace {
 
 constexpr int64_t kJan2027Us = 1'798'761'600'000'000;  // 2027-01-01T00:00:00Z
@@ -138,4 +138,4 @@ TEST(Tenants, ScopesHaveNames) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::tenants_test

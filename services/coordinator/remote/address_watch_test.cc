@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::address_watch_test {
 namespace {
 
 using testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(AddressWatch, AFailingNameKeepsItsAddresses) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::address_watch_test

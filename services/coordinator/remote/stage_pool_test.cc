@@ -15,7 +15,7 @@
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::stage_pool_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -245,4 +245,4 @@ TEST_F(StagePoolTest, CarriesCallsThroughUnrest) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::stage_pool_test

@@ -11,7 +11,7 @@
 #include "common/rpc/status_mapping.h"
 #include "services/coordinator/remote/fake_replica_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::worker_pool_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -244,4 +244,4 @@ TEST_F(WorkerPoolTest, RunnersOutliveTheirMembership) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::worker_pool_test

@@ -9,7 +9,7 @@
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::blob_sweep_test {
 namespace {
 
 class BlobSweepTest : public testing::Test {
@@ -128,4 +128,4 @@ TEST_F(BlobSweepTest, UploadsThatWereGivenUpGo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::blob_sweep_test

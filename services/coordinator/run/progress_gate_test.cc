@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::progress_gate_test {
 namespace {
 
 TEST(ProgressGate, TheFirstPassesAtOnce) {
@@ -22,4 +22,4 @@ TEST(ProgressGate, LaterOnesPassBySteps) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::progress_gate_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::run_conclusion_test {
 namespace {
 
 using enum JobState;
@@ -123,4 +123,4 @@ TEST(Conclusion, ADeadlineComesBeforeErrorsAndAfterOtherWishes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::run_conclusion_test

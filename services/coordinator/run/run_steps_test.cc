@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::run_steps_test {
 namespace {
 
 using Step = RunSteps::Step;
@@ -102,4 +102,4 @@ TEST_F(RunStepsTest, WhatIsMadeIsKeptEvenIfLate) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::run_steps_test

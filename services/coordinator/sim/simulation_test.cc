@@ -11,7 +11,7 @@
 #include "services/coordinator/store/jobs/memory_job_store.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
-namespace slicefarm::coordinator::sim {
+namespace slicefarm::coordinator::sim::simulation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -140,4 +140,4 @@ TEST(Simulation, EverythingThatMayHappenHappens) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator::sim
+}  // namespace slicefarm::coordinator::sim::simulation_test

@@ -14,7 +14,7 @@
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::expose_layer_test {
 namespace {
 
 const ScanStrategy kStrategies[] = {ScanStrategy::kRings, ScanStrategy::kRingsInward,
@@ -270,4 +270,4 @@ TEST(ExposeLayer, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::expose_layer_test

@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::expose_region_test {
 namespace {
 
 TEST(ExposeRegion, GroupsSayWhoseTheyAre) {
@@ -59,4 +59,4 @@ TEST(ExposeRegion, RingsKeepItToo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::expose_region_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::exposure_report_test {
 namespace {
 
 ExposedLayer TwoLines() {
@@ -85,4 +85,4 @@ TEST(ReportOf, CopiesCountAndReportsAddUp) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::exposure_report_test

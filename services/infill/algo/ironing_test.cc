@@ -9,7 +9,7 @@
 #include "common/model/bead_section.h"
 #include "services/infill/algo/inside_checks_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::ironing_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -57,4 +57,4 @@ TEST(IronedLines, TooManyLinesAreRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::ironing_test

@@ -8,7 +8,7 @@
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::local_infill_stage_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -255,4 +255,4 @@ TEST(LocalInfill, RefusesAFieldThatIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::local_infill_stage_test

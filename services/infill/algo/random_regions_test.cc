@@ -16,7 +16,7 @@
 /// touch. From the environment:
 ///   SLICEFARM_FILL_REGIONS   how many regions for each pattern (40)
 ///   SLICEFARM_FILL_SEED      the first one's (1); a failure again: its seed, and 1 region
-namespace slicefarm::infill {
+namespace slicefarm::infill::random_regions_test {
 namespace {
 
 /// One or two islands, often cut by a thin slit or joined at a corner.
@@ -83,4 +83,4 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::random_regions_test

@@ -10,7 +10,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::section_fill_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -400,4 +400,4 @@ TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::section_fill_test

@@ -11,7 +11,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::solid_test {
 namespace {
 
 PolygonWithHoles Island(std::string_view text) { return MakePolygonsOrDie(text)[0]; }
@@ -159,4 +159,4 @@ TEST(SolidGroup, LinesRunAtTheAngle) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::solid_test

@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::sparse_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -121,4 +121,4 @@ TEST(Sparse, NothingAtNoDensityAndInNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::sparse_test

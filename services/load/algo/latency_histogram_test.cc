@@ -9,7 +9,7 @@
 
 #include "services/load/algo/seeded.h"
 
-namespace slicefarm::load {
+namespace slicefarm::load::latency_histogram_test {
 namespace {
 
 constexpr double kPercents[] = {0, 1, 10, 50, 90, 95, 99, 99.9, 99.99, 100};
@@ -94,4 +94,4 @@ TEST(LatencyHistogram, CountUpToIsWithinABucket) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::latency_histogram_test

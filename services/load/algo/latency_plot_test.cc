@@ -6,7 +6,7 @@
 #include <regex>
 #include <vector>
 
-namespace slicefarm::load {
+namespace slicefarm::load::latency_plot_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(LatencyPlot, MoreLatencyIsHigherUp) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::latency_plot_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace slicefarm::load {
+namespace slicefarm::load::loop_test {
 namespace {
 
 constexpr int64_t kSecond = 1'000'000'000;
@@ -150,4 +150,4 @@ TEST(ClosedLoop, KeepsAllSlotsBusy) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::loop_test

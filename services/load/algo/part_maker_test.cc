@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace slicefarm::load {
+namespace slicefarm::load::part_maker_test {
 namespace {
 
 using Vertex = std::array<float, 3>;
@@ -95,4 +95,4 @@ TEST(Mix, NamesGoBothWays) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::part_maker_test

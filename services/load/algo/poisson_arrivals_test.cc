@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace slicefarm::load {
+namespace slicefarm::load::poisson_arrivals_test {
 namespace {
 
 std::vector<int64_t> Arrivals(double rate_rps, uint64_t seed, int number) {
@@ -65,4 +65,4 @@ TEST(PoissonArrivals, TheSeedDecides) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::poisson_arrivals_test

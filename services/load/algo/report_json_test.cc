@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace slicefarm::load {
+namespace slicefarm::load::report_json_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -148,4 +148,4 @@ TEST(GoCodeName, AreThoseOfGo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::report_json_test

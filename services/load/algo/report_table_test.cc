@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::load {
+namespace slicefarm::load::report_table_test {
 namespace {
 
 using testing::HasSubstr;
@@ -35,4 +35,4 @@ TEST(ReportTable, ALateGeneratorIsTold) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::report_table_test

@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::load {
+namespace slicefarm::load::run_log_test {
 namespace {
 
 using testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(RunLog, TakesFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::run_log_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::load {
+namespace slicefarm::load::run_report_test {
 namespace {
 
 RunReport ReportOf(double seconds, int64_t last_end_ns, int ok, int failed) {
@@ -34,4 +34,4 @@ TEST(RunReport, ALoopWithoutARateIsClosed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::run_report_test

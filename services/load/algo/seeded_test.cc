@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace slicefarm::load {
+namespace slicefarm::load::seeded_test {
 namespace {
 
 TEST(SeededRandom, IsSplitMix64) {
@@ -50,4 +50,4 @@ TEST(RequestId, IsAnotherForEachSeedAndIndexAndTheSameAgain) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::seeded_test

@@ -7,7 +7,7 @@
 #include "services/load/client/fake_farm_test.h"
 #include "services/load/client/run.h"
 
-namespace slicefarm::load {
+namespace slicefarm::load::load_test {
 namespace {
 
 using std::chrono::seconds;
@@ -219,4 +219,4 @@ TEST(Farm, ToldWhenNobodyAnswers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::load_test

@@ -7,7 +7,7 @@
 
 #include "common/base/sha256.h"
 
-namespace slicefarm::load {
+namespace slicefarm::load::part_supply_test {
 namespace {
 
 TEST(PartSupply, PartsAreOthersEachTime) {
@@ -37,4 +37,4 @@ TEST(PartSupply, SameIsOnePartOfEachSize) {
 }
 
 }  // namespace
-}  // namespace slicefarm::load
+}  // namespace slicefarm::load::part_supply_test

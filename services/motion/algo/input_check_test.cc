@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::input_check_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -124,4 +124,4 @@ TEST(CheckLayer, SettingsAreARowOfTheTable) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::input_check_test

@@ -12,7 +12,7 @@
 #include "common/base/error.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::layer_program_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -519,4 +519,4 @@ TEST(ProgramLayer, AnEmptyLayerHandsTheFilamentOnAsItShould) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::layer_program_test

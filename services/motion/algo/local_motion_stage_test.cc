@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::local_motion_stage_test {
 namespace {
 
 std::vector<OrderedLayer> Layers(int count) {
@@ -84,4 +84,4 @@ TEST(LocalMotion, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::local_motion_stage_test

@@ -5,7 +5,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::pass_change_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -113,4 +113,4 @@ TEST(PassChange, GoesBackToTheFirstLayersTemperatures) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::pass_change_test

@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::program_envelope_test {
 namespace {
 
 using ::testing::Each;
@@ -240,4 +240,4 @@ TEST(FrameProgram, NothingToPrint) {
 TEST(FrameProgram, SameBytesEveryTime) { EXPECT_EQ(Framed(Summary()), Framed(Summary())); }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::program_envelope_test

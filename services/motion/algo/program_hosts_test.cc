@@ -13,7 +13,7 @@
 #include "services/motion/algo/layer_program.h"
 #include "services/motion/algo/program_envelope.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::program_hosts_test {
 namespace {
 
 constexpr GcodeFlavor kFlavors[] = {GcodeFlavor::kMarlin2,    GcodeFlavor::kMarlinLegacy,
@@ -184,4 +184,4 @@ TEST(Hosts, NamesAreNoCommands) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::program_hosts_test

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::few_legs_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(FewLegs, IsTheBestOfAllOrders) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::few_legs_test

@@ -5,7 +5,7 @@
 
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::fill_order_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST(PrintFills, EndsTowardsWhatComesNext) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::fill_order_test

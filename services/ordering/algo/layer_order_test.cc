@@ -7,7 +7,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::layer_order_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -148,4 +148,4 @@ TEST(OrderLayer, RefusesBrokenPaths) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::layer_order_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::local_ordering_stage_test {
 namespace {
 
 std::vector<FilledLayer> Layers(int count) {
@@ -38,4 +38,4 @@ TEST(LocalOrdering, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::local_ordering_stage_test

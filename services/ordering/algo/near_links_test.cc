@@ -9,7 +9,7 @@
 
 #include "common/model/bead_section.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::near_links_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -156,4 +156,4 @@ TEST(LinkBetween, SmallLoopStaysWhole) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::near_links_test

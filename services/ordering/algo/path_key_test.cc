@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::path_key_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -37,4 +37,4 @@ TEST(OrderByGeometry, ForgetsTheInputOrder) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::path_key_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::route_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(Route, LinksWhatLiesNearWithinAnIsland) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::route_test

@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "services/ordering/algo/route.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::section_order_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -229,4 +229,4 @@ TEST(OrderSection, TravelIsNotLongerThanTheInputOrder) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::section_order_test

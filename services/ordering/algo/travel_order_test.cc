@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::travel_order_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -324,4 +324,4 @@ TEST(TravelOrder, AllEndsInOnePoint) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::travel_order_test

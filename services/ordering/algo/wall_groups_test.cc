@@ -5,7 +5,7 @@
 
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::wall_groups_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -60,4 +60,4 @@ TEST(GroupWalls, AWallWithoutOneOutsideBeginsAGroup) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::wall_groups_test

@@ -5,7 +5,7 @@
 
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::wall_order_test {
 namespace {
 
 using ::testing::Each;
@@ -144,4 +144,4 @@ TEST(PrintWalls, OrderOfInputDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::wall_order_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::job_planner_test {
 namespace {
 
 constexpr std::string_view kSquare = "(-5 -5, 5 -5, 5 5, -5 5)";
@@ -114,4 +114,4 @@ TEST(JobPlanner, RefusesObjectsWithoutOptions) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::job_planner_test

@@ -4,7 +4,7 @@
 
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::local_planning_stage_test {
 namespace {
 
 TEST(LocalPlanning, PlansEachLayer) {
@@ -42,4 +42,4 @@ TEST(LocalPlanning, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::local_planning_stage_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::planner_test {
 namespace {
 
 TEST(PlanOf, FindsOrMakesByAscendingObject) {
@@ -16,4 +16,4 @@ TEST(PlanOf, FindsOrMakesByAscendingObject) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::planner_test

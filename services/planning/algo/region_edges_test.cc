@@ -12,7 +12,7 @@
 #include "common/geometry/text_format.h"
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::region_edges_test {
 namespace {
 
 /// The nearest distance over all edges, and whether the point is in the solid.
@@ -114,4 +114,4 @@ TEST(RegionEdges, OfNothingIsNearNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::region_edges_test

@@ -16,7 +16,7 @@
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::local_slicing_stage_test {
 namespace {
 
 using testing::ElementsAre;
@@ -382,4 +382,4 @@ TEST(LocalSlicing, ModelsOfTheCorpus) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::local_slicing_stage_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::parallel_test {
 namespace {
 
 TEST(ForEachIndex, VisitsEachOnce) {
@@ -26,4 +26,4 @@ TEST(ForEachIndex, VisitsEachOnce) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::parallel_test

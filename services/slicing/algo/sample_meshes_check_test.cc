@@ -9,7 +9,7 @@
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/topology/topology.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::sample_meshes_check_test {
 namespace {
 
 TEST(SampleMeshes, AreClosedAndTheRightSideOut) {
@@ -52,4 +52,4 @@ TEST(SampleMeshes, FilesSayTheSame) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::sample_meshes_check_test

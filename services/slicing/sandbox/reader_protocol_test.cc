@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::reader_protocol_test {
 namespace {
 
 Reason ReasonOf(const absl::Status& status) { return DetailOf(status).reason; }
@@ -114,4 +114,4 @@ TEST(ReaderLimits, AreForTheTextOfAnArchive) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::reader_protocol_test

@@ -20,7 +20,7 @@
 #include "services/slicing/sandbox/sanitized_build.h"
 #include "tests/corpus_file.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::sandboxed_mesh_source_test {
 namespace {
 
 using testing::HasSubstr;
@@ -260,4 +260,4 @@ TEST(SandboxedMeshSource, ProbeTellsWhetherItWorks) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::sandboxed_mesh_source_test

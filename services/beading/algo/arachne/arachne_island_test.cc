@@ -14,7 +14,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::arachne_island_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -216,4 +216,4 @@ TEST(ArachneIslands, ARoundPinIsRingsOfItsVolume) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::arachne_island_test

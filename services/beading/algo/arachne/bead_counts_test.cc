@@ -12,7 +12,7 @@
 #include "services/beading/algo/skeleton/centrality.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::bead_counts_test {
 namespace {
 
 std::unique_ptr<const BeadingStrategy> Strategy(int max_walls = 0,
@@ -291,4 +291,4 @@ TEST(BeadCounts, AreMirroredWithTheRegion) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::bead_counts_test

@@ -15,7 +15,7 @@
 #include "services/beading/algo/skeleton/centrality.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::bead_tracing_test {
 namespace {
 
 constexpr Coord kTransitionNm = 400'000;
@@ -292,4 +292,4 @@ TEST(BeadTracing, TheMiddleOfASquareFrameIsClosed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::bead_tracing_test

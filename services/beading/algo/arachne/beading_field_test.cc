@@ -13,7 +13,7 @@
 #include "services/beading/algo/skeleton/centrality.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::beading_field_test {
 namespace {
 
 constexpr BeadCount kOne = {1, 0}, kTwo = {2, 0}, kOpen = {};
@@ -224,4 +224,4 @@ TEST(BeadingField, CoversTheGraphsOfOutlines) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::beading_field_test

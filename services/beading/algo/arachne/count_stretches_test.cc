@@ -7,7 +7,7 @@
 
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::count_stretches_test {
 namespace {
 
 struct Stretch {
@@ -81,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::count_stretches_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::neighbour_outlines_test {
 namespace {
 
 constexpr Coord kUm = 1'000;
@@ -88,4 +88,4 @@ TEST(NeighbourOutlines, LayersInReachOfEachOtherAgree) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::neighbour_outlines_test

@@ -6,7 +6,7 @@
 
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::node_beading_test {
 namespace {
 
 constexpr double kRatios[] = {0, 0.25, 0.5, 1};
@@ -136,4 +136,4 @@ TEST(NodeBeading, ABlendOfMarkersIsAMarker) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::node_beading_test

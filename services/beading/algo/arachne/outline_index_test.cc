@@ -12,7 +12,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::outline_index_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -96,4 +96,4 @@ TEST(OutlineIndex, AgreesWithAllEdgesOneByOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::outline_index_test

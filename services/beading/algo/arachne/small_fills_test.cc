@@ -11,7 +11,7 @@
 #include "services/beading/algo/skeleton/centrality.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::small_fills_test {
 namespace {
 
 /// Whether the places of the infill in a region are too small for it. Beads are 0.4 mm wide, the
@@ -78,4 +78,4 @@ TEST(SmallFills, PlacesCountOneByOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::small_fills_test

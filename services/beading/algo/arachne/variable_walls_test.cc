@@ -16,7 +16,7 @@
 #include "services/beading/algo/strategy/strategy_factory.h"
 #include "tests/corpus_slice.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::variable_walls_test {
 namespace {
 
 constexpr Coord kWidth = 500'000;
@@ -272,4 +272,4 @@ INSTANTIATE_TEST_SUITE_P(VariableWalls, OnSlices, testing::ValuesIn(kSlices), []
 });
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::variable_walls_test

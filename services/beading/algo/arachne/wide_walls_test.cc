@@ -15,7 +15,7 @@
 #include "common/geometry/text_format.h"
 #include "services/beading/algo/strategy/strategy_factory.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::wide_walls_test {
 namespace {
 
 constexpr int kWalls = 3;
@@ -256,4 +256,4 @@ INSTANTIATE_TEST_SUITE_P(WideWalls, WideIsland, testing::ValuesIn(WideCases()),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::wide_walls_test

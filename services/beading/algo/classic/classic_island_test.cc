@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::classic_island_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -102,4 +102,4 @@ TEST(ClassicIsland, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::classic_island_test

@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::constant_walls_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -147,4 +147,4 @@ TEST(ConstantWalls, FirstWidthAloneIsExternal) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::constant_walls_test

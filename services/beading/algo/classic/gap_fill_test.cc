@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::gap_fill_test {
 namespace {
 
 std::vector<Path> Fill(std::string_view text, bool along_outline) {
@@ -117,4 +117,4 @@ TEST(NarrowFillAreas, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::gap_fill_test

@@ -9,7 +9,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::centrality_test {
 namespace {
 
 struct Central {
@@ -99,4 +99,4 @@ TEST(Centrality, ALoneShortLineIsKept) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::centrality_test

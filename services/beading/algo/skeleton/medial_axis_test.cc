@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::medial_axis_test {
 namespace {
 
 PolygonWithHoles Region(std::string_view text) { return MakePolygonsOrDie(text)[0]; }
@@ -149,4 +149,4 @@ TEST(MedialAxis, TurnsMirrorsAndShiftsWithTheRegion) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::medial_axis_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::bead_layout_test {
 namespace {
 
 struct LayoutCase {
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::bead_layout_test

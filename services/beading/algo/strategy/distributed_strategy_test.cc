@@ -5,7 +5,7 @@
 
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::distributed_strategy_test {
 namespace {
 
 using testing::Each;
@@ -102,4 +102,4 @@ TEST_P(DistributionCounts, KeepWhatStrategiesPromise) {
 INSTANTIATE_TEST_SUITE_P(Distributed, DistributionCounts, testing::Values(1, 2, 3, 20));
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::distributed_strategy_test

@@ -7,7 +7,7 @@
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 #include "services/beading/algo/strategy/widening_strategy.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::inset_strategy_test {
 namespace {
 
 template <typename Strategy>
@@ -73,4 +73,4 @@ TYPED_TEST(Insets, StaySymmetric) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::inset_strategy_test

@@ -7,7 +7,7 @@
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 #include "services/beading/algo/strategy/widening_strategy.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::limited_strategy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -95,4 +95,4 @@ TEST(Limited, KeepsWhatStrategiesPromise) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::limited_strategy_test

@@ -7,7 +7,7 @@
 #include "services/beading/algo/strategy/limited_strategy.h"
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::margin_strategy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -67,4 +67,4 @@ TEST(Margin, KeepsWhatStrategiesPromise) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::margin_strategy_test

@@ -7,7 +7,7 @@
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 #include "services/beading/algo/strategy/widening_strategy.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::redistribute_strategy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(Redistribute, KeepsWhatStrategiesPromise) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::redistribute_strategy_test

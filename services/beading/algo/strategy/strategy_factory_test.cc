@@ -8,7 +8,7 @@
 
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::strategy_factory_test {
 namespace {
 
 using testing::ElementsAre;
@@ -225,4 +225,4 @@ INSTANTIATE_TEST_SUITE_P(Strategy, Property, testing::ValuesIn(PropertyCases()),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::strategy_factory_test

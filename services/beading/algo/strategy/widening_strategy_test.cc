@@ -6,7 +6,7 @@
 #include "services/beading/algo/strategy/distributed_strategy.h"
 #include "services/beading/algo/strategy/strategy_checks_test.h"
 
-namespace slicefarm::beading {
+namespace slicefarm::beading::widening_strategy_test {
 namespace {
 
 using testing::ElementsAre;
@@ -68,4 +68,4 @@ TEST(Widening, KeepsWhatStrategiesPromise) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading
+}  // namespace slicefarm::beading::widening_strategy_test

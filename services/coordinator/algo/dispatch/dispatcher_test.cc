@@ -12,7 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::dispatcher_test {
 namespace {
 
 using testing::HasSubstr;
@@ -362,4 +362,4 @@ TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::dispatcher_test

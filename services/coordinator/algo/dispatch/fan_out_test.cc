@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::fan_out_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -166,4 +166,4 @@ TEST(FanOut, DoublesGoToRunnersOfTheProcessOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::fan_out_test

@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/span_log.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::fleet_test {
 namespace {
 
 using testing::ElementsAre;
@@ -146,4 +146,4 @@ TEST_F(FleetTest, ACallMayOutliveItsMembership) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::fleet_test

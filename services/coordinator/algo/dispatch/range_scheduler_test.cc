@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::range_scheduler_test {
 namespace {
 
 using testing::ElementsAre;
@@ -250,4 +250,4 @@ TEST(RangeScheduler, InvariantsHoldInSimulation) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::range_scheduler_test

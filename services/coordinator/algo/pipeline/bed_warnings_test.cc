@@ -6,7 +6,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::bed_warnings_test {
 namespace {
 
 using testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST_F(BedWarningsTest, WithoutABedNothingIsCut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::bed_warnings_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::check_printable_test {
 namespace {
 
 SlicedLayer Layer(bool outline) {
@@ -24,4 +24,4 @@ TEST(CheckPrintable, WantsAnOutlineInOneLayerAtLeast) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::check_printable_test

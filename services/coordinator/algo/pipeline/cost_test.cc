@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::cost_test {
 namespace {
 
 TEST(CostOf, AddsUpWhatTheFarmCharges) {
@@ -28,4 +28,4 @@ TEST(CostOf, AFilamentWithAPriceOfItsOwnHasThat) {
 TEST(CostOf, WithoutRatesNothingCosts) { EXPECT_EQ(CostOf({}, 1e6, 1e6, 0).Total(), 0); }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::cost_test

@@ -6,7 +6,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::exposure_estimate_test {
 namespace {
 
 // A square of 10 mm: 100 mm2 at 0.1 mm are 1,000 mm of hatch, and two contours 80 mm.
@@ -26,4 +26,4 @@ TEST(EstimateExposure, IsAreaByHatchAndPerimeterByContours) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::exposure_estimate_test

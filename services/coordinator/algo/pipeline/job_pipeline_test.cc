@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_pipeline_test {
 namespace {
 
 class NamedLayers : public FdmRunner {
@@ -86,4 +86,4 @@ TEST_F(JobPipelineTest, AProcessThatIsNotThereIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_pipeline_test

@@ -7,7 +7,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::pass_facts_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(PassesOf, CopiesThatPrintNothingHaveNoLayers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::pass_facts_test

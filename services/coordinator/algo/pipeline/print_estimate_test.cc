@@ -7,7 +7,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::print_estimate_test {
 namespace {
 
 constexpr int kSkins = 5;
@@ -174,4 +174,4 @@ TEST(EstimatePrint, NothingTakesNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::print_estimate_test

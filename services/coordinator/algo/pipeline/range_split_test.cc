@@ -7,7 +7,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::range_split_test {
 namespace {
 
 using testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(SplitIntoRanges, CoversAllLayersOnce) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::range_split_test

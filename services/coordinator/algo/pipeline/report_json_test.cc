@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::report_json_test {
 namespace {
 
 TEST(ReportJson, HasWhatTheReportHas) {
@@ -78,4 +78,4 @@ TEST(ReportJson, SurvivesNamesThatAreNoText) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::report_json_test

@@ -14,7 +14,7 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::fdm_process_test {
 namespace {
 
 using testing::ElementsAre;
@@ -346,4 +346,4 @@ TEST_F(FdmProcessTest, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::fdm_process_test

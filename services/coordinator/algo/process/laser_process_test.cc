@@ -13,7 +13,7 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::laser_process_test {
 namespace {
 
 /// A layer of 1 mm for each letter; 'x' has an outline.
@@ -146,4 +146,4 @@ TEST_F(LaserProcessTest, ADrawingOfALayerThatIsNotThereIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::laser_process_test

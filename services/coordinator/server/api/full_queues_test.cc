@@ -4,7 +4,7 @@
 
 #include "services/coordinator/store/jobs/job_steps.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::full_queues_test {
 namespace {
 
 constexpr int64_t kSecondUs = 1'000'000;
@@ -48,4 +48,4 @@ TEST_F(FullQueuesTest, OtherEndsSayNothingOfTheQueue) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::full_queues_test

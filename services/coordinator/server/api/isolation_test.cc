@@ -15,7 +15,7 @@
 #include "services/coordinator/server/api/coordinator_client_test.h"
 #include "services/coordinator/server/api/served_coordinator_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::isolation_test {
 namespace {
 
 /// All that a client can see of a call's end.
@@ -512,4 +512,4 @@ TEST_F(IsolationTest, TokensAreRotatedWhileCallsGoOn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::isolation_test

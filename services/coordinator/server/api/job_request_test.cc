@@ -9,7 +9,7 @@
 #include "common/model/limits.h"
 #include "common/base/sha256.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_request_test {
 namespace {
 
 JobRequest SimpleRequest() {
@@ -171,4 +171,4 @@ TEST(CheckLabels, AndRequestIdsHaveNoControlCharacters) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_request_test

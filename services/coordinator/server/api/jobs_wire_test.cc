@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::jobs_wire_test {
 namespace {
 
 v1::JobSpec SpecOfTwo() {
@@ -172,4 +172,4 @@ TEST(JobsWire, PageSizesHaveBounds) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::jobs_wire_test

@@ -9,7 +9,7 @@
 #include "common/model/limits.h"
 #include "services/coordinator/server/main/coordinator_fixture_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::plate_submissions_test {
 namespace {
 
 using testing::IsEmpty;
@@ -158,4 +158,4 @@ TEST_F(PlatesTest, ACheckMakesNothingAndTellsOfEachPlate) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::plate_submissions_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::profile_settings_test {
 namespace {
 
 TEST(ParseProfileRef, TakesANameAndARevision) {
@@ -53,4 +53,4 @@ TEST(ReadProfile, DamageIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::profile_settings_test

@@ -12,7 +12,7 @@
 #include "nlohmann/json.hpp"
 #include "services/coordinator/server/main/coordinator_fixture_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::submission_test {
 namespace {
 
 using testing::ElementsAre;
@@ -473,4 +473,4 @@ TEST_F(SubmissionTest, JobsAreFoundByWhatTheyAre) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::submission_test

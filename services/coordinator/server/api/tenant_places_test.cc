@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::tenant_places_test {
 namespace {
 
 TEST(TenantPlaces, OneTenantLeavesSomeToTheOthers) {
@@ -24,4 +24,4 @@ TEST(TenantPlaces, OneTenantLeavesSomeToTheOthers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::tenant_places_test

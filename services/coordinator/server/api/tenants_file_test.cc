@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::tenants_file_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -73,4 +73,4 @@ TEST_F(TenantsFileTest, ABadFileAtTheStartIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::tenants_file_test

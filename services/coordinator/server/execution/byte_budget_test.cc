@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::byte_budget_test {
 namespace {
 
 TEST(ByteBudget, WhatDoesNotFitWaitsForRoom) {
@@ -63,4 +63,4 @@ TEST(ByteBudget, SmallOnesDoNotOvertakeALargeOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::byte_budget_test

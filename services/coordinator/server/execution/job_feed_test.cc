@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_feed_test {
 namespace {
 
 TEST(JobFeed, TellsThoseWhoWatchTheJob) {
@@ -51,4 +51,4 @@ TEST(JobFeed, AfterForgetNobodyIsCalled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_feed_test

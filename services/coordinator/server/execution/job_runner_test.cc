@@ -21,7 +21,7 @@
 #include "services/coordinator/server/api/jobs_wire.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_runner_test {
 namespace {
 
 using Call = FailingJobStore::Call;
@@ -446,4 +446,4 @@ TEST_F(JobRunnerTest, AStageThatStaysAwayFailsTheJobInTheEnd) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_runner_test

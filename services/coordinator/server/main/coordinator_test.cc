@@ -19,7 +19,7 @@
 #include "services/coordinator/server/main/coordinator_fixture_test.h"
 #include "services/coordinator/store/sql/sqlite_connection.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::coordinator_test {
 namespace {
 
 using testing::AnyOf;
@@ -521,4 +521,4 @@ TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::coordinator_test

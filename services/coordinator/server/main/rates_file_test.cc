@@ -6,7 +6,7 @@
 
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::rates_file_test {
 namespace {
 
 TEST(ParseRates, TakesWhatIsThere) {
@@ -47,4 +47,4 @@ TEST(ReadRates, ReadsAFile) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::rates_file_test

@@ -10,7 +10,7 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::stores_test {
 namespace {
 
 constexpr int64_t kNow = 1'000'000;
@@ -66,4 +66,4 @@ TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::stores_test

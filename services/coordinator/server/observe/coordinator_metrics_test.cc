@@ -10,7 +10,7 @@
 #include "services/coordinator/server/observe/metric_values_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::coordinator_metrics_test {
 namespace {
 
 int64_t NowUs() {
@@ -85,4 +85,4 @@ TEST_F(CoordinatorMetricsTest, ShowsTheDiskOfAStateDirectoryOnly) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::coordinator_metrics_test

@@ -10,7 +10,7 @@
 #include "services/coordinator/server/main/coordinator_fixture_test.h"
 #include "services/coordinator/server/observe/metric_values_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_trace_end_to_end_test {
 namespace {
 
 using nlohmann::json;
@@ -192,4 +192,4 @@ TEST_F(JobTraceTest, WhatTheStagesTookIsCounted) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_trace_end_to_end_test

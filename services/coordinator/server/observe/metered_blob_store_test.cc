@@ -9,7 +9,7 @@
 #include "common/base/temp_directory_test.h"
 #include "services/coordinator/server/observe/metric_values_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::metered_blob_store_test {
 namespace {
 
 class MeteredBlobStoreTest : public testing::Test {
@@ -73,4 +73,4 @@ TEST_F(MeteredBlobStoreTest, CountsDamage) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::metered_blob_store_test

@@ -7,7 +7,7 @@
 #include "services/coordinator/server/observe/metric_values_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::metered_job_store_test {
 namespace {
 
 using enum JobState;
@@ -170,4 +170,4 @@ TEST_F(MeteredJobStoreTest, AClaimThatFindsNothingIsNoCommit) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::metered_job_store_test

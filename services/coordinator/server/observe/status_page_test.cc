@@ -7,7 +7,7 @@
 #include "services/coordinator/server/observe/status_board.h"
 #include "services/coordinator/store/jobs/memory_job_store.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::status_page_test {
 namespace {
 
 using testing::AllOf;
@@ -94,4 +94,4 @@ TEST(StatusPage, WhatComesFromOutsideIsText) {
 TEST(StatusPage, AnEmptyFarmIsAPageToo) { EXPECT_THAT(StatusPage({}), HasSubstr("<p>none</p>")); }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::status_page_test

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::public_address_test {
 namespace {
 
 bool IsPublicText(const std::string& text) {
@@ -79,4 +79,4 @@ TEST(IsPublicAddress, OthersAreNot) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::public_address_test

@@ -4,7 +4,7 @@
 
 #include "nlohmann/json.hpp"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::webhook_message_test {
 namespace {
 
 // printf '1700000000.{"a":1}' | openssl dgst -sha256 -hmac 0123456789abcdef
@@ -28,4 +28,4 @@ TEST(WebhookBody, TellsOfTheJobWithoutItsSettings) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::webhook_message_test

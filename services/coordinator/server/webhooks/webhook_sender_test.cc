@@ -14,7 +14,7 @@
 #include "services/coordinator/server/webhooks/http_receiver_test.h"
 #include "services/coordinator/server/webhooks/webhook_message.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::webhook_sender_test {
 namespace {
 
 using testing::HasSubstr;
@@ -169,4 +169,4 @@ TEST(HttpPost, AnAnswerWithoutEndIsCutOff) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::webhook_sender_test

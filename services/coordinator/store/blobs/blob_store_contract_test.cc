@@ -16,7 +16,7 @@
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 #include "services/coordinator/store/store_place_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::blob_store_contract_test {
 namespace {
 
 class DirectoryPlace : public StorePlace<BlobStore> {
@@ -229,4 +229,4 @@ TEST_P(BlobStoreTest, ManyMayUploadTheSame) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::blob_store_contract_test

@@ -13,7 +13,7 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::blob_stores_test {
 namespace {
 
 struct Kind {
@@ -110,4 +110,4 @@ TEST(DirectoryBlobs, TheNamelessOnesStayWhereTheyWere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::blob_stores_test

@@ -9,7 +9,7 @@
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::directory_blob_store_test {
 namespace {
 
 class DirectoryBlobStoreTest : public testing::Test {
@@ -75,4 +75,4 @@ TEST_F(DirectoryBlobStoreTest, APlaceThatCannotBeIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::directory_blob_store_test

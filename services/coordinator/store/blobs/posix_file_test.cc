@@ -9,7 +9,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::posix_file_test {
 namespace {
 
 TEST(PosixFile, WritesAndReads) {
@@ -74,4 +74,4 @@ TEST(MakeDirectory, MakesParents) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::posix_file_test

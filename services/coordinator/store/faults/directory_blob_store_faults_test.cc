@@ -17,7 +17,7 @@
 #include "services/coordinator/store/blobs/directory_blob_store.h"
 #include "services/coordinator/store/faults/fault_trials_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::directory_blob_store_faults_test {
 namespace {
 
 constexpr size_t kPieceBytes = 1500;
@@ -238,4 +238,4 @@ TEST(DirectoryBlobStoreFaults, AnUnsyncedDirectoryIsNoticed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::directory_blob_store_faults_test

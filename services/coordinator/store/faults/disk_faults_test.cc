@@ -21,7 +21,7 @@
 #include "services/coordinator/store/faults/crash_disk_test.h"
 #include "services/coordinator/store/faults/disk_calls_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::disk_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST(DiskCalls, TheStoresChangeNoFilesByTheCxxLibrary) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::disk_faults_test

@@ -24,7 +24,7 @@
 #include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::sqlite_faults_test {
 namespace {
 
 using enum JobState;
@@ -375,4 +375,4 @@ TEST(SqliteFaults, AnUnsyncedDirectoryIsNoticed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::sqlite_faults_test

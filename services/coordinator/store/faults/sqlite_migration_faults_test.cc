@@ -18,7 +18,7 @@
 #include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::sqlite_migration_faults_test {
 namespace {
 
 std::string PathIn(const std::string& directory) { return directory + "/jobs.db"; }
@@ -117,4 +117,4 @@ TEST_P(SqliteMigrationFaults, APowerCutLeavesAnOldOrANewSchema) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::sqlite_migration_faults_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_record_test {
 namespace {
 
 TEST(JobRecord, ResultsComeBack) {
@@ -55,4 +55,4 @@ TEST(JobRecord, TextThatIsNoUtf8CanBeKept) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_record_test

@@ -21,7 +21,7 @@
 #include "services/coordinator/store/jobs/sql_job_store.h"
 #include "services/coordinator/store/store_place_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::job_store_contract_test {
 namespace {
 
 using testing::ElementsAre;
@@ -927,4 +927,4 @@ TEST_P(JobStoreTest, ACachedResultMustStillBeThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::job_store_contract_test

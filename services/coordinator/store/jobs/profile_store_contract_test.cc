@@ -19,7 +19,7 @@
 #include "services/coordinator/store/sql/sqlite_database.h"
 #include "services/coordinator/store/store_place_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::profile_store_contract_test {
 namespace {
 
 using testing::ElementsAre;
@@ -131,4 +131,4 @@ TEST_P(ProfileStoreTest, RevisionsOfManyWritersAreAllThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::profile_store_contract_test

@@ -18,7 +18,7 @@
 #include "services/coordinator/store/store_place_test.h"
 #include "services/coordinator/store/jobs/webhook_store.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::webhook_store_contract_test {
 namespace {
 
 /// Webhooks come with jobs.
@@ -185,4 +185,4 @@ TEST_P(WebhookStoreTest, ManyClaimersGetEachOnce) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::webhook_store_contract_test

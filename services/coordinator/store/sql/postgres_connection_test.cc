@@ -13,7 +13,7 @@
 #include "services/coordinator/store/sql/postgres_database.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::postgres_connection_test {
 namespace {
 
 void ExpectAway(const absl::Status& status) {
@@ -150,4 +150,4 @@ TEST_F(PostgresConnectionTest, ServesAgainAfterTheServerWasKilled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::postgres_connection_test

@@ -10,7 +10,7 @@
 #include "services/coordinator/store/sql/postgres_migrations.h"
 #include "services/coordinator/store/sql/shared_postgres_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::postgres_schema_test {
 namespace {
 
 // A database from before blobs had tenants, with a blob in it.
@@ -39,4 +39,4 @@ TEST(PostgresSchema, KeepsWhatOldDatabasesHold) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::postgres_schema_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::sqlite_connection_test {
 namespace {
 
 class SqliteConnectionTest : public testing::Test {
@@ -79,4 +79,4 @@ TEST(SqliteConnection, APlaceThatCannotBeIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::sqlite_connection_test

@@ -13,7 +13,7 @@
 #include "services/coordinator/store/sql/sqlite_connection.h"
 #include "services/coordinator/store/sql/sqlite_schema.h"
 
-namespace slicefarm::coordinator {
+namespace slicefarm::coordinator::sqlite_database_test {
 namespace {
 
 TEST(SqliteDatabase, RefusesANewerSchema) {
@@ -128,4 +128,4 @@ TEST(SqlJobStore, ADamagedRowIsToldOfAndKeepsNoOtherJobWaiting) {
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator
+}  // namespace slicefarm::coordinator::sqlite_database_test

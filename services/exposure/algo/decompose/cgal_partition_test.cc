@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::cgal_partition_test {
 namespace {
 
 TEST(CgalPartition, OfAnL) {
@@ -40,4 +40,4 @@ TEST(CgalPartition, MonotonePartsOfAComb) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::cgal_partition_test

@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::cut_region_test {
 namespace {
 
 CutRegion RegionOf(const char* text) {
@@ -101,4 +101,4 @@ TEST(CutAlong, ClosesTheBayOfAHole) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::cut_region_test

@@ -16,7 +16,7 @@
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/decompose/piece_quality.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::decompose_test {
 namespace {
 
 using Wide = __int128;
@@ -279,4 +279,4 @@ TEST(Decompose, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::decompose_test

@@ -6,7 +6,7 @@
 
 #include "common/geometry/boolean/predicates.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::edge_point_test {
 namespace {
 
 TEST(PointOnEdge, IsExactOnScaledEdgesAndLeavesFactors) {
@@ -55,4 +55,4 @@ TEST(PointOnEdge, IsToTheLeftWhereIntegersDoNotAllowMore) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::edge_point_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::link_choice_test {
 namespace {
 
 CutRegion RegionOf(const char* text) {
@@ -73,4 +73,4 @@ TEST(LinkChoice, FromAHoleToTheOuterRing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::link_choice_test

@@ -6,7 +6,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::mended_rings_test {
 namespace {
 
 size_t Corners(const MultiPolygon& islands) { return PointCount(islands); }
@@ -67,4 +67,4 @@ TEST(MendedRings, RefusesCrossings) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::mended_rings_test

@@ -7,7 +7,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::merge_corners_test {
 namespace {
 
 MultiPolygon Dented(Coord depth) {
@@ -53,4 +53,4 @@ TEST(MergeCorners, RingsOfNoAreaVanish) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::merge_corners_test

@@ -6,7 +6,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::piece_quality_test {
 namespace {
 
 TEST(PieceQuality, OfASquareAndATriangle) {
@@ -17,4 +17,4 @@ TEST(PieceQuality, OfASquareAndATriangle) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::piece_quality_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::block_order_test {
 namespace {
 
 std::vector<ScanBlock> RandomBlocks(size_t count, std::mt19937_64& random, bool reversible) {
@@ -95,4 +95,4 @@ TEST(OrderBlocks, FarthestJumpsFartherThanNearest) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::block_order_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::border_distance_test {
 namespace {
 
 TEST(DistanceToBorder, OfAFrame) {
@@ -27,4 +27,4 @@ TEST(IsWithin, LooksAtTheSideToo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::border_distance_test

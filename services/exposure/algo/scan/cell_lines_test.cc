@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::cell_lines_test {
 namespace {
 
 LineBlocks Blocks(const char* text, ScanStrategy strategy) {
@@ -42,4 +42,4 @@ TEST(CellBlocks, IslandsLieInSquares) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::cell_lines_test

@@ -11,7 +11,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::convex_rings_test {
 namespace {
 
 double AreaOf(const ConvexRing& ring) {
@@ -107,4 +107,4 @@ TEST(ConvexRings, KeepTheirDistanceFromTheBorder) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::convex_rings_test

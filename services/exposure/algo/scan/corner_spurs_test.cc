@@ -6,7 +6,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::corner_spurs_test {
 namespace {
 
 const SpurFill kSpot = {.spot_nm = 100, .least_nm = 0};
@@ -92,4 +92,4 @@ TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::corner_spurs_test

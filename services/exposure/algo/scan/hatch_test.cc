@@ -13,7 +13,7 @@
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::hatch_test {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
@@ -177,4 +177,4 @@ TEST(Hatch, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::hatch_test

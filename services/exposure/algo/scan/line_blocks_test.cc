@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::line_blocks_test {
 namespace {
 
 LineBlocks TwoBlocks() {
@@ -32,4 +32,4 @@ TEST(InOrder, DirectionsStayWhereTheyMust) {
 TEST(InOrder, OfNothing) { EXPECT_TRUE(InOrder({}, {}, {}).empty()); }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::line_blocks_test

@@ -11,7 +11,7 @@
 #include "common/geometry/text_format.h"
 #include "services/exposure/algo/scan/coverage_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::ring_scan_test {
 namespace {
 
 ExposureGroup Scan(const MultiPolygon& region, ExposureOptions options,
@@ -110,4 +110,4 @@ TEST(ScanByRings, TakesWhateverOffsetsLeave) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::ring_scan_test

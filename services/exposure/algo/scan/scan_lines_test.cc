@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::scan_lines_test {
 namespace {
 
 TEST(CutScanLines, OfASquareWithAHole) {
@@ -67,4 +67,4 @@ TEST(CutScanLines, RefusesTooMany) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::scan_lines_test

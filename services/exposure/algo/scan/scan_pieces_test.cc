@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::scan_pieces_test {
 namespace {
 
 double AreaMm2(const ConvexPieces& pieces) {
@@ -46,4 +46,4 @@ TEST(ScanPieces, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::scan_pieces_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::serpentines_test {
 namespace {
 
 LineBlocks Blocks(const char* text) {
@@ -30,4 +30,4 @@ TEST(SerpentineBlocks, AHolePartsThem) {
 TEST(SerpentineBlocks, NothingHasNone) { EXPECT_TRUE(SerpentineBlocks({}, 0, {})->begin.empty()); }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::serpentines_test

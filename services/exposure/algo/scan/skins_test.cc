@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::skins_test {
 namespace {
 
 double Mm2(const MultiPolygon& region) { return Area(region) / 1e12; }
@@ -49,4 +49,4 @@ TEST(PartSkins, APrismHasNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::skins_test

@@ -8,7 +8,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::thin_walls_test {
 namespace {
 
 std::vector<Polyline> Walls(const MultiPolygon& outline) {
@@ -59,4 +59,4 @@ TEST(ThinWallLines, ThickPartsAndCornersHaveNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::thin_walls_test

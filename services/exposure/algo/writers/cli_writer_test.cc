@@ -12,7 +12,7 @@
 
 #include "services/exposure/algo/writers/sample_layers_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::cli_writer_test {
 namespace {
 
 /// What a file says, as a reader by the format's description finds it. Places in mm.
@@ -204,4 +204,4 @@ TEST(CliWriter, OtherUnits) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::cli_writer_test

@@ -9,7 +9,7 @@
 
 #include "services/exposure/algo/writers/sample_layers_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::dxf_writer_test {
 namespace {
 
 struct Entity {
@@ -70,4 +70,4 @@ TEST(DxfWriter, TheLayerAskedForIsReadBack) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::dxf_writer_test

@@ -11,7 +11,7 @@
 
 #include "services/exposure/algo/writers/sample_layers_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::laser_gcode_test {
 namespace {
 
 /// A strict reader of laser G-code: a word that it does not know, a word twice in a line, a travel
@@ -206,4 +206,4 @@ TEST(LaserGcode, SkywritingRunsWithoutPower) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::laser_gcode_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::style_text_test {
 namespace {
 
 TEST(StyleText, SaysWhatIsSet) {
@@ -21,4 +21,4 @@ TEST(StyleText, SaysWhatIsSet) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::style_text_test

@@ -8,7 +8,7 @@
 
 #include "services/exposure/algo/writers/sample_layers_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::svg_writer_test {
 namespace {
 
 size_t Count(const std::string& text, const std::string& what) {
@@ -69,4 +69,4 @@ TEST(SvgWriter, OfNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::svg_writer_test

@@ -6,7 +6,7 @@
 #include "services/exposure/algo/writers/number_text.h"
 #include "services/exposure/algo/writers/sample_layers_test.h"
 
-namespace slicefarm::exposure {
+namespace slicefarm::exposure::writers_test {
 namespace {
 
 TEST(NumberText, Rounds) {
@@ -28,4 +28,4 @@ TEST(NumberText, Rounds) {
 }
 
 }  // namespace
-}  // namespace slicefarm::exposure
+}  // namespace slicefarm::exposure::writers_test

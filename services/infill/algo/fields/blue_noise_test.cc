@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::blue_noise_test {
 namespace {
 
 TEST(BlueNoise, HasEachRankOnce) {
@@ -52,4 +52,4 @@ TEST(BlueNoise, IsMoreEvenThanChance) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::blue_noise_test

@@ -7,7 +7,7 @@
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::density_levels_test {
 namespace {
 
 MultiPolygon Square(double from_mm, double to_mm) {
@@ -87,4 +87,4 @@ TEST(LevelParts, RefuseTooManyCells) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::density_levels_test

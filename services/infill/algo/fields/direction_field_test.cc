@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::direction_field_test {
 namespace {
 
 StressField Constant(double xx, double yy, double xy) {
@@ -115,4 +115,4 @@ TEST(DirectionField, SmoothingTakesNoiseAway) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::direction_field_test

@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::dither_test {
 namespace {
 
 double MeanOf(const std::vector<char>& cells) {
@@ -86,4 +86,4 @@ TEST(DitheredRegion, IsNothingWhereNothingIsAsked) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::dither_test

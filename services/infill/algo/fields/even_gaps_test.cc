@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::even_gaps_test {
 namespace {
 
 /// A line along x at a height, with points 0.4 mm apart.
@@ -104,4 +104,4 @@ TEST(EvenGaps, TakeLinesOfOnePointAndNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::even_gaps_test

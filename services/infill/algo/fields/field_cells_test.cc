@@ -8,7 +8,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::field_cells_test {
 namespace {
 
 DensityField Slope() {
@@ -64,4 +64,4 @@ TEST(FieldCells, RefuseTooMany) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::field_cells_test

@@ -9,7 +9,7 @@
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/sparse.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::field_pieces_test {
 namespace {
 
 MultiPolygon Square(double side) {
@@ -116,4 +116,4 @@ TEST(PiecesOfField, PathsLieInsideAndKeepTheDensity) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::field_pieces_test

@@ -7,7 +7,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::graded_lines_test {
 namespace {
 
 constexpr double kSpacingNm = 400'000;
@@ -98,4 +98,4 @@ TEST(GradedPieces, EndInsideWhereTheFieldFallsBelowTheirRank) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::graded_lines_test

@@ -5,7 +5,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::mean_density_test {
 namespace {
 
 double MeanIn(const char* region, const DensityField& density) {
@@ -44,4 +44,4 @@ TEST(MeanDensity, WithoutAFieldOfDensitiesIsThePlainOne) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::mean_density_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::region_fields_test {
 namespace {
 
 std::vector<SlicedLayer> Layers() {
@@ -90,4 +90,4 @@ TEST(RegionFields, RefuseTextsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::region_fields_test

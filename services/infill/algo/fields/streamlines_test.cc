@@ -12,7 +12,7 @@
 #include "common/geometry/measure.h"
 #include "services/infill/algo/fields/field_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::streamlines_test {
 namespace {
 
 constexpr double kSide = 64;
@@ -252,4 +252,4 @@ TEST(Streamlines, AreNoneWhereNothingIsAsked) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::streamlines_test

@@ -8,7 +8,7 @@
 #include "common/base/error.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::surface_distance_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -82,4 +82,4 @@ TEST(SurfaceDistances, RefuseObjectsOfTooManyCells) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::surface_distance_test

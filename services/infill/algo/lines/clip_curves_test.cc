@@ -10,7 +10,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/scan_lines.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::clip_curves_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -123,4 +123,4 @@ TEST(ClipCurves, NothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::clip_curves_test

@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::fitted_strips_test {
 namespace {
 
 constexpr double kPitch = 400'000;
@@ -142,4 +142,4 @@ TEST(FittedStrips, TurnWithTheLines) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::fitted_strips_test

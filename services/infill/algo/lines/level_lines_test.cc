@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::level_lines_test {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -74,4 +74,4 @@ TEST(LevelLines, NoneWhereTheSignIsTheSame) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::level_lines_test

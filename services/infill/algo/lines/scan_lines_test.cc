@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "common/base/error.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::scan_lines_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -77,4 +77,4 @@ TEST(ScanLines, RefusesTooMany) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::scan_lines_test

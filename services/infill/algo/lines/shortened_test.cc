@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::shortened_test {
 namespace {
 
 struct Case {
@@ -44,4 +44,4 @@ TEST(Shortened, LengthsAddUp) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::shortened_test

@@ -7,7 +7,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::straight_pieces_test {
 namespace {
 
 TEST(StraightPieces, EndOnTheEdgesThatTheyName) {
@@ -39,4 +39,4 @@ TEST(StraightPieces, NothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::straight_pieces_test

@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::tiled_lines_test {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -101,4 +101,4 @@ TEST(TiledLines, TooManyAreRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::tiled_lines_test

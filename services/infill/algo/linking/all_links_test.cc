@@ -7,7 +7,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::all_links_test {
 namespace {
 
 struct Linked {
@@ -55,4 +55,4 @@ TEST(LinkAllEnds, LongStretchesStayOut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::all_links_test

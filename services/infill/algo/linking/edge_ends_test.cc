@@ -6,7 +6,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::edge_ends_test {
 namespace {
 
 const MultiPolygon& Region() {
@@ -62,4 +62,4 @@ TEST(EdgeEnds, AStretchMayGoRoundTheWholeRing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::edge_ends_test

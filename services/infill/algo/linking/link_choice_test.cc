@@ -11,7 +11,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::link_choice_test {
 namespace {
 
 constexpr double kFar = 1e12;
@@ -127,4 +127,4 @@ TEST(LinkChoice, NothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::link_choice_test

@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::link_shape_test {
 namespace {
 
 /// Two upright lines, linked at the lower edge.
@@ -57,4 +57,4 @@ TEST(LinkShape, CutsNothingAcrossAHole) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::link_shape_test

@@ -9,7 +9,7 @@
 #include "common/model/bead_section.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::linked_paths_test {
 namespace {
 
 MultiPolygon Region() {
@@ -122,4 +122,4 @@ TEST(LinkedPaths, ShortPathsAreLeftOut) {
 TEST(LinkedPaths, NothingOfNothing) { EXPECT_TRUE(LinkedPaths(Region(), {}, {}).empty()); }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::linked_paths_test

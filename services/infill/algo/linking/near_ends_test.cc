@@ -7,7 +7,7 @@
 #include "common/geometry/text_format.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::near_ends_test {
 namespace {
 
 constexpr double kFar = 1e12;
@@ -98,4 +98,4 @@ TEST(BringEndsTogether, OnePathStays) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::near_ends_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::ring_way_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -36,4 +36,4 @@ TEST(RingWay, OnOneEdgeStraightOrAround) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::ring_way_test

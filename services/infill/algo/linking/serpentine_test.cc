@@ -7,7 +7,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::serpentine_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -140,4 +140,4 @@ TEST(Serpentine, ShortPathsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::serpentine_test

@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::cell_curves_test {
 namespace {
 
 // Each cell has a pitch of line, and all cells of a region are on few pieces.
@@ -29,4 +29,4 @@ TEST(CellCurves, HilbertGoesThroughASquareOfItsOwnInOnePiece) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::cell_curves_test

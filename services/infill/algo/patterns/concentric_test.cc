@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::concentric_test {
 namespace {
 
 TEST(Concentric, LoopsAreAPitchApart) {
@@ -21,4 +21,4 @@ TEST(Concentric, HolesHaveLoopsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::concentric_test

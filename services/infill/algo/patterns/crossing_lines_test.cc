@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::crossing_lines_test {
 namespace {
 
 TEST(CrossingLines, FamiliesShareTheDensity) {
@@ -28,4 +28,4 @@ TEST(CrossingLines, CubicDriftsWithTheHeight) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::crossing_lines_test

@@ -6,7 +6,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::honeycomb_3d_test {
 namespace {
 
 TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
@@ -24,4 +24,4 @@ TEST(Honeycomb3d, WavesGrowFromNothingAndTurn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::honeycomb_3d_test

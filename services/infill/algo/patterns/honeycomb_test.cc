@@ -7,7 +7,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::honeycomb_test {
 namespace {
 
 // Beads without width: sides of 8 / (3 sqrt 3) and 2 / sqrt 3 pitches.
@@ -36,4 +36,4 @@ TEST(Honeycomb, RowsLieASpacingApartWhereTheyMeet) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::honeycomb_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::line_families_test {
 namespace {
 
 TEST(LineFamilies, TogetherHaveThePitchThatIsAskedFor) {
@@ -34,4 +34,4 @@ TEST(LineFamilies, RectilinearTurnsFromLayerToLayer) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::line_families_test

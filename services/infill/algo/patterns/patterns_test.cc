@@ -16,7 +16,7 @@
 #include "services/infill/algo/sparse.h"
 
 /// Properties of all patterns of the registry.
-namespace slicefarm::infill {
+namespace slicefarm::infill::patterns_test {
 namespace {
 
 constexpr Coord kWidth = 450'000;
@@ -214,4 +214,4 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::patterns_test

@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::planned_lines_test {
 namespace {
 
 Polyline Line(std::initializer_list<Point> mm) {
@@ -27,4 +27,4 @@ TEST(PlannedLines, AreCutToTheRegion) {
 TEST(PlannedLines, NothingPlannedIsNothing) { EXPECT_TRUE(PlannedLines(SampleBox(), {})->empty()); }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::planned_lines_test

@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::rectilinear_test {
 namespace {
 
 TEST(Rectilinear, TurnsFromLayerToLayerUnlessAligned) {
@@ -18,4 +18,4 @@ TEST(Rectilinear, TurnsFromLayerToLayerUnlessAligned) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::rectilinear_test

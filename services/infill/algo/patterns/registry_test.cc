@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::registry_test {
 namespace {
 
 TEST(Registry, EveryPatternIsMade) {
@@ -24,4 +24,4 @@ TEST(Registry, EveryPatternIsMade) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::registry_test

@@ -6,7 +6,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::spirals_test {
 namespace {
 
 TEST(Spirals, TurnsAreAPitchApart) {
@@ -35,4 +35,4 @@ TEST(Spirals, AreTheSameInAllRegions) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::spirals_test

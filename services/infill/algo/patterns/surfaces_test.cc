@@ -7,7 +7,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::surfaces_test {
 namespace {
 
 struct Surface {
@@ -80,4 +80,4 @@ TEST(Surfaces, SegmentsAreLong) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::surfaces_test

@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/patterns/pattern_samples_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::whole_paths_test {
 namespace {
 
 constexpr double kPitch = 2e6;
@@ -42,4 +42,4 @@ TEST(WholePaths, DoNotDependOnLayerAndAngle) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::whole_paths_test

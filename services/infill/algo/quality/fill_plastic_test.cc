@@ -4,7 +4,7 @@
 
 #include "common/model/bead_section.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::fill_plastic_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -62,4 +62,4 @@ TEST(UseOf, NoPathsAreAUseToo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::fill_plastic_test

@@ -8,7 +8,7 @@
 #include "services/infill/algo/space_filling/peano.h"
 #include "services/infill/algo/sparse.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::fill_quality_test {
 namespace {
 
 constexpr Coord kFlat = 1;  ///< beads so low have square sides
@@ -84,4 +84,4 @@ TEST(PropertyBounds, AreThoseOfTheBooks) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::fill_quality_test

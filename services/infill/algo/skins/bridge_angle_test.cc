@@ -7,7 +7,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::bridge_angle_test {
 namespace {
 
 constexpr Coord kWidth = 450'000;
@@ -52,4 +52,4 @@ TEST(BridgeAngle, NoneWhereNothingBearsOrAllDoes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::bridge_angle_test

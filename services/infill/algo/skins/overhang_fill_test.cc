@@ -11,7 +11,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::overhang_fill_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -103,4 +103,4 @@ TEST(FillOverhang, NothingGrowsFromNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::overhang_fill_test

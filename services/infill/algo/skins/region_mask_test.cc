@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::region_mask_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -69,4 +69,4 @@ TEST(RegionMaskSafety, NeverMissesAMeeting) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::region_mask_test

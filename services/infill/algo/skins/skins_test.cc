@@ -6,7 +6,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::skins_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -183,4 +183,4 @@ TEST(Skins, AllSolidStillShowsItsTop) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::skins_test

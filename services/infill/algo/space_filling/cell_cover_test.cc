@@ -8,7 +8,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::cell_cover_test {
 namespace {
 
 constexpr Coord kCell = 900'000;
@@ -116,4 +116,4 @@ TEST(CellCover, OfNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::cell_cover_test

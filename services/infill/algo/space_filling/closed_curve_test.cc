@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::closed_curve_test {
 namespace {
 
 void ExpectClosedCurve(const std::vector<CurveCell>& cells, uint32_t side) {
@@ -32,4 +32,4 @@ TEST(ClosedCurve, Peano) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::closed_curve_test

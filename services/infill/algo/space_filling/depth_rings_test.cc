@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/infill/algo/space_filling/fill_checks_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::depth_rings_test {
 namespace {
 
 constexpr Coord kSpacing = 450'000;
@@ -50,4 +50,4 @@ TEST(DepthRings, RefusesWhatItCannotFill) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::depth_rings_test

@@ -6,7 +6,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/space_filling/fill_checks_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::fermat_test {
 namespace {
 
 constexpr Coord kSpacing = 450'000;
@@ -173,4 +173,4 @@ TEST(FermatErrors, AreTyped) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::fermat_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::hilbert_test {
 namespace {
 
 std::vector<CurveCell> Curve(int order) {
@@ -133,4 +133,4 @@ TEST(Hilbert, RunsBothWaysEqually) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::hilbert_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::peano_test {
 namespace {
 
 std::vector<CurveCell> Curve(int order) {
@@ -91,4 +91,4 @@ TEST(Peano, NeighboursOnTheGridAreNearOnTheCurve) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::peano_test

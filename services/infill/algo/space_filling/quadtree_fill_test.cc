@@ -6,7 +6,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/space_filling/fill_checks_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::quadtree_fill_test {
 namespace {
 
 constexpr Coord kSpacing = 450'000;
@@ -137,4 +137,4 @@ TEST(QuadtreeErrors, AreTyped) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::quadtree_fill_test

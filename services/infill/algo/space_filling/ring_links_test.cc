@@ -4,7 +4,7 @@
 
 #include "services/infill/algo/space_filling/fill_checks_test.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::ring_links_test {
 namespace {
 
 constexpr double kSpacing = 500'000;
@@ -107,4 +107,4 @@ TEST(RingLinks, RandomRings) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::ring_links_test

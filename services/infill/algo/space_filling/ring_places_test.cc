@@ -7,7 +7,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::ring_places_test {
 namespace {
 
 const Polygon& Square() {
@@ -90,4 +90,4 @@ TEST(SegmentGrid, FindsWhatCrosses) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::ring_places_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::bambu_test {
 namespace {
 
 TEST(Bambu, LabelsAreBitsOfAMask) {
@@ -49,4 +49,4 @@ TEST(Bambu, OneAccelerationForAllWays) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::bambu_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::firmware_test {
 namespace {
 
 TEST(FirmwareOf, HasTheNameOfItsSetting) {
@@ -26,4 +26,4 @@ TEST(FindFirmware, ByItsNames) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::firmware_test

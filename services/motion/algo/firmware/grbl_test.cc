@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::grbl_test {
 namespace {
 
 TEST(Grbl, KnowsLasersAndNoExtruders) {
@@ -20,4 +20,4 @@ TEST(Grbl, PlansWithItsJunctionDeviation) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::grbl_test

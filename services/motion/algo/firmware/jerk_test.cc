@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::jerk_test {
 namespace {
 
 TEST(JerkLimited, PlansByItsLimitOfJerk) {
@@ -21,4 +21,4 @@ TEST(JerkLimited, ReadsMarlinsCommands) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::jerk_test

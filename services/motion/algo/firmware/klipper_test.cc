@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::klipper_test {
 namespace {
 
 TEST(Klipper, KnowsItsCommands) {
@@ -44,4 +44,4 @@ TEST(Klipper, LabelsAreOneWord) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::klipper_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::limit_command_test {
 namespace {
 
 TEST(LimitCommand, WritesWhatIsSet) {
@@ -35,4 +35,4 @@ TEST(AccelerationOr, FallsBack) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::limit_command_test

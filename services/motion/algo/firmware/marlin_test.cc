@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::marlin_test {
 namespace {
 
 KinematicMove Towards(double x, double e) { return {10, {x, 0, 0, e}, 50, 0}; }
@@ -54,4 +54,4 @@ TEST(Marlin, TravelApartOnlyInMarlin2) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::marlin_test

@@ -4,7 +4,7 @@
 
 #include "services/motion/algo/firmware/marlin.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::numbered_objects_test {
 namespace {
 
 TEST(NumberedObjects, ByNumberWithTheirNamesOnce) {
@@ -20,4 +20,4 @@ TEST(NumberedObjects, ByNumberWithTheirNamesOnce) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::numbered_objects_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::prusa_buddy_test {
 namespace {
 
 PrintFacts Facts() {
@@ -47,4 +47,4 @@ TEST(PrusaBuddy, HasMarlinsCommandsAndItsOwnPressureAdvance) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::prusa_buddy_test

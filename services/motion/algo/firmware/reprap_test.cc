@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::reprap_test {
 namespace {
 
 TEST(RepRap, KnowsItsCommands) {
@@ -41,4 +41,4 @@ TEST(RepRap, ArcSegmentsByRadiusAndSpeed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::reprap_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::comment_text_test {
 namespace {
 
 TEST(OneLine, NothingEndsTheLine) {
@@ -26,4 +26,4 @@ TEST(JsonString, QuotesAndEscapes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::comment_text_test

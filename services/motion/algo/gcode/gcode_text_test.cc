@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::gcode_text_test {
 namespace {
 
 std::string Um(int64_t um) { return GcodeText().Micrometers(um).text(); }
@@ -61,4 +61,4 @@ TEST(GcodeText, LinesAreEnded) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::gcode_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::layer_writer_test {
 namespace {
 
 Move Print(int32_t x_um, Feature feature, float acceleration = 1000) {
@@ -207,4 +207,4 @@ TEST(LayerWriter, AccelerationsByFlavour) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::layer_writer_test

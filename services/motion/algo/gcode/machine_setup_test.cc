@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::machine_setup_test {
 namespace {
 
 std::string Limits(GcodeFlavor flavor, double junction_deviation_mm = 0) {
@@ -79,4 +79,4 @@ TEST(LimitsAfterStart, StartGcodeHoldsOverTheSettings) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::machine_setup_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::material_mix_test {
 namespace {
 
 /// From the first material at x = 0 to the second at x = 10.
@@ -57,4 +57,4 @@ TEST(MaterialMix, WithoutAFieldThereIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::material_mix_test

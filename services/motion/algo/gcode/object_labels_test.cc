@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::object_labels_test {
 namespace {
 
 MotionOptions Options(ObjectLabels labels, GcodeFlavor flavor = GcodeFlavor::kMarlin2) {
@@ -65,4 +65,4 @@ TEST(ObjectLabels, NamesCannotBringCommandsAlong) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::object_labels_test

@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::print_metadata_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -152,4 +152,4 @@ TEST(Metadata, EveryLineIsAComment) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::print_metadata_test

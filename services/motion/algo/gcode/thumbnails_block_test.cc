@@ -6,7 +6,7 @@
 
 #include "absl/strings/escaping.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::thumbnails_block_test {
 namespace {
 
 TEST(ThumbnailsBlock, NothingToShow) {
@@ -47,4 +47,4 @@ TEST(ThumbnailsBlock, PrinterHostsCanReadIt) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::thumbnails_block_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::axis_limits_test {
 namespace {
 
 TEST(LimitedByAxes, TheWorstAxisDecides) {
@@ -15,4 +15,4 @@ TEST(LimitedByAxes, LimitsOfZeroAndIdleAxesDoNotCount) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::axis_limits_test

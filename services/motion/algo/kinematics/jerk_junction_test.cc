@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::jerk_junction_test {
 namespace {
 
 KinematicMove Towards(double angle_rad, double length_mm) {
@@ -56,4 +56,4 @@ TEST(BendBetween, ThereIsNoWayBackOrIntoFilament) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::jerk_junction_test

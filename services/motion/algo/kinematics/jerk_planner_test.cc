@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::jerk_planner_test {
 namespace {
 
 MachineLimits Limits(double jerk = 1e5) {
@@ -140,4 +140,4 @@ TEST(JerkPlanner, NothingToDo) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::jerk_planner_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::jerk_ramp_test {
 namespace {
 
 constexpr RampLimits kLimits{1000, 1e5};
@@ -125,4 +125,4 @@ TEST(ProfileWalk, PassesPlacesWhenTheProfileDoes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::jerk_ramp_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::klipper_junction_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -82,4 +82,4 @@ TEST(LimitedByKlipper, SpeedsAndTheShareOfZ) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::klipper_junction_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::klipper_planner_test {
 namespace {
 
 /// 0.8 mm of filament at 35 mm/s with a toolhead of 3000 mm/s^2 and an extruder of 1500: the peak
@@ -40,4 +40,4 @@ TEST(KlipperPlanner, LimitsMayChangeOnTheWay) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::klipper_planner_test

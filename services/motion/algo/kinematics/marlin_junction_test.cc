@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::marlin_junction_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -129,4 +129,4 @@ TEST(ClassicJerk, NoAxisJumpsTooFar) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::marlin_junction_test

@@ -4,7 +4,7 @@
 
 #include "services/motion/algo/kinematics/marlin_junction.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::marlin_planner_test {
 namespace {
 
 TEST(MarlinPlanner, JerkOrJunctionDeviation) {
@@ -26,4 +26,4 @@ TEST(MarlinPlanner, LimitsOfEachAxis) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::marlin_planner_test

@@ -15,7 +15,7 @@
 #include "services/motion/algo/kinematics/marlin_junction.h"
 #include "services/motion/algo/kinematics/reprap_junction.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::planner_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -301,4 +301,4 @@ INSTANTIATE_TEST_SUITE_P(Planner, RoundTest,
                          testing::Values(kMarlinDeviation, kKlipper, kKlipperFullSpeed), NameOf);
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::planner_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::reprap_junction_test {
 namespace {
 
 KinematicMove Towards(double x, double y, double e = 0) { return {10, {x, y, 0, e}, 100, 3000}; }
@@ -37,4 +37,4 @@ TEST(LimitedByRepRap, WhatIsAskedForCountsInThePlane) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::reprap_junction_test

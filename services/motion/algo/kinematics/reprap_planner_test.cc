@@ -4,7 +4,7 @@
 
 #include "services/motion/algo/kinematics/trapezoid.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::reprap_planner_test {
 namespace {
 
 TEST(RepRapPlanner, StopsBetweenPrintingAndTravel) {
@@ -23,4 +23,4 @@ TEST(RepRapPlanner, CornersByTheJerkOfTheAxes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::reprap_planner_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::trapezoid_test {
 namespace {
 
 KinematicMove Line(double length_mm, double speed_mm_s = 100, double acceleration_mm_s2 = 3000) {
@@ -37,4 +37,4 @@ TEST(Trapezoid, OnlySpeedsUp) {
 TEST(Trapezoid, AtOneSpeed) { EXPECT_NEAR(Trapezoid(Line(20), 1e4, 1e4, 1e4).time_s, 0.2, 1e-12); }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::trapezoid_test

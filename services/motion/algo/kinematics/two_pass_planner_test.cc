@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::two_pass_planner_test {
 namespace {
 
 constexpr TwoPassPlanner::Rules kFixed = {
@@ -25,4 +25,4 @@ TEST(TwoPassPlanner, BothPassesLowerJunctions) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::two_pass_planner_test

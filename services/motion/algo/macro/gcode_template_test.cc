@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::gcode_template_test {
 namespace {
 
 const TemplateVariables& Variables() {
@@ -124,4 +124,4 @@ TEST(ExpandTemplate, WhatComesOutIsBounded) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::gcode_template_test

@@ -7,7 +7,7 @@
 
 #include "services/motion/algo/macro/template_variables.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::template_absences_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -26,4 +26,4 @@ TEST(WhyAbsent, KnowsAllThatOnlyTheWholePrintHas) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::template_absences_test

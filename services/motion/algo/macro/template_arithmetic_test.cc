@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::template_arithmetic_test {
 namespace {
 
 constexpr int64_t kMost = std::numeric_limits<int64_t>::max();
@@ -52,4 +52,4 @@ TEST(Call, Refuses) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::template_arithmetic_test

@@ -11,7 +11,7 @@
 
 #include "services/motion/algo/macro/settings_text.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::template_defaults_test {
 namespace {
 
 TEST(TemplateDefaults, AreSortedAndUnique) {
@@ -45,4 +45,4 @@ TEST(TemplateDefaults, ArePrusaSlicers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::template_defaults_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::template_expression_test {
 namespace {
 
 const TemplateVariables& Variables() {
@@ -80,4 +80,4 @@ TEST(EvaluateExpression, WithoutEvaluationOnlyTheFormCounts) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::template_expression_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <regex>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::text_pattern_test {
 namespace {
 
 struct Case {
@@ -85,4 +85,4 @@ TEST(MatchesPattern, HostilePatternsEnd) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::text_pattern_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::arc_chords_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -46,4 +46,4 @@ TEST(ArcChords, LieOnTheArcAndEndAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::arc_chords_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::filament_watch_test {
 namespace {
 
 ProgramMove Push(double mm) { return {{0, 0, 0, 0}, {0, 0, 0, mm}, 30}; }
@@ -55,4 +55,4 @@ TEST(FilamentWatch, TooLongAndTooShort) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::filament_watch_test

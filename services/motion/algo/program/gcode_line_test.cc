@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::gcode_line_test {
 namespace {
 
 TEST(ParseGcodeLine, CommandAndWords) {
@@ -87,4 +87,4 @@ TEST(ParseGcodeLine, TakesAnyBytes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::gcode_line_test

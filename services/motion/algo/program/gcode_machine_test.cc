@@ -6,7 +6,7 @@
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::gcode_machine_test {
 namespace {
 
 /// The end of the last move of a program.
@@ -104,4 +104,4 @@ TEST(GcodeMachine, Stops) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::gcode_machine_test

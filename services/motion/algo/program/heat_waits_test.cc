@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::heat_waits_test {
 namespace {
 
 TEST(HeatWaits, TakesAsLongAsTheRateSays) {
@@ -30,4 +30,4 @@ TEST(HeatWaits, WithoutARateNobodyKnows) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::heat_waits_test

@@ -4,7 +4,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::machine_space_test {
 namespace {
 
 Polygon Ring(const char* text) {
@@ -31,4 +31,4 @@ TEST(MachineSpace, ConvexBedsAreExactOthersTheirBox) {
 TEST(MachineSpace, NotKnown) { EXPECT_LE(MachineSpace({}, 0, 0).Outside(1e6, 1e6, 1e6), 0); }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::machine_space_test

@@ -7,7 +7,7 @@
 #include "services/motion/algo/program/program_time.h"
 #include "services/motion/algo/program_envelope.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::print_clock_test {
 namespace {
 
 Path Line(Feature feature, std::string_view points, bool closed = false) {
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::print_clock_test

@@ -8,7 +8,7 @@
 #include "services/motion/algo/firmware/marlin.h"
 #include "services/motion/algo/firmware/reprap.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::program_check_test {
 namespace {
 
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(CheckProgram, TellsNoMoreThanItsMost) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::program_check_test

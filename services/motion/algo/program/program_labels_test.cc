@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::program_labels_test {
 namespace {
 
 TEST(ProgramLabels, OfEachSlicer) {
@@ -31,4 +31,4 @@ TEST(QuotedValue, OfItsKeyAlone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::program_labels_test

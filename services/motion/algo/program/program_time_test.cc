@@ -7,7 +7,7 @@
 #include "services/motion/algo/firmware/reprap.h"
 #include "services/motion/algo/kinematics/trapezoid.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::program_time_test {
 namespace {
 
 MachineSetup Machine() {
@@ -88,4 +88,4 @@ TEST(TimeOfProgram, KnowsWhenEachLineEnds) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::program_time_test

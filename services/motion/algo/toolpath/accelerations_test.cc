@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::accelerations_test {
 namespace {
 
 MotionOptions Options() {
@@ -94,4 +94,4 @@ TEST(Accelerations, NeverZero) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::accelerations_test

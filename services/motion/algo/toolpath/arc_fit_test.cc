@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::arc_fit_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -89,4 +89,4 @@ TEST(FitArcs, StaysWithinTheTolerance) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::arc_fit_test

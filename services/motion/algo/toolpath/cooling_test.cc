@@ -7,7 +7,7 @@
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::cooling_test {
 namespace {
 
 /// `count` squares of 15 mm a side, 40 mm apart.
@@ -163,4 +163,4 @@ TEST(OverhangFanPercent, OnlyIfAskedFor) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::cooling_test

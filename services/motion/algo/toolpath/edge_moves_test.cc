@@ -4,7 +4,7 @@
 
 #include "services/motion/algo/toolpath/toolpath_builder.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::edge_moves_test {
 namespace {
 
 /// A square around a place, walls of 10 mm.
@@ -68,4 +68,4 @@ TEST(ToKinematic, OfWhatStandsStillIsNothing) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::edge_moves_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::flow_smoothing_test {
 namespace {
 
 constexpr double kFilamentMm2 = 2.4;
@@ -84,4 +84,4 @@ TEST(SmoothFlow, TravelsPartBeads) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::flow_smoothing_test

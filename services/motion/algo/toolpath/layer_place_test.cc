@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::layer_place_test {
 namespace {
 
 /// Layer 5 of the job: the third of object 1 and the plate's.
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::layer_place_test

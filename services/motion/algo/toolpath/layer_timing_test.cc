@@ -8,7 +8,7 @@
 
 #include "services/motion/algo/kinematics/trapezoid.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::layer_timing_test {
 namespace {
 
 /// Up by 0.2, over to x = 100 from anywhere, unretract, print 100 mm back, retract.
@@ -132,4 +132,4 @@ TEST(AddTimes, ByFeatureAndTravel) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::layer_timing_test

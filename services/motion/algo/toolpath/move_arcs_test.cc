@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::move_arcs_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(FindArcs, NoneInStraightLines) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::move_arcs_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::overhang_test {
 namespace {
 
 constexpr Coord kWidth = 400'000;
@@ -68,4 +68,4 @@ TEST(ByRest, GoesInProportionBetweenDegrees) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::overhang_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::print_speed_test {
 namespace {
 
 MotionOptions Options() {
@@ -120,4 +120,4 @@ TEST(FeedRate, IsWholeAndPositive) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::print_speed_test

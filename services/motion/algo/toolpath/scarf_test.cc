@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::scarf_test {
 namespace {
 
 /// A loop of 100 mm that starts in the middle of an edge.
@@ -138,4 +138,4 @@ TEST(Scarf, CornersNeedNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::scarf_test

@@ -10,7 +10,7 @@
 #include "common/model/paths_test.h"
 #include "services/motion/algo/gcode/gcode_text.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::toolpath_builder_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -426,4 +426,4 @@ TEST(ToolpathBuilder, AScarfRisesOverItsLayerAndTakesTheSameFilament) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::toolpath_builder_test

@@ -5,7 +5,7 @@
 
 #include "common/model/paths_test.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::motion::wipe_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -77,4 +77,4 @@ TEST(WipeWay, OfADotThereIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::motion::wipe_test

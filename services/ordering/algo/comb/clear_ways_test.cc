@@ -13,7 +13,7 @@
 #include "common/geometry/rings/simplify.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::clear_ways_test {
 namespace {
 
 constexpr Coord kClearance = 225'000;
@@ -241,4 +241,4 @@ TEST(ClearWays, OfAnIslandWithoutRoom) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::clear_ways_test

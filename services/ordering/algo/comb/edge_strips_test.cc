@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::edge_strips_test {
 namespace {
 
 using Segment = std::pair<Point, Point>;
@@ -138,4 +138,4 @@ TEST(EdgeStrips, OfLevelEdgesFarApart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::edge_strips_test

@@ -5,7 +5,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::island_edges_test {
 namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
@@ -65,4 +65,4 @@ TEST(IslandEdges, KnowTheInside) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::island_edges_test

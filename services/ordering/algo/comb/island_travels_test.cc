@@ -9,7 +9,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::island_travels_test {
 namespace {
 
 Path PathOf(Feature feature, const char* points, bool closed = false) {
@@ -200,4 +200,4 @@ TEST(IslandTravels, GoesToWhereTheLayerAboveGoesOn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::island_travels_test

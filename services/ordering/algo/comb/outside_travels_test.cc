@@ -5,7 +5,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/paths_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::outside_travels_test {
 namespace {
 
 /// A block from x to x + 4 mm with its outer wall, which starts at the corner at the bottom left,
@@ -115,4 +115,4 @@ TEST_F(Outside, OutOfAHoleThereIsNoWay) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::outside_travels_test

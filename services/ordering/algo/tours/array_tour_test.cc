@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::array_tour_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -71,4 +71,4 @@ TEST(ArrayTour, ATurnIsATwoOptMoveAndUndoesItself) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::array_tour_test

@@ -5,7 +5,7 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::constructions_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(Constructions, AreAsGoodAsTheyUsedToBe) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::constructions_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::costs_test {
 namespace {
 
 struct RoundingCase {
@@ -61,4 +61,4 @@ TEST(Costs, TourLengthGoesBackToTheFirst) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::costs_test

@@ -6,7 +6,7 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::neighbours_test {
 namespace {
 
 std::vector<int64_t> LengthsOf(std::span<const Neighbour> neighbours) {
@@ -79,4 +79,4 @@ TEST(Neighbours, OfEachQuadrant) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::neighbours_test

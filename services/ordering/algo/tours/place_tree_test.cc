@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::place_tree_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -93,4 +93,4 @@ TEST(PlaceTree, AgreesWithLookingAtAll) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::place_tree_test

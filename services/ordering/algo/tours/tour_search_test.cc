@@ -7,7 +7,7 @@
 #include "services/ordering/algo/tours/constructions.h"
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::tour_search_test {
 namespace {
 
 constexpr int64_t kPlenty = std::numeric_limits<int64_t>::max();
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::tour_search_test

@@ -12,7 +12,7 @@
 #include "services/ordering/algo/tours/exact_tour_test.h"
 #include "services/ordering/algo/tours/tour_search.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::tsplib_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -221,4 +221,4 @@ TEST(Tsplib, PrintsTours) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::tsplib_test

@@ -11,7 +11,7 @@
 #include "common/geometry/text_format.h"
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::adhesion_planner_test {
 namespace {
 
 using testing::IsEmpty;
@@ -252,4 +252,4 @@ TEST(AdhesionPlanner, WorksOnWhereCoordinatesEnd) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::adhesion_planner_test

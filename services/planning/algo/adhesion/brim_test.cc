@@ -11,7 +11,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::brim_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -347,4 +347,4 @@ TEST(BrimRegions, FollowThePlate) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::brim_test

@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::raft_test {
 namespace {
 
 const MultiPolygon& Box20() {
@@ -136,4 +136,4 @@ TEST(RaftUnder, FollowsThePart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::raft_test

@@ -12,7 +12,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::skirt_test {
 namespace {
 
 constexpr SkirtOptions kOne{.loops = 1};
@@ -199,4 +199,4 @@ TEST(SkirtLoops, DoNotDependOnOrderAndFollowTheParts) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::skirt_test

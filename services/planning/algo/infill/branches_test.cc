@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::branches_test {
 namespace {
 
 Point Mm(double x, double y) { return {FromMm(x), FromMm(y)}; }
@@ -78,4 +78,4 @@ TEST(Branches, AreTiedToAnotherRegion) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::branches_test

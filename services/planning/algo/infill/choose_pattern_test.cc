@@ -4,7 +4,7 @@
 
 #include "services/planning/algo/infill/stacks_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::choose_pattern_test {
 namespace {
 
 using enum FillGoal;
@@ -52,4 +52,4 @@ TEST(ShapeOf, ACylinderIsAsWideAsItsDiameter) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::choose_pattern_test

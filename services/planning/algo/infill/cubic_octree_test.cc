@@ -10,7 +10,7 @@
 #include "services/planning/algo/infill/stacks_test.h"
 #include "services/planning/algo/infill/surface_points.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::cubic_octree_test {
 namespace {
 
 constexpr double kPitch = 2e6;
@@ -131,4 +131,4 @@ TEST(CubicOctree, WithoutPointsOnlyTheGreatestCubesHavePlanes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::cubic_octree_test

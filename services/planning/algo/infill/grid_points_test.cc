@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::grid_points_test {
 namespace {
 
 TEST(GridPoints, AreThoseOfTheGridInside) {
@@ -35,4 +35,4 @@ TEST(GridPoints, AreAllInsideAndAsManyAsTheAreaHas) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::grid_points_test

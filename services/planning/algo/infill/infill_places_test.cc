@@ -7,7 +7,7 @@
 #include "services/planning/algo/infill/sparse_areas.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::infill_places_test {
 namespace {
 
 double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
@@ -83,4 +83,4 @@ TEST(CombineLayers, StripsWithoutRoomForLinesGoWithWhatIsBesideThem) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::infill_places_test

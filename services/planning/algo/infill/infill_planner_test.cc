@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::infill_planner_test {
 namespace {
 
 constexpr int kLayers = 40;
@@ -101,4 +101,4 @@ TEST(InfillPlanner, NoDensityNoLines) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::infill_planner_test

@@ -12,7 +12,7 @@
 #include "services/planning/algo/infill/sparse_areas.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::lightning_test {
 namespace {
 
 constexpr double kRadius = 2e6;
@@ -120,4 +120,4 @@ TEST(LightningLines, AreTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::lightning_test

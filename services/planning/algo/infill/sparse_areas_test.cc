@@ -6,7 +6,7 @@
 #include "common/geometry/measure.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::sparse_areas_test {
 namespace {
 
 double Mm2(const MultiPolygon& region) { return Area(region) * 1e-12; }
@@ -34,4 +34,4 @@ TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::sparse_areas_test

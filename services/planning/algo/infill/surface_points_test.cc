@@ -6,7 +6,7 @@
 
 #include "services/planning/algo/infill/stacks_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::surface_points_test {
 namespace {
 
 std::map<Coord, int> Counts(const ObjectStack& stack,
@@ -48,4 +48,4 @@ TEST(SurfacePoints, TopsThatAreSteepAreNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::surface_points_test

@@ -6,7 +6,7 @@
 #include "services/planning/algo/seams/ring_shape.h"
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::occupancy_test {
 namespace {
 
 Occupancy PrismOf(std::string_view outlines, int layers) {
@@ -50,4 +50,4 @@ TEST(Occupancy, LargePartsHaveCoarserCells) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::occupancy_test

@@ -6,7 +6,7 @@
 #include "common/geometry/text_format.h"
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::ring_shape_test {
 namespace {
 
 using std::numbers::pi;
@@ -102,4 +102,4 @@ TEST(RingShape, RoundRingsHaveNoCorners) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::ring_shape_test

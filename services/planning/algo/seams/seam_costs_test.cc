@@ -8,7 +8,7 @@
 
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::seam_costs_test {
 namespace {
 
 constexpr float kRightAngle = std::numbers::pi / 2;
@@ -122,4 +122,4 @@ TEST(SeamCosts, TellsOverhangs) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::seam_costs_test

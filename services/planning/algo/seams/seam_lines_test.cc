@@ -7,7 +7,7 @@
 
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::seam_lines_test {
 namespace {
 
 /// A place on a long straight wall, with neighbours a millimetre to either side.
@@ -86,4 +86,4 @@ TEST(SeamLines, LinesEndWhereNothingFollowsAndPartAtSplits) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::seam_lines_test

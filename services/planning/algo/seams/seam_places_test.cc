@@ -6,7 +6,7 @@
 #include "services/planning/algo/layers_test.h"
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::seam_places_test {
 namespace {
 
 ObjectSection SectionOf(MultiPolygon outlines, int32_t layer = 0) {
@@ -139,4 +139,4 @@ TEST(PlaceFinder, DustAndNothingAreFine) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::seam_places_test

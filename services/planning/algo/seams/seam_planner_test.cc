@@ -8,7 +8,7 @@
 #include "services/planning/algo/layers_test.h"
 #include "services/planning/algo/seams/rings_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::seam_planner_test {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(SeamPlanner, EachObjectHasItsOwnPosition) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::seam_planner_test

@@ -16,7 +16,7 @@
 #include "common/geometry/offset/offset.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::print_sequence_test {
 namespace {
 
 using testing::ElementsAre;
@@ -221,4 +221,4 @@ TEST(PrintSequence, OrdersAThousandQuickly) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::print_sequence_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::sequence_planner_test {
 namespace {
 
 constexpr std::string_view kSquare = "(-5 -5, 5 -5, 5 5, -5 5)";
@@ -89,4 +89,4 @@ TEST(SequencePlanner, RefusesMoreLayersThanAJobMayHave) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::sequence_planner_test

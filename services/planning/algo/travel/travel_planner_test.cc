@@ -4,7 +4,7 @@
 
 #include "services/planning/algo/layers_test.h"
 
-namespace slicefarm::planning {
+namespace slicefarm::planning::travel_planner_test {
 namespace {
 
 std::vector<LayerPlan> Plans(const std::vector<SlicedLayer>& layers,
@@ -107,4 +107,4 @@ TEST(TravelPlanner, LayersOfSeveralCopiesDoNotMeet) {
 }
 
 }  // namespace
-}  // namespace slicefarm::planning
+}  // namespace slicefarm::planning::travel_planner_test

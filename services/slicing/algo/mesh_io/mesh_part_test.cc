@@ -5,7 +5,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::mesh_part_test {
 namespace {
 
 using testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST(MeshPart, TrianglesThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::mesh_part_test

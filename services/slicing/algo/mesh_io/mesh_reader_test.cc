@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::mesh_reader_test {
 namespace {
 
 RawMesh Box() { return BoxMesh({0, 0, 0}, {10, 20, 30}); }
@@ -164,4 +164,4 @@ TEST(ReadMesh, AnswersToWrongBytes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::mesh_reader_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::mesh_source_test {
 namespace {
 
 TEST(DirectMeshSource, ReadsWhatTheReaderReads) {
@@ -27,4 +27,4 @@ TEST(DirectMeshSource, ReadsWhatTheReaderReads) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::mesh_source_test

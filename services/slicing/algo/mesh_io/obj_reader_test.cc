@@ -11,7 +11,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::obj_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -133,4 +133,4 @@ TEST(ObjDetection, LooksAtTheFirstStatement) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::obj_reader_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::ply_header_test {
 namespace {
 
 constexpr std::string_view kHead = "ply\nformat ascii 1.0\n";
@@ -63,4 +63,4 @@ TEST(PlySize, IsThatOfTheType) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::ply_header_test

@@ -10,7 +10,7 @@
 #include "services/slicing/algo/mesh_io/mesh_reader.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::ply_reader_test {
 namespace {
 
 std::string Header(std::string_view format, size_t vertices, size_t faces) {
@@ -156,4 +156,4 @@ TEST(ReadPly, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::ply_reader_test

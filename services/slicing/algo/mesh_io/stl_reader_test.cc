@@ -13,7 +13,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::stl_reader_test {
 namespace {
 
 constexpr double kLimit = 10'000;
@@ -182,4 +182,4 @@ TEST(StlDetection, TellsTheFlavours) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::stl_reader_test

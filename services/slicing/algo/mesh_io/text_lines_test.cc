@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::text_lines_test {
 namespace {
 
 using testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(LineReader, JoinedLinesCountTogether) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::text_lines_test

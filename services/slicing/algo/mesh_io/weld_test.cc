@@ -8,7 +8,7 @@
 
 #include "common/model/scene/mesh.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::weld_test {
 namespace {
 
 TEST(Welder, NumbersDistinctPointsInOrder) {
@@ -65,4 +65,4 @@ TEST(PointHash, SpreadsCoordinatesOfAGrid) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::weld_test

@@ -8,7 +8,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::build_volume_test {
 namespace {
 
 constexpr Coord kMm = kNmPerMm;
@@ -97,4 +97,4 @@ TEST(CheckBuildVolume, NoBedIsNoLimitButTheNumbersAre) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::build_volume_test

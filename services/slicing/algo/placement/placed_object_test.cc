@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::placed_object_test {
 namespace {
 
 constexpr Coord kMm = kNmPerMm;
@@ -54,4 +54,4 @@ TEST(PartMeshes, RefuseWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::placed_object_test

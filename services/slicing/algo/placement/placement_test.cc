@@ -9,7 +9,7 @@
 #include "common/model/scene/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::placement_test {
 namespace {
 
 RawMesh Box() { return BoxMesh({5, 5, 5}, {15, 25, 35}); }
@@ -111,4 +111,4 @@ TEST(ToOrigin, LeavesWhatIsSunkBelowTheBed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::placement_test

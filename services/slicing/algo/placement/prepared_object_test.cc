@@ -9,7 +9,7 @@
 #include "common/model/scene/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::prepared_object_test {
 namespace {
 
 using testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST(PrepareObjects, RefusesWhatIsNoObject) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::prepared_object_test

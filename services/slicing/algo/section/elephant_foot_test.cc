@@ -12,7 +12,7 @@
 #include "common/geometry/text_format.h"
 #include "services/slicing/algo/section/local_width.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::elephant_foot_test {
 namespace {
 
 constexpr Coord kFoot = 200'000;
@@ -233,4 +233,4 @@ TEST(ElephantFoot, FollowsTheOutlines) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::elephant_foot_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::layer_heights_test {
 namespace {
 
 LayerHeights Heights(Coord first, Coord layer) { return {first, layer, {}}; }
@@ -69,4 +69,4 @@ TEST(LayerPlanes, RangesHaveHeightsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::layer_heights_test

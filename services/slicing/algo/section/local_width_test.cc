@@ -8,7 +8,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::local_width_test {
 namespace {
 
 struct Case {
@@ -75,4 +75,4 @@ TEST(LocalWidth, EdgesOfNoLengthAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::local_width_test

@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::loop_nesting_test {
 namespace {
 
 Polygon Square(Coord x, Coord y, Coord size) {
@@ -107,4 +107,4 @@ TEST(NestSimpleLoops, GivesUpOnWhatIsTooDense) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::loop_nesting_test

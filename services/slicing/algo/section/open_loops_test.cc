@@ -9,7 +9,7 @@
 
 #include "common/geometry/measure.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::open_loops_test {
 namespace {
 
 Polyline Reversed(Polyline line) { return {line.rbegin(), line.rend()}; }
@@ -143,4 +143,4 @@ TEST(CloseChains, StandsCrowds) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::open_loops_test

@@ -10,7 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::regions_test {
 namespace {
 
 constexpr Coord kMm = kNmPerMm;
@@ -153,4 +153,4 @@ TEST(Edited, NothingToDoIsNothingDone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::regions_test

@@ -16,7 +16,7 @@
 #include "services/slicing/algo/section/layer_heights.h"
 #include "tests/corpus_file.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::section_oracle_test {
 namespace {
 
 /// Whether points of a layer are inside of the part, asked of the triangles themselves: how often a
@@ -116,4 +116,4 @@ TEST(SectionOracle, AgreesOnModels) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::section_oracle_test

@@ -8,7 +8,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::section_regions_test {
 namespace {
 
 MultiPolygon P(std::string_view text) { return MakePolygonsOrDie(text); }
@@ -136,4 +136,4 @@ TEST(Partition, TilesWhateverTheParts) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::section_regions_test

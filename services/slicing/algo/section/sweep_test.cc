@@ -17,7 +17,7 @@
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "services/slicing/algo/topology/mesh_measure.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::sweep_test {
 namespace {
 
 constexpr Coord kMm = kNmPerMm;
@@ -265,4 +265,4 @@ TEST(Sweep, RefusesMoreThanAMeshMayHold) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::sweep_test

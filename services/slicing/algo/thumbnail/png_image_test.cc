@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::png_image_test {
 namespace {
 
 TEST(EncodePng, ComesBackPixelByPixel) {
@@ -30,4 +30,4 @@ TEST(EncodePng, ComesBackPixelByPixel) {
 TEST(EncodePng, RefusesAnEmptyPicture) { EXPECT_FALSE(EncodePng({}, 0, 0).ok()); }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::png_image_test

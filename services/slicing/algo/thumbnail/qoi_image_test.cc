@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::qoi_image_test {
 namespace {
 
 /// A reader of its own, chunk by chunk as the specification has them.
@@ -71,4 +71,4 @@ TEST(EncodeQoi, ReturnsLongRunsAndNoise) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::qoi_image_test

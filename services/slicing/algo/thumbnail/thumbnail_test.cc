@@ -12,7 +12,7 @@
 #include "services/slicing/algo/thumbnail/qoi_image.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::thumbnail_test {
 namespace {
 
 const std::vector<Point> kHere = {{}};
@@ -124,4 +124,4 @@ TEST(RenderThumbnail, RefusesSenselessSizes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::thumbnail_test

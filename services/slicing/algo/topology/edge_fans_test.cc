@@ -10,7 +10,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::edge_fans_test {
 namespace {
 
 /// Leaves around the z axis: at each angle one face, which runs up the axis (+) or down (-).
@@ -118,4 +118,4 @@ TEST(PairFans, TakesFlatFaces) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::edge_fans_test

@@ -6,7 +6,7 @@
 
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::edge_table_test {
 namespace {
 
 void ExpectSoundTwins(const std::vector<Triangle>& triangles, const EdgeTable& table) {
@@ -65,4 +65,4 @@ TEST(EdgeTable, PairsAroundACrowdedVertex) {
 TEST(EdgeTable, NothingGivesNothing) { EXPECT_TRUE(BuildEdgeTable({}, 0).twins.empty()); }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::edge_table_test

@@ -8,7 +8,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::face_orientation_test {
 namespace {
 
 void Turn(RawMesh& mesh, size_t face) {
@@ -101,4 +101,4 @@ TEST(OrientFaces, LeavesSoundMeshesAlone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::face_orientation_test

@@ -6,7 +6,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::mesh_measure_test {
 namespace {
 
 IndexedMesh Placed(const RawMesh& raw) { return *PlaceMesh(raw); }
@@ -36,4 +36,4 @@ TEST(HasNoArea, IsExactAtTheLimits) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::mesh_measure_test

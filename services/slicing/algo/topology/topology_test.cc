@@ -9,7 +9,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::topology_test {
 namespace {
 
 RawMesh WithFlippedFace(RawMesh mesh, size_t face) {
@@ -96,4 +96,4 @@ TEST(CountEdges, PassesOverCollapsedFaces) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::topology_test

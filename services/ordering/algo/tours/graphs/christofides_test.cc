@@ -7,7 +7,7 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::christofides_test {
 namespace {
 
 /// By dynamic programming over sets.
@@ -84,4 +84,4 @@ TEST(Christofides, OfTsplib) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::christofides_test

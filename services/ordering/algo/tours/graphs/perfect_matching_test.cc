@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::perfect_matching_test {
 namespace {
 
 using Weights = std::vector<std::vector<int64_t>>;
@@ -95,4 +95,4 @@ TEST(PerfectMatching, TheProofTellsWhetherMoreEdgesMatter) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::perfect_matching_test

@@ -7,7 +7,7 @@
 
 #include "services/ordering/algo/tours/exact_tour_test.h"
 
-namespace slicefarm::ordering {
+namespace slicefarm::ordering::spanning_tree_test {
 namespace {
 
 /// Kruskal's algorithm.
@@ -99,4 +99,4 @@ TEST(OneTreeBound, OfTsplib) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm::ordering::spanning_tree_test

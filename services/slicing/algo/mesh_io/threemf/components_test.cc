@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::components_test {
 namespace {
 
 /// A package of one file: object i + 1 has the components listed, or else a mesh.
@@ -129,4 +129,4 @@ TEST(ComponentTree, KnowsOtherNames) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::components_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::mesh_collector_test {
 namespace {
 
 using Attributes = std::vector<XmlAttribute>;
@@ -111,4 +111,4 @@ TEST(MeshCollector, NotesPaint) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::mesh_collector_test

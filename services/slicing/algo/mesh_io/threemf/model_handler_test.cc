@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::model_handler_test {
 namespace {
 
 struct Model {
@@ -106,4 +106,4 @@ TEST(ModelHandler, BoundsCopies) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::model_handler_test

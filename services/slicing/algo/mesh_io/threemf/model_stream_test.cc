@@ -7,7 +7,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::model_stream_test {
 namespace {
 
 struct Model {
@@ -107,4 +107,4 @@ TEST(ReadModelFile, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::model_stream_test

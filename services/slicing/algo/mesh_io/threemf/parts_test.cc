@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/mesh_collector.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::parts_test {
 namespace {
 
 Package MeshOf24() {
@@ -94,4 +94,4 @@ TEST(PartsOf, NotesPaintAndEmptyMeshes) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::parts_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::place_test {
 namespace {
 
 TEST(PlacedAt, AddsPartAndLine) {
@@ -20,4 +20,4 @@ TEST(PlacedAt, AddsPartAndLine) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::place_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::plates_test {
 namespace {
 
 constexpr char kArea[] = R"(["0x0","250x0","250x210","0x210"])";
@@ -99,4 +99,4 @@ TEST(AddPlates, NoneAreNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::plates_test

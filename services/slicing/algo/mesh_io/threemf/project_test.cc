@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::project_test {
 namespace {
 
 /// Objects 1 to n with a mesh of 12 triangles each; every one is built once.
@@ -85,4 +85,4 @@ TEST(MakeProject, BoundsTheText) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::project_test

@@ -13,7 +13,7 @@
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 #include "tests/corpus_file.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::threemf_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -271,4 +271,4 @@ TEST(Read3mf, AgreesWithTheStl) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::threemf_reader_test

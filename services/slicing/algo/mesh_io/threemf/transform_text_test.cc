@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::transform_text_test {
 namespace {
 
 TEST(ParseTransform, IsARowVectorsMatrix) {
@@ -59,4 +59,4 @@ TEST(CheckTransform, RefusesWhatOverflows) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::transform_text_test

@@ -16,7 +16,7 @@
 #include "common/geometry/text_format.h"
 #include "common/model/limits.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::arrange_test {
 namespace {
 
 using testing::ElementsAre;
@@ -321,4 +321,4 @@ TEST(Arrange, KeepsItsPromisesOnAThousandRandomPlates) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::arrange_test

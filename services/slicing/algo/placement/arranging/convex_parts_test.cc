@@ -13,7 +13,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::convex_parts_test {
 namespace {
 
 using testing::IsEmpty;
@@ -72,4 +72,4 @@ TEST(ConvexParts, CoverWhatTheyAreMadeOf) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::convex_parts_test

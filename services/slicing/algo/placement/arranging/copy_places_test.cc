@@ -9,7 +9,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/moved.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::copy_places_test {
 namespace {
 
 using testing::ElementsAre;
@@ -122,4 +122,4 @@ TEST(PlaceCopies, OutlinesThatGrowStayOnTheBed) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::copy_places_test

@@ -6,7 +6,7 @@
 #include "common/geometry/convex.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::footprint_test {
 namespace {
 
 Polygon HullOf(const IndexedMesh& mesh) {
@@ -74,4 +74,4 @@ TEST(CountOverlapping, CountsForEachPart) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::footprint_test

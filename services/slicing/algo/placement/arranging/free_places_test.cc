@@ -9,7 +9,7 @@
 #include "common/geometry/moved.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::free_places_test {
 namespace {
 
 using testing::Contains;
@@ -88,4 +88,4 @@ TEST(FreePlaces, AreAllowedAndHoldTheNearestToTheTarget) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::free_places_test

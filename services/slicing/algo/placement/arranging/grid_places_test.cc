@@ -8,7 +8,7 @@
 
 #include "common/geometry/convex.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::grid_places_test {
 namespace {
 
 using testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST(GridPlaces, TakesADot) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::grid_places_test

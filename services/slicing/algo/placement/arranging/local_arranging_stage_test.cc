@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::local_arranging_stage_test {
 namespace {
 
 using testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(LocalArranging, ErrorsOfFilesArePassedOn) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::local_arranging_stage_test

@@ -6,7 +6,7 @@
 #include "common/geometry/convex.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::packing_test {
 namespace {
 
 constexpr Coord kDistance = 6 * kNmPerMm;
@@ -87,4 +87,4 @@ TEST(Pack, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::packing_test

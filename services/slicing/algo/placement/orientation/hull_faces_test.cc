@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::hull_faces_test {
 namespace {
 
 using testing::IsEmpty;
@@ -74,4 +74,4 @@ TEST(HullOf, WhatIsFlatHasTwoSides) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::hull_faces_test

@@ -7,7 +7,7 @@
 #include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::orientation_advice_test {
 namespace {
 
 std::optional<OrientationAdvice> Advice(const RawMesh& raw, const Placement& placement = {}) {
@@ -91,4 +91,4 @@ TEST(AdviseOrientation, ErrorsAreThoseOfTheMesh) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::orientation_advice_test

@@ -15,7 +15,7 @@
 #include "services/slicing/algo/sample_meshes_test.h"
 #include "tests/corpus_file.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::orientation_test {
 namespace {
 
 IndexedMesh Placed(const RawMesh& raw, std::array<double, 3> rotate_deg = {0, 0, 0}) {
@@ -175,4 +175,4 @@ TEST(SuggestOrientation, PutsTheCorpusOnItsFeet) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::orientation_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::archive_test {
 namespace {
 
 Reason ReasonOf(const absl::Status& status) { return DetailOf(status).reason; }
@@ -105,4 +105,4 @@ TEST(Archive, EveryCutIsAnError) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::archive_test

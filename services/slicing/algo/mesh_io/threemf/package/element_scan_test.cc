@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::element_scan_test {
 namespace {
 
 TEST(ElementScan, TakesRunsOfElements) {
@@ -40,4 +40,4 @@ TEST(ElementScan, AsksForMoreAtEveryCut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::element_scan_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::package_test {
 namespace {
 
 absl::StatusOr<Package> Read(const Files& files) {
@@ -67,4 +67,4 @@ TEST(Package, ResolvesOnlyWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::package_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::xml_test {
 namespace {
 
 /// Writes down what it is told.
@@ -115,4 +115,4 @@ TEST(XmlAttributes, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::xml_test

@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::height_ranges_test {
 namespace {
 
 TEST(ReadHeightRanges, TellsThemByObject) {
@@ -54,4 +54,4 @@ TEST(ReadHeightRanges, PassesOverTheRest) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::height_ranges_test

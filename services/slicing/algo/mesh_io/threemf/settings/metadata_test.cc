@@ -6,7 +6,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::metadata_test {
 namespace {
 
 absl::StatusOr<Metadata> Read(const Files& files) {
@@ -58,4 +58,4 @@ TEST(FilesWithoutEffect, AreNamedInWords) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::metadata_test

@@ -4,7 +4,7 @@
 
 #include "common/base/utf8.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::names_test {
 namespace {
 
 TEST(CleanName, IsShortCleanText) {
@@ -23,4 +23,4 @@ TEST(EscapedText, IsAsAConfigHasIt) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::names_test

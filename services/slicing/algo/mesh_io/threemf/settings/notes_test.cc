@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::notes_test {
 namespace {
 
 TEST(Notes, NameTheFirstObjects) {
@@ -18,4 +18,4 @@ TEST(Notes, NameTheFirstObjects) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::notes_test

@@ -5,7 +5,7 @@
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/package/archive_files_test.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::object_settings_test {
 namespace {
 
 std::string TextOf(const Files& files, std::string_view name) {
@@ -120,4 +120,4 @@ TEST(ReadModelSettings, PassesOverWhatStandsElsewhere) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::object_settings_test

@@ -6,7 +6,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::project_settings_test {
 namespace {
 
 Setting Of(std::string key, std::string value) {
@@ -56,4 +56,4 @@ TEST(ReadOrcaSettings, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::project_settings_test

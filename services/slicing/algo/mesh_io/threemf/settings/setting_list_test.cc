@@ -4,7 +4,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::setting_list_test {
 namespace {
 
 TEST(AddSetting, AddsAProfilesSetting) {
@@ -24,4 +24,4 @@ TEST(NamesScripts, KnowsThem) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::setting_list_test
