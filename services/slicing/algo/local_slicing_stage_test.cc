@@ -217,7 +217,9 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
   object.parts[1].mesh.file = 1;
   object.parts[1].role = PartRole::kSeamEnforcer;
   object.parts[2].role = PartRole::kSeamBlocker;
-  const auto job = Slice(input);
+  SlicingOptions options;
+  options.objects[0].elephant_foot_nm = 200'000;
+  const auto job = Slice(input, options);
   ASSERT_TRUE(job.ok()) << job.status();
   for (const SlicedLayer& layer : job->layers) {
     const ObjectSection& section = layer.sections[0];
@@ -232,7 +234,7 @@ TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
     EXPECT_EQ(box.max, (Point{-700'000, -4'700'000}));
   }
   EXPECT_THAT(job->meshes, SizeIs(2)) << "that it is open is no defect";
-  const auto again = Slice(input, {}, 4);
+  const auto again = Slice(input, options, 4);
   EXPECT_EQ(again->layers, job->layers);
 }
 

@@ -124,7 +124,8 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
   ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
   section.seam_enforcers =
       MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)");
-  for (const SeamPlace& place : PlaceFinder().Next(section)[0].places) {
+  const auto rings = PlaceFinder().Next(section);
+  for (const SeamPlace& place : rings[0].places) {
     if (!place.enforced) {
       EXPECT_EQ(place.off_middle_mm, 0);
     } else if (place.at.y > FromMm(19)) {
@@ -134,8 +135,8 @@ TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
     }
   }
   section.seam_enforcers = MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)");
-  for (const SeamPlace& place : PlaceFinder().Next(section)[0].places)
-    EXPECT_EQ(place.off_middle_mm, 0);
+  const auto all_around = PlaceFinder().Next(section);
+  for (const SeamPlace& place : all_around[0].places) EXPECT_EQ(place.off_middle_mm, 0);
 }
 
 TEST(PlaceFinder, SmallRingsHaveAFewAndLargeOnesNotTooMany) {
