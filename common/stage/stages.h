@@ -117,7 +117,7 @@ struct SlicedJob {
   std::vector<SlicedLayer> layers;
   std::vector<std::string> object_names;  ///< by object
   std::vector<PlacedCopy> copies;         ///< by object, then as in the input
-  std::vector<MeshReport> meshes;         ///< one a part, by object
+  std::vector<MeshReport> meshes;         ///< one a part, by object; none of surfaces for seams
   std::vector<Thumbnail> thumbnails;
   std::vector<OrientationAdvice> orientations;  ///< of objects that would print better otherwise
 };

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """3MF projects in the layouts of PrusaSlicer, Bambu Studio and CAD programs, from file to G-code: objects, places, settings, parts, modifiers,
-height ranges, copies and plates are those of the file; what is damaged or hostile ends in an error that names the file.
+height ranges, copies, plates and painted seams are those of the file; what is damaged or hostile ends in an error that names the file.
 
 usage: project_test.py SLICEFARM
 """
 import collections
+import itertools
 import json
+import math
 import os
 import pathlib
 import re
@@ -13,6 +15,9 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "bench"))
+from seams import read_layers
 
 CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 PRODUCTION = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
@@ -27,6 +32,27 @@ def cube(x, y, z, side):
     corners = [(x + a * side, y + b * side, z + c * side) for c in (0, 1) for b in (0, 1) for a in (0, 1)]
     faces = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
     return corners, faces
+
+
+def paint_code(triangle, state, size):
+    """A triangle's paint in the slicers' code: all edges are halved until the longest is no longer than `size`; state(x, y, z): 0 none,
+    1 enforced, 2 blocked."""
+    if max(math.dist(p, q) for p, q in itertools.combinations(triangle, 2)) <= size:
+        return "048"[state(*(sum(axis) / 3 for axis in zip(*triangle)))]
+    a, b, c = triangle
+    ab, bc, ca = (tuple((i + j) / 2 for i, j in zip(p, q)) for p, q in ((a, b), (b, c), (c, a)))
+    parts = [paint_code(part, state, size) for part in ((a, ab, ca), (ab, b, bc), (bc, c, ca), (ab, bc, ca))]
+    return parts[0] if set(parts) in ({"0"}, {"4"}, {"8"}) else "".join(parts) + "3"
+
+
+def painted(xml, state, attribute):
+    """The mesh with paint on its triangles; it is the only one in `xml`."""
+    corners = [tuple(map(float, xyz)) for xyz in re.findall(r'<vertex x="(.*?)" y="(.*?)" z="(.*?)"/>', xml)]
+
+    def paint(match):
+        code = paint_code([corners[int(i)] for i in match.groups()], state, 1)
+        return match[0] if code == "0" else match[0].replace("/>", f' {attribute}="{code}"/>')
+    return re.sub(r'<triangle v1="(\d+)" v2="(\d+)" v3="(\d+)"/>', paint, xml)
 
 
 def mesh_xml(*meshes):
@@ -193,6 +219,48 @@ def check_what_has_no_effect(program, folder):
     assert "evil" not in (folder / "out.gcode").read_text()
 
 
+def painted_files(state, attribute):
+    """A block of 20 mm, twice, the second copy turned."""
+    mesh = painted(mesh_xml(cube(0, 0, 0, 20)), state, attribute)
+    return {"3D/3dmodel.model": model_xml(f'<object id="1" type="model">{mesh}</object>', item(1, 50, 60) + item(1, 120, 60, True), "PrusaSlicer-2.9.2"),
+            "Metadata/Slic3r_PE.config": f"; bed_shape = {BED}\n; layer_height = 0.25\n; first_layer_height = 0.25\n; seam_position = aligned\n"}
+
+
+def seams_of(gcode):
+    """Of each layer, where the outer walls start, on the block itself; the copies are told apart by where they stand."""
+    straight, turned = [], []
+    for _, loops in read_layers(gcode):
+        for loop in loops:
+            x, y = loop[0]
+            if x < 80:
+                straight.append((x - 50, y - 60))
+            else:
+                turned.append((y - 60, 120 - x))
+    return straight, turned
+
+
+def check_paint(program, folder):
+    """In each layer of each copy the seam is in the stripe that is enforced, and never where it is blocked."""
+    def stripe(x, y, z):
+        return 1 if y < 1e-6 and 5 < x < 9 else 0
+
+    def corners(x, y, z):
+        return 2 if abs(x - 10) > 5 and abs(y - 10) > 5 else 0
+
+    for attribute in ("slic3rpe:custom_seam", "paint_seam"):
+        project = write(folder / "painted.3mf", painted_files(stripe, attribute))
+        told = json.loads(must(program, "inspect", project))
+        assert [part["role"] for part in told["objects"][0]["parts"]] == ["solid", "seam_enforcer"] and not told["without_effect"], told
+        must(program, "slice", project, "-o", folder / "out.gcode", "--report", folder / "report.json", "-q")
+        assert not json.loads((folder / "report.json").read_text())["warnings"], "a painted surface is no broken mesh"
+        for seams in seams_of(folder / "out.gcode"):
+            assert len(seams) == 80 and all(6 < x < 8 and y < 0.5 for x, y in seams), seams
+    write(folder / "painted.3mf", painted_files(corners, "paint_seam"))
+    must(program, "slice", folder / "painted.3mf", "-o", folder / "out.gcode", "-q")
+    for seams in seams_of(folder / "out.gcode"):
+        assert len(seams) == 80 and not any(corners(x, y, 0) for x, y in seams), seams
+
+
 def check_hostile(program, folder):
     def with_model(text):
         return {"3D/3dmodel.model": text}
@@ -210,6 +278,7 @@ def check_hostile(program, folder):
         "paths": {"../../etc/passwd": "x", **cad_files()},
         "entries": {**cad_files(), **{f"f{i}": "" for i in range(2000)}},
         "no_such_object": with_model(model.replace('objectid="1"', 'objectid="7"')),
+        "paint": with_model(model.replace('v1="0"', 'paint_seam="3" v1="0"', 1)),
         "no_such_corner": with_model(model.replace('v1="0"', 'v1="99"', 1)),
         "nan": with_model(model.replace('x="1000"', 'x="nan"', 1)),
         "nothing": with_model(model_xml("", "", ""))}
@@ -236,14 +305,19 @@ def check_farm(program, folder):
 
     project = write(folder / "prusa.3mf", prusa_files())
     must(program, "slice", project, "-o", folder / "here.gcode", "--report", folder / "here.json")
+    paint = write(folder / "painted.3mf", painted_files(lambda x, y, z: 1 if x < 1e-6 and y < 9 else 0, "paint_seam"))
+    must(program, "slice", paint, "-o", folder / "painted_here.gcode")
     broken = cad_files()
     broken["3D/3dmodel.model"] = broken["3D/3dmodel.model"].replace('v1="0"', 'v1="99"', 1)
     with running_farm() as farm:
         done = farm.client("submit", project, "-o", folder / "there.gcode", "--report", folder / "there.json")
         assert done.returncode == 0, done.stderr
+        done = farm.client("submit", paint, "-o", folder / "painted_there.gcode")
+        assert done.returncode == 0, done.stderr
         refused = farm.client("submit", write(folder / "broken.3mf", broken), "-o", folder / "bad.gcode")
         plate = farm.client("submit", write(folder / "bambu.3mf", bambu_files()), "--plate", "2", "-o", folder / "plate.gcode")
     assert (folder / "here.gcode").read_bytes() == (folder / "there.gcode").read_bytes()
+    assert (folder / "painted_here.gcode").read_bytes() == (folder / "painted_there.gcode").read_bytes()
     here, there = (json.loads((folder / name).read_text())["settings_without_effect"] for name in ("here.json", "there.json"))
     assert here == there, f"{here} and {there}"
     assert refused.returncode == BAD_MESH and "broken.3mf" in refused.stderr, refused.stderr
@@ -252,7 +326,7 @@ def check_farm(program, folder):
 
 def main(program):
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_prusa, check_bambu, check_cad, check_what_has_no_effect, check_hostile, check_farm):
+        for check in (check_prusa, check_bambu, check_cad, check_paint, check_what_has_no_effect, check_hostile, check_farm):
             check(program, pathlib.Path(name))
             print(f"{check.__name__}: ok")
 

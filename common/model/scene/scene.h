@@ -123,8 +123,8 @@ struct Project {
   std::vector<Setting> settings;  ///< of the whole project
   std::vector<SceneObject> objects;
   std::vector<ProjectPlate> plates;  ///< empty: all objects lie on one
-  /// What the file has and nobody here makes anything of, for the report: "painted seams of object
-  /// 2".
+  /// What the file has and nobody here makes anything of, for the report: "painted supports of
+  /// object 2".
   std::vector<std::string> without_effect;
 
   bool operator==(const Project&) const = default;

@@ -16,6 +16,7 @@
 #include "services/slicing/algo/section/layer_heights.h"
 #include "services/slicing/algo/section/open_loops.h"
 #include "services/slicing/algo/section/regions.h"
+#include "services/slicing/algo/section/seam_area.h"
 #include "services/slicing/algo/section/section_regions.h"
 #include "services/slicing/algo/section/sweep.h"
 #include "services/slicing/algo/thumbnail/thumbnail.h"
@@ -183,9 +184,10 @@ class SlicingRun {
         continue;
       manifold = manifold && (input.role != PartRole::kSolid || swept.part->IsManifold());
       parts.push_back({input.role, input.regions[range], &input.changes,
-                       Outlines(swept, section, scratch)});
+                       swept.part->IsForSeams() ? SeamOutlines(swept, section, scratch)
+                                                : Outlines(swept, section, scratch)});
     }
-    const ObjectSlicingOptions& slicing = options_.objects[static_cast<size_t>(section.object)];
+    const ObjectSlicingOptions& slicing = SlicingOf(section);
     PartitionedSection partition =
         Partition(std::move(parts), EditsFor(section.layer, manifold, slicing),
                   options_.resolution_nm);
@@ -205,14 +207,25 @@ class SlicingRun {
     return ranges.size();
   }
 
+  const ObjectSlicingOptions& SlicingOf(const ObjectSection& section) const {
+    return options_.objects[static_cast<size_t>(section.object)];
+  }
+
+  MultiPolygon SeamOutlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
+    const Coord reach_nm = SeamReach(EditsFor(section.layer, true, SlicingOf(section)));
+    if (!swept.part->IsSeamSurface())
+      return AroundBody(Outlines(swept, section, scratch), reach_nm);
+    const Section cut = swept.sweep.Cut(static_cast<size_t>(section.layer), scratch);
+    return AroundSurface(cut, reach_nm, options_.resolution_nm);
+  }
+
   MultiPolygon Outlines(SweptPart& swept, const ObjectSection& section, SweepScratch& scratch) {
     const auto layer = static_cast<size_t>(section.layer);
     Section cut = swept.sweep.Cut(layer, scratch);
     ClosedChains closed = CloseChains(std::move(cut.chains), options_.max_gap_nm);
     swept.gaps[layer] = closed.counts;
     std::move(closed.loops.begin(), closed.loops.end(), std::back_inserter(cut.loops));
-    const FillRule rule = options_.objects[static_cast<size_t>(section.object)].fill_rule;
-    return RegionOf(cut.loops, rule, options_.resolution_nm);
+    return RegionOf(cut.loops, SlicingOf(section).fill_rule, options_.resolution_nm);
   }
 
   /// How many copies of each object stand on the footprint of another copy.
@@ -227,6 +240,8 @@ class SlicingRun {
     for (size_t i = 0; i < objects_.size(); ++i) {
       PreparedObject& object = objects_[i];
       for (SweptPart& swept : swept_[i].parts) {
+        // What would be defects of a body are none of a surface.
+        if (swept.part->IsSeamSurface()) continue;
         MeshReport report = ReportOf(swept, options_.objects[i]);
         report.overlapping_copies = overlapping[i];
         job_.meshes.push_back(std::move(report));

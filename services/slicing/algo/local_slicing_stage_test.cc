@@ -207,6 +207,37 @@ TEST(LocalSlicing, ARaftCountsForTheHeightOfThePrint) {
             Reason::kOutOfBuildVolume);
 }
 
+/// A stripe painted on the side y = 0, from x = 2 to 4 and z = 1 to 9.
+TEST(LocalSlicing, AnOpenSurfaceForSeamsCountsAroundItself) {
+  const RawMesh stripe = {{{2, 0, 1}, {4, 0, 1}, {4, 0, 9}, {2, 0, 9}}, {{0, 1, 2}, {0, 2, 3}}};
+  SliceInput input = InputOf({File(Cube(0, 0, 0)), File(stripe)});
+  ObjectInput& object = input.objects[0];
+  object.parts.resize(3, object.parts[0]);
+  input.objects.resize(1);
+  object.parts[1].mesh.file = 1;
+  object.parts[1].role = PartRole::kSeamEnforcer;
+  object.parts[2].role = PartRole::kSeamBlocker;
+  SlicingOptions options;
+  options.objects[0].elephant_foot_nm = 200'000;
+  const auto job = Slice(input, options);
+  ASSERT_TRUE(job.ok()) << job.status();
+  for (const SlicedLayer& layer : job->layers) {
+    const ObjectSection& section = layer.sections[0];
+    const double z = ToMm(section.z_nm) - 0.1;
+    ASSERT_THAT(section.seam_enforcers, SizeIs(z > 1 && z < 9 ? 1 : 0)) << z;
+    // The first layer's outline moves by its elephant's foot, and the reach with it.
+    const double reach = z < 0.2 ? 0.5 : 0.3;
+    EXPECT_NEAR(Area(section.seam_blockers) * 1e-12, (10 + 2 * reach) * (10 + 2 * reach), 1e-3);
+    if (section.seam_enforcers.empty()) continue;
+    const Box box = Bounds(section.seam_enforcers);
+    EXPECT_EQ(box.min, (Point{-3'300'000, -5'300'000}));
+    EXPECT_EQ(box.max, (Point{-700'000, -4'700'000}));
+  }
+  EXPECT_THAT(job->meshes, SizeIs(2)) << "that it is open is no defect";
+  const auto again = Slice(input, options, 4);
+  EXPECT_EQ(again->layers, job->layers);
+}
+
 TEST(LocalSlicing, PartsModifiersAndNegativesMakeRegions) {
   SliceInput input = InputOf({File(Cube(0, 0, 0, 20)), File(Cube(0, 0, 0, 10))});
   ObjectInput& object = input.objects[0];

@@ -33,9 +33,6 @@ absl::Status Nonsense(std::string_view what) {
   return ReaderCrashed(fmt::format("answered nonsense: {}", what));
 }
 
-/// No format says a triangle or a vertex in less than two bytes.
-constexpr uint64_t kLeastBytesEach = 2;
-
 /// More than limits::kMaxProjectBytes of text: transforms, and lengths of the texts.
 constexpr uint64_t kMostProjectBytes = 2 * limits::kMaxProjectBytes;
 
@@ -100,10 +97,11 @@ absl::Status CheckHead(const AnswerHead& head, const Request& request) {
   return Nonsense("neither a mesh nor an error");
 }
 
+// No format says a triangle or a vertex in less than a byte, as paint does.
 MeshHeads::MeshHeads(const Request& request)
-    : triangles_left_(std::min<uint64_t>(
-          static_cast<uint64_t>(request.text_bytes) / kLeastBytesEach, limits::kMaxTriangles)),
-      positions_left_(static_cast<uint64_t>(request.text_bytes) / kLeastBytesEach) {}
+    : triangles_left_(
+          std::min<uint64_t>(static_cast<uint64_t>(request.text_bytes), limits::kMaxTriangles)),
+      positions_left_(static_cast<uint64_t>(request.text_bytes)) {}
 
 absl::Status MeshHeads::Check(const MeshHead& head) {
   // No position is there without a triangle that uses it.

@@ -36,19 +36,19 @@ TEST(ReaderProtocol, OnlyErrorsOfReadingAreBelieved) {
 
 TEST(ReaderProtocol, CountsAreBoundByTheFile) {
   constexpr Request kRequest = {.text_bytes = 1'000};
-  EXPECT_TRUE(MeshHeads(kRequest).Check({500, 500}).ok());
+  EXPECT_TRUE(MeshHeads(kRequest).Check({1'000, 1'000}).ok());
   EXPECT_TRUE(MeshHeads(kRequest).Check({30, 10}).ok());
   EXPECT_TRUE(MeshHeads(kRequest).Check({0, 0}).ok());
   for (const MeshHead& head : std::initializer_list<MeshHead>{
-           {31, 10}, {0, 10}, {10, 0}, {500, 501}, {501, 500}, {3, UINT64_MAX / 3 + 2}})
+           {31, 10}, {0, 10}, {10, 0}, {1'000, 1'001}, {1'001, 1'000}, {3, UINT64_MAX / 3 + 2}})
     EXPECT_EQ(ReasonOf(MeshHeads(kRequest).Check(head)), Reason::kMeshReaderCrashed);
   EXPECT_FALSE(MeshHeads({.text_bytes = INT64_MAX}).Check({3, 20'000'001}).ok());
 }
 
 TEST(ReaderProtocol, CountsOfAllMeshesAreBoundTogether) {
   MeshHeads heads({.text_bytes = 1'000});
-  EXPECT_TRUE(heads.Check({300, 300}).ok());
-  EXPECT_TRUE(heads.Check({200, 100}).ok());
+  EXPECT_TRUE(heads.Check({600, 600}).ok());
+  EXPECT_TRUE(heads.Check({400, 200}).ok());
   EXPECT_FALSE(heads.Check({3, 1}).ok());
 }
 

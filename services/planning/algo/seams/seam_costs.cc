@@ -38,6 +38,10 @@ constexpr std::array<OverhangRange, 3> kOverhangs{{{0.6, 4}, {kSteep, 20}, {kSte
 /// More than all others of a job together.
 constexpr double kBlocked = 1e9;
 constexpr double kNotEnforced = 1e6;
+/// For each mm that an enforced place lies beside the middle of its run, up to so many: more than
+/// to be seen, less than a sharp corner is worth.
+constexpr double kOffMiddle = 1;
+constexpr double kMostOffMiddle = 2;
 
 /// 0 at a sharp inner corner.
 double Shape(const SeamPlace& place) {
@@ -103,6 +107,8 @@ std::vector<double> SeamCosts(const std::vector<SeamPlace>& places, const std::v
       default:
         cost += Shape(place) * (kHidden + (1 - kHidden) * seen[i]);
     }
+    if (place.enforced && position != SeamPosition::kRandom)
+      cost += std::min(kOffMiddle * place.off_middle_mm, kMostOffMiddle);
     if (place.blocked) cost += kBlocked;
     if (enforced && !place.enforced) cost += kNotEnforced;
     costs.push_back(cost);

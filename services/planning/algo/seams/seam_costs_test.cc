@@ -78,6 +78,16 @@ TEST(SeamCosts, PaintGoesBeforeAll) {
   EXPECT_EQ(Cheapest(places, {1, 1, 1}, SeamPosition::kAligned), 1u);
 }
 
+TEST(SeamCosts, OfPaintTheMiddleIsBestButForCorners) {
+  std::vector<SeamPlace> places = {PlaceAt(0, 0), PlaceAt(1, 9), PlaceAt(2, 0)};
+  for (SeamPlace& place : places) place.enforced = true;
+  places[0].off_middle_mm = 8;
+  places[1].off_middle_mm = 1;
+  EXPECT_EQ(Cheapest(places, {0, 0, 1}, SeamPosition::kAligned), 2u);
+  places[0].turn_rad = kRightAngle;
+  EXPECT_EQ(Cheapest(places, {1, 1, 1}, SeamPosition::kAligned), 0u);
+}
+
 TEST(SeamCosts, RandomIsTheSameForTheSameRingAndElseAnything) {
   const std::vector<SeamPlace> places(50, PlaceAt(0, 0));
   const std::vector<double> seen(50, 1);

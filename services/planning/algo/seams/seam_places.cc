@@ -95,6 +95,25 @@ bool Holds(const MultiPolygon& polygons, Point p) {
   });
 }
 
+/// Tells enforced places how far they are from the middle of their run. Rings that are enforced all
+/// around have none. `along`: where the places are; they ascend.
+void MeasureRuns(const std::vector<double>& along, double length_nm,
+                 std::vector<SeamPlace>& places) {
+  const size_t n = places.size();
+  const auto free = std::ranges::find(places, false, &SeamPlace::enforced);
+  if (free == places.end()) return;
+  const auto start = static_cast<size_t>(free - places.begin());
+  const auto at = [&](size_t i) { return along[i % n] + (i < n ? 0 : length_nm); };
+  for (size_t first = start; first < start + n; ++first) {
+    if (!places[first % n].enforced) continue;
+    size_t end = first + 1;
+    while (places[end % n].enforced) ++end;
+    const double middle = (at(first) + at(end - 1)) / 2;
+    for (; first < end; ++first)
+      places[first % n].off_middle_mm = static_cast<float>(ToMm(std::abs(at(first) - middle)));
+  }
+}
+
 /// The rings of one layer while their places are sought.
 class LayerRings {
  public:
@@ -152,6 +171,7 @@ class LayerRings {
       place.enforced = Holds(section_.seam_enforcers, place.at);
       place.blocked = Holds(section_.seam_blockers, place.at);
     }
+    MeasureRuns(along, shape.length_nm(), places);
     return places;
   }
 

@@ -16,6 +16,7 @@ struct SeamPlace {
   float overhang = 0;     ///< how far it hangs over the layer below, in heights of the layer
   float away_mm = 0;      ///< how far from the outlines of the layer below; 0 without one
   uint8_t outward = 0;    ///< Bend::Outward
+  float off_middle_mm = 0;  ///< along the ring, from the middle of the run of enforced places
   bool enforced = false;
   bool blocked = false;
 };

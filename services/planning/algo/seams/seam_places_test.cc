@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "services/planning/algo/layers_test.h"
 #include "services/planning/algo/seams/rings_test.h"
 
@@ -115,6 +117,26 @@ TEST(PlaceFinder, PaintedPartsHaveMorePlaces) {
     EXPECT_EQ(place.blocked, place.at.x <= FromMm(1));
   }
   EXPECT_GE(enforced, 1);
+}
+
+/// Two runs, one of them over the ring's first place; then all around.
+TEST(PlaceFinder, EnforcedPlacesKnowTheMiddleOfTheirRun) {
+  ObjectSection section = SectionOrDie(0, 0, "(0 0, 20 0, 20 20, 0 20)");
+  section.seam_enforcers =
+      MakePolygonsOrDie("(-1 -1, 3 -1, 3 1, 1 1, 1 3, -1 3) ; (8 19, 14 19, 14 21, 8 21)");
+  const auto rings = PlaceFinder().Next(section);
+  for (const SeamPlace& place : rings[0].places) {
+    if (!place.enforced) {
+      EXPECT_EQ(place.off_middle_mm, 0);
+    } else if (place.at.y > FromMm(19)) {
+      EXPECT_NEAR(place.off_middle_mm, std::abs(ToMm(place.at.x) - 11), 0.3);
+    } else {
+      EXPECT_NEAR(place.off_middle_mm, ToMm(place.at.x + place.at.y), 0.3);
+    }
+  }
+  section.seam_enforcers = MakePolygonsOrDie("(-1 -1, 21 -1, 21 21, -1 21)");
+  const auto all_around = PlaceFinder().Next(section);
+  for (const SeamPlace& place : all_around[0].places) EXPECT_EQ(place.off_middle_mm, 0);
 }
 
 TEST(PlaceFinder, SmallRingsHaveAFewAndLargeOnesNotTooMany) {

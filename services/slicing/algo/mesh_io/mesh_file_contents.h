@@ -15,7 +15,8 @@ enum class ReadDepth : uint8_t {
 
 /// What is in a mesh file. `meshes` are those that MeshRef::mesh of the project's parts counts:
 /// for STL, OBJ and PLY the only one; for 3MF those of all objects that have one, in mm, in the
-/// order of the file. Empty if only the structure was read.
+/// order of the file, and after them the surfaces that are painted on them as seams. Empty if only
+/// the structure was read.
 struct MeshFileContents {
   std::vector<RawMesh> meshes;
   Project project;

@@ -21,6 +21,12 @@ struct PreparedPart {
   /// Every edge has two faces: sections need no closing of cracks. Parts that touch along edges are
   /// not manifold: what little keeps them apart is taken for the crack that it is.
   bool IsManifold() const { return connected.closed && report.non_manifold_edges == 0; }
+
+  bool IsForSeams() const {
+    return input.role == PartRole::kSeamEnforcer || input.role == PartRole::kSeamBlocker;
+  }
+  /// Seams may be painted on a surface that encloses nothing.
+  bool IsSeamSurface() const { return IsForSeams() && !connected.closed; }
 };
 
 /// An object around its own origin: the middle of its solid parts' box lies over x = y = 0, and its

@@ -4,11 +4,14 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
 #include "services/slicing/algo/mesh_io/indexed_weld.h"
 #include "services/slicing/algo/mesh_io/text_lines.h"
+#include "services/slicing/algo/mesh_io/threemf/paint/paint_code.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
@@ -24,11 +27,20 @@ std::optional<uint32_t> ParseIndex(std::string_view text) {
   return index;
 }
 
-/// By the names of PrusaSlicer (which have a prefix), then of Bambu Studio and OrcaSlicer.
+std::string_view WithoutPrefix(std::string_view name) {
+  return name.substr(name.find(':') + 1);  // all of it if there is none
+}
+
+// By the names of PrusaSlicer (which have a prefix), then of Bambu Studio and OrcaSlicer.
+
+bool IsSeamPaint(std::string_view name) {
+  name = WithoutPrefix(name);
+  return name == "custom_seam" || name == "paint_seam";
+}
+
 uint8_t PaintOf(std::string_view name) {
-  name = name.substr(name.find(':') + 1);  // all of it if there is none
+  name = WithoutPrefix(name);
   if (name == "custom_supports" || name == "paint_supports") return kPaintedSupports;
-  if (name == "custom_seam" || name == "paint_seam") return kPaintedSeams;
   if (name == "mmu_segmentation" || name == "paint_color") return kPaintedColours;
   if (name == "fuzzy_skin" || name == "paint_fuzzy_skin") return kPaintedFuzzySkin;
   return 0;
@@ -63,9 +75,11 @@ absl::Status MeshCollector::Vertex(XmlAttributes attributes) {
 absl::Status MeshCollector::Triangle(XmlAttributes attributes) {
   std::array<uint32_t, 3> corners;
   unsigned seen = 0;
+  std::string_view seam;
   for (const XmlAttribute& attribute : attributes) {
     const std::string_view name = attribute.name;
     if (name.size() != 2 || name[0] != 'v' || name[1] < '1' || name[1] > '3') {
+      if (IsSeamPaint(name)) seam = attribute.value;
       Note(attribute);
       continue;
     }
@@ -78,11 +92,33 @@ absl::Status MeshCollector::Triangle(XmlAttributes attributes) {
     seen |= 1u << corner;
   }
   if (seen != 7) return Malformed("a triangle must have v1, v2 and v3");
+  if (absl::Status status = CountTriangle(); !status.ok()) return status;
+  ++triangles_;
+  if (reading_.keep) mesh_.triangles.push_back(corners);
+  return seam.empty() ? absl::OkStatus() : PaintSeam(seam, corners);
+}
+
+absl::Status MeshCollector::CountTriangle() {
   if (++reading_.triangles > limits::kMaxTriangles)
     return LimitError(Reason::kMeshTooLarge, "triangles", limits::kMaxTriangles,
                       reading_.triangles);
-  ++triangles_;
-  if (reading_.keep) mesh_.triangles.push_back(corners);
+  return absl::OkStatus();
+}
+
+absl::Status MeshCollector::PaintSeam(std::string_view code,
+                                      const std::array<uint32_t, 3>& corners) {
+  Facet facet;
+  if (reading_.keep)
+    for (size_t i = 0; i < 3; ++i) facet[i] = mesh_.positions[corners[i]];
+  const absl::StatusOr<std::vector<PaintedPiece>> pieces = PaintedPieces(code, facet);
+  if (!pieces.ok()) return pieces.status();
+  for (const PaintedPiece& piece : *pieces) {
+    if (piece.state == PaintState::kNone) continue;
+    if (absl::Status status = CountTriangle(); !status.ok()) return status;
+    const bool enforcer = piece.state == PaintState::kEnforcer;
+    ++(enforcer ? seams_.enforcers : seams_.blockers).triangles;
+    if (reading_.keep) (enforcer ? enforcers_ : blockers_).Add(piece.corners);
+  }
   return absl::OkStatus();
 }
 
@@ -90,6 +126,12 @@ void MeshCollector::Note(const XmlAttribute& attribute) {
   if (attribute.value.empty()) return;
   if (attribute.name == "pid" || attribute.name == "p1") coloured_ = true;
   paint_ |= PaintOf(attribute.name);
+}
+
+SeamPaint MeshCollector::TakeSeams() {
+  seams_.enforcers.mesh = std::move(enforcers_).Take();
+  seams_.blockers.mesh = std::move(blockers_).Take();
+  return std::move(seams_);
 }
 
 RawMesh MeshCollector::Take() && { return Welded(mesh_); }

@@ -89,11 +89,11 @@ TEST(MeshCollector, NotesPaint) {
     int want;
   };
   for (const Case& c : std::initializer_list<Case>{{"slic3rpe:custom_supports", kPaintedSupports},
-                                                   {"slic3rpe:custom_seam", kPaintedSeams},
+                                                   {"slic3rpe:custom_seam", 0},
                                                    {"slic3rpe:mmu_segmentation", kPaintedColours},
                                                    {"slic3rpe:fuzzy_skin", kPaintedFuzzySkin},
                                                    {"paint_supports", kPaintedSupports},
-                                                   {"paint_seam", kPaintedSeams},
+                                                   {"paint_seam", 0},
                                                    {"paint_color", kPaintedColours},
                                                    {"face_property", 0}}) {
     MeshReading reading = {.coordinate_limit_mm = 100};
@@ -108,6 +108,58 @@ TEST(MeshCollector, NotesPaint) {
     ASSERT_TRUE(mesh.Triangle(triangle).ok());
     EXPECT_TRUE(mesh.coloured());
   }
+}
+
+/// Half of the first triangle is enforced, half of it blocked; the second is enforced as a whole.
+TEST(MeshCollector, TakesPaintedSeams) {
+  for (const std::string_view name : {"slic3rpe:custom_seam", "paint_seam"}) {
+    for (const bool keep : {true, false}) {
+      MeshReading reading = {.keep = keep, .coordinate_limit_mm = 100};
+      MeshCollector mesh(1, reading);
+      for (const Attributes& at : {At("0", "0", "0"), At("8", "0", "0"), At("0", "8", "0")})
+        ASSERT_TRUE(mesh.Vertex(at).ok());
+      for (const std::string_view code : {"841", "4", "0", ""}) {
+        // What is painted stands before the corners as well as behind them.
+        Attributes triangle = Corners("0", "1", "2");
+        triangle.insert(code == "4" ? triangle.begin() : triangle.end(), {name, code});
+        ASSERT_TRUE(mesh.Triangle(triangle).ok());
+      }
+      EXPECT_EQ(mesh.triangles(), 4);
+      EXPECT_EQ(reading.triangles, 7) << "with the pieces that are painted";
+      const SeamPaint seams = mesh.TakeSeams();
+      EXPECT_EQ(seams.enforcers.triangles, 2);
+      EXPECT_EQ(seams.blockers.triangles, 1);
+      EXPECT_EQ(seams.blockers.number, -1);
+      if (!keep) {
+        EXPECT_TRUE(seams.enforcers.mesh.positions.empty());
+        continue;
+      }
+      EXPECT_EQ(seams.enforcers.mesh.positions,
+                (std::vector<Position>{{4, 4, 0}, {0, 8, 0}, {0, 0, 0}, {8, 0, 0}}));
+      EXPECT_EQ(seams.enforcers.mesh.triangles,
+                (std::vector<std::array<uint32_t, 3>>{{0, 1, 2}, {2, 3, 1}}));
+      EXPECT_EQ(seams.blockers.mesh.positions,
+                (std::vector<Position>{{0, 0, 0}, {8, 0, 0}, {4, 4, 0}}));
+    }
+  }
+}
+
+TEST(MeshCollector, RefusesPaintThatIsNone) {
+  MeshReading reading = {.coordinate_limit_mm = 100};
+  MeshCollector mesh(1, reading);
+  ASSERT_TRUE(mesh.Vertex(At("0", "0", "0")).ok());
+  Attributes triangle = Corners("0", "0", "0");
+  triangle.push_back({"paint_seam", "3"});
+  EXPECT_EQ(DetailOf(mesh.Triangle(triangle)).reason, Reason::kMeshMalformed);
+}
+
+TEST(MeshCollector, CountsPaintOverAllMeshes) {
+  MeshReading reading = {.keep = false, .coordinate_limit_mm = 100, .triangles = 19'999'998};
+  MeshCollector mesh(1, reading);
+  ASSERT_TRUE(mesh.Vertex(At("0", "0", "0")).ok());
+  Attributes triangle = Corners("0", "0", "0");
+  triangle.push_back({"paint_seam", "441"});
+  EXPECT_EQ(DetailOf(mesh.Triangle(triangle)).reason, Reason::kMeshTooLarge);
 }
 
 }  // namespace

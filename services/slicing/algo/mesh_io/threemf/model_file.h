@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/model/scene/scene.h"
+#include "services/slicing/algo/mesh_io/threemf/paint/painted_area.h"
 
 namespace slicefarm::slicing::threemf {
 
@@ -32,6 +33,7 @@ struct ObjectResource {
   int32_t mesh = -1;  ///< by the order of all meshes of all model files; -1: it has none
   int64_t triangles = 0;
   uint8_t paint = 0;  ///< Paint flags
+  SeamPaint seams;
   bool coloured = false;
   std::vector<ObjectUse> components;
   int64_t line = 0;

@@ -179,9 +179,7 @@ absl::Status ModelHandler::Object(XmlAttributes attributes) {
   if (!id.ok()) return id.status();
   if (!file_.by_id.emplace(*id, file_.objects.size()).second)
     return Malformed(fmt::format("two objects have the id {}", *id));
-  if (++reading_.resources > limits::kMaxFileResources)
-    return LimitError(Reason::kMeshTooLarge, "objects and components of the file",
-                      limits::kMaxFileResources, reading_.resources);
+  if (absl::Status status = CountResource(); !status.ok()) return status;
   ObjectResource object;
   object.id = *id;
   object.name = CleanName(Find(attributes, "name").value_or(""));
@@ -195,9 +193,7 @@ absl::Status ModelHandler::Object(XmlAttributes attributes) {
 absl::Status ModelHandler::Component(XmlAttributes attributes) {
   absl::StatusOr<ObjectUse> use = UseOf(attributes, file_.unit_mm, line_);
   if (!use.ok()) return use.status();
-  if (++reading_.resources > limits::kMaxFileResources)
-    return LimitError(Reason::kMeshTooLarge, "objects and components of the file",
-                      limits::kMaxFileResources, reading_.resources);
+  if (absl::Status status = CountResource(); !status.ok()) return status;
   file_.objects.back().components.push_back(*std::move(use));
   return absl::OkStatus();
 }
@@ -226,18 +222,30 @@ absl::Status ModelHandler::Element(XmlAttributes attributes) {
 
 absl::Status ModelHandler::End(std::string_view) {
   run_begins_ = false;
-  if (path_.back() == At::kMesh) FinishMesh();
+  const bool mesh_ends = path_.back() == At::kMesh;
   path_.pop_back();
+  return mesh_ends ? FinishMesh() : absl::OkStatus();
+}
+
+absl::Status ModelHandler::CountResource() {
+  if (++reading_.resources > limits::kMaxFileResources)
+    return LimitError(Reason::kMeshTooLarge, "objects, components and painted areas of the file",
+                      limits::kMaxFileResources, reading_.resources);
   return absl::OkStatus();
 }
 
-void ModelHandler::FinishMesh() {
+absl::Status ModelHandler::FinishMesh() {
   ObjectResource& object = file_.objects.back();
   object.triangles = mesh_->triangles();
   object.paint = mesh_->paint();
   object.coloured |= mesh_->coloured();
+  object.seams = mesh_->TakeSeams();
   meshes_.push_back(std::move(*mesh_).Take());
   mesh_.reset();
+  for (const PaintedArea* area : {&object.seams.enforcers, &object.seams.blockers})
+    if (area->triangles > 0)
+      if (absl::Status status = CountResource(); !status.ok()) return status;
+  return absl::OkStatus();
 }
 
 absl::Status ModelHandler::Text(std::string_view text) {

@@ -59,7 +59,8 @@ class ModelHandler : public XmlHandler {
   absl::Status Object(XmlAttributes attributes);
   absl::Status Component(XmlAttributes attributes);
   absl::Status Item(XmlAttributes attributes);
-  void FinishMesh();
+  absl::Status CountResource();
+  absl::Status FinishMesh();
 
   MeshReading& reading_;
   std::vector<RawMesh>& meshes_;

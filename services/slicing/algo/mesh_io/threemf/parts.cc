@@ -13,7 +13,6 @@ namespace {
 
 void NotePaint(const ObjectResource& object, std::string_view name, Notes& notes) {
   if (object.paint & kPaintedSupports) notes.Add("painted supports", name);
-  if (object.paint & kPaintedSeams) notes.Add("painted seams", name);
   if (object.paint & kPaintedColours) notes.Add("painted filaments", name);
   if (object.paint & kPaintedFuzzySkin) notes.Add("painted fuzzy skin", name);
   if (object.coloured) notes.Add("materials and colours", name);
@@ -79,6 +78,21 @@ Part PartOf(const FlatPart& flat, const ObjectResource& mesh, const PartSettings
   return part;
 }
 
+/// The seams painted on a mesh of the object, as parts.
+void AddSeams(const SeamPaint& seams, const Transform& to_object, std::vector<Part>& parts) {
+  const auto add = [&](const PaintedArea& area, PartRole role) {
+    if (area.triangles == 0) return;
+    Part& part = parts.emplace_back();
+    part.name = "painted seams";
+    part.role = role;
+    part.mesh.mesh = area.number;
+    part.mesh.triangle_count = area.triangles;
+    part.to_object = to_object;
+  };
+  add(seams.enforcers, PartRole::kSeamEnforcer);
+  add(seams.blockers, PartRole::kSeamBlocker);
+}
+
 bool HasVolumes(const ObjectResource& object, const ObjectSettings* settings) {
   return settings != nullptr && object.mesh >= 0 && !settings->parts.empty() &&
          settings->parts.front().component == 0;
@@ -97,6 +111,7 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
     int64_t used = 0;
     for (const Part& part : *volumes) used += part.mesh.triangle_count;
     if (used < object.triangles) notes.Add("triangles of no part", name);
+    AddSeams(object.seams, Transform(Transform::Identity()), *volumes);
     return volumes;
   }
   const absl::StatusOr<std::vector<FlatPart>> flat = source.tree.Flatten(key);
@@ -105,10 +120,12 @@ absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const Objec
   for (const FlatPart& each : *flat) {
     const ObjectResource& mesh = source.package.At(each.mesh_object);
     NotePaint(mesh, name, notes);
-    if (mesh.triangles == 0)
+    if (mesh.triangles == 0) {
       notes.Add("parts without a triangle", name);
-    else
-      parts.push_back(PartOf(each, mesh, SettingsOf(settings, each.component)));
+      continue;
+    }
+    parts.push_back(PartOf(each, mesh, SettingsOf(settings, each.component)));
+    AddSeams(mesh.seams, each.to_object, parts);
   }
   return parts;
 }

@@ -63,6 +63,49 @@ TEST(PartsOf, AreVolumesInTheirOrder) {
   EXPECT_THAT(notes.Lines(), testing::ElementsAre("triangles of no part of `thing`"));
 }
 
+TEST(PartsOf, AreSeamsPaintedOnTheMesh) {
+  Package package = MeshOf24();
+  SeamPaint& seams = package.files[0].objects[0].seams;
+  seams.enforcers = {.triangles = 7, .mesh = {}, .number = 1};
+  seams.blockers = {.triangles = 3, .mesh = {}, .number = 2};
+  for (const ModelSettings& settings : {ModelSettings(), Volumes({{0, 11}, {12, 23}})}) {
+    Notes notes;
+    const auto parts = Parts(package, settings, notes);
+    ASSERT_TRUE(parts.ok()) << parts.status();
+    const size_t solid = settings.objects.empty() ? 1 : 2;
+    ASSERT_EQ(parts->size(), solid + 2);
+    EXPECT_EQ((*parts)[solid].role, PartRole::kSeamEnforcer);
+    EXPECT_EQ((*parts)[solid].mesh, (MeshRef{0, 1, 0, 7}));
+    EXPECT_EQ((*parts)[solid + 1].role, PartRole::kSeamBlocker);
+    EXPECT_EQ((*parts)[solid + 1].mesh, (MeshRef{0, 2, 0, 3}));
+    EXPECT_TRUE(notes.Lines().empty());
+  }
+}
+
+TEST(PartsOf, MovesPaintAsItsMesh) {
+  Package package = MeshOf24();
+  ModelFile& file = package.files[0];
+  file.objects[0].seams.blockers = {.triangles = 3, .mesh = {}, .number = 1};
+  ObjectResource twice;
+  twice.id = 6;
+  for (const double x : {10, 30}) {
+    ObjectUse& use = twice.components.emplace_back();
+    use.object = 5;
+    use.transform(0, 3) = x;
+  }
+  file.by_id[6] = 1;
+  file.objects.push_back(twice);
+  Notes notes;
+  const auto tree = ComponentTree::Make(package);
+  const auto parts = PartsOf({package, *tree, {}}, {0, 1}, "thing", notes);
+  ASSERT_TRUE(parts.ok()) << parts.status();
+  ASSERT_EQ(parts->size(), 4u);
+  for (const size_t i : {0, 2}) {
+    EXPECT_EQ((*parts)[i + 1].role, PartRole::kSeamBlocker);
+    EXPECT_EQ((*parts)[i + 1].to_object, (*parts)[i].to_object);
+  }
+}
+
 TEST(PartsOf, RefusesVolumesThatCannotBe) {
   for (const auto& ranges :
        std::vector<std::vector<std::pair<int64_t, int64_t>>>{{{0, 24}},
@@ -82,14 +125,14 @@ TEST(PartsOf, RefusesVolumesThatCannotBe) {
 
 TEST(PartsOf, NotesPaintAndEmptyMeshes) {
   Package package = MeshOf24();
-  package.files[0].objects[0].paint = kPaintedSeams | kPaintedColours;
+  package.files[0].objects[0].paint = kPaintedSupports | kPaintedColours;
   package.files[0].objects[0].triangles = 0;
   Notes notes;
   const auto parts = Parts(package, {}, notes);
   ASSERT_TRUE(parts.ok()) << parts.status();
   EXPECT_TRUE(parts->empty());
   EXPECT_THAT(notes.Lines(),
-              testing::ElementsAre("painted seams of `thing`", "painted filaments of `thing`",
+              testing::ElementsAre("painted supports of `thing`", "painted filaments of `thing`",
                                    "parts without a triangle of `thing`"));
 }
 

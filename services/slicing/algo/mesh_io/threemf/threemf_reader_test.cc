@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <set>
 
@@ -150,10 +151,73 @@ TEST(Read3mf, TellsTheStructureWithoutMeshes) {
 
 TEST(Read3mf, NotesPaint) {
   Files files = CubeFiles();
-  files[0].second = Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:custom_seam=\"4\" v1=\"0\" ");
+  files[0].second =
+      Replaced(files[0].second, "v1=\"0\" ", "slic3rpe:custom_supports=\"4\" v1=\"0\" ");
   const auto contents = Read(files);
   ASSERT_TRUE(contents.ok()) << contents.status();
-  EXPECT_THAT(contents->project.without_effect, ElementsAre("painted seams of `object 1`"));
+  EXPECT_THAT(contents->project.without_effect, ElementsAre("painted supports of `object 1`"));
+}
+
+TEST(Read3mf, ReadsPaintedSeamsAsParts) {
+  for (const Files& plain : {PrusaFiles(), BambuFiles()}) {
+    Files files = plain;
+    size_t painted = 0;
+    for (auto& [name, text] : files)
+      if (const size_t at = text.find("<triangle "); at != std::string::npos) {
+        text.insert(at + 9,
+                    painted++ == 0 ? " slic3rpe:custom_seam=\"841\"" : " paint_seam=\"841\"");
+      }
+    ASSERT_EQ(painted, 1u);
+    const auto before = Read(plain), contents = Read(files);
+    ASSERT_TRUE(contents.ok()) << contents.status();
+    const size_t meshes = before->meshes.size();
+    ASSERT_EQ(contents->meshes.size(), meshes + 2) << "after those of the objects";
+    std::vector<Part> parts = contents->project.objects[0].parts;
+    std::vector<MeshRef> seams;
+    for (const Part& part : parts)
+      if (part.name == "painted seams") seams.push_back(part.mesh);
+    const auto number = static_cast<int32_t>(meshes);
+    EXPECT_THAT(seams, ElementsAre(MeshRef{0, number, 0, 1}, MeshRef{0, number + 1, 0, 1}));
+    std::erase_if(parts, [](const Part& part) { return part.name == "painted seams"; });
+    EXPECT_EQ(parts, before->project.objects[0].parts) << "nothing else changes";
+    EXPECT_EQ(contents->project.without_effect, before->project.without_effect);
+    EXPECT_EQ(Read(Zipped(files), ReadDepth::kStructure)->project, contents->project);
+  }
+}
+
+double SurfaceOf(const RawMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    const Position &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+    const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+    area += std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+  }
+  return area;
+}
+
+/// The stripe is 2.4 mm wide, and the rear corners are blocked over 5 mm to each side; but for
+/// steps of pieces of 0.8 mm.
+TEST(Read3mf, ReadsThePaintedBox) {
+  const auto contents = Read(CorpusFile("models/painted_box.3mf"));
+  ASSERT_TRUE(contents.ok()) << contents.status();
+  ASSERT_EQ(contents->meshes.size(), 3u);
+  EXPECT_NEAR(SurfaceOf(contents->meshes[1]), 2.4 * 20, 5);
+  EXPECT_NEAR(SurfaceOf(contents->meshes[2]), 4 * 5 * 20 + 4 * 25, 25);
+  for (const Position& p : contents->meshes[1].positions) {
+    EXPECT_EQ(p.y, 0);
+    EXPECT_NEAR(p.x, 6 + 0.4 * p.z, 1.2 + 0.8);
+  }
+}
+
+TEST(Read3mf, NamesTheLineOfBadPaint) {
+  Files files = CubeFiles();
+  files[0].second = Replaced(files[0].second, "v1=\"0\" ", "paint_seam=\"xyz\" v1=\"0\" ");
+  for (const ReadDepth depth : {ReadDepth::kStructure, ReadDepth::kMeshes}) {
+    const auto contents = Read(Zipped(files), depth);
+    EXPECT_EQ(DetailOf(contents.status()).reason, Reason::kMeshMalformed);
+    EXPECT_TRUE(DetailOf(contents.status()).metadata.contains("line")) << contents.status();
+  }
 }
 
 Files Model(const std::string& objects, const std::string& items = Item(1)) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "common/base/error.h"
 #include "services/slicing/algo/mesh_io/threemf/model_stream.h"
@@ -64,6 +65,7 @@ class PackageReader {
       if (absl::Status status = Follow(*read); !status.ok()) return status;
       package_.files.push_back(*std::move(read));
     }
+    TakePaint();
     return std::move(package_);
   }
 
@@ -89,6 +91,16 @@ class PackageReader {
     if (std::find(entries_.begin(), entries_.end(), entry) == entries_.end())
       entries_.push_back(entry);
     return absl::OkStatus();
+  }
+
+  void TakePaint() {
+    for (ModelFile& file : package_.files)
+      for (ObjectResource& object : file.objects)
+        for (PaintedArea* area : {&object.seams.enforcers, &object.seams.blockers}) {
+          if (area->triangles == 0) continue;
+          area->number = static_cast<int32_t>(package_.meshes.size());
+          package_.meshes.push_back(std::exchange(area->mesh, {}));
+        }
   }
 
   const Archive& archive_;

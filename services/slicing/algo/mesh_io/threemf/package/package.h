@@ -25,7 +25,7 @@ struct ObjectKey {
 /// the order in which they are first named.
 struct Package {
   std::vector<ModelFile> files;
-  std::vector<RawMesh> meshes;
+  std::vector<RawMesh> meshes;  ///< of the objects, then of the areas painted on them
 
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];

@@ -1,0 +1,99 @@
+#include "services/slicing/algo/mesh_io/threemf/paint/paint_code.h"
+
+#include <optional>
+
+#include "common/base/error.h"
+#include "services/slicing/algo/mesh_io/threemf/package/xml.h"
+
+namespace slicefarm::slicing::threemf {
+namespace {
+
+Position Middle(const Position& a, const Position& b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+}
+
+/// The parts of a triangle of which `halved` edges (1 to 3) are halved. One: that across from
+/// corner `first`; two: those that meet there.
+std::vector<Facet> Divided(const Facet& triangle, int halved, size_t first) {
+  const Position& a = triangle[first];
+  const Position& b = triangle[(first + 1) % 3];
+  const Position& c = triangle[(first + 2) % 3];
+  const Position ab = Middle(a, b), bc = Middle(b, c), ca = Middle(c, a);
+  if (halved == 1) return {{a, b, bc}, {bc, c, a}};
+  if (halved == 2) return {{a, ab, ca}, {ab, b, ca}, {b, c, ca}};
+  return {{a, ab, ca}, {ab, b, bc}, {bc, c, ca}, {ab, bc, ca}};
+}
+
+class Digits {
+ public:
+  explicit Digits(std::string_view code) : left_(code) {}
+
+  bool empty() const { return left_.empty(); }
+
+  /// nullopt where there is none.
+  std::optional<int> Next() {
+    if (left_.empty()) return std::nullopt;
+    const char digit = left_.back();
+    left_.remove_suffix(1);
+    if (digit >= '0' && digit <= '9') return digit - '0';
+    if (digit >= 'A' && digit <= 'F') return digit - 'A' + 10;
+    return std::nullopt;
+  }
+
+ private:
+  std::string_view left_;
+};
+
+constexpr int kMoreFollows = 3;
+constexpr int kLastState = 2;
+
+absl::Status NoCode() {
+  return Malformed("the paint of a triangle is cut off or has another letter than 0-9 and A-F");
+}
+
+absl::StatusOr<PaintState> StateOf(int bits, Digits& digits) {
+  if (bits <= kLastState) return static_cast<PaintState>(bits);
+  for (;;) {
+    const std::optional<int> digit = digits.Next();
+    if (!digit) return NoCode();
+    if (*digit != 15) return PaintState::kNone;
+  }
+}
+
+/// A part that is still to be told of.
+struct Pending {
+  Facet corners;
+  int64_t level = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<std::vector<PaintedPiece>> PaintedPieces(std::string_view code,
+                                                        const Facet& triangle) {
+  Digits digits(code);
+  std::vector<PaintedPiece> pieces;
+  std::vector<Pending> pending = {{triangle, 0}};
+  while (!pending.empty()) {
+    const Pending part = pending.back();
+    pending.pop_back();
+    const std::optional<int> digit = digits.Next();
+    if (!digit) return NoCode();
+    const int halved = *digit & 3, high = *digit >> 2;
+    if (halved == 0) {
+      const absl::StatusOr<PaintState> state = StateOf(high, digits);
+      if (!state.ok()) return state.status();
+      pieces.push_back({part.corners, *state});
+      continue;
+    }
+    if (high > 2) return Malformed("the paint of a triangle names a corner that it has not");
+    if (part.level == kMaxPaintLevels)
+      return LimitError(Reason::kMeshMalformed, "levels of the paint of a triangle",
+                        kMaxPaintLevels, part.level + 1);
+    for (const Facet& facet : Divided(part.corners, halved, static_cast<size_t>(high)))
+      pending.push_back({facet, part.level + 1});
+  }
+  if (!digits.empty()) return Malformed("the paint of a triangle goes on after its last piece");
+  return pieces;
+}
+
+}  // namespace slicefarm::slicing::threemf
