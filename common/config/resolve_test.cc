@@ -150,7 +150,6 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
   ours.infill[0].shells = ShellThickness::kPartial;
-  ours.infill[0].thick_bridges = true;
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
@@ -542,7 +541,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
                                                         {"infill_every_layers", "2"},
                                                         {"infill_only_where_needed", "1"},
                                                         {"bridge_flow_ratio", "0.9"},
-                                                        {"thick_bridges", "1"},
+                                                        {"thick_bridges", "0"},
                                                         {"interface_shells", "1"},
                                                         {"ironing", "1"},
                                                         {"ironing_type", "solid"},
@@ -557,7 +556,7 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_EQ(infill.every_layers, 2);
   EXPECT_TRUE(infill.only_where_needed);
   EXPECT_EQ(infill.bridge_flow, 0.9);
-  EXPECT_TRUE(infill.thick_bridges);
+  EXPECT_FALSE(infill.thick_bridges);
   EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
   EXPECT_EQ(given.settings.motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)], 22);

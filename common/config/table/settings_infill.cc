@@ -202,9 +202,9 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind([](auto& s) -> auto& { return s.infill[0].bridge_flow; })},
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
-       .standard = "0",
+       .standard = "1",
        .doc = "Prints bridges as round threads as wide as the nozzle, which span more and hang "
-              "lower than their layer (PrusaSlicer's standard is 1)",
+              "lower than their layer",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].thick_bridges; })},
       {.key = "automatic_infill_combination",
        .kind = Kind::kFlag,

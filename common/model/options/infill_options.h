@@ -66,7 +66,7 @@ struct InfillOptions {
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
-  bool thick_bridges = false;        ///< thick_bridges: round threads as wide as the nozzle
+  bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
   bool over_bridges = false;      ///< over_bridge_speed: solid infill over bridges goes by itself
   bool interface_shells = false;  ///< interface_shells: skins where another region begins
   Coord nozzle_nm = 400'000;         ///< nozzle_diameter

@@ -427,7 +427,6 @@ FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5) {
 TEST(FillSection, ThickBridgesAreRoundThreads) {
   for (const double flow : {0.8, 1.0}) {
     InfillOptions options = Thin();
-    options.thick_bridges = true;
     options.bridge_flow = flow;
     options.nozzle_nm = 600'000;
     int lines = 0;
@@ -467,6 +466,7 @@ TEST(FillSection, WhatLiesOverABridgeIsAFeatureIfAsked) {
 TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const auto plastic = [&](double flow) {
     InfillOptions options = Thin();
+    options.thick_bridges = false;
     options.bridge_flow = flow;
     const FilledSection filled = BridgeBy(options);
     for (const FillUse& use : filled.uses) {
