@@ -258,7 +258,10 @@ class RegionFill {
                                       .height_nm = view_.height_nm,
                                       .ironing = options_.ironing});
     if (!group.ok()) return group.status();
-    if (!group->paths.empty()) fills.groups.push_back(*std::move(group));
+    Append(*std::move(group),
+           {Feature::kIroning, FillPattern::kMonotonic, Area(ironed), view_.height_nm,
+            options_.ironing.flow},
+           fills);
     return absl::OkStatus();
   }
 

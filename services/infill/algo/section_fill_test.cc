@@ -335,6 +335,18 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
+TEST(FillSection, IroningIsAUse) {
+  InfillOptions options = Thin();
+  options.ironing.enabled = true;
+  const FilledSection filled = SquareOf(options, {}, 9);
+  const auto use = std::ranges::find(filled.uses, Feature::kIroning, &FillUse::feature);
+  ASSERT_NE(use, filled.uses.end());
+  EXPECT_EQ(use->pattern, FillPattern::kMonotonic);
+  EXPECT_NEAR(use->asked_mm3 / use->room_mm3, options.ironing.flow, 1e-9);
+  EXPECT_NEAR(use->plastic_mm3, VolumeOf(PathsIn(filled), Feature::kIroning), 1e-6);
+  EXPECT_GT(use->plastic_mm3, 0.8 * use->asked_mm3);
+}
+
 // Short lines of skins get less of their plastic, links among them; sparse infill gets all.
 TEST(FillSection, ShortSolidLinesGetThePlasticThatTheTableSays) {
   InfillOptions options = Thin();
