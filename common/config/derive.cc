@@ -68,11 +68,11 @@ void DeriveVariableWalls(Draft& draft) {
 }
 
 void DeriveSpeeds(Draft& draft) {
-  for (const std::string_view key : {"external_perimeter_speed", "small_perimeter_speed",
-                                     "solid_infill_speed", "top_solid_infill_speed",
-                                     "support_material_interface_speed", "first_layer_infill_speed",
-                                     "overhang_speed_0", "overhang_speed_1", "overhang_speed_2",
-                                     "overhang_speed_3"}) {
+  for (const std::string_view key :
+       {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
+        "top_solid_infill_speed", "over_bridge_speed", "support_material_interface_speed",
+        "first_layer_infill_speed", "overhang_speed_0", "overhang_speed_1", "overhang_speed_2",
+        "overhang_speed_3"}) {
     TakePercentage(draft, key);
   }
   for (const std::string_view key : kSpeeds) {

@@ -117,6 +117,11 @@ INSTANTIATE_TEST_SUITE_P(
             {{"perimeter_speed", "0"}, {"small_perimeter_speed", "50%"}, {"max_print_speed", "70"}},
             "small_perimeter_speed",
             70},
+        NumberCase{"OverBridgesOfSolids",
+                   {{"over_bridge_speed", "40%"}, {"solid_infill_speed", "50"}},
+                   "over_bridge_speed",
+                   20},
+        NumberCase{"OverBridgesAsSolids", {{"solid_infill_speed", "50"}}, "over_bridge_speed", 0},
         NumberCase{"Own", {{"gap_fill_speed", "11"}}, "gap_fill_speed", 11}),
     NameOf);
 

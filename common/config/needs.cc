@@ -70,6 +70,8 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.planning.sequence.complete_objects; }},
     {"ironing_type ironing_flowrate ironing_spacing ironing_speed", "ironing = 1",
      [](const JobSettings& s) { return s.infill[0].ironing.enabled; }},
+    {"small_area_infill_flow_compensation_model", "small_area_infill_flow_compensation = 1",
+     [](const JobSettings& s) { return s.infill[0].small_area_flow; }},
     {"infill_goal", "fill_pattern = auto",
      [](const JobSettings& s) { return s.infill[0].choose_pattern; }},
     {"fill_density", "no density_field, which takes its place",

@@ -103,8 +103,9 @@ TEST(Resolve, ReadsThePeersProfile) {
   EXPECT_EQ(m.limits.max_acceleration_retracting_mm_s2, 1500);
   EXPECT_FALSE(m.limits.emit_to_gcode);
   // By Feature: walls 40 60, overhangs 40, gaps 40, infill 80 80 40, bridges 40, skirt, support
-  // and its interface 60, ironing 15.
-  EXPECT_THAT(m.speeds[0].speed_mm_s, ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15));
+  // and its interface 60, ironing 15, over bridges as solid infill.
+  EXPECT_THAT(m.speeds[0].speed_mm_s,
+              ElementsAre(40, 60, 40, 40, 80, 80, 40, 40, 60, 60, 60, 15, 0));
   EXPECT_EQ(m.speeds[0].small_perimeter_speed_mm_s, 40);
   EXPECT_EQ(m.travel_speed_mm_s, 150);
   EXPECT_EQ(m.first_layer_speed_mm_s, 30);
@@ -149,7 +150,6 @@ TEST(Resolve, TakesAWholeProfile) {
   ours.planning.skirt.loops = 1;
   ours.infill[0].overlap_nm = 112'500;
   ours.infill[0].shells = ShellThickness::kPartial;
-  ours.infill[0].thick_bridges = true;
   ours.ordering.travel.hide = false;
   ours.infill[0].pattern = FillPattern::kStars;
   ours.slicing.thumbnails.clear();
@@ -541,7 +541,8 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
                                                         {"infill_every_layers", "2"},
                                                         {"infill_only_where_needed", "1"},
                                                         {"bridge_flow_ratio", "0.9"},
-                                                        {"thick_bridges", "1"},
+                                                        {"thick_bridges", "0"},
+                                                        {"interface_shells", "1"},
                                                         {"ironing", "1"},
                                                         {"ironing_type", "solid"},
                                                         {"ironing_flowrate", "20%"},
@@ -555,7 +556,8 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_EQ(infill.every_layers, 2);
   EXPECT_TRUE(infill.only_where_needed);
   EXPECT_EQ(infill.bridge_flow, 0.9);
-  EXPECT_TRUE(infill.thick_bridges);
+  EXPECT_FALSE(infill.thick_bridges);
+  EXPECT_TRUE(infill.interface_shells);
   EXPECT_EQ(infill.ironing, (IroningOptions{true, IroningType::kSolid, 0.2, 200'000}));
   EXPECT_EQ(given.settings.motion.speeds[0].speed_mm_s[static_cast<size_t>(Feature::kIroning)], 22);
   EXPECT_THAT(given.no_effect, IsEmpty());
@@ -563,6 +565,46 @@ TEST(Resolve, ReadsWhatInfillTakesFromTheWholePart) {
   EXPECT_THAT(given.effective_text, HasSubstr("\nfill_angle_template = 0,45,+30\n"));
   EXPECT_THAT(ResolveOrDie(Settings({{"fill_pattern", "auto"}})).effective_text,
               HasSubstr("\nfill_pattern = auto\n"));
+}
+
+// What lies over bridges is told apart where it has a speed of its own, and takes two layers below.
+TEST(Resolve, ReadsTheSpeedOverBridges) {
+  constexpr auto kFeature = static_cast<size_t>(Feature::kSolidOverBridge);
+  const std::vector<Setting> flat = Settings({{"bottom_solid_layers", "1"},
+                                              {"top_solid_layers", "1"},
+                                              {"perimeter_generator", "classic"}});
+  const JobSettings without = ResolveOrDie(flat).settings;
+  EXPECT_FALSE(without.infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(without), 1);
+  std::vector<Setting> given = flat;
+  given.push_back({"over_bridge_speed", "50%"});
+  given.push_back({"solid_infill_speed", "44"});
+  given.push_back({"default_acceleration", "900"});
+  given.push_back({"solid_infill_acceleration", "700"});
+  const ResolvedSettings with = ResolveOrDie(given);
+  EXPECT_TRUE(with.settings.infill[0].over_bridges);
+  EXPECT_EQ(HaloLayers(with.settings), 2);
+  EXPECT_EQ(with.settings.motion.speeds[0].speed_mm_s[kFeature], 22);
+  EXPECT_EQ(with.settings.motion.acceleration_mm_s2[kFeature], 700);
+  EXPECT_THAT(with.no_effect, IsEmpty());
+  EXPECT_THAT(with.effective_text, HasSubstr("\nover_bridge_speed = 22\n"));
+}
+
+TEST(Resolve, ReadsTheFlowOfShortLines) {
+  constexpr const char* kFlag = "small_area_infill_flow_compensation";
+  constexpr const char* kTable = "small_area_infill_flow_compensation_model";
+  const ResolvedSettings given =
+      ResolveOrDie(Settings({{kFlag, "1"}, {kTable, R"("0,0.50";"\n2,0.9";"\n8,1")"}}));
+  EXPECT_TRUE(given.settings.infill[0].small_area_flow);
+  EXPECT_EQ(given.settings.infill[0].small_area_flow_table, "0,0.5;2,0.9;8,1");
+  EXPECT_THAT(given.effective_text, HasSubstr("_model = 0,0.5;2,0.9;8,1\n"));
+  EXPECT_THAT(given.no_effect, IsEmpty());
+  EXPECT_THAT(ResolveOrDie(Settings({{kTable, "0,0;3,1"}})).no_effect,
+              ElementsAre(HasSubstr("needs small_area_infill_flow_compensation = 1")));
+  const auto refused = Resolve(Settings({{kTable, "0,0;3,0.9"}}));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingMalformed);
+  EXPECT_EQ(DetailOf(refused.status()).metadata.at("setting"), kTable);
 }
 
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {

@@ -6,10 +6,24 @@ namespace slicefarm {
 
 std::string_view FeatureName(Feature feature) {
   static constexpr std::array<std::string_view, kFeatureCount> kNames = {
-      "External perimeter", "Perimeter",       "Overhang perimeter", "Gap fill",
-      "Internal infill",    "Solid infill",    "Top solid infill",   "Bridge infill",
-      "Skirt/Brim",         "Support material", "Support material interface", "Ironing"};
+      "External perimeter",
+      "Perimeter",
+      "Overhang perimeter",
+      "Gap fill",
+      "Internal infill",
+      "Solid infill",
+      "Top solid infill",
+      "Bridge infill",
+      "Skirt/Brim",
+      "Support material",
+      "Support material interface",
+      "Ironing",
+      "Solid infill over bridge"};
   return kNames[static_cast<size_t>(feature)];
+}
+
+std::string_view FeatureType(Feature feature) {
+  return FeatureName(feature == Feature::kSolidOverBridge ? Feature::kSolidInfill : feature);
 }
 
 bool WellFormed(const Path& path) {

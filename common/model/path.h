@@ -9,7 +9,7 @@
 
 namespace slicefarm {
 
-/// What a path is part of. FeatureName gives the words of the `;TYPE:` comment.
+/// What a path is part of.
 enum class Feature : uint8_t {
   kExternalPerimeter,
   kPerimeter,
@@ -23,11 +23,16 @@ enum class Feature : uint8_t {
   kSupport,
   kSupportInterface,
   kIroning,
+  kSolidOverBridge,
 };
-inline constexpr int kFeatureCount = 12;
+inline constexpr int kFeatureCount = 13;
 
-/// "External perimeter", "Perimeter", ... as PrusaSlicer's previewers read them.
+/// "External perimeter", "Perimeter", ..., for reports.
 std::string_view FeatureName(Feature feature);
+
+/// The words of the `;TYPE:` comment, as PrusaSlicer's previewers read them: FeatureName, but for
+/// solid infill over bridges, which is solid infill to them.
+std::string_view FeatureType(Feature feature);
 
 /// A bead to lay down: a line with a width at each point, as high as its layer.
 /// Along an edge the width goes from one point's to the next one's; where two points in a row are

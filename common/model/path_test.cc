@@ -36,12 +36,14 @@ TEST(Path, HasTwoPointsAndAWidthForAllOrEach) {
   EXPECT_FALSE(WellFormed(path));
 }
 
-TEST(FeatureName, IsWhatPreviewersRead) {
-  EXPECT_EQ(FeatureName(Feature::kExternalPerimeter), "External perimeter");
-  EXPECT_EQ(FeatureName(Feature::kTopSolidInfill), "Top solid infill");
-  EXPECT_EQ(FeatureName(Feature::kSupport), "Support material");
-  EXPECT_EQ(FeatureName(Feature::kSupportInterface), "Support material interface");
-  EXPECT_EQ(FeatureName(Feature::kIroning), "Ironing");
+TEST(FeatureType, IsWhatPreviewersRead) {
+  EXPECT_EQ(FeatureType(Feature::kExternalPerimeter), "External perimeter");
+  EXPECT_EQ(FeatureType(Feature::kTopSolidInfill), "Top solid infill");
+  EXPECT_EQ(FeatureType(Feature::kSupport), "Support material");
+  EXPECT_EQ(FeatureType(Feature::kSupportInterface), "Support material interface");
+  EXPECT_EQ(FeatureType(Feature::kIroning), "Ironing");
+  EXPECT_EQ(FeatureType(Feature::kSolidOverBridge), "Solid infill");
+  EXPECT_EQ(FeatureName(Feature::kSolidOverBridge), "Solid infill over bridge");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 """Whether infill is as dense as a density field asks for, and lies along a stress field, by place: a box of 80 x 80 x 16 mm with
 one wall and no skins, measured from its G-code against the formula that the field was sampled from.
 
-usage: tests/bench/fields.py [PATTERN...]
+usage: tests/bench/fields.py [PATTERN...] [--dither=blue_noise|floyd_steinberg]
 
 density rows: `field pattern mean_error bias paths cpu_s`, cells of 5 mm at least 5 mm inside: mean of |got / asked - 1| over
 cells (%), and got / asked - 1 of all of them together (%).
@@ -124,9 +124,10 @@ def slice_box(folder, option, field, extra):
     return segments(folder / "box.gcode"), after.ru_utime - before.ru_utime
 
 
-def density_row(folder, name, pattern):
+def density_row(folder, name, pattern, dither):
     value = DENSITY[name]
     field = {"kind": "surface_distance", "near": 0.5, "far": 0.1, "length": 6} if name == "surface" else field_of(value)
+    field["dither"] = dither
     (lines, paths), cpu = slice_box(folder, "--density-field", field, ["--set", f"fill_pattern={pattern}"])
     count = int((SIDE - 2 * INSET) / CELL)
     got = [[0.0] * count for _ in range(count)]
@@ -192,6 +193,7 @@ def stress_row(folder, name):
 
 
 def main():
+    dither = sys.argv.pop().split("=")[1] if sys.argv[-1].startswith("--dither=") else "none"
     patterns = sys.argv[1:] or ["rectilinear", "grid", "cubic", "gyroid"]
     os.chdir(ROOT)
     with tempfile.TemporaryDirectory() as name:
@@ -199,7 +201,7 @@ def main():
         print("field pattern mean_error bias paths cpu_s")
         for field in DENSITY:
             for pattern in patterns:
-                density_row(folder, field, pattern)
+                density_row(folder, field, pattern, dither)
         print("field pitch angle_rms even got cpu_s")
         for field in STRESS:
             stress_row(folder, field)

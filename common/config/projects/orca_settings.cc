@@ -37,11 +37,12 @@ std::optional<std::string> FirstOf(std::string_view text) {
   return items->empty() ? std::nullopt : std::optional(items->front());
 }
 
-std::string Joined(std::string_view text) {
+std::string Joined(std::string_view text, std::string_view separator) {
   const std::optional<std::vector<std::string>> items = ItemsOf(text);
   if (!items) return std::string(text);
   std::string joined;
-  for (const std::string& item : *items) joined += (joined.empty() ? "" : ",") + item;
+  for (const std::string& item : *items)
+    joined.append(joined.empty() ? "" : separator).append(item);
   return joined;
 }
 
@@ -87,7 +88,8 @@ class OrcaReader {
 
  private:
   Converted Convert(const OrcaRow& row, std::string_view text) const {
-    if (row.value == OrcaValue::kPoints) return {Joined(text)};
+    if (row.value == OrcaValue::kPoints) return {Joined(text, ",")};
+    if (row.value == OrcaValue::kPairs) return {Joined(text, ";")};
     const std::optional<std::string> first = FirstOf(text);
     if (!first) return {};
     switch (row.value) {
@@ -104,6 +106,7 @@ class OrcaReader {
             Unescape(*first), [this](std::string_view name) { return MeaningOf(name); }))};
       case OrcaValue::kSame:
       case OrcaValue::kPoints:
+      case OrcaValue::kPairs:
         break;
     }
     return {first};

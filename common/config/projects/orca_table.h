@@ -12,6 +12,7 @@ enum class OrcaValue {
   kPercentOf,  ///< a percentage is one of `detail`, which is another setting of OrcaSlicer's
   kNot,        ///< a flag that means the opposite
   kPoints,     ///< a list counts as a whole
+  kPairs,      ///< the same, with `;` between its items
   kChoice,     ///< one of those that OrcaChoices lists for the row's `from`
   kGcode,      ///< G-code, whose placeholders have other names
 };

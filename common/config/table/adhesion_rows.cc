@@ -32,7 +32,10 @@ void FillAlike(double density, double angle_rad, InfillOptions& infill) {
   infill.bridge_angle_rad = 0;
   infill.every_layers = 1;
   infill.only_where_needed = false;
+  infill.over_bridges = false;
+  infill.interface_shells = false;
   infill.ironing = {};
+  infill.small_area_flow = false;
   infill.density_field.clear();
   infill.stress_field.clear();
   infill.field_halo_layers = 0;

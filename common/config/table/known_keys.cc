@@ -39,7 +39,6 @@ constexpr KnownKey kSwitches[] = {
     {"filament_shrinkage_compensation_z", kNotYet, "0", true},
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
-    {"interface_shells", kNotYet, "0", true},
     {"interlocking_beam", kNotYet, "0", true},
     {"only_one_perimeter_first_layer", kNotYet, "0", true},
     {"ooze_prevention", kNotYet, "0", true},
@@ -81,9 +80,9 @@ constexpr Group kGroups[] = {
      "high_current_on_filament_swap idle_temperature "
      "interlocking_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "
-     "over_bridge_speed parking_pos_retraction pause_print_gcode retract_length_toolchange "
+     "parking_pos_retraction pause_print_gcode retract_length_toolchange "
      "retract_restart_extra_toolchange seam_gap_distance silent_mode "
-     "single_extruder_multi_material_priming small_area_infill_flow_compensation* "
+     "single_extruder_multi_material_priming "
      "standby_temperature_delta support_material_* support_tree_* template_custom_gcode "
      "travel_lift_before_obstacle travel_max_lift travel_short_distance_acceleration "
      "travel_slope variable_layer_height "

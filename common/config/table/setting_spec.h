@@ -28,7 +28,8 @@ enum class Kind {
   kDensityField,
   kStressField,
   kMaterialField,
-  kAngles,  ///< angles by layer (common/model/options/fill_angles.h); empty: none
+  kAngles,     ///< angles by layer (common/model/options/fill_angles.h); empty: none
+  kFlowTable,  ///< factors by length (common/model/options/flow_table.h)
 };
 
 /// One name of a choice. PrusaSlicer's names that are not made yet stand in the table too: `note`

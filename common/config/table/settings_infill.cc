@@ -202,9 +202,9 @@ std::vector<SettingSpec> InfillSettings() {
        .field = Bind([](auto& s) -> auto& { return s.infill[0].bridge_flow; })},
       {.key = "thick_bridges",
        .kind = Kind::kFlag,
-       .standard = "0",
+       .standard = "1",
        .doc = "Prints bridges as round threads as wide as the nozzle, which span more and hang "
-              "lower than their layer (PrusaSlicer's standard is 1)",
+              "lower than their layer",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].thick_bridges; })},
       {.key = "automatic_infill_combination",
        .kind = Kind::kFlag,
@@ -228,6 +228,24 @@ std::vector<SettingSpec> InfillSettings() {
        .doc = "Prints the sparse infill of that many layers at once, where all of them have it, "
               "as far as the nozzle's diameter allows",
        .field = Bind([](auto& s) -> auto& { return s.infill[0].every_layers; })},
+      {.key = "interface_shells",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Gives a region with settings of its own solid layers also where it lies on or under "
+              "another one",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].interface_shells; })},
+      {.key = "small_area_infill_flow_compensation",
+       .kind = Kind::kFlag,
+       .standard = "0",
+       .doc = "Gives short lines of solid infill less plastic, by "
+              "small_area_infill_flow_compensation_model",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].small_area_flow; })},
+      {.key = "small_area_infill_flow_compensation_model",
+       .kind = Kind::kFlowTable,
+       .standard = kSmallAreaFlowTable,
+       .doc = "Which part of its plastic a line of solid infill gets by its length, from turn to "
+              "turn; in proportion between these lengths",
+       .field = Bind([](auto& s) -> auto& { return s.infill[0].small_area_flow_table; })},
       {.key = "infill_only_where_needed",
        .kind = Kind::kFlag,
        .standard = "0",

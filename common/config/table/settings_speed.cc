@@ -106,6 +106,17 @@ SettingSpec FlowSlope(std::string_view key, std::string_view doc, Field field) {
           .field = field};
 }
 
+/// What lies over bridges is told apart only where it has a speed of its own.
+SettingSpec OverBridgeSpeed() {
+  SettingSpec spec =
+      RelativeSpeed("over_bridge_speed", "0", "solid_infill_speed",
+                    "Speed of the solid infill of the layer above a bridge; 0: solid_infill_speed",
+                    SpeedOf<Feature::kSolidOverBridge>());
+  spec.also = {[](JobSettings& s, const Value& v) { s.infill[0].over_bridges = v.number > 0; },
+               spec.field.get};
+  return spec;
+}
+
 std::vector<SettingSpec> Speeds() {
   return {
       Speed("perimeter_speed", "60", "Speed of inner walls; 0: max_print_speed",
@@ -123,6 +134,7 @@ std::vector<SettingSpec> Speeds() {
       RelativeSpeed("top_solid_infill_speed", "15", "solid_infill_speed",
                     "Speed of top surfaces; 0: max_print_speed",
                     SpeedOf<Feature::kTopSolidInfill>()),
+      OverBridgeSpeed(),
       Speed("gap_fill_speed", "20", "Speed of gap fill; 0: max_print_speed",
             SpeedOf<Feature::kGapFill>()),
       Speed("bridge_speed", "60", "Speed of bridges; 0: max_print_speed",
@@ -185,9 +197,9 @@ std::vector<SettingSpec> Accelerations() {
                    AccelerationOf<Feature::kExternalPerimeter>()),
       Acceleration("infill_acceleration", "Acceleration of sparse infill; 0: default_acceleration",
                    AccelerationOf<Feature::kInternalInfill>()),
-      Acceleration("solid_infill_acceleration",
-                   "Acceleration of solid infill; 0: infill_acceleration",
-                   AccelerationOf<Feature::kSolidInfill>()),
+      Acceleration(
+          "solid_infill_acceleration", "Acceleration of solid infill; 0: infill_acceleration",
+          AccelerationOf<Feature::kSolidInfill>(), AccelerationOf<Feature::kSolidOverBridge>()),
       Acceleration("top_solid_infill_acceleration",
                    "Acceleration of top surfaces; 0: solid_infill_acceleration",
                    AccelerationOf<Feature::kTopSolidInfill>()),

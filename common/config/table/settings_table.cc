@@ -15,6 +15,7 @@
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 #include "common/model/options/fill_angles.h"
+#include "common/model/options/flow_table.h"
 
 namespace slicefarm::config {
 namespace {
@@ -177,6 +178,8 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
       return ParseField<MaterialField>(spec, text, ParseMaterialField, PrintMaterialField);
     case Kind::kAngles:
       return ParseField<std::vector<AngleStep>>(spec, text, ParseFillAngles, PrintFillAngles);
+    case Kind::kFlowTable:
+      return Canonical<FlowTable>(spec, text, ParseFlowTable(Unescape(text)), PrintFlowTable);
     default:
       return ParseQuantity(spec, FirstItem(spec, text));
   }
@@ -208,6 +211,7 @@ std::string PrintValue(const SettingSpec& spec, const Value& value) {
     case Kind::kStressField:
     case Kind::kMaterialField:
     case Kind::kAngles:
+    case Kind::kFlowTable:
       return value.text;
     case Kind::kChoice: {
       const auto meant =
@@ -255,6 +259,8 @@ std::string DescribeRange(const SettingSpec& spec) {
       return "a field as JSON on one line";
     case Kind::kAngles:
       return "angles by layer, as 0,90 or +30 or 45#2";
+    case Kind::kFlowTable:
+      return "LENGTH,FACTOR;LENGTH,FACTOR;... from 0 mm up to factor 1";
     case Kind::kNumberOrPercent:
       return fmt::format("{}, or % of {}", Range(spec),
                          spec.relative_to.empty() ? spec.percent_of : spec.relative_to);

@@ -63,6 +63,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
           R"({"parts":[{"kind":"height","table":[[0,0.4]]},{"kind":"height","table":[[0,0.6]]}]})"};
     case Kind::kAngles:
       return {"", "0,90", "45#2,+30"};
+    case Kind::kFlowTable:
+      return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
     case Kind::kPercent:
       return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%", "33.3%"};
     default: {

@@ -5,6 +5,7 @@
 
 #include "common/geometry/point.h"
 #include "common/model/options/fill_patterns.h"
+#include "common/model/options/flow_table.h"
 
 namespace slicefarm {
 
@@ -35,6 +36,9 @@ enum class ShellThickness : uint8_t {
   kEnabled,   ///< all
 };
 
+/// A bridge is where the layer below it is bare: two below what lies over it.
+inline constexpr int32_t kOverBridgeHaloLayers = 2;
+
 struct InfillOptions {
   int32_t top_solid_layers = 5;              ///< top_solid_layers
   int32_t bottom_solid_layers = 5;           ///< bottom_solid_layers
@@ -62,13 +66,18 @@ struct InfillOptions {
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
-  bool thick_bridges = false;        ///< thick_bridges: round threads as wide as the nozzle
+  bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
+  bool over_bridges = false;      ///< over_bridge_speed: solid infill over bridges goes by itself
+  bool interface_shells = false;  ///< interface_shells: skins where another region begins
   Coord nozzle_nm = 400'000;         ///< nozzle_diameter
   int32_t every_layers = 1;          ///< infill_every_layers: that many are filled at once
   bool only_where_needed = false;    ///< infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness
   bool overhang_lines = false;                       ///< extra_perimeters_on_overhangs
   IroningOptions ironing;
+  bool small_area_flow = false;  ///< small_area_infill_flow_compensation
+  /// small_area_infill_flow_compensation_model: a canonical text (flow_table.h).
+  std::string small_area_flow_table = std::string(kSmallAreaFlowTable);
   /// density_field, stress_field: canonical texts (fields/field_text.h); empty: none.
   std::string density_field;
   std::string stress_field;

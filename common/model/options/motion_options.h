@@ -93,8 +93,8 @@ struct ScarfOptions {
 
 /// How the beads of one region are printed.
 struct RegionSpeeds {
-  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20,
-                                                  15, 60, 60, 60, 60, 15};  ///< by Feature
+  std::array<double, kFeatureCount> speed_mm_s = {30, 60, 30, 20, 80, 20, 15,
+                                                  60, 60, 60, 60, 15, 0};  ///< by Feature
   double small_perimeter_speed_mm_s = 15;  ///< small_perimeter_speed: loops of radius below 6.5 mm
   bool dynamic_overhangs = false;          ///< enable_dynamic_overhang_speeds
   /// overhang_speed_0 to _3, by degree.

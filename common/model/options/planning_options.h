@@ -49,6 +49,7 @@ struct InfillPlanOptions {
   Coord walls_nm = 0;  ///< how thick the walls are about which it lies
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
+  bool interface_shells = false;
   int32_t every_layers = 1;
   bool only_where_needed = false;
 

@@ -40,6 +40,7 @@ std::vector<InfillPlanOptions> InfillPlansOf(const JobSettings& settings) {
                      .walls_nm = WallsOf(settings.beading[row]),
                      .top_solid_layers = infill.top_solid_layers,
                      .bottom_solid_layers = infill.bottom_solid_layers,
+                     .interface_shells = infill.interface_shells,
                      .every_layers = infill.every_layers,
                      .only_where_needed = infill.only_where_needed});
   }
@@ -50,8 +51,8 @@ int32_t HaloLayers(const JobSettings& settings) {
   if (settings.process == Process::kLaser) return LaserHaloLayers(settings);
   int32_t halo = BeadingHaloLayers(settings);
   for (const InfillOptions& infill : settings.infill)
-    halo = std::max(
-        {halo, infill.top_solid_layers, infill.bottom_solid_layers, infill.field_halo_layers});
+    halo = std::max({halo, infill.top_solid_layers, infill.bottom_solid_layers,
+                     infill.field_halo_layers, infill.over_bridges ? kOverBridgeHaloLayers : 0});
   if (LooksBelow(settings.motion)) halo = std::max(halo, 1);
   return halo;
 }

@@ -179,6 +179,7 @@ v1::InfillPlanOptions ToProto(const InfillPlanOptions& options) {
   proto.set_walls_nm(options.walls_nm);
   proto.set_top_solid_layers(options.top_solid_layers);
   proto.set_bottom_solid_layers(options.bottom_solid_layers);
+  proto.set_interface_shells(options.interface_shells);
   proto.set_every_layers(options.every_layers);
   proto.set_only_where_needed(options.only_where_needed);
   return proto;
@@ -203,6 +204,7 @@ absl::StatusOr<InfillPlanOptions> InfillFromProto(const v1::InfillPlanOptions& p
                            .walls_nm = proto.walls_nm(),
                            .top_solid_layers = proto.top_solid_layers(),
                            .bottom_solid_layers = proto.bottom_solid_layers(),
+                           .interface_shells = proto.interface_shells(),
                            .every_layers = proto.every_layers(),
                            .only_where_needed = proto.only_where_needed()};
 }

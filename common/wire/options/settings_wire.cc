@@ -293,6 +293,10 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_overhang_lines(options.overhang_lines);
   proto.set_thick_bridges(options.thick_bridges);
   proto.set_nozzle_nm(options.nozzle_nm);
+  proto.set_over_bridges(options.over_bridges);
+  proto.set_interface_shells(options.interface_shells);
+  proto.set_small_area_flow(options.small_area_flow);
+  proto.set_small_area_flow_table(options.small_area_flow_table);
   v1::IroningOptions& ironing = *proto.mutable_ironing();
   ironing.set_enabled(options.ironing.enabled);
   ironing.set_type(EnumToProto<v1::IroningType>(options.ironing.type));
@@ -336,6 +340,10 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.overhang_lines = proto.overhang_lines();
   options.thick_bridges = proto.thick_bridges();
   options.nozzle_nm = proto.nozzle_nm();
+  options.over_bridges = proto.over_bridges();
+  options.interface_shells = proto.interface_shells();
+  options.small_area_flow = proto.small_area_flow();
+  options.small_area_flow_table = proto.small_area_flow_table();
   options.ironing = {proto.ironing().enabled(), Known<IroningType>(proto.ironing().type()),
                      proto.ironing().flow(), proto.ironing().spacing_nm()};
   return options;

@@ -113,7 +113,7 @@ RaftOptions DistinctRaftOptions() {
 InfillPlanOptions DistinctInfillPlan() {
   InfillPlanOptions options;
   auto& [pattern, choose_pattern, goal, density, angle, width, walls, top_layers, bottom_layers,
-         every_layers, only_where_needed] = options;
+         interface_shells, every_layers, only_where_needed] = options;
   pattern = FillPattern::kSupportCubic;
   choose_pattern = true;
   goal = FillGoal::kFlexibility;
@@ -123,6 +123,7 @@ InfillPlanOptions DistinctInfillPlan() {
   walls = 151;
   top_layers = 152;
   bottom_layers = 153;
+  interface_shells = true;
   every_layers = 154;
   only_where_needed = true;
   return options;
@@ -182,15 +183,20 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         solid_every_layers, bridge_angle, bridge_flow, thick_bridges, nozzle, every_layers,
-         only_where_needed, shells, overhang_lines, ironing, density_field, stress_field,
-         field_halo_layers] = options;
+         solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
+         interface_shells, nozzle, every_layers, only_where_needed, shells, overhang_lines, ironing,
+         small_area_flow, small_area_flow_table, density_field, stress_field, field_halo_layers] =
+      options;
   choose_pattern = true;
   goal = FillGoal::kTime;
   angle_template = "0,45";
   solid_angle_template = "+30";
   bridge_flow = 0.9;
-  thick_bridges = true;
+  thick_bridges = false;
+  over_bridges = true;
+  interface_shells = true;
+  small_area_flow = true;
+  small_area_flow_table = "0,0.5;3.24,1";
   nozzle = 323;
   every_layers = 321;
   only_where_needed = true;
@@ -322,7 +328,7 @@ MotionOptions DistinctMotion() {
   cooling = DistinctCooling();
   RegionSpeeds region;
   auto& [speed, small_perimeter_speed, dynamic_overhangs, overhang_speed, scarf] = region;
-  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505};
+  speed = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505, 508};
   small_perimeter_speed = 506;
   auto& [placement, only_on_smooth, on_inner, entire_loop, start_height, length, max_segment] =
       scarf;
@@ -351,7 +357,7 @@ MotionOptions DistinctMotion() {
   bed_heating = 559;
   max_print_speed = 511;
   max_volumetric_speed = 512;
-  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513};
+  acceleration = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513, 518};
   default_acceleration = 514;
   first_layer_acceleration = 515;
   travel_acceleration = 516;
@@ -465,6 +471,7 @@ constexpr char kDistinct[] = R"pb(
       bottom_solid_layers: 153
       every_layers: 154
       only_where_needed: true
+      interface_shells: true
     }
   }
   beading {
@@ -518,8 +525,11 @@ constexpr char kDistinct[] = R"pb(
     only_where_needed: true
     shells: SHELL_THICKNESS_PARTIAL
     overhang_lines: true
-    thick_bridges: true
     nozzle_nm: 323
+    over_bridges: true
+    interface_shells: true
+    small_area_flow: true
+    small_area_flow_table: "0,0.5;3.24,1"
     ironing { enabled: true type: IRONING_TYPE_TOPMOST flow: 0.2 spacing_nm: 322 }
   }
   ordering {
@@ -578,7 +588,7 @@ constexpr char kDistinct[] = R"pb(
       overhang_fan_percent: [ 41, 42, 43, 44 ]
     }
     speeds {
-      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505 ]
+      speed_mm_s: [ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 507, 505, 508 ]
       small_perimeter_speed_mm_s: 506
       scarf {
         placement: SCARF_PLACEMENT_CONTOURS
@@ -606,7 +616,7 @@ constexpr char kDistinct[] = R"pb(
     bed_heating_c_s: 559
     max_print_speed_mm_s: 511
     max_volumetric_speed_mm3_s: 512
-    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513 ]
+    acceleration_mm_s2: [ 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 508, 513, 518 ]
     default_acceleration_mm_s2: 514
     first_layer_acceleration_mm_s2: 515
     travel_acceleration_mm_s2: 516

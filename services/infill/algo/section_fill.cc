@@ -1,5 +1,7 @@
 #include "services/infill/algo/section_fill.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/error.h"
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/model/bead_section.h"
 #include "common/model/options/fill_angles.h"
 #include "services/infill/algo/fields/mean_density.h"
 #include "services/infill/algo/ironing.h"
+#include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 #include "services/infill/algo/skins/bridge_angle.h"
 #include "services/infill/algo/skins/overhang_fill.h"
@@ -29,6 +33,11 @@ namespace {
 /// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
 constexpr double kThreadGapNm = 50'000;
 
+/// By how much beads are thinned or thickened where the cells of a dithered field come to another
+/// density than it asks for. Smooth surfaces have up to 15 % more lines in some layers than in
+/// others; more than that is a region of a few cells, each there or not.
+constexpr double kMostSettled = 0.15;
+
 /// A section as all its fill areas see it.
 struct SectionView {
   int32_t object = 0;
@@ -36,23 +45,27 @@ struct SectionView {
   Coord height_nm = 0;
   bool on_bed = false;
   const ObjectLayers& objects;
-  Coord z_nm = 0;                         ///< of the layer's middle, above the object's bottom
-  const MultiPolygon* outline = nullptr;  ///< of the object's section
+  Coord z_nm = 0;  ///< of the layer's middle, above the object's bottom
 
-  const MultiPolygon* OutlineAt(int32_t own_layer) const {
+  /// Of the object, or of its region of a row alone. Null: it has none there.
+  const MultiPolygon* OutlineAt(int32_t own_layer, std::optional<int32_t> row = {}) const {
     const ObjectSection* section = objects.Find(object, own_layer);
-    return section == nullptr ? nullptr : &OutlineOf(*section);
+    if (section == nullptr) return nullptr;
+    if (!row) return &OutlineOf(*section);
+    const auto own = std::ranges::find(section->regions, *row, &Region::settings);
+    return own == section->regions.end() ? nullptr : &own->outlines;
   }
 };
 
-/// The outlines above or below. In a prism all layers are equal: that is found out here, once for
-/// all islands.
-std::vector<const MultiPolygon*> Side(const SectionView& view, int32_t step, int32_t count) {
+/// The outlines above or below. In a prism all layers are equal to `outline`, that of the layer in
+/// question: that is found out here, once for all islands.
+std::vector<const MultiPolygon*> Side(const SectionView& view, std::optional<int32_t> row,
+                                      const MultiPolygon* outline, int32_t step, int32_t count) {
   std::vector<const MultiPolygon*> side;
-  const MultiPolygon* nearer = view.outline;
+  const MultiPolygon* nearer = outline;
   for (int32_t i = 1; i <= count; ++i) {
-    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step);
-    for (const MultiPolygon* same : {view.outline, nearer})
+    const MultiPolygon* layer = view.OutlineAt(view.layer + i * step, row);
+    for (const MultiPolygon* same : {outline, nearer})
       if (same != nullptr && layer != nullptr && *layer == *same) layer = same;
     side.push_back(layer);
     nearer = layer;
@@ -60,10 +73,17 @@ std::vector<const MultiPolygon*> Side(const SectionView& view, int32_t step, int
   return side;
 }
 
-Cover CoverOf(const SectionView& view, const InfillOptions& options) {
-  return {.above = Side(view, 1, options.top_solid_layers),
-          .below = Side(view, -1, options.bottom_solid_layers),
-          .on_bed = view.layer == 0};
+/// The layers that skins of a region look at: `row` alone, or the whole object's. Bridges are where
+/// the whole object is bare.
+Cover CoverOf(const SectionView& view, const InfillOptions& options, std::optional<int32_t> row) {
+  const MultiPolygon* outline = view.OutlineAt(view.layer, row);
+  Cover cover{.above = Side(view, row, outline, 1, options.top_solid_layers),
+              .below = Side(view, row, outline, -1, options.bottom_solid_layers),
+              .on_bed = view.layer == 0};
+  const int32_t bearers = options.over_bridges ? kOverBridgeHaloLayers : 1;
+  if (row || options.over_bridges)
+    cover.bearers = Side(view, {}, outline, -1, std::min(bearers, view.layer));
+  return cover;
 }
 
 /// Lines closer than nothing to each other would be infinitely many.
@@ -83,6 +103,16 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
   return status;
 }
 
+absl::Status CheckFlows(const InfillOptions& options) {
+  if (!options.small_area_flow) return absl::OkStatus();
+  const auto table = ParseFlowTable(options.small_area_flow_table);
+  if (table.ok()) return absl::OkStatus();
+  constexpr const char* kSetting = "small_area_infill_flow_compensation_model";
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingMalformed,
+                   fmt::format("{}: {}", kSetting, std::string(table.status().message())),
+                   {{"setting", kSetting}});
+}
+
 /// What is decided of a region's sparse infill; null: nothing.
 const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t object, int32_t row) {
   const auto place = [](const PlannedInfill& plan) {
@@ -95,10 +125,15 @@ const PlannedInfill* PlanOf(std::span<const PlannedInfill> plans, int32_t object
 /// Gives beads that are `from_nm` high `share` of their plastic, in a layer that is `to_nm` high.
 void ScaleSections(double share, Coord from_nm, Coord to_nm, std::vector<Path>& paths) {
   if (share == 1 && from_nm == to_nm) return;
-  const double height_mm = ToMm(static_cast<double>(to_nm));
   for (Path& path : paths)
-    for (Coord& width : path.widths_nm)
-      width = WidthToFill(FromMm(share * SectionMm2(width, from_nm) / height_mm), to_nm);
+    for (Coord& width : path.widths_nm) width = WidthFor(share, width, from_nm, to_nm);
+}
+
+/// What short lines of solid infill get of their plastic; empty: all lines get all of it.
+/// REQUIRES: CheckFlows.
+FlowTable FlowsOf(const InfillOptions& options) {
+  if (!options.small_area_flow) return {};
+  return *ParseFlowTable(options.small_area_flow_table);
 }
 
 /// Which way lines run in a layer.
@@ -133,30 +168,38 @@ struct Fills {
 /// Fills the areas of one region's settings in a section.
 class RegionFill {
  public:
-  /// `view`, `options` and `plan` must outlive this. `plan` may be null.
-  RegionFill(const SectionView& view, const InfillOptions& options, const PlannedInfill* plan)
+  /// Of the row `settings`. `view`, `options` and `plan` must outlive this. `plan` may be null.
+  RegionFill(const SectionView& view, int32_t settings, const InfillOptions& options,
+             const PlannedInfill* plan)
       : view_(view),
         options_(options),
         plan_(plan),
-        cover_(CoverOf(view, options)),
-        angles_(AnglesOf(options, view.layer)) {}
+        row_(options.interface_shells ? std::optional(settings) : std::nullopt),
+        cover_(CoverOf(view, options, row_)),
+        angles_(AnglesOf(options, view.layer)),
+        flows_(FlowsOf(options)) {}
 
   /// `field`: what the region's fields say about the layer; null: there are none.
   absl::Status Fill(const FillArea& fill_area, const LayerField* field, Fills& fills) const {
     static const MultiPolygon kNone;
-    const Skins skins =
-        PartFillArea(fill_area.area, view_.outline != nullptr ? *view_.outline : kNone, cover_,
-                     {.width_nm = Width(options_.solid_width_nm),
-                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
-                      .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
-                      .shells = options_.shells});
+    const MultiPolygon* outline = view_.OutlineAt(view_.layer, row_);
+    const Skins skins = PartFillArea(fill_area.area, outline != nullptr ? *outline : kNone, cover_,
+                                     {.width_nm = Width(options_.solid_width_nm),
+                                      .solid_below_area_mm2 = options_.solid_below_area_mm2,
+                                      .all_solid = PlainDensity(field) >= 1 || IsSolidLayer(field),
+                                      .shells = options_.shells,
+                                      .over_bridges = options_.over_bridges});
     const FillPattern inner = cover_.on_bed ? options_.bottom_pattern : options_.solid_pattern;
     absl::Status status = AppendSolid(skins.top, Feature::kTopSolidInfill, options_.top_pattern,
                                       options_.top_width_nm, fills);
     if (status.ok()) status = AppendBridges(skins.bridge, fills);
-    if (status.ok())
-      status =
-          AppendSolid(skins.solid, Feature::kSolidInfill, inner, options_.solid_width_nm, fills);
+    const auto append = [&](const MultiPolygon& regions, Feature feature, FillPattern pattern) {
+      if (status.ok())
+        status = AppendSolid(regions, feature, pattern, options_.solid_width_nm, fills);
+    };
+    append(skins.bottom, Feature::kSolidInfill, options_.bottom_pattern);
+    append(skins.over_bridge, Feature::kSolidOverBridge, inner);
+    append(skins.solid, Feature::kSolidInfill, inner);
     if (status.ok()) status = AppendSparse(skins.sparse, field, fills);
     if (status.ok() && options_.ironing.enabled) status = AppendIroning(skins, fills);
     return status;
@@ -198,6 +241,8 @@ class RegionFill {
     for (const PolygonWithHoles& region : regions) {
       auto group = SolidLines(region, feature, pattern, SolidAngle(pattern), Width(width_nm));
       if (!group.ok()) return group.status();
+      if (!flows_.empty())
+        for (Path& path : group->paths) ThinShortLines(flows_, view_.height_nm, path);
       Append(*std::move(group), {feature, pattern, Area(region), view_.height_nm}, fills);
     }
     return absl::OkStatus();
@@ -209,13 +254,19 @@ class RegionFill {
     if (type == IroningType::kTopmost && view_.OutlineAt(view_.layer + 1) != nullptr)
       return absl::OkStatus();
     MultiPolygon ironed = skins.top;
-    if (type == IroningType::kSolid) ironed = Union(ironed, skins.solid);
+    if (type == IroningType::kSolid)
+      for (const MultiPolygon* solid : {&skins.bottom, &skins.over_bridge, &skins.solid})
+        if (!solid->empty()) ironed = Union(ironed, *solid);
+    if (ironed.empty()) return absl::OkStatus();
     auto group = IronedLines(ironed, {.angle_rad = SolidAngle(options_.top_pattern),
                                       .width_nm = Width(options_.top_width_nm),
                                       .height_nm = view_.height_nm,
                                       .ironing = options_.ironing});
     if (!group.ok()) return group.status();
-    if (!group->paths.empty()) fills.groups.push_back(*std::move(group));
+    Append(*std::move(group),
+           {Feature::kIroning, FillPattern::kMonotonic, Area(ironed), view_.height_nm,
+            options_.ironing.flow},
+           fills);
     return absl::OkStatus();
   }
 
@@ -236,7 +287,8 @@ class RegionFill {
 
   /// Each bridge in the direction in which it is borne best.
   absl::Status AppendBridges(const MultiPolygon& regions, Fills& fills) const {
-    const MultiPolygon* below = cover_.below.empty() ? nullptr : cover_.below[0];
+    const auto& bearers = cover_.bearers.empty() ? cover_.below : cover_.bearers;
+    const MultiPolygon* below = bearers.empty() ? nullptr : bearers[0];
     const BridgeBead bead = BridgeBeadOf();
     for (const PolygonWithHoles& region : regions) {
       const auto span = SpanOf(region, below);
@@ -330,10 +382,24 @@ class RegionFill {
       const auto share = MeanDensity(region, *fill.field);
       if (!share.ok()) return share.status();
       asked.share = *share;
-      if (fill.field->directions != nullptr) asked.pattern = std::nullopt;
+      if (fill.field->directions != nullptr) {
+        asked.pattern = std::nullopt;
+      } else if (fill.field->density->dither != Dither::kNone) {
+        SettlePlastic(asked, *paths);
+      }
     }
     Append({false, *std::move(paths)}, asked, fills);
     return absl::OkStatus();
+  }
+
+  /// What whole cells are too many or too few, and what their edges leave out of their lines, is
+  /// made good by all beads alike.
+  void SettlePlastic(const AskedFill& asked, std::vector<Path>& paths) const {
+    const FillUse use = UseOf(asked, paths, view_.height_nm);
+    if (use.plastic_mm3 <= 0) return;
+    const double share =
+        std::clamp(use.asked_mm3 / use.plastic_mm3, 1 - kMostSettled, 1 + kMostSettled);
+    ScaleSections(share, view_.height_nm, view_.height_nm, paths);
   }
 
   static bool IsPlain(const DensityField& density, const LayerField& field) {
@@ -343,8 +409,10 @@ class RegionFill {
   const SectionView& view_;
   const InfillOptions& options_;
   const PlannedInfill* plan_;
+  const std::optional<int32_t> row_;  ///< the region that skins are of; none: of the whole object
   const Cover cover_;
   const FillAngles angles_;
+  const FlowTable flows_;
 };
 
 /// Says of each path and each use whose it is.
@@ -370,7 +438,6 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
                                           std::span<const InfillOptions> regions,
                                           RegionFields& fields) {
   SectionView view{walled.object, walled.layer, walled.height_nm, on_bed, objects};
-  view.outline = view.OutlineAt(walled.layer);
   if (const ObjectSection* own = objects.Find(walled.object, walled.layer); own != nullptr)
     view.z_nm = own->z_nm - own->height_nm / 2;
   FilledSection filled{walled.object, walled.layer, walled.height_nm, {}};
@@ -381,11 +448,13 @@ absl::StatusOr<FilledSection> FillSection(WalledSection walled, bool on_bed,
     result.outline = std::move(island.outline);
     for (const FillArea& area : island.fill_areas) {
       const InfillOptions& options = regions[static_cast<size_t>(area.settings)];
-      if (absl::Status ok = CheckWidths(view, options); !ok.ok()) return ok;
-      const auto filler =
-          fillers
-              .try_emplace(area.settings, view, options, PlanOf(plans, view.object, area.settings))
-              .first;
+      absl::Status usable = CheckWidths(view, options);
+      usable.Update(CheckFlows(options));
+      if (!usable.ok()) return usable;
+      const auto filler = fillers
+                              .try_emplace(area.settings, view, area.settings, options,
+                                           PlanOf(plans, view.object, area.settings))
+                              .first;
       const auto field = fields.Of(area.settings, walled.object, walled.layer,
                                    ToMm(static_cast<double>(view.z_nm)));
       if (!field.ok()) return field.status();

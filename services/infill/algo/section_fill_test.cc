@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "common/base/error.h"
 #include "common/geometry/text_format.h"
 #include "common/model/bead_section.h"
 
@@ -291,6 +292,24 @@ TEST(FillSection, UsesOfFieldsAskForTheirMean) {
   EXPECT_NEAR(streams[0].asked_mm3 / streams[0].room_mm3, 0.2, 1e-9);
 }
 
+// However many cells are on, and whatever their edges leave out of the lines.
+TEST(FillSection, DitheredFieldsGetThePlasticThatTheyAskFor) {
+  for (const FillPattern pattern : {FillPattern::kRectilinear, FillPattern::kGyroid})
+    for (const std::string dither : {"blue_noise", "floyd_steinberg"}) {
+      InfillOptions options = Thin();
+      options.pattern = pattern;
+      options.density_field =
+          R"({"kind":"voxels","count":[2,1,1],"origin":[0,0,0],"spacing":[20,1,1],)"
+          R"("values":[0.1,0.5],"dither":")" +
+          dither + R"("})";
+      double asked = 0, got = 0;
+      for (const int32_t layer : {4, 5, 6})
+        for (const FillUse& use : SquareOf(options, {}, layer).uses)
+          asked += use.asked_mm3, got += use.plastic_mm3;
+      EXPECT_NEAR(got / asked, 1, 0.005) << dither << ' ' << static_cast<int>(pattern);
+    }
+}
+
 TEST(FillSection, NothingAskedForIsNoUse) {
   InfillOptions options = Thin();
   options.density = 0;
@@ -334,8 +353,93 @@ TEST(FillSection, IroningGoesOverWhatIsAskedFor) {
   EXPECT_TRUE(irons(kSolid, 0));
 }
 
-/// The lowest layer of a slab on two pillars.
-FilledSection BridgeBy(const InfillOptions& options) {
+TEST(FillSection, IroningIsAUse) {
+  InfillOptions options = Thin();
+  options.ironing.enabled = true;
+  const FilledSection filled = SquareOf(options, {}, 9);
+  const auto use = std::ranges::find(filled.uses, Feature::kIroning, &FillUse::feature);
+  ASSERT_NE(use, filled.uses.end());
+  EXPECT_EQ(use->pattern, FillPattern::kMonotonic);
+  EXPECT_NEAR(use->asked_mm3 / use->room_mm3, options.ironing.flow, 1e-9);
+  EXPECT_NEAR(use->plastic_mm3, VolumeOf(PathsIn(filled), Feature::kIroning), 1e-6);
+  EXPECT_GT(use->plastic_mm3, 0.8 * use->asked_mm3);
+}
+
+// Short lines of skins get less of their plastic, links among them; sparse infill gets all.
+TEST(FillSection, ShortSolidLinesGetThePlasticThatTheTableSays) {
+  InfillOptions options = Thin();
+  const auto volumes = [&](int32_t layer) {
+    const std::vector<Path> paths = PathsIn(SquareOf(options, {}, layer));
+    return std::array{VolumeOf(paths, Feature::kTopSolidInfill),
+                      VolumeOf(paths, Feature::kSolidInfill),
+                      VolumeOf(paths, Feature::kInternalInfill)};
+  };
+  const auto top = volumes(9), bottom = volumes(0), sparse = volumes(5);
+  options.small_area_flow = true;
+  options.small_area_flow_table = "0,0.5;999,0.5;1000,1";
+  EXPECT_NEAR(volumes(9)[0], top[0] / 2, 0.001 * top[0]);
+  EXPECT_NEAR(volumes(0)[1], bottom[1] / 2, 0.001 * bottom[1]);
+  EXPECT_EQ(volumes(5), sparse);
+  options.small_area_flow_table = "0,0;0.1,1";
+  EXPECT_NEAR(volumes(9)[0], top[0], 0.01 * top[0]);
+}
+
+TEST(FillSection, RefusesATableOfFlowsThatIsNone) {
+  const auto layers = Prism();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2);
+  regions[1].small_area_flow = true;
+  regions[1].small_area_flow_table = "0,0;1,0.5";
+  const auto filled = FillPlain(Halves(5), false, objects, regions);
+  ASSERT_FALSE(filled.ok());
+  EXPECT_EQ(DetailOf(filled.status()).metadata.at("setting"),
+            "small_area_infill_flow_compensation_model");
+}
+
+/// A block of 20 mm; from layer 4 to 6 its right half has settings of its own.
+std::vector<SlicedLayer> BlockWithAModifier() {
+  auto layers = Prism();
+  for (int i = 4; i < 7; ++i) {
+    ObjectSection& section = layers[static_cast<size_t>(i)].sections[0];
+    section.whole = section.regions[0].outlines;
+    section.regions = {{Role::kPart, 0, 0, P("(0 0, 10 0, 10 20, 0 20)")},
+                       {Role::kPart, 1, 0, P("(10 0, 20 0, 20 20, 10 20)")}};
+  }
+  return layers;
+}
+
+TEST(FillSection, InterfaceShellsLieWhereAnotherRegionBegins) {
+  const auto layers = BlockWithAModifier();
+  const ObjectLayers objects(layers);
+  std::vector<InfillOptions> regions(2, Thin());
+  for (InfillOptions& options : regions) options.top_solid_layers = options.bottom_solid_layers = 1;
+  const auto of_modifier = [&](int32_t layer) {
+    const auto filled = FillPlain(Halves(layer), false, objects, regions);
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    return FeaturesOf(*filled, 1);
+  };
+  for (const int32_t layer : {4, 5, 6})
+    EXPECT_EQ(of_modifier(layer), std::set{Feature::kInternalInfill}) << layer;
+  regions[1].interface_shells = true;
+  EXPECT_EQ(of_modifier(4), std::set{Feature::kSolidInfill});  // no bridge
+  EXPECT_EQ(of_modifier(5), std::set{Feature::kInternalInfill});
+  EXPECT_EQ(of_modifier(6), std::set{Feature::kTopSolidInfill});
+  // The part around it ends there as well, if it has them.
+  const auto below = [&] {
+    WalledIsland island;
+    island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
+    const auto filled = FillPlain({0, 3, 200'000, {island}}, false, objects, regions);
+    EXPECT_TRUE(filled.ok()) << filled.status();
+    return FeaturesOf(*filled, 0);
+  };
+  EXPECT_EQ(below(), std::set{Feature::kInternalInfill});
+  regions[0].interface_shells = true;
+  EXPECT_EQ(below(),
+            (std::set{Feature::kInternalInfill, Feature::kSolidInfill, Feature::kTopSolidInfill}));
+}
+
+/// A layer of a slab on two pillars; its lowest one has the number 5.
+FilledSection BridgeBy(const InfillOptions& options, int32_t layer = 5) {
   auto layers = Prism();
   for (int i = 0; i < 5; ++i)
     layers[static_cast<size_t>(i)].sections[0].regions[0].outlines =
@@ -344,7 +448,7 @@ FilledSection BridgeBy(const InfillOptions& options) {
   WalledIsland island;
   island.fill_areas = {{Role::kPart, 0, 0, P("(1 1, 19 1, 19 19, 1 19)")}};
   const std::vector<InfillOptions> regions = {options};
-  auto filled = FillPlain({0, 5, 200'000, {island}}, false, objects, regions);
+  auto filled = FillPlain({0, layer, 200'000, {island}}, false, objects, regions);
   EXPECT_TRUE(filled.ok()) << filled.status();
   return *std::move(filled);
 }
@@ -353,7 +457,6 @@ FilledSection BridgeBy(const InfillOptions& options) {
 TEST(FillSection, ThickBridgesAreRoundThreads) {
   for (const double flow : {0.8, 1.0}) {
     InfillOptions options = Thin();
-    options.thick_bridges = true;
     options.bridge_flow = flow;
     options.nozzle_nm = 600'000;
     int lines = 0;
@@ -377,9 +480,23 @@ TEST(FillSection, ThickBridgesAreRoundThreads) {
   }
 }
 
+// With a speed of its own; else it is solid infill as any.
+TEST(FillSection, WhatLiesOverABridgeIsAFeatureIfAsked) {
+  InfillOptions options = Thin();
+  options.density = 1;
+  const auto features = [&](int32_t layer) { return FeaturesOf(BridgeBy(options, layer), 0); };
+  EXPECT_EQ(features(6), std::set{Feature::kSolidInfill});
+  options.over_bridges = true;
+  EXPECT_EQ(features(5), (std::set{Feature::kBridgeInfill, Feature::kSolidInfill}));
+  EXPECT_EQ(features(6), (std::set{Feature::kSolidInfill, Feature::kSolidOverBridge}));
+  EXPECT_EQ(features(7), std::set{Feature::kSolidInfill});
+  EXPECT_EQ(features(9), std::set{Feature::kTopSolidInfill});
+}
+
 TEST(FillSection, BridgesHaveTheFlowThatIsAskedFor) {
   const auto plastic = [&](double flow) {
     InfillOptions options = Thin();
+    options.thick_bridges = false;
     options.bridge_flow = flow;
     const FilledSection filled = BridgeBy(options);
     for (const FillUse& use : filled.uses) {

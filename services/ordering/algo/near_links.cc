@@ -16,7 +16,7 @@ constexpr double kLeastLoop = 10;
 bool IsLinked(Feature feature) {
   return feature == Feature::kExternalPerimeter || feature == Feature::kPerimeter ||
          feature == Feature::kGapFill || feature == Feature::kInternalInfill ||
-         feature == Feature::kSolidInfill;
+         feature == Feature::kSolidInfill || feature == Feature::kSolidOverBridge;
 }
 
 /// A link is part of what it joins. Between different features it fills a gap; so it does between

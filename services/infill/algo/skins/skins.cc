@@ -84,14 +84,13 @@ class SparseRegion {
   Coord width_nm_;
 };
 
-/// The part of `area` that is exposed on a side whose nearest layer is `nearest`.
-MultiPolygon Exposed(const MultiPolygon& area, const std::vector<const MultiPolygon*>& side,
+/// The part of `area` that `layer` leaves bare.
+MultiPolygon Exposed(const MultiPolygon& area, const MultiPolygon* layer,
                      const MultiPolygon& outline, Coord width_nm) {
-  if (side.empty() || area.empty()) return {};
-  if (IsAir(side[0])) return area;
-  if (side[0] == &outline) return {};
-  if (!RegionMask(area).MayMeet(*side[0])) return IslandsUnder(area, *side[0], false);
-  return WithoutSlivers(Difference(area, *side[0]), width_nm);
+  if (area.empty() || layer == &outline) return {};
+  if (IsAir(layer)) return area;
+  if (!RegionMask(area).MayMeet(*layer)) return IslandsUnder(area, *layer, false);
+  return WithoutSlivers(Difference(area, *layer), width_nm);
 }
 
 /// Sparse infill in a narrower place between solid parts, in widths, is bits of lines: it becomes
@@ -166,14 +165,35 @@ void PartSparse(const MultiPolygon& fill_area, const MultiPolygon& covered, Coor
   if (!wedges.empty()) skins.sparse = Union(skins.sparse, wedges);
 }
 
-/// Moves what lies over air from the solid region to the bridges, with as much around it as their
-/// lines need to lie on something at both ends.
-void TakeBridges(const MultiPolygon& over_air, Coord width_nm, Skins& skins) {
-  if (over_air.empty()) return;
-  const MultiPolygon anchored = FastOffset(over_air, kAnchorBeads * width_nm);
-  MultiPolygon rest = WithoutSlivers(Difference(skins.solid, anchored), width_nm);
-  skins.bridge = Difference(skins.solid, rest);
-  skins.solid = std::move(rest);
+/// Takes a part from the solid region, with as much around it as the lines of bridges need to lie
+/// on something at both ends.
+MultiPolygon TakeAnchored(const MultiPolygon& part, Coord width_nm, MultiPolygon& solid) {
+  if (part.empty()) return {};
+  const MultiPolygon anchored = FastOffset(part, kAnchorBeads * width_nm);
+  MultiPolygon rest = WithoutSlivers(Difference(solid, anchored), width_nm);
+  MultiPolygon taken = Difference(solid, rest);
+  solid = std::move(rest);
+  return taken;
+}
+
+MultiPolygon Take(MultiPolygon part, MultiPolygon& solid) {
+  if (!part.empty()) solid = Difference(solid, part);
+  return part;
+}
+
+/// Parts the solid region by what lies below it.
+void PartByBearers(const MultiPolygon& outline, const Cover& cover, const SkinOptions& options,
+                   Skins& skins) {
+  const auto& bearers = cover.bearers.empty() ? cover.below : cover.bearers;
+  const auto bare = [&](const MultiPolygon* layer) {
+    return Exposed(skins.solid, layer, outline, options.width_nm);
+  };
+  if (!cover.below.empty()) {
+    skins.bridge = TakeAnchored(bare(bearers[0]), options.width_nm, skins.solid);
+    if (cover.below[0] != bearers[0]) skins.bottom = Take(bare(cover.below[0]), skins.solid);
+  }
+  if (options.over_bridges && bearers.size() > 1)
+    skins.over_bridge = TakeAnchored(bare(bearers[1]), options.width_nm, skins.solid);
 }
 
 }  // namespace
@@ -189,11 +209,9 @@ Skins PartFillArea(const MultiPolygon& fill_area, const MultiPolygon& outline, c
   if (skins.sparse == fill_area) return skins;
   if (small > 0)
     skins.solid = skins.sparse.empty() ? fill_area : Difference(fill_area, skins.sparse);
-  skins.top = Exposed(skins.solid, cover.above, outline, options.width_nm);
-  if (!skins.top.empty()) skins.solid = Difference(skins.solid, skins.top);
-  if (!cover.on_bed)
-    TakeBridges(Exposed(skins.solid, cover.below, outline, options.width_nm), options.width_nm,
-                skins);
+  if (!cover.above.empty())
+    skins.top = Take(Exposed(skins.solid, cover.above[0], outline, options.width_nm), skins.solid);
+  if (!cover.on_bed) PartByBearers(outline, cover, options, skins);
   return skins;
 }
 

@@ -16,6 +16,9 @@ struct Cover {
   std::vector<const MultiPolygon*>
       below;            ///< nearest first, as many as bottom solid layers; nullptr: air or bed
   bool on_bed = false;  ///< the area is in the lowest layer of its object
+  /// Where only layers of the area's own region are `below`: the nearest ones of the whole object,
+  /// which bear it. Empty: as `below`.
+  std::vector<const MultiPolygon*> bearers = {};
 };
 
 struct SkinOptions {
@@ -23,12 +26,15 @@ struct SkinOptions {
   double solid_below_area_mm2 = 0;  ///< smaller sparse regions become solid
   bool all_solid = false;           ///< no sparse region is wanted at all
   ShellThickness shells = ShellThickness::kEnabled;
+  bool over_bridges = false;  ///< what lies over bridges is told apart; two bearers are needed
 };
 
 /// A partition of a fill area by what its infill is for.
 struct Skins {
   MultiPolygon top;     ///< nothing above: the surface that is seen
   MultiPolygon bridge;  ///< over air, and two beads of what bears it around that
+  MultiPolygon bottom;  ///< over another region
+  MultiPolygon over_bridge;  ///< over what is a bridge in the layer below
   MultiPolygon solid;   ///< the rest of the skins, or what is solid for other reasons
   MultiPolygon sparse;
 };
@@ -41,7 +47,7 @@ struct Skins {
 /// for a bead go to their neighbour; sparse places narrower than four beads beside skins become
 /// solid, as their lines would be bits. Narrow places beside walls only stay sparse.
 ///
-/// Invariant: the four regions tile fill_area: disjoint, and with no gap, to rounding.
+/// Invariant: the regions tile fill_area: disjoint, and with no gap, to rounding.
 /// Cost: next to nothing for outlines that are `outline` (that of this layer) or do not come near
 /// the fill area; two boolean operations for each other one, and one more for each kind of skin
 /// there is.

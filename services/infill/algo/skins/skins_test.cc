@@ -17,7 +17,8 @@ const MultiPolygon kFill = P("(1 1, 19 1, 19 19, 1 19)");
 const MultiPolygon kLeftHalf = P("(0 0, 10 0, 10 20, 0 20)");
 
 void ExpectPartition(const Skins& skins, const MultiPolygon& fill) {
-  const MultiPolygon* parts[] = {&skins.top, &skins.bridge, &skins.solid, &skins.sparse};
+  const MultiPolygon* parts[] = {&skins.top,         &skins.bridge, &skins.bottom,
+                                 &skins.over_bridge, &skins.solid,  &skins.sparse};
   double sum = 0;
   MultiPolygon all;
   for (const MultiPolygon* part : parts) sum += Mm2(*part), all = Union(all, *part);
@@ -99,6 +100,42 @@ TEST(Skins, OverhangingStepHasABridge) {
   const Skins skins = PartFillArea(kFill, kWhole, {{&kWhole}, {&kLeftHalf}, false}, {});
   EXPECT_NEAR(Mm2(skins.bridge), (9 + 0.9) * 18, 0.01);  // and two beads of what bears it
   ExpectPartition(skins, kFill);
+}
+
+// Layers of a region alone, the upper half of which stands on another one.
+TEST(Skins, OverAnotherRegionIsABottomAndNoBridge) {
+  Cover cover{.above = {&kWhole}, .below = {&kLeftHalf}, .bearers = {&kWhole}};
+  Skins skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_TRUE(skins.bridge.empty());
+  EXPECT_NEAR(Mm2(skins.bottom), 9 * 18, 0.01);
+  EXPECT_NEAR(Mm2(skins.solid), 0.9 * 18, 0.01);
+  ExpectPartition(skins, kFill);
+  cover.below = {nullptr};
+  skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_EQ(skins.bottom, kFill);
+  cover.bearers = {&kLeftHalf};
+  skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_NEAR(Mm2(skins.bridge), 9.9 * 18, 0.01);
+  EXPECT_NEAR(Mm2(skins.bottom), 8.1 * 18, 0.01);
+  ExpectPartition(skins, kFill);
+}
+
+TEST(Skins, WhatLiesOverABridgeIsToldApartIfAsked) {
+  const Cover cover{
+      .above = {&kWhole}, .below = {&kWhole, &kLeftHalf}, .bearers = {&kWhole, &kLeftHalf}};
+  Skins skins = PartFillArea(kFill, kWhole, cover, {.over_bridges = true});
+  EXPECT_TRUE(skins.bridge.empty());
+  EXPECT_TRUE(skins.bottom.empty());
+  // As far as the bridge below reaches; all that is solid here.
+  EXPECT_NEAR(Mm2(skins.over_bridge), 9.9 * 18, 0.01);
+  EXPECT_TRUE(skins.solid.empty());
+  ExpectPartition(skins, kFill);
+  skins = PartFillArea(kFill, kWhole, cover, {.all_solid = true, .over_bridges = true});
+  EXPECT_NEAR(Mm2(skins.over_bridge), 9.9 * 18, 0.01);
+  EXPECT_NEAR(Mm2(skins.solid), 8.1 * 18, 0.01);
+  skins = PartFillArea(kFill, kWhole, cover, {});
+  EXPECT_TRUE(skins.over_bridge.empty());
+  EXPECT_NEAR(Mm2(skins.solid), 9.9 * 18, 0.01);
 }
 
 // A slope over five layers: what the farthest leaves bare is solid, whatever the nearer ones do.

@@ -18,11 +18,19 @@ constexpr CommentWords kComments = {.layer_change = "; CHANGE_LAYER",
                                     .wipe_start = "; WIPE_START",
                                     .wipe_end = "; WIPE_END"};
 
-constexpr std::array<std::string_view, kFeatureCount> kFeatures = {
-    "Outer wall",  "Inner wall",       "Overhang wall",
-    "Gap infill",  "Sparse infill",    "Internal solid infill",
-    "Top surface", "Bridge",           "Skirt",
-    "Support",     "Support interface"};
+constexpr std::array<std::string_view, kFeatureCount> kFeatures = {"Outer wall",
+                                                                   "Inner wall",
+                                                                   "Overhang wall",
+                                                                   "Gap infill",
+                                                                   "Sparse infill",
+                                                                   "Internal solid infill",
+                                                                   "Top surface",
+                                                                   "Bridge",
+                                                                   "Skirt",
+                                                                   "Support",
+                                                                   "Support interface",
+                                                                   "Ironing",
+                                                                   "Internal solid infill"};
 
 /// Objects are skipped by one bit each of a mask of 64, base64 of its bytes from the lowest.
 constexpr size_t kMostLabels = 64;

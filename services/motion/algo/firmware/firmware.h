@@ -106,7 +106,7 @@ class Firmware {
   virtual void WriteHead(const PrintFacts& facts, GcodeText& out) const;
   virtual const CommentWords& comments() const;
   /// What it calls a feature.
-  virtual std::string_view WordsOf(Feature feature) const { return FeatureName(feature); }
+  virtual std::string_view WordsOf(Feature feature) const { return FeatureType(feature); }
 
   /// Of a mixing extruder: what part of the flow each material has. By M163 for
   /// each, and M164 to store them as tool 0. REQUIRES: it mixes (CheckMixing of common/config).

@@ -7,7 +7,7 @@ namespace {
 
 MotionOptions Options() {
   MotionOptions options;
-  options.speeds[0].speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60};
+  options.speeds[0].speed_mm_s = {40, 60, 30, 20, 80, 70, 50, 45, 60, 60, 60, 15, 33};
   options.speeds[0].small_perimeter_speed_mm_s = 15;
   options.first_layer_speed_mm_s = 25;
   options.max_print_speed_mm_s = 77;
@@ -26,6 +26,7 @@ TEST(PrintSpeeds, ByFeature) {
   const PrintSpeeds speeds(options, Ground::kLayers);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kExternalPerimeter), 100), 40);
   EXPECT_EQ(speeds.Of(OfFeature(Feature::kInternalInfill), 1), 80);
+  EXPECT_EQ(speeds.Of(OfFeature(Feature::kSolidOverBridge), 1), 33);
 }
 
 TEST(PrintSpeeds, SmallLoops) {

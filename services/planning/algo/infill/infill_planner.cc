@@ -73,8 +73,8 @@ struct SparsePlaces {
 
 SparsePlaces PlacesOf(const InfillPlanOptions& options, const ObjectStack& stack) {
   SparsePlaces places;
-  places.areas =
-      SparseAreas(stack, {options.walls_nm, options.top_solid_layers, options.bottom_solid_layers});
+  places.areas = SparseAreas(stack, {options.walls_nm, options.top_solid_layers,
+                                     options.bottom_solid_layers, options.interface_shells});
   places.roofs = RoofsOf(places.areas);
   return places;
 }

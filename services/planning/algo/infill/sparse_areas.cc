@@ -8,16 +8,18 @@
 namespace slicefarm::planning {
 namespace {
 
-/// What is left of `area` below (or above) `count` layers. In a prism all layers are equal.
-MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, size_t layer, int32_t step,
-                     int32_t count) {
-  const MultiPolygon* nearer = &stack[layer].whole;
+using Outlines = MultiPolygon StackLayer::*;
+
+/// What is left of `area` below (or above) `count` layers' `outlines`. In a prism all are equal.
+MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, Outlines outlines, size_t layer,
+                     int32_t step, int32_t count) {
+  const MultiPolygon* nearer = &(stack[layer].*outlines);
   for (int32_t i = 1; i <= count && !area.empty(); ++i) {
     const int64_t other = static_cast<int64_t>(layer) + static_cast<int64_t>(i) * step;
     if (other < 0 || other >= std::ssize(stack)) return {};
-    const MultiPolygon& whole = stack[static_cast<size_t>(other)].whole;
-    if (whole != *nearer) area = Intersection(area, whole);
-    nearer = &whole;
+    const MultiPolygon& cover = stack[static_cast<size_t>(other)].*outlines;
+    if (cover != *nearer) area = Intersection(area, cover);
+    nearer = &cover;
   }
   return area;
 }
@@ -25,12 +27,13 @@ MultiPolygon Covered(MultiPolygon area, const ObjectStack& stack, size_t layer, 
 }  // namespace
 
 std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, const SkinRules& rules) {
+  const Outlines outlines = rules.of_region_alone ? &StackLayer::region : &StackLayer::whole;
   std::vector<MultiPolygon> areas;
   areas.reserve(stack.size());
   for (size_t i = 0; i < stack.size(); ++i) {
     MultiPolygon area = FastOffset(stack[i].region, -rules.walls_nm);
-    area = Covered(std::move(area), stack, i, 1, rules.top_solid_layers);
-    areas.push_back(Covered(std::move(area), stack, i, -1, rules.bottom_solid_layers));
+    area = Covered(std::move(area), stack, outlines, i, 1, rules.top_solid_layers);
+    areas.push_back(Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers));
   }
   return areas;
 }

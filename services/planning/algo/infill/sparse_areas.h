@@ -12,6 +12,7 @@ struct SkinRules {
   Coord walls_nm = 0;
   int32_t top_solid_layers = 0;
   int32_t bottom_solid_layers = 0;
+  bool of_region_alone = false;  ///< skins also where another region lies above or below
 };
 
 /// Where sparse infill will lie in each layer, as the outlines alone tell: inside of the walls, and

@@ -27,6 +27,18 @@ TEST(SparseAreas, LieInsideOfWallsAndSkins) {
   EXPECT_NEAR(Mm2(roofs[16]), 8 * 8, 1e-6);
 }
 
+// A prism whose right half is another region from layer 5 on.
+TEST(SparseAreas, OfARegionAloneEndBelowOtherRegions) {
+  ObjectStack stack = Prism(10, "(0 0, 20 0, 20 10, 0 10)");
+  for (size_t i = 5; i < 10; ++i) stack[i].region = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
+  for (const bool alone : {false, true}) {
+    const auto areas = SparseAreas(stack, {1'000'000, 2, 1, alone});
+    EXPECT_NEAR(Mm2(areas[2]), 18 * 8, 1e-6);
+    EXPECT_NEAR(Mm2(areas[4]), (alone ? 9 : 18) * 8, 1e-6);
+    EXPECT_NEAR(Mm2(areas[6]), 8 * 8, 1e-6);
+  }
+}
+
 TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
   const auto areas = SparseAreas(Prism(3, "(0 0, 20 0, 20 10, 0 10)"), {1'000'000, 0, 0});
   for (const MultiPolygon& area : areas) EXPECT_NEAR(Mm2(area), 18 * 8, 1e-6);
