@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slicefarm {
+namespace slicefarm::flow_table_test {
 namespace {
 
 TEST(FlowTable, GoesInProportionBetweenItsPoints) {
@@ -45,4 +45,4 @@ TEST(FlowTable, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace slicefarm
+}  // namespace slicefarm::flow_table_test

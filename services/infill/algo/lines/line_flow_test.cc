@@ -6,7 +6,7 @@
 #include "common/model/bead_section.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 
-namespace slicefarm::infill {
+namespace slicefarm::infill::line_flow_test {
 namespace {
 
 constexpr Coord kHeight = 200'000;
@@ -82,4 +82,4 @@ TEST(ThinShortLines, NoPlasticIsTheThinnestBead) {
 }
 
 }  // namespace
-}  // namespace slicefarm::infill
+}  // namespace slicefarm::infill::line_flow_test

@@ -5,7 +5,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::slicing {
+namespace slicefarm::slicing::seam_area_test {
 namespace {
 
 constexpr Coord kMm = kNmPerMm;
@@ -51,4 +51,4 @@ TEST(AroundSurface, IsNothingWhereNothingIsCut) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing
+}  // namespace slicefarm::slicing::seam_area_test

@@ -10,7 +10,7 @@
 
 #include "common/base/error.h"
 
-namespace slicefarm::slicing::threemf {
+namespace slicefarm::slicing::threemf::paint_code_test {
 namespace {
 
 /// Right-angled at the first corner, of area 32, in the plane z = 1.
@@ -157,4 +157,4 @@ TEST(PaintedPieces, RefuseWhatIsNoCode) {
 }
 
 }  // namespace
-}  // namespace slicefarm::slicing::threemf
+}  // namespace slicefarm::slicing::threemf::paint_code_test
