@@ -30,10 +30,21 @@ SeamChoice ChoiceOf(const std::vector<SeamPlace>& places, int32_t chosen) {
 
 }  // namespace
 
+bool SeamPlanner::IsPlanned(const ObjectSection& section) const {
+  const SeamPosition asked = options_.objects[static_cast<size_t>(section.object)].seam;
+  return asked != SeamPosition::kNearest || !section.seam_enforcers.empty() ||
+         !section.seam_blockers.empty();
+}
+
+SeamPosition SeamPlanner::PositionOf(int32_t object) const {
+  const SeamPosition asked = options_.objects[static_cast<size_t>(object)].seam;
+  return asked == SeamPosition::kNearest ? SeamPosition::kAligned : asked;
+}
+
 void SeamPlanner::Look(const SlicedLayer& layer, LayerPlan& plan) {
   (void)plan;
   for (const ObjectSection& section : layer.sections) {
-    if (PositionOf(section.object) == SeamPosition::kNearest) continue;
+    if (!IsPlanned(section)) continue;
     ObjectSeams& seams = objects_[section.object];
     seams.occupancy.Add(OutlineOf(section), section.z_nm);
     const auto first = static_cast<int32_t>(seams.rings.size());

@@ -13,7 +13,8 @@
 namespace slicefarm::planning {
 
 /// Where the walls of each ring start, by the object's seam position. `nearest`: nothing is
-/// planned, so each layer decides. Else: places on each ring (seam_places.h), what they cost
+/// planned, so each layer decides, but for layers with enforcers or blockers, which are planned as
+/// if `aligned` were asked for. Else: places on each ring (seam_places.h), what they cost
 /// (seam_costs.h), how much is seen of them (occupancy.h), and of all the choice that costs least
 /// over the whole object (seam_forest.h), in straight lines (seam_lines.h).
 /// Where places come to more than `most_places`, the lower half of the layers is settled: with all
@@ -50,9 +51,8 @@ class SeamPlanner : public Planner {
     int32_t first_below = 0;  ///< of the rings of the layer below
   };
 
-  SeamPosition PositionOf(int32_t object) const {
-    return options_.objects[static_cast<size_t>(object)].seam;
-  }
+  bool IsPlanned(const ObjectSection& section) const;
+  SeamPosition PositionOf(int32_t object) const;
   static std::vector<SeamNode> NodesOf(ObjectSeams& seams, SeamPosition position);
   /// Sets `seam` of all rings.
   static void Choose(ObjectSeams& seams, SeamPosition position);

@@ -172,6 +172,16 @@ TEST(SeamPlanner, BlockersAreNeverUsedIfThereIsAnotherPlace) {
   }
 }
 
+TEST(SeamPlanner, NearestHeedsEnforcersAndBlockersInTheLayersThatHaveThem) {
+  std::vector<SlicedLayer> layers = LayersOrDie(std::vector<std::string_view>(9, kTwoTowers));
+  layers[3].sections[0].seam_enforcers = MakePolygonsOrDie("(98 -1, 102 -1, 102 2, 98 2)");
+  layers[5].sections[0].seam_blockers = MakePolygonsOrDie("(-5 9, 200 9, 200 11, -5 11)");
+  const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kNearest});
+  for (const size_t i : {0, 1, 2, 4, 6, 7, 8}) EXPECT_THAT(plan.layers[i].sections, IsEmpty());
+  EXPECT_EQ(plan.layers[3].sections[0].seams[1], Mm(100, 0));
+  for (const Point seam : plan.layers[5].sections[0].seams) EXPECT_LT(seam.y, FromMm(9));
+}
+
 TEST(SeamPlanner, RandomSeamsAreElsewhereEachTimeAndTheSameInEachRun) {
   const auto layers = LayersOrDie(std::vector<std::string_view>(60, kTwoTowers));
   const JobPlan plan = PlanOfLayers(layers, {SeamPosition::kRandom});
