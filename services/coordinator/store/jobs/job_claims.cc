@@ -24,19 +24,19 @@ void BindClaimable(SqlQuery& query, const std::string& tenant, const ClaimReques
   for (const std::string& digest : request.busy) query.Bind(digest);
 }
 
-absl::StatusOr<std::optional<std::string>> ClaimOf(SqlConnection& db, const std::string& tenant,
-                                                   const ClaimRequest& request) {
+absl::StatusOr<std::optional<Lease>> ClaimOf(SqlConnection& db, const std::string& tenant,
+                                             const ClaimRequest& request) {
   const std::string sql = absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
-      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked), ") RETURNING id");
+      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked), ") RETURNING id, owner_epoch");
   SqlQuery claim(db, sql);
   claim.Bind(request.owner, request.until_us);
   BindClaimable(claim, tenant, request);
-  std::optional<std::string> id;
-  while (claim.Next()) id = claim.Text(0);
+  std::optional<Lease> lease;
+  while (claim.Next()) lease = {claim.Text(0), claim.Int(1)};
   if (!claim.status().ok()) return claim.status();
-  return id;
+  return lease;
 }
 
 absl::Status NoteTurn(SqlConnection& db, const std::string& tenant, int64_t now_us) {
@@ -96,16 +96,15 @@ absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request
   return false;
 }
 
-absl::StatusOr<std::optional<std::string>> ClaimJob(SqlConnection& db,
-                                                    const ClaimRequest& request) {
+absl::StatusOr<std::optional<Lease>> ClaimJob(SqlConnection& db, const ClaimRequest& request) {
   const auto tenants = TenantsInTurn(db, request.now_us);
   if (!tenants.ok()) return tenants.status();
   for (const std::string& tenant : *tenants) {
-    auto id = ClaimOf(db, tenant, request);
-    if (!id.ok()) return id.status();
-    if (!*id) continue;
+    auto lease = ClaimOf(db, tenant, request);
+    if (!lease.ok()) return lease.status();
+    if (!*lease) continue;
     if (absl::Status noted = NoteTurn(db, tenant, request.now_us); !noted.ok()) return noted;
-    return id;
+    return lease;
   }
   return std::nullopt;
 }

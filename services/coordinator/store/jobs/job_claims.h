@@ -23,8 +23,8 @@ struct ClaimRequest {
 /// Whether there may be something to claim. Cost: one look into an index a tenant.
 absl::StatusOr<bool> AnyClaimable(SqlConnection& db, const ClaimRequest& request);
 
-/// In a transaction. The id of the job.
-absl::StatusOr<std::optional<std::string>> ClaimJob(SqlConnection& db, const ClaimRequest& request);
+/// In a transaction.
+absl::StatusOr<std::optional<Lease>> ClaimJob(SqlConnection& db, const ClaimRequest& request);
 absl::StatusOr<std::vector<HeldJob>> RenewLeases(SqlConnection& db,
                                                  const std::vector<Lease>& leases,
                                                  int64_t until_us);

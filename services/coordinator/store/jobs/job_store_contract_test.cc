@@ -403,6 +403,26 @@ TEST_P(JobStoreTest, TwoStoresShareTheJobs) {
   EXPECT_EQ(claimed[0].size() + claimed[1].size(), static_cast<size_t>(kJobs)) << "none twice";
 }
 
+// The lease is over before its owner has read the job.
+TEST_P(JobStoreTest, EpochsAreOneClaimersHoweverShortTheLease) {
+  for (const std::string_view id : {"a", "b", "c"}) Make(std::string(id));
+  std::mutex mutex;
+  std::set<Lease> given;
+  std::atomic<int64_t> clock = 1'000'000'000;
+  Race(/*threads=*/8, [&](int thread) {
+    for (int i = 0; i < 40; ++i) {
+      const int64_t now_us = clock++;
+      const auto job = store_->Claim(absl::StrCat("owner", thread), now_us, now_us + 1);
+      ASSERT_TRUE(job.ok()) << job.status();
+      if (!*job) continue;
+      EXPECT_EQ((*job)->owner, absl::StrCat("owner", thread));
+      std::lock_guard<std::mutex> lock(mutex);
+      EXPECT_TRUE(given.insert({(*job)->id, (*job)->owner_epoch}).second) << (*job)->id;
+    }
+  });
+  EXPECT_FALSE(given.empty());
+}
+
 // 1000 jobs on demand: SLICEFARM_RACE_JOBS.
 TEST_P(JobStoreTest, ClaimsRacedByManyAreOneAnEpoch) {
   constexpr int kThreads = 8;

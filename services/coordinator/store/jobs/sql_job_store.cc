@@ -262,14 +262,17 @@ absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& o
     if (!any.ok()) return any.status();
     if (!*any) return std::nullopt;
   }
-  const auto claimed = InTransaction<std::optional<std::string>>(
-      *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
-  if (!claimed.ok()) return claimed.status();
-  if (!*claimed) return std::nullopt;
-  // Read when it is held already, so that a row which cannot be read does not keep others waiting.
-  auto job = Get(**claimed);
-  if (!job.ok()) return job.status();
-  return *std::move(job);
+  while (true) {
+    const auto lease = InTransaction<std::optional<Lease>>(
+        *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
+    if (!lease.ok()) return lease.status();
+    if (!*lease) return std::nullopt;
+    // Read when it is held already, so that a row which cannot be read does not keep others waiting.
+    auto job = Get((*lease)->job_id);
+    if (!job.ok()) return job.status();
+    if (job->owner_epoch == (*lease)->epoch) return *std::move(job);
+    // The lease ran out before the job was read: it is somebody else's, or was.
+  }
 }
 
 absl::StatusOr<std::vector<JobRecord>> SqlJobStore::EndOverdue(const JobError& error,
