@@ -29,7 +29,8 @@ absl::StatusOr<std::optional<Lease>> ClaimOf(SqlConnection& db, const std::strin
   const std::string sql = absl::StrCat(
       "UPDATE jobs SET owner = ?, owner_epoch = owner_epoch + 1, owner_until_us = ?"
       " WHERE number = (",
-      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked), ") RETURNING id, owner_epoch");
+      ClaimableSql(db.dialect(), request), std::string(db.dialect().skip_locked),
+      ") RETURNING id, owner_epoch");
   SqlQuery claim(db, sql);
   claim.Bind(request.owner, request.until_us);
   BindClaimable(claim, tenant, request);

@@ -267,7 +267,7 @@ absl::StatusOr<std::optional<JobRecord>> SqlJobStore::Claim(const std::string& o
         *database_, [&](SqlConnection& db) { return ClaimJob(db, request); });
     if (!lease.ok()) return lease.status();
     if (!*lease) return std::nullopt;
-    // Read when it is held already, so that a row which cannot be read does not keep others waiting.
+    // Read when it is held already: a row that cannot be read must not keep others waiting.
     auto job = Get((*lease)->job_id);
     if (!job.ok()) return job.status();
     if (job->owner_epoch == (*lease)->epoch) return *std::move(job);

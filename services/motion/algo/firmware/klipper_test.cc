@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace slicefarm::motion::klipper_test {
 namespace {
 
@@ -39,9 +38,7 @@ TEST(Klipper, RefusesThickBeads) {
   EXPECT_TRUE(Klipper().RefusesSection(0.65, 0.4));
 }
 
-TEST(Klipper, LabelsAreOneWord) {
-  EXPECT_EQ(Klipper().LabelOf("my part.stl", 3), "my_part_stl-3");
-}
+TEST(Klipper, LabelsAreOneWord) { EXPECT_EQ(Klipper().LabelOf("my part.stl", 3), "my_part_stl-3"); }
 
 }  // namespace
 }  // namespace slicefarm::motion::klipper_test
