@@ -31,6 +31,10 @@ TREE = {
     "services/infill/algo/other.h": (OWN % "services/beading/algo/bead.h", ["must not include service beading"]),
     "services/infill/algo/clip.h": ("#include <clipper.hpp>\n", ["Clipper is private"]),
     "services/infill/algo/from.h": (OWN % "a_test.h", ["only a file named"]),
+    "common/base/own_test.cc": ("namespace slicefarm::own_test {\nTEST(Own, A) {}\n}\n", []),
+    "common/base/shared_test.cc": ("namespace slicefarm {\nTEST(Shared, A) {}\n}\n", ["no namespace of its own"]),
+    "common/base/fixture_test.cc": ("namespace slicefarm::other {\nTEST_P(Fixture, A) {}\n}\n", ["no namespace of its own"]),
+    "common/base/helper_test.cc": ("namespace slicefarm {\nint Help() { return 1; }\n}\n", []),
     "services/infill/algo/long.h": ("\n" * 501, ["501 lines, at most 500"]),
 }
 
