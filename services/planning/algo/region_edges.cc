@@ -82,8 +82,7 @@ std::vector<int32_t> RegionEdges::EdgesIn(const Box& box) const {
   if (index_.size() == 0) return edges;
   index_.ForEachNear(box, [&](int32_t edge) { edges.push_back(edge); });
   std::ranges::sort(edges);
-  const auto rest = std::ranges::unique(edges);
-  edges.erase(rest.begin(), rest.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 

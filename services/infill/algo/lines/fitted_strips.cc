@@ -139,7 +139,9 @@ double FittedStrips::MoreAt(const std::vector<Knot>& knots, double u) {
 /// Of stretches over one another, the first counts.
 std::vector<FittedStrips::Knot> FittedStrips::KnotsOf(int32_t side) const {
   std::vector<Knot> knots;
-  for (const Room& room : std::ranges::equal_range(rooms_, side, {}, &Room::side)) {
+  for (auto it = std::ranges::lower_bound(rooms_, side, {}, &Room::side);
+       it != rooms_.end() && it->side == side; ++it) {
+    const Room& room = *it;
     if (knots.empty() || room.knots.front().u >= knots.back().u)
       knots.insert(knots.end(), room.knots.begin(), room.knots.end());
   }

@@ -37,7 +37,7 @@ std::vector<BeadPoint> BeadOf(const Path& path) {
   const BeadPoint& b = bead[(longest + 1) % bead.size()];
   const BeadPoint middle{{(a.at.x + b.at.x) / 2, (a.at.y + b.at.y) / 2},
                          (a.width_nm + b.width_nm) / 2};
-  std::ranges::rotate(bead, bead.begin() + static_cast<int64_t>(longest) + 1);
+  std::rotate(bead.begin(), bead.begin() + static_cast<int64_t>(longest) + 1, bead.end());
   bead.insert(bead.begin(), middle);
   bead.push_back(middle);
   return bead;

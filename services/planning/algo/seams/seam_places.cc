@@ -221,7 +221,7 @@ std::vector<RingPlaces> PlaceFinder::Next(const ObjectSection& section) {
       for (SeamPlace& place : ring.places)
         MeasureOver(below_->outlines, below_->edges, std::max<Coord>(section.height_nm, 1), place);
   }
-  below_.emplace(outlines, std::move(edges), found);
+  below_.emplace(Below{outlines, std::move(edges), found});
   return found;
 }
 
