@@ -39,10 +39,10 @@ function(slicefarm_use_precompiled target kind)
   endif()
 endfunction()
 
-# The cold preset compiles sixteen files of a target as one: headers and templates, most of a compiler's work, are then done
-# once for all. So all files of a library or a program need different names in their unnamed namespaces; a test has a namespace
-# named like its file, and may call its helpers what it likes. Who edits and builds uses the release preset, where a changed
-# file is compiled alone.
+# The cold preset compiles up to 64 files of a target, most often all, as one: headers and templates, most of a compiler's work,
+# are then done once for all. So all files of a library or a program need different names in their unnamed namespaces; a test has
+# a namespace named like its file, and may call its helpers what it likes. Who edits and builds uses the release preset, where a
+# changed file is compiled alone.
 
 # slicefarm_library(name SOURCES a.cc b.cc DEPS x y): one library per folder, by the name of its path.
 function(slicefarm_library name)

@@ -97,7 +97,7 @@ T ValueOrDie(absl::StatusOr<T> value) {
 }
 
 template <typename T>
-std::string Join(const std::vector<T>& items, std::string_view separator) {
+std::string Joined(const std::vector<T>& items, std::string_view separator) {
   std::string text;
   for (const T& item : items) {
     if (!text.empty()) text += separator;
@@ -133,7 +133,7 @@ std::string ToText(Point point) {
                      ToMm(static_cast<double>(point.y)));
 }
 
-std::string ToText(const Polyline& line) { return "(" + Join(line, ", ") + ")"; }
+std::string ToText(const Polyline& line) { return "(" + Joined(line, ", ") + ")"; }
 
 std::string ToText(const PolygonWithHoles& polygon) {
   std::string text = ToText(polygon.outer);
@@ -141,7 +141,7 @@ std::string ToText(const PolygonWithHoles& polygon) {
   return text;
 }
 
-std::string ToText(const MultiPolygon& polygons) { return Join(polygons, " ; "); }
+std::string ToText(const MultiPolygon& polygons) { return Joined(polygons, " ; "); }
 
 Polyline MakeLineOrDie(std::string_view text) { return ValueOrDie(ParseLine(text)); }
 MultiPolygon MakePolygonsOrDie(std::string_view text) {

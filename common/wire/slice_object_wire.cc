@@ -41,7 +41,7 @@ absl::Status ToProto(const PartInput& part, v1::SlicePart* proto) {
   return absl::OkStatus();
 }
 
-absl::Status CheckRows(const v1::SlicePart& proto) {
+absl::Status CheckRowsOf(const v1::SlicePart& proto) {
   for (const int32_t row : proto.regions())
     if (row < 0) return Malformed("regions", "are negative");
   for (const auto& [outside, inside] : proto.changes())
@@ -61,7 +61,7 @@ absl::StatusOr<PartInput> FromProto(const v1::SlicePart& proto) {
       mesh.triangle_count() < -1) {
     return Malformed("mesh", "has negative numbers");
   }
-  if (absl::Status rows = CheckRows(proto); !rows.ok()) return rows;
+  if (absl::Status rows = CheckRowsOf(proto); !rows.ok()) return rows;
   const auto to_object = TakeTransform(proto.to_object(), "to_object");
   if (!to_object.ok()) return to_object.status();
   PartInput part;

@@ -117,9 +117,9 @@ struct ReadRing {
 };
 
 /// Words taken one after the other.
-class NumberReader {
+class WordReader {
  public:
-  explicit NumberReader(LineWords words) : words_(std::move(words)) {}
+  explicit WordReader(LineWords words) : words_(std::move(words)) {}
 
   bool AtEnd() const { return next_ >= words_.size(); }
   std::string_view Next() { return AtEnd() ? std::string_view() : words_[next_++]; }
@@ -144,7 +144,7 @@ bool HasChains(const LineWords& words) {
 }
 
 absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
-  NumberReader reader(words);
+  WordReader reader(words);
   std::vector<ReadRing> rings;
   const std::optional<int64_t> chains = ToCount(reader.Next());
   if (!chains) return NotPolygons("no number of chains");
@@ -173,7 +173,7 @@ absl::StatusOr<std::vector<ReadRing>> ReadChains(const LineWords& words) {
 
 /// Two heights, then rings; nullopt: it is not that.
 std::optional<std::vector<ReadRing>> ReadOutlineRings(const LineWords& words) {
-  NumberReader reader(words);
+  WordReader reader(words);
   reader.Next();
   reader.Next();
   std::vector<ReadRing> rings;
@@ -190,7 +190,7 @@ std::optional<std::vector<ReadRing>> ReadOutlineRings(const LineWords& words) {
 absl::StatusOr<std::vector<ReadRing>> ReadRings(const LineWords& words) {
   if (HasChains(words)) return ReadChains(words);
   if (auto rings = ReadOutlineRings(words)) return *rings;
-  NumberReader reader(words);
+  WordReader reader(words);
   ReadRing ring{.numbers = {}, .hole = false};
   if (words.size() < 6 || words.size() % 2 != 0 ||
       !reader.ReadNumbers(std::ssize(words), ring.numbers))

@@ -56,7 +56,7 @@ std::string ProgressText(const v1::Job& job) {
   return fmt::format("{}/{}", job.progress().layers_done(), job.progress().layers_total());
 }
 
-std::string NameOf(const v1::Job& job) {
+std::string FirstObjectName(const v1::Job& job) {
   return job.spec().objects().empty() ? "-" : job.spec().objects(0).name();
 }
 
@@ -162,7 +162,7 @@ ExitCode List(const ListOptions& options, Interrupt& interrupt) {
     created.set_nanos(0);
     text += fmt::format("{:<36}  {:<9}  {:>11}  {:<20}  {}\n", job.id(), StateName(job.state()),
                         ProgressText(job), google::protobuf::util::TimeUtil::ToString(created),
-                        NameOf(job));
+                        FirstObjectName(job));
   }
   if (!all->next_page_token().empty()) text += "there are more: --limit N\n";
   Print(text);

@@ -21,7 +21,7 @@ OrderedJson ToJson(const Transform& transform) {
   return json;
 }
 
-std::string_view NameOf(PartRole role) {
+std::string_view RoleName(PartRole role) {
   switch (role) {
     case PartRole::kSolid:
       return "solid";
@@ -43,7 +43,7 @@ std::string_view NameOf(PartRole role) {
 
 OrderedJson ToJson(const Part& part) {
   return {{"name", part.name},
-          {"role", NameOf(part.role)},
+          {"role", RoleName(part.role)},
           {"mesh", part.mesh.mesh},
           {"first_triangle", part.mesh.first_triangle},
           {"triangle_count", part.mesh.triangle_count},

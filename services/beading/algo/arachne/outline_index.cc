@@ -12,13 +12,13 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using BoostSegment = bg::model::segment<BoostPoint>;
 
-BoostPoint Of(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+BoostPoint ToBoost(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 std::vector<BoostSegment> SegmentsOf(const MultiPolygon& outlines) {
   std::vector<BoostSegment> segments;
   ForEachRing(outlines, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i)
-      segments.emplace_back(Of(ring[i]), Of(ring[i + 1 == ring.size() ? 0 : i + 1]));
+      segments.emplace_back(ToBoost(ring[i]), ToBoost(ring[i + 1 == ring.size() ? 0 : i + 1]));
   });
   return segments;
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kShortestRing = 1.5;  ///< in spacings
 /// A line whose two sides would lie nearer to each other than twice this part of a spacing is left
 /// out, beyond the first step.
-constexpr Coord kNarrowest = 20;
+constexpr Coord kNarrowestPart = 20;
 
 /// True if nothing is left of an island at this depth, as far as its box shows.
 bool IsThin(const PolygonWithHoles& island, Coord depth) {
@@ -31,7 +31,7 @@ std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm) {
       if (Perimeter(ring) >= kShortestRing * static_cast<double>(spacing_nm))
         rings.push_back({ring, step});
     });
-    const Coord narrow = spacing_nm / kNarrowest;
+    const Coord narrow = spacing_nm / kNarrowestPart;
     std::erase_if(region, [&](const auto& island) { return IsThin(island, spacing_nm + narrow); });
     region = FastOffset(FastOffset(region, -(spacing_nm + narrow)), narrow);
   }

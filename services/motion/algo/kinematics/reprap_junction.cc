@@ -11,11 +11,11 @@ namespace {
 /// More than any axis has: no limit.
 constexpr double kUnlimitedMmS2 = 1e8;
 
-bool Prints(const KinematicMove& move) { return move.InPlane() && move.ratio[kE] > 0; }
-bool PushesFilamentOnly(const KinematicMove& move) { return move.ratio[kE] != 0 && !Prints(move); }
+bool PrintsWhileMoving(const KinematicMove& move) { return move.InPlane() && move.ratio[kE] > 0; }
+bool PushesFilamentOnly(const KinematicMove& move) { return move.ratio[kE] != 0 && !PrintsWhileMoving(move); }
 
 bool Alike(const KinematicMove& a, const KinematicMove& b) {
-  return Prints(a) == Prints(b) && a.InPlane() == b.InPlane() &&
+  return PrintsWhileMoving(a) == PrintsWhileMoving(b) && a.InPlane() == b.InPlane() &&
          PushesFilamentOnly(a) == PushesFilamentOnly(b);
 }
 

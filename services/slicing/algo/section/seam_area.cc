@@ -11,7 +11,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-constexpr Coord kReachNm = 300'000;
+constexpr Coord kBeyondAreaNm = 300'000;
 
 /// A rectangle around the segment, which goes beyond both ends.
 Polygon Around(Point a, Point b, Coord reach_nm) {
@@ -25,7 +25,7 @@ Polygon Around(Point a, Point b, Coord reach_nm) {
 }  // namespace
 
 Coord SeamReach(const RegionEdits& edits) {
-  return kReachNm + std::abs(edits.grow_nm) + std::abs(edits.foot_nm) +
+  return kBeyondAreaNm + std::abs(edits.grow_nm) + std::abs(edits.foot_nm) +
          std::abs(edits.widen_holes_nm);
 }
 

@@ -1,0 +1,158 @@
+#include "services/coordinator/server/main/coordinator_program.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "common/base/build_info.h"
+#include "common/rpc/security/identity.h"
+#include "common/rpc/server/serve.h"
+#include "services/coordinator/algo/dispatch/dispatcher.h"
+#include "services/coordinator/remote/remote_stages.h"
+#include "services/coordinator/remote/stage_pool.h"
+#include "services/coordinator/remote/worker_pool.h"
+#include "services/coordinator/server/main/coordinator.h"
+#include "services/coordinator/server/main/coordinator_flags.h"
+#include "services/coordinator/server/observe/coordinator_metrics.h"
+#include "services/coordinator/server/main/rates_file.h"
+#include "services/coordinator/server/execution/split_stages.h"
+#include "services/coordinator/server/observe/status_board.h"
+#include "services/coordinator/server/api/tenants_file.h"
+
+namespace slicefarm::coordinator {
+namespace {
+
+int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
+  std::shared_ptr<const rpc::Tls> tls;
+  if (flags.serve.tls.enabled()) {
+    auto opened = rpc::Tls::Open(flags.serve.tls);
+    if (!opened.ok()) {
+      program.log().Error("cannot serve", {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tls = *std::move(opened);
+  }
+  // Whoever listens on a stage's address must have that stage's certificate.
+  const auto credentials = [&](const std::string& identity) {
+    return tls ? tls->ForIdentity(identity, program.log()) : nullptr;
+  };
+  const auto pool_options = [&](const std::string& stage) {
+    return StagePoolOptions{.credentials = credentials(rpc::StageIdentity(stage))};
+  };
+
+  // Made in the order of use, and so ended in the reverse one.
+  StagePool slicing_pool("slicing", SplitAddresses(flags.slicing), program.log(),
+                         pool_options("slicing"));
+  StagePool planning_pool("planning", SplitAddresses(flags.planning), program.log(),
+                          pool_options("planning"));
+  StagePool motion_pool("motion", SplitAddresses(flags.motion), program.log(),
+                        pool_options("motion"));
+  std::optional<StagePool> exposure_pool;
+  std::optional<RemoteExposure> exposure;
+  if (!flags.exposure.empty()) {
+    exposure_pool.emplace("exposure", SplitAddresses(flags.exposure), program.log(),
+                          pool_options("exposure"));
+    exposure.emplace(*exposure_pool);
+  }
+  const RemoteSlicing slicing(slicing_pool);
+  const RemoteArranging arranging(slicing_pool);
+  const RemotePlanning planning(planning_pool);
+  const RemoteMotion motion(motion_pool);
+  std::optional<SplitStages> split;
+  if (flags.split())
+    split.emplace(flags.split_names(), pool_options, motion_pool,
+                  exposure_pool ? &*exposure_pool : nullptr, program.log());
+  Dispatcher dispatcher;
+  Fleet fleet(dispatcher);
+  std::optional<WorkerPool> workers;
+  if (!flags.workers.empty()) {
+    workers.emplace(fleet, SplitAddresses(flags.workers), program.log(),
+                    WorkerPoolOptions{.credentials = credentials(rpc::kWorkerIdentity)});
+  }
+  if (split) {
+    for (Runner& runner : split->AsRunners(flags.split_slots)) fleet.Join(std::move(runner));
+  }
+
+  const auto rates =
+      flags.rates_file.empty() ? absl::StatusOr<Rates>(Rates()) : ReadRates(flags.rates_file);
+  if (!rates.ok()) {
+    program.log().Error("cannot use the rates", {{"error", std::string(rates.status().message())}});
+    return 1;
+  }
+  auto webhooks = flags.webhooks_file.empty() ? absl::StatusOr<WebhookPolicy>(WebhookPolicy())
+                                              : WebhookPolicy::Read(flags.webhooks_file);
+  if (!webhooks.ok()) {
+    program.log().Error("cannot use the webhooks",
+                        {{"error", std::string(webhooks.status().message())}});
+    return 1;
+  }
+  std::unique_ptr<TenantsFile> tenants;
+  if (!flags.tenants_file.empty()) {
+    auto opened =
+        TenantsFile::Open(flags.tenants_file, program.metrics().registry(), program.log());
+    if (!opened.ok()) {
+      program.log().Error("cannot use the tenants",
+                          {{"error", std::string(opened.status().message())}});
+      return 1;
+    }
+    tenants = *std::move(opened);
+  }
+  CoordinatorOptions options{
+      .stores = flags.stores,
+      .runner = flags.runner_options(),
+      .rates = *rates,
+      .webhooks = *std::move(webhooks),
+      .min_free_bytes = flags.min_free_mib << 20,
+      .build_id = std::string(BuildId()),
+      .maintenance = flags.maintenance(),
+      .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
+      .metrics = &program.metrics().registry()};
+  if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
+  auto coordinator =
+      Coordinator::Open(std::move(options),
+                        {slicing, arranging, planning, motion, exposure ? &*exposure : nullptr},
+                        dispatcher, program.log());
+  if (!coordinator.ok()) {
+    program.log().Error("cannot open the state",
+                        {{"error", std::string(coordinator.status().message())}});
+    return 1;
+  }
+  program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
+      (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
+  std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
+                                                    {"planning", &planning_pool},
+                                                    {"motion", &motion_pool}};
+  if (exposure_pool) stages["exposure"] = &*exposure_pool;
+  if (split) stages.merge(split->Pools());
+  const StatusBoard board({.name = flags.runner.owner,
+                           .store = flags.stores.postgres.empty() ? "SQLite" : "PostgreSQL",
+                           .state_dir = flags.stores.state_dir,
+                           .jobs = (*coordinator)->jobs(),
+                           .fleet = fleet,
+                           .stages = std::move(stages),
+                           .log = program.log()});
+  program.metrics().ShowPage("/statusz", [&board] { return board.Page(); });
+  if (absl::Status started = (*coordinator)->Start(); !started.ok()) {
+    program.log().Error("cannot start", {{"error", std::string(started.message())}});
+    return 1;
+  }
+  return program.Run(
+      flags.serve, (*coordinator)->services(), [&] { (*coordinator)->Stop(); },
+      &(*coordinator)->queued_methods());
+}
+
+}  // namespace
+
+int Main(int argc, char** argv) {
+  rpc::ServerProgram program("coordinator");
+  CLI::App app("slicefarm-coordinator: jobs, fan-out over workers or stages, durable state");
+  CoordinatorFlags flags;
+  AddCoordinatorFlags(app, &flags);
+  CLI11_PARSE(app, argc, argv);
+  return Run(program, flags);
+}
+
+}  // namespace slicefarm::coordinator
