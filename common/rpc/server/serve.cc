@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <thread>
 
 #include "common/base/build_info.h"
@@ -14,6 +13,7 @@
 #include "common/rpc/security/tls_options.h"
 #include "common/rpc/server/listen_address.h"
 #include "common/rpc/server/open_files.h"
+#include "common/rpc/server/stage_command_line.h"
 
 namespace slicefarm::rpc {
 namespace {
@@ -64,13 +64,6 @@ void AddServeFlags(CLI::App& app, ServeFlags* flags) {
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
   AddTlsFlags(app, flags);
-}
-
-void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags) {
-  app.add_option("--max-concurrent", flags->max_concurrent,
-                 "Calls worked on at once; 0: one for each core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
 }
 
 CallGateOptions ServerProgram::GateOptions(const ServeFlags& flags) const {
@@ -149,30 +142,13 @@ int ServerProgram::Run(const ServeFlags& flags, const std::vector<grpc::Service*
   return 0;
 }
 
-namespace {
-
-/// Reads the command line of slicefarm-`name`, which has no other flags than these. Returns the
-/// exit code if that is all there was to do: a bad flag, --help or --version.
-std::optional<int> ParseServeFlags(int argc, char** argv, const std::string& name,
-                                   const std::string& about, ServeFlags* flags) {
-  CLI::App app(fmt::format("slicefarm-{}: {}, as a gRPC service", name, about));
-  AddServeFlags(app, flags);
-  AddConcurrencyFlag(app, flags);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 int ServeStage(int argc, char** argv, const std::string& name, const std::string& about,
                const MakeService& make) {
   ServerProgram program(name);
   ServeFlags flags;
-  if (const auto code = ParseServeFlags(argc, argv, name, about, &flags)) return *code;
+  StageCommandLine command_line(name, about, &flags);
+  command_line.AddConcurrency(&flags);
+  if (const auto code = command_line.Parse(argc, argv)) return *code;
   CallGate gate(program.GateOptions(flags), program.log());
   program.Show(gate);
   const std::unique_ptr<grpc::Service> service = make(gate);

@@ -37,8 +37,6 @@ struct ServeFlags {
 /// --listen, --metrics-port, --drain, --tls-cert, --tls-key, --tls-ca, --authz-policy, and
 /// --version.
 void AddServeFlags(CLI::App& app, ServeFlags* flags);
-/// --max-concurrent, of those that work on calls.
-void AddConcurrencyFlag(CLI::App& app, ServeFlags* flags);
 
 /// The life of a server program: serve until SIGTERM or SIGINT, drain, return. Make one in main()
 /// before any thread starts. Prints `listening on HOST:PORT` and `metrics on HOST:PORT` to stdout

@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,12 +15,7 @@
 namespace slicefarm::slicing {
 namespace {
 
-const std::map<std::string, MeshSandbox>& Names() {
-  static const std::map<std::string, MeshSandbox> names = {{"off", MeshSandbox::kOff},
-                                                           {"limits", MeshSandbox::kLimits},
-                                                           {"strict", MeshSandbox::kStrict}};
-  return names;
-}
+constexpr std::array<std::string_view, 3> kNames = {"off", "limits", "strict"};
 
 std::string ReaderProgram() {
   std::error_code none;  // an empty path names no program, which the trial will tell
@@ -38,24 +33,16 @@ absl::Status WithAdvice(MeshSandbox sandbox, const absl::Status& error) {
       error.code(), detail.reason,
       fmt::format("--mesh-sandbox {} cannot be had here: {}; {}, or --mesh-sandbox off (whoever "
                   "finds a fault in the readers has this process)",
-                  MeshSandboxName(sandbox), std::string(error.message()), weaker),
+                  kNames[static_cast<size_t>(sandbox)], std::string(error.message()), weaker),
       detail.metadata);
 }
 
 }  // namespace
 
-std::string_view MeshSandboxName(MeshSandbox sandbox) {
-  for (const auto& [name, value] : Names())
-    if (value == sandbox) return name;
-  return "";
-}
+std::vector<std::string> MeshSandboxNames() { return {kNames.begin(), kNames.end()}; }
 
-void AddMeshSandboxFlag(CLI::App& app, MeshSandbox* sandbox) {
-  app.add_option("--mesh-sandbox", *sandbox,
-                 "Where strangers' meshes are read: off: in this process; limits: in a process "
-                 "for each, with resource limits; strict: and without system calls")
-      ->transform(CLI::CheckedTransformer(Names()))
-      ->option_text(fmt::format("off|limits|strict={}", MeshSandboxName(*sandbox)));
+MeshSandbox MeshSandboxOf(std::string_view name) {
+  return static_cast<MeshSandbox>(std::ranges::find(kNames, name) - kNames.begin());
 }
 
 absl::StatusOr<std::unique_ptr<const MeshSource>> MakeMeshSource(MeshSandbox sandbox) {

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "services/slicing/algo/mesh_io/mesh_source.h"
-
-namespace CLI {
-class App;
-}
 
 namespace slicefarm::slicing {
 
@@ -19,11 +17,11 @@ enum class MeshSandbox {
   kStrict,  ///< and with system calls denied
 };
 
-/// `strict`, as --mesh-sandbox has it.
-std::string_view MeshSandboxName(MeshSandbox sandbox);
+/// What --mesh-sandbox takes: off, limits, strict.
+std::vector<std::string> MeshSandboxNames();
 
-/// --mesh-sandbox.
-void AddMeshSandboxFlag(CLI::App& app, MeshSandbox* sandbox);
+/// `name`: one of MeshSandboxNames.
+MeshSandbox MeshSandboxOf(std::string_view name);
 
 /// The source of meshes for `sandbox`, tried out on this machine; slicefarm-mesh-reader must lie
 /// beside this program. Errors: FailedPrecondition, Unavailable and the like, with what to do.

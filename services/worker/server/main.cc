@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/rpc/server/serve.h"
+#include "common/rpc/server/stage_command_line.h"
 #include "common/stage/laser_chain.h"
 #include "common/stage/layer_chain.h"
 #include "services/beading/algo/local_beading_stage.h"
@@ -22,8 +22,8 @@ slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
                                     const slicefarm::TaskRunner& laser) {
   using slicefarm::Process;
   std::vector<const slicefarm::TaskRunner*> runners;
-  for (const auto& [process, runner] : {std::pair(Process::kFdm, &fdm),
-                                        std::pair(Process::kLaser, &laser)}) {
+  for (const auto& [process, runner] :
+       {std::pair(Process::kFdm, &fdm), std::pair(Process::kLaser, &laser)}) {
     const bool named = std::ranges::find(names, ProcessName(process)) != names.end();
     if (names.empty() || named) runners.push_back(runner);
   }
@@ -34,16 +34,15 @@ slicefarm::ProcessRunners RunnersOf(const std::vector<std::string>& names,
 
 int main(int argc, char** argv) {
   slicefarm::rpc::ServerProgram program("worker");
-  CLI::App app("slicefarm-worker: the layer stages in one process, as a gRPC service");
   slicefarm::rpc::ServeFlags flags;
-  AddServeFlags(app, &flags);
-  app.add_option("--slots", flags.max_concurrent, "Ranges worked on at once; 0: one for each core")
-      ->check(CLI::Range(0, 1024));
   std::vector<std::string> names;
-  app.add_option("--processes", names, "Whose ranges it makes, by commas; default: all")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"fdm", "laser"}));
-  CLI11_PARSE(app, argc, argv);
+  slicefarm::rpc::StageCommandLine command_line("worker", "the layer stages in one process",
+                                                &flags);
+  command_line.AddCount("--slots", &flags.max_concurrent,
+                        "Ranges worked on at once; 0: one for each core", 0, 1024);
+  command_line.AddChoices("--processes", &names, "Whose ranges it makes, by commas; default: all",
+                          {"fdm", "laser"});
+  if (const auto code = command_line.Parse(argc, argv)) return *code;
 
   const auto beading = slicefarm::beading::MakeLocalBeading();
   const auto infill = slicefarm::infill::MakeLocalInfill();
