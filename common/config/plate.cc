@@ -1,6 +1,6 @@
 #include "common/config/plate.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
@@ -117,9 +117,8 @@ class Resolver {
     std::erase_if(plate_.no_effect, [&](const std::string& note) {
       if (note.find(": needs ") == std::string::npos) return false;
       const bool still = std::ranges::find(notes_there, note) != notes_there.end();
-      const bool replaced = std::ranges::any_of(own, [&](const Setting& setting) {
-        return note.starts_with(setting.key + " = ");
-      });
+      const bool replaced = std::ranges::any_of(
+          own, [&](const Setting& setting) { return note.starts_with(setting.key + " = "); });
       return !still && !replaced;
     });
   }
@@ -202,8 +201,7 @@ class ObjectResolver {
                                               range.from_mm, range.to_mm)));
       auto own = resolver_.Fitting(object_.name, range.settings, Scope::kRegion, true);
       if (!own.ok()) return own.status();
-      absl::StatusOr<JobSettings> settings =
-          resolver_.With(object_.name, Joined(own_, *own));
+      absl::StatusOr<JobSettings> settings = resolver_.With(object_.name, Joined(own_, *own));
       if (!settings.ok()) return settings.status();
       input.ranges.push_back({FromMm(range.from_mm), FromMm(range.to_mm),
                               settings->slicing.objects.front().layer_height_nm});
@@ -222,8 +220,8 @@ class ObjectResolver {
     added.role = part.role;
     added.to_object = part.to_object;
     added.regions.clear();
-    absl::Status ok = part.role == PartRole::kModifier ? AddChanges(*own, added)
-                                                       : AddRows(*own, added);
+    absl::Status ok =
+        part.role == PartRole::kModifier ? AddChanges(*own, added) : AddRows(*own, added);
     if (part.role == PartRole::kModifier) added.regions.assign(ranges_.size(), 0);
     input.parts.push_back(std::move(added));
     return ok;
@@ -278,8 +276,7 @@ nlohmann::ordered_json ToJson(const Settings& settings) {
 
 bool HasOwnSettings(const SceneObject& object) {
   return !object.settings.empty() || !object.ranges.empty() ||
-         std::ranges::any_of(object.parts,
-                             [](const Part& part) { return !part.settings.empty(); });
+         std::ranges::any_of(object.parts, [](const Part& part) { return !part.settings.empty(); });
 }
 
 std::string ObjectsText(std::span<const SceneObject> objects) {

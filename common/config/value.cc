@@ -1,6 +1,6 @@
 #include "common/config/value.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "absl/status/status.h"
+#include "absl/strings/str_join.h"
 #include "common/base/text.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/rings/simple_rings.h"
@@ -21,7 +22,7 @@ constexpr double kLargest = 1e9;  // times kSteps, still an exact integer in a d
 constexpr size_t kMaxCorners = 1000;
 constexpr std::string_view kQoi = "QOI";
 /// PrusaSlicer's.
-constexpr std::string_view kPictureFormats[] = {"PNG", "JPG", kQoi, "BTT_TFT", "COLPIC"};
+constexpr const char* kPictureFormats[] = {"PNG", "JPG", "QOI", "BTT_TFT", "COLPIC"};
 
 absl::Status Malformed(const std::string& why) { return absl::InvalidArgumentError(why); }
 
@@ -47,7 +48,7 @@ absl::StatusOr<ThumbnailSize> ParseSize(std::string_view text) {
   const std::vector<std::string_view> parts = Split(text, "/");
   if (parts.size() > 2 || (parts.size() == 2 && !IsPictureFormat(parts[1]))) {
     return Malformed(
-        fmt::format("'{}': the format is none of {}", text, fmt::join(kPictureFormats, ", ")));
+        fmt::format("'{}': the format is none of {}", text, absl::StrJoin(kPictureFormats, ", ")));
   }
   const std::vector<std::string_view> sides = Split(parts[0], "x");
   if (sides.size() != 2) return Malformed(fmt::format("'{}' is not WIDTHxHEIGHT", text));

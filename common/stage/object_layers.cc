@@ -1,6 +1,6 @@
 #include "common/stage/object_layers.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -101,12 +101,11 @@ absl::StatusOr<MultiPolygon> ReadOutlines(const fs::path& file) {
 
 std::string PrintBeads(const std::vector<beading::WallLine>& lines) {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (const auto& [inset, is_middle, line] : lines) {
-    fmt::format_to(out, "{} {:d} {:d} {}", inset, is_middle, line.closed, line.points.size());
+    text += fmt::format("{} {:d} {:d} {}", inset, is_middle, line.closed, line.points.size());
     for (size_t i = 0; i < line.points.size(); ++i) {
-      fmt::format_to(out, " {:.6f} {:.6f} {:.6f}", ToMm(line.points[i].x), ToMm(line.points[i].y),
-                     ToMm(line.thickness_nm[i]));
+      text += fmt::format(" {:.6f} {:.6f} {:.6f}", ToMm(line.points[i].x), ToMm(line.points[i].y),
+                          ToMm(line.thickness_nm[i]));
     }
     text += '\n';
   }

@@ -1,16 +1,15 @@
 #include "services/cli/fill_files.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <iterator>
 
 namespace slicefarm::cli {
 
 std::string PrintFill(const std::vector<Path>& paths) {
   std::string text;
   const auto append = [&text](Point p) {
-    fmt::format_to(std::back_inserter(text), " {:.6f} {:.6f}", ToMm(static_cast<double>(p.x)),
-                   ToMm(static_cast<double>(p.y)));
+    text += fmt::format(" {:.6f} {:.6f}", ToMm(static_cast<double>(p.x)),
+                        ToMm(static_cast<double>(p.y)));
   };
   for (const Path& path : paths) {
     text += std::to_string(path.points.size() + (path.closed ? 1 : 0));

@@ -1,6 +1,6 @@
 #include "common/config/projects/project.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "common/config/table/settings_table.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/table/setting_scope.h"
@@ -238,11 +239,11 @@ std::string DescribeRange(const SettingSpec& spec) {
     case Kind::kFlag:
       return "0 or 1";
     case Kind::kChoice: {
-      std::vector<std::string_view> names;
+      std::vector<std::string> names;
       for (const Choice& choice : spec.choices) {
-        if (choice.note.empty()) names.push_back(choice.name);
+        if (choice.note.empty()) names.emplace_back(choice.name);
       }
-      return fmt::format("one of {}", fmt::join(names, ", "));
+      return "one of " + absl::StrJoin(names, ", ");
     }
     case Kind::kText:
       return "text";

@@ -1,6 +1,6 @@
 #include "common/model/fields/field_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_join.h"
 #include "common/model/limits.h"
 
 namespace slicefarm {
@@ -44,11 +45,12 @@ class Reader {
   bool Has(const std::string& key) const { return status_.ok() && json_.contains(key); }
 
   /// Entries beside `known` would be without effect.
-  void Only(const std::vector<std::string_view>& known) {
+  void Only(const std::vector<std::string>& known) {
     if (!status_.ok()) return;
     for (const auto& [key, value] : json_.items()) {
       if (std::ranges::find(known, key) == known.end())
-        Fail(fmt::format("there is no entry '{:.60}'; known here: {}", key, fmt::join(known, ", ")));
+        Fail(fmt::format("there is no entry '{:.60}'; known here: {}", key,
+                         absl::StrJoin(known, ", ")));
     }
   }
 
@@ -70,12 +72,12 @@ class Reader {
   T OneOf(const std::string& key, std::span<const std::pair<T, std::string_view>> names) {
     if (!Has(key)) return names[0].first;
     const std::string text = Text(key);
-    std::vector<std::string_view> all;
+    std::vector<std::string> all;
     for (const auto& [value, name] : names) {
       if (name == text) return value;
-      all.push_back(name);
+      all.emplace_back(name);
     }
-    Fail(fmt::format("{} = '{:.60}': must be one of {}", key, text, fmt::join(all, ", ")));
+    Fail(fmt::format("{} = '{:.60}': must be one of {}", key, text, absl::StrJoin(all, ", ")));
     return names[0].first;
   }
 
@@ -186,11 +188,11 @@ DensityField ReadDensityField(Reader& reader) {
   DensityField field;
   const std::string kind = reader.Text("kind");
   const auto only = [&](std::initializer_list<std::string_view> entries) {
-    std::vector<std::string_view> known = {"kind", "law", "steepness", "threshold", "dither", "cell"};
+    std::vector<std::string> known = {"kind", "law", "steepness", "threshold", "dither", "cell"};
     known.insert(known.end(), entries.begin(), entries.end());
     return known;
   };
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   if (kind == "constant") {
     known = only({"density"});
     field.values = {reader.Number("density", 0, 1)};
@@ -284,15 +286,16 @@ absl::StatusOr<T> Parse(std::string_view text, T (*read)(Reader&)) {
 }
 
 std::string PrintNumbers(std::span<const double> numbers) {
-  fmt::memory_buffer text;
+  std::string text;
   for (size_t i = 0; i < numbers.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{}{:.6g}", i == 0 ? "" : ",", numbers[i]);
-  return fmt::to_string(text);
+    text += fmt::format("{}{:.6g}", i == 0 ? "" : ",", numbers[i]);
+  return text;
 }
 
 std::string PrintNodes(const FieldGrid& grid) {
-  return fmt::format("\"count\":[{}],\"origin\":[{}],\"spacing\":[{}]", fmt::join(grid.count, ","),
-                     PrintNumbers(grid.origin_mm), PrintNumbers(grid.spacing_mm));
+  return fmt::format("\"count\":[{}],\"origin\":[{}],\"spacing\":[{}]",
+                     absl::StrJoin(grid.count, ","), PrintNumbers(grid.origin_mm),
+                     PrintNumbers(grid.spacing_mm));
 }
 
 template <class T>
@@ -359,7 +362,7 @@ std::string PrintDensityField(const DensityField& field) {
       std::vector<std::string> rows;
       for (size_t i = 0; i < field.at_mm.size(); ++i)
         rows.push_back(fmt::format("[{:.6g},{:.6g}]", field.at_mm[i], field.values[i]));
-      text = fmt::format("{{\"kind\":\"height\",\"table\":[{}]", fmt::join(rows, ","));
+      text = fmt::format("{{\"kind\":\"height\",\"table\":[{}]", absl::StrJoin(rows, ","));
       break;
     }
     case DensityField::Kind::kSurfaceDistance:
@@ -392,7 +395,7 @@ std::string PrintStressField(const StressField& field) {
 std::string PrintMaterialField(const MaterialField& field) {
   std::vector<std::string> parts;
   for (const DensityField& part : field.parts) parts.push_back(PrintDensityField(part));
-  std::string text = fmt::format("{{\"parts\":[{}]", fmt::join(parts, ","));
+  std::string text = fmt::format("{{\"parts\":[{}]", absl::StrJoin(parts, ","));
   if (field.step != MaterialField().step) text += fmt::format(",\"step\":{:.6g}", field.step);
   return text + "}";
 }

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -66,8 +66,8 @@ ExitCode ListSettings(const SettingsOptions& options) {
 }  // namespace
 
 void AddSettings(CLI::App& app, CommandContext& context) {
-  CLI::App* command = app.add_subcommand(
-      "settings", "List every setting with its range, default and meaning");
+  CLI::App* command =
+      app.add_subcommand("settings", "List every setting with its range, default and meaning");
   const auto options = std::make_shared<SettingsOptions>();
   command->add_option("PATTERN", options->pattern, "Only those with this in their name");
   AddMachineOption(*command, options->process);

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/rand.h>
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ std::string NewToken() {
   std::array<unsigned char, 32> bytes;
   if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();
   std::string token = "sf_";
-  for (const unsigned char byte : bytes) fmt::format_to(std::back_inserter(token), "{:02x}", byte);
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
 }
 

@@ -1,12 +1,12 @@
 #include "services/coordinator/remote/stage_pool.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
+#include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/rpc/client/channel.h"
 
@@ -83,8 +83,7 @@ void StagePool::Update(const std::vector<std::string>& addresses) {
     for (const auto& replica : replicas_) replica->channel->GetState(/*try_to_connect=*/true);
     updated_.notify_all();
   }
-  log_.Info("replicas",
-            {{"stage", stage_}, {"addresses", fmt::format("{}", fmt::join(addresses, ","))}});
+  log_.Info("replicas", {{"stage", stage_}, {"addresses", absl::StrJoin(addresses, ",")}});
 }
 
 absl::Status StagePool::Call(const CancelToken& cancel, const Attempt& attempt) {
@@ -164,7 +163,7 @@ void StagePool::AwaitChange() const {
 absl::Status StagePool::NoneReachable() const {
   return MakeError(
       absl::StatusCode::kUnavailable, Reason::kUnavailable,
-      fmt::format("no {} service can be reached at {}", stage_, fmt::join(names_, ",")),
+      fmt::format("no {} service can be reached at {}", stage_, absl::StrJoin(names_, ",")),
       {{"stage", stage_}});
 }
 

@@ -1,6 +1,6 @@
 #include "services/coordinator/run/run_steps.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "common/base/error.h"
 

@@ -1,6 +1,6 @@
 #include "services/planning/algo/job_planner.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #include "services/coordinator/server/api/job_intake.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/rand.h>
 
 #include <array>
@@ -16,7 +16,7 @@ std::string NewJobId() {
   std::array<unsigned char, 16> bytes;
   if (RAND_bytes(bytes.data(), bytes.size()) != 1) std::abort();
   std::string id;
-  for (const unsigned char byte : bytes) fmt::format_to(std::back_inserter(id), "{:02x}", byte);
+  for (const unsigned char byte : bytes) id += fmt::format("{:02x}", byte);
   return id;
 }
 

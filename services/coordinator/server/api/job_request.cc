@@ -1,6 +1,6 @@
 #include "services/coordinator/server/api/job_request.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -95,7 +95,7 @@ class ActionWriter {
 
   template <typename... Args>
   void Out(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+    out_ += fmt::format(format, std::forward<Args>(args)...);
   }
 
   std::string& out_;
@@ -105,13 +105,12 @@ class ActionWriter {
 std::string ActionText(const JobRequest& request, const config::ResolvedPlate& settings,
                        std::string_view build_id, std::string_view result_tenant) {
   std::string text = fmt::format("build {}\n", build_id);
-  auto out = std::back_inserter(text);
-  if (!result_tenant.empty()) fmt::format_to(out, "tenant {}\n", result_tenant);
+  if (!result_tenant.empty()) text += fmt::format("tenant {}\n", result_tenant);
   ActionWriter(text).Add(request.scene);
   text += settings.effective_text;
   // The report names these, so they belong to the result as well.
   for (const std::string& line : settings.no_effect) {
-    fmt::format_to(out, "unused {}:{}\n", line.size(), line);
+    text += fmt::format("unused {}:{}\n", line.size(), line);
   }
   return text;
 }

@@ -1,6 +1,6 @@
 #include "services/coordinator/server/api/jobs_service.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <utility>
 
@@ -230,8 +230,9 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
 }
 
 /// A submission for each bed that the request takes.
-absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(
-    const Caller& caller, const v1::CreateJobRequest& request, const rpc::Call& call) {
+absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(const Caller& caller,
+                                                                const v1::CreateJobRequest& request,
+                                                                const rpc::Call& call) {
   auto submission = Read(caller, request);
   if (!submission.ok()) return submission.status();
   submission->trace = call.trace;
@@ -322,10 +323,9 @@ absl::StatusOr<v1::Job> JobsService::Validate(const Submission& submission,
   StageCall stage_call;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  const auto found =
-      LookAt(stage_call,
-             {*std::move(meshes), resolved->plate.settings, "", resolved->plate.warnings},
-             backend_.slicing, backend_.planning);
+  const auto found = LookAt(
+      stage_call, {*std::move(meshes), resolved->plate.settings, "", resolved->plate.warnings},
+      backend_.slicing, backend_.planning);
   if (!found.ok()) return found.status();
   v1::Job job;
   job.mutable_spec()->ParseFromString(submission.spec);

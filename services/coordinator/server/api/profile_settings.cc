@@ -1,6 +1,6 @@
 #include "services/coordinator/server/api/profile_settings.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

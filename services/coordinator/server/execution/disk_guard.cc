@@ -1,6 +1,6 @@
 #include "services/coordinator/server/execution/disk_guard.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <system_error>

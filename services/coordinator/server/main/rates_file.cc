@@ -1,6 +1,6 @@
 #include "services/coordinator/server/main/rates_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <fstream>
 #include <map>

@@ -1,6 +1,6 @@
 #include "services/coordinator/server/observe/status_board.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <utility>

@@ -1,11 +1,10 @@
 #include "services/coordinator/server/observe/status_page.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "absl/time/time.h"
 #include "services/coordinator/server/observe/coordinator_metrics.h"
 
 namespace slicefarm::coordinator {
@@ -121,9 +120,8 @@ std::string Workers(const CoordinatorStatus& status) {
 std::string Problems(const CoordinatorStatus& status) {
   std::vector<Cells> rows;
   for (const rpc::Problem& problem : status.problems) {
-    const auto time = std::chrono::time_point_cast<std::chrono::seconds>(problem.time);
-    rows.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                                fmt::gmtime(std::chrono::system_clock::to_time_t(time))),
+    rows.push_back({absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::FromChrono(problem.time),
+                                     absl::UTCTimeZone()),
                     problem.text});
   }
   return Heading("Last warnings and errors") + Table({"time", ""}, rows);

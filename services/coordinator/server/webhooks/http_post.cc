@@ -1,7 +1,7 @@
 #include "services/coordinator/server/webhooks/http_post.h"
 
 #include <curl/curl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/socket.h>
 
 #include <array>

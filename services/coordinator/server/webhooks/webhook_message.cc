@@ -1,12 +1,11 @@
 #include "services/coordinator/server/webhooks/webhook_message.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <google/protobuf/util/json_util.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
 #include <array>
-#include <iterator>
 
 #include "services/coordinator/server/api/jobs_wire.h"
 
@@ -29,8 +28,7 @@ std::string WebhookSignature(const std::string& secret, int64_t time_s, const st
   HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()),
        reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
   std::string signature = fmt::format("t={},v1=", time_s);
-  for (unsigned int i = 0; i < size; ++i)
-    fmt::format_to(std::back_inserter(signature), "{:02x}", digest[i]);
+  for (unsigned int i = 0; i < size; ++i) signature += fmt::format("{:02x}", digest[i]);
   return signature;
 }
 

@@ -1,7 +1,7 @@
 #include "services/coordinator/server/webhooks/webhook_policy.h"
 
 #include <curl/curl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

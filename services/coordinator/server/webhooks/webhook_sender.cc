@@ -1,6 +1,6 @@
 #include "services/coordinator/server/webhooks/webhook_sender.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>

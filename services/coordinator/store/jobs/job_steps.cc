@@ -1,6 +1,6 @@
 #include "services/coordinator/store/jobs/job_steps.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"

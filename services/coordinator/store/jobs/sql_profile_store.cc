@@ -1,6 +1,6 @@
 #include "services/coordinator/store/jobs/sql_profile_store.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <optional>
 #include <utility>

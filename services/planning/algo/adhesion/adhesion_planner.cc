@@ -1,6 +1,6 @@
 #include "services/planning/algo/adhesion/adhesion_planner.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
@@ -36,9 +36,7 @@ void Append(MultiPolygon more, MultiPolygon& all) {
 MultiPolygon United(const MultiPolygon& all) { return Union(all, {}); }
 
 /// Regions that border on each other as one.
-MultiPolygon Joined(const MultiPolygon& regions) {
-  return OffsetTwice(regions, kGlueNm, -kGlueNm);
-}
+MultiPolygon Joined(const MultiPolygon& regions) { return OffsetTwice(regions, kGlueNm, -kGlueNm); }
 
 bool SharesRaft(const ObjectPlanOptions& a, const ObjectPlanOptions& b) {
   return a.raft == b.raft && a.raft_settings == b.raft_settings;
@@ -59,16 +57,14 @@ MultiPolygon Cleared(const MultiPolygon& region) {
 
 }  // namespace
 
-AdhesionPlanner::AdhesionPlanner(const PlanningOptions& options,
-                                 std::span<const PlacedCopy> copies)
+AdhesionPlanner::AdhesionPlanner(const PlanningOptions& options, std::span<const PlacedCopy> copies)
     : options_(options),
       copies_(copies),
       bed_(RoomOf(options.bed)),
       highest_raft_nm_(HighestRaft()),
       wanted_(options.skirt.loops > 0 || highest_raft_nm_ > 0 ||
-              std::ranges::any_of(copies, [this](const PlacedCopy& copy) {
-                return HasBrim(copy.object);
-              })) {}
+              std::ranges::any_of(
+                  copies, [this](const PlacedCopy& copy) { return HasBrim(copy.object); })) {}
 
 bool AdhesionPlanner::HasRaft(int32_t object) const {
   return options_.objects[static_cast<size_t>(object)].raft.heights.layers > 0;
@@ -166,9 +162,9 @@ absl::StatusOr<std::vector<AdhesionPlanner::PlacedLayer>> AdhesionPlanner::Place
   return placed;
 }
 
-absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(
-    std::span<const PlacedLayer> rafts, const MultiPolygon& shield,
-    const CancelToken& cancel) const {
+absl::StatusOr<std::vector<Region>> AdhesionPlanner::PlaceBrims(std::span<const PlacedLayer> rafts,
+                                                                const MultiPolygon& shield,
+                                                                const CancelToken& cancel) const {
   if (std::ranges::none_of(copies_,
                            [this](const PlacedCopy& copy) { return HasBrim(copy.object); }))
     return std::vector<Region>();
@@ -219,8 +215,8 @@ void AdhesionPlanner::AddRafts(std::vector<PlacedLayer> rafts, JobPlan& plan) co
         same != plan.additions.end()
             ? *same
             : plan.additions.emplace_back(PlateAddition{index, raft.layer.height_nm, {}, {}});
-    const Role role = raft.layer.kind == RaftLayerKind::kInterface ? Role::kRaftInterface
-                                                                   : Role::kRaft;
+    const Role role =
+        raft.layer.kind == RaftLayerKind::kInterface ? Role::kRaftInterface : Role::kRaft;
     addition.regions.push_back({role, raft.settings, 0, std::move(raft.layer.region)});
   }
 }
@@ -266,8 +262,7 @@ absl::Status AdhesionPlanner::Finish(const CancelToken& cancel, OpenLayers& /*la
     loops = SkirtLoops(fenced, outside, skirt);
   }
   if (absl::Status ok = AddSkirt(WithinBed(std::move(loops), bed_), plan); !ok.ok()) return ok;
-  if (!brims->empty())
-    plan.additions.push_back({0, first_height_nm_, *std::move(brims), {}});
+  if (!brims->empty()) plan.additions.push_back({0, first_height_nm_, *std::move(brims), {}});
   AddRafts(std::move(rafts), plan);
   std::ranges::stable_sort(plan.additions, {}, &PlateAddition::layer);
   return absl::OkStatus();

@@ -1,6 +1,6 @@
 #include "services/planning/algo/infill/infill_planner.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

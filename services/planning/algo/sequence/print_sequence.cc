@@ -1,6 +1,6 @@
 #include "services/planning/algo/sequence/print_sequence.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "services/planning/algo/sequence/sequence_planner.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -37,8 +37,7 @@ std::string SequencePlanner::NameOfCopy(size_t copy) const {
   const auto same = [&](const PlacedCopy& other) { return other.object == object; };
   std::string name = NameOf(object, object_names_);
   if (std::ranges::count_if(copies_, same) == 1) return name;
-  return fmt::format("{} (copy {})", name,
-                     std::ranges::count_if(copies_.first(copy + 1), same));
+  return fmt::format("{} (copy {})", name, std::ranges::count_if(copies_.first(copy + 1), same));
 }
 
 absl::Status SequencePlanner::Finish(const CancelToken& cancel, OpenLayers& /*layers*/,

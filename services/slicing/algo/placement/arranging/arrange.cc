@@ -1,6 +1,6 @@
 #include "services/slicing/algo/placement/arranging/arrange.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

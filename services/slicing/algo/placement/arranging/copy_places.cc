@@ -1,7 +1,6 @@
 #include "services/slicing/algo/placement/arranging/copy_places.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "absl/strings/escaping.h"
+#include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/geometry/moved.h"
 #include "services/slicing/algo/placement/build_volume.h"
@@ -42,7 +42,7 @@ absl::Status NoRoom(std::span<const ObjectToPlace> objects, const std::vector<Fr
   }
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfBuildVolume,
                    fmt::format("{} of {} copies have no room on the bed: {}", left_over.size(),
-                               copies, fmt::join(which, ", ")),
+                               copies, absl::StrJoin(which, ", ")),
                    {{"limit", fmt::format("{}", copies - left_over.size())},
                     {"got", fmt::format("{}", copies)}});
 }

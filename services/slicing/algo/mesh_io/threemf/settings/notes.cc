@@ -1,9 +1,10 @@
 #include "services/slicing/algo/mesh_io/threemf/settings/notes.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+
+#include "absl/strings/str_join.h"
 
 namespace slicefarm::slicing::threemf {
 namespace {
@@ -28,7 +29,7 @@ std::vector<std::string> Notes::Lines() const {
   std::vector<std::string> lines;
   for (const Note& note : notes_) {
     std::string line = note.what;
-    if (note.count > 0) line += fmt::format(" of {}", fmt::join(note.objects, ", "));
+    if (note.count > 0) line += fmt::format(" of {}", absl::StrJoin(note.objects, ", "));
     if (note.count > kMostNames) line += fmt::format(" and {} more", note.count - kMostNames);
     lines.push_back(std::move(line));
   }
