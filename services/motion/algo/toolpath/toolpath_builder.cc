@@ -11,6 +11,7 @@
 #include "services/motion/algo/gcode/material_mix.h"
 #include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/scarf.h"
+#include "services/motion/algo/toolpath/simplified_path.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -61,6 +62,12 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 }
 
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
+  const SimplifiedPath simple = Simplified(path, options_.resolution_nm, bead_height_nm_);
+  flow_ = simple.flow;
+  Print(simple.path, travel);
+}
+
+void ToolpathBuilder::Print(const Path& path, const Travel& travel) {
   const double length_mm = ToMm(PathLength(path));
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
@@ -97,7 +104,8 @@ Toolpath ToolpathBuilder::FinishReady(const std::optional<Leave>& leave) {
 }
 
 ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
-  const double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier;
+  const double section_mm2 =
+      SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier * flow_;
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
           FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
 }

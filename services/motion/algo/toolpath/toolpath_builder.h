@@ -58,6 +58,7 @@ class ToolpathBuilder {
     int32_t feed_rate = 0;
   };
 
+  void Print(const Path& path, const Travel& travel);
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
@@ -93,6 +94,7 @@ class ToolpathBuilder {
 
   Toolpath path_;
   Move at_;                        ///< where the nozzle is, and what the next move inherits
+  double flow_ = 1;                ///< of the path being printed, of its beads' sections
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
