@@ -1,9 +1,11 @@
 #include "services/motion/algo/toolpath/simplified_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,11 @@ constexpr size_t kMostNodes = 256;
 constexpr double kLeastShare = 0.95;
 /// Lengths are of points before they are rounded.
 constexpr double kLengthSlackUm = 2;
+/// Places in whole um are so near to others.
+constexpr double kRoundingUm = 0.75;
+/// A corner turns by more than 30 degrees; it stays where it is.
+constexpr double kCornerCosine = 0.866;
+constexpr double kNmPerUm = 1000;
 /// What rounding of doubles may do to a distance.
 constexpr double kSlackUm = 1e-3;
 
@@ -24,48 +31,68 @@ constexpr double kSlackUm = 1e-3;
 struct Vector {
   double x = 0;
   double y = 0;
+
+  friend bool operator==(const Vector&, const Vector&) = default;
 };
 
 Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
 double Cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
 double Dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+double Length(Vector a) { return std::sqrt(Dot(a, a)); }
 
 /// A place to which the path leads in the text. What leads there is said of the way from the node
 /// before.
 struct Node {
-  size_t point = 0;  ///< of the path
+  Point point;       ///< of the path
   Vector place;      ///< whole um
   double width = 0;  ///< nm
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
+  /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
+  /// longer. The same as `place` at corners and ends.
+  Vector outside;
 };
 
 /// Nodes of a path, its start once more at the end of a closed one.
 std::vector<Node> NodesOf(const Path& path) {
-  const auto place = [&](size_t i) {
-    return Vector{static_cast<double>(ToUm(path.points[i].x)),
-                  static_cast<double>(ToUm(path.points[i].y))};
+  const auto node_at = [&](size_t i, double width, double along, double area) {
+    const Point point = path.points[i];
+    const Vector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
+    return Node{point, place, width, along, area, place};
   };
-  std::vector<Node> nodes = {{0, place(0)}};
-  nodes.reserve(path.points.size() + 1);
-  double along = 0, area = 0;
   const size_t count = path.points.size();
+  std::vector<Node> nodes = {node_at(0, 0, 0, 0)};
+  nodes.reserve(count + 1);
+  double along = 0, area = 0;
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t at = i < count ? i : 0;
-    const double length = Distance(path.points[i - 1], path.points[at]) / 1000;
+    const double length = Distance(path.points[i - 1], path.points[at]) / kNmPerUm;
     const auto width = static_cast<double>((path.WidthAt(i - 1) + path.WidthAt(at)) / 2);
     along += length;
     area += length * width;
-    const Node next = {at, place(at), width, along, area};
-    Node& last = nodes.back();
-    if (next.place.x == last.place.x && next.place.y == last.place.y) {
-      last.along = along;
-      last.area = area;
-    } else {
-      nodes.push_back(next);
-    }
+    const Node next = node_at(at, width, along, area);
+    if (next.place != nodes.back().place) nodes.push_back(next);
+    nodes.back().along = along;
+    nodes.back().area = area;
   }
   return nodes;
+}
+
+/// Says where beads may end outside of curves.
+void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
+  const double away = tolerance_um - kRoundingUm;
+  if (away <= 0) return;
+  for (size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const Vector in = nodes[i].place - nodes[i - 1].place;
+    const Vector out = nodes[i + 1].place - nodes[i].place;
+    const double in_length = Length(in), out_length = Length(out), turn = Cross(in, out);
+    if (turn == 0 || Dot(in, out) < kCornerCosine * in_length * out_length) continue;
+    const Vector mean = {in.x / in_length + out.x / out_length,
+                         in.y / in_length + out.y / out_length};
+    const double share = away / Length(mean) * (turn > 0 ? 1 : -1);
+    nodes[i].outside.x += std::round(mean.y * share);
+    nodes[i].outside.y -= std::round(mean.x * share);
+  }
 }
 
 /// The directions of rays from a point that pass discs.
@@ -112,79 +139,127 @@ class Cone {
 /// The beads that may stand for what begins at one node, grown node by node.
 class Reach {
  public:
-  Reach(const std::vector<Node>& nodes, size_t from, double tolerance_um)
-      : nodes_(nodes), from_(from), tolerance_um_(tolerance_um) {}
+  /// `begin`: where they begin.
+  Reach(const Node& from, Vector begin, double tolerance_um)
+      : from_(from), begin_(begin), tolerance_um_(tolerance_um) {}
 
-  /// To be called for one node after the other. Whether a bead may end at it.
-  bool Take(size_t to) {
-    const Node& start = nodes_[from_];
-    const Node& end = nodes_[to];
-    narrowest_ = std::min(narrowest_, end.width);
-    widest_ = std::max(widest_, end.width);
-    way_ = end.place - start.place;
-    squared_ = Dot(way_, way_);
-    const double length = end.along - start.along;
-    const double width = (end.area - start.area) / length;
-    return squared_ > 0 && squared_ >= farthest_ && cone_.Holds(way_) &&
-           widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm &&
-           kLeastShare * length <= std::sqrt(squared_) + kLengthSlackUm;
+  /// Goes on to the next node.
+  void Take(const Node& to) {
+    narrowest_ = std::min(narrowest_, to.width);
+    widest_ = std::max(widest_, to.width);
+    length_ = to.along - from_.along;
+    const double width = (to.area - from_.area) / length_;
+    even_ = widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm;
   }
 
-  /// The squared deviations of the nodes passed from a bead to the node taken last.
-  double Deviation() const {
-    return (way_.y * way_.y * xx_ - 2 * way_.x * way_.y * xy_ + way_.x * way_.x * yy_) / squared_;
+  /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
+  /// last; nothing if it may not stand for them.
+  std::optional<double> DeviationTo(Vector end) const {
+    const Vector way = end - begin_;
+    const double squared = Dot(way, way);
+    if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
+    if (kLeastShare * length_ > std::sqrt(squared) + kLengthSlackUm) return std::nullopt;
+    return (way.y * way.y * xx_ - 2 * way.x * way.y * xy_ + way.x * way.x * yy_) / squared;
   }
 
   /// Lets beads pass the node taken last. False if none may.
-  bool Pass() {
-    farthest_ = std::max(farthest_, squared_);
-    if (squared_ > tolerance_um_ * tolerance_um_) cone_.Narrow(way_, tolerance_um_);
-    xx_ += way_.x * way_.x;
-    xy_ += way_.x * way_.y;
-    yy_ += way_.y * way_.y;
+  bool Pass(Vector place) {
+    const Vector way = place - begin_;
+    const double squared = Dot(way, way);
+    farthest_ = std::max(farthest_, squared);
+    if (squared > tolerance_um_ * tolerance_um_) cone_.Narrow(way, tolerance_um_);
+    xx_ += way.x * way.x;
+    xy_ += way.x * way.y;
+    yy_ += way.y * way.y;
     return !cone_.Empty() && widest_ - narrowest_ <= 2 * kWidthToleranceNm;
   }
 
  private:
-  const std::vector<Node>& nodes_;
-  const size_t from_;
+  const Node& from_;
+  const Vector begin_;
   const double tolerance_um_;
   Cone cone_;
   double narrowest_ = std::numeric_limits<double>::infinity();
   double widest_ = 0;
+  double length_ = 0;    ///< of what is stood for
+  bool even_ = false;    ///< whether one width may stand for all
   double farthest_ = 0;  ///< squared distance of what was passed: beads must not end before it
-  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of what was passed, around the start
-  Vector way_;                       ///< to the node taken last
-  double squared_ = 0;
+  double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of what was passed, around the beginning
 };
 
-/// The nodes between which the fewest beads run, first and last included.
-std::vector<size_t> FewestBeads(const std::vector<Node>& nodes, double tolerance_um) {
-  struct Best {
-    size_t beads = std::numeric_limits<size_t>::max();
-    double deviation = 0;
-    size_t from = 0;
-  };
-  std::vector<Best> best(nodes.size());
-  best[0].beads = 0;
-  for (size_t from = 0; from + 1 < nodes.size(); ++from) {
-    Reach reach(nodes, from, tolerance_um);
-    const size_t end = std::min(nodes.size(), from + 1 + kMostNodes);
-    for (size_t to = from + 1; to < end; ++to) {
-      // What is written after all needs no reason: from node to node.
-      if (reach.Take(to) || to == from + 1) {
-        const Best here = {best[from].beads + 1, best[from].deviation + reach.Deviation(), from};
-        if (std::pair(here.beads, here.deviation) < std::pair(best[to].beads, best[to].deviation))
-          best[to] = here;
-      }
-      if (!reach.Pass()) break;
+/// Where a bead may end: at a node or outside of it.
+struct Stop {
+  size_t node = 0;
+  int outside = 0;  ///< 1: there
+};
+
+Vector PlaceOf(const std::vector<Node>& nodes, Stop stop) {
+  const Node& node = nodes[stop.node];
+  return stop.outside == 0 ? node.place : node.outside;
+}
+
+/// The best way to a stop that is known.
+struct Way {
+  size_t beads = std::numeric_limits<size_t>::max();
+  double deviation = 0;  ///< squared, of all nodes
+  Stop before;
+
+  bool IsKnown() const { return beads < std::numeric_limits<size_t>::max(); }
+  friend bool operator<(const Way& a, const Way& b) {
+    return std::pair(a.beads, a.deviation) < std::pair(b.beads, b.deviation);
+  }
+};
+
+class FewestBeads {
+ public:
+  FewestBeads(const std::vector<Node>& nodes, double tolerance_um)
+      : nodes_(nodes), tolerance_um_(tolerance_um), ways_(nodes.size()) {
+    ways_[0][0].beads = 0;
+    for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
+      const bool moved = nodes_[i].outside != nodes_[i].place;
+      if (ways_[i][0].beads <= ways_[i][1].beads) GoOnFrom({i, 0});
+      if (moved && ways_[i][1].beads <= ways_[i][0].beads) GoOnFrom({i, 1});
     }
   }
-  std::vector<size_t> kept = {nodes.size() - 1};
-  while (kept.back() != 0) kept.push_back(best[kept.back()].from);
-  std::ranges::reverse(kept);
-  return kept;
-}
+
+  /// From the first node to the last.
+  std::vector<Stop> Stops() const {
+    std::vector<Stop> stops = {{nodes_.size() - 1, 0}};
+    while (stops.back().node != 0) stops.push_back(WayTo(stops.back()).before);
+    std::ranges::reverse(stops);
+    return stops;
+  }
+
+ private:
+  const Way& WayTo(Stop stop) const { return ways_[stop.node][stop.outside]; }
+
+  void GoOnFrom(Stop from) {
+    if (!WayTo(from).IsKnown()) return;
+    Reach reach(nodes_[from.node], PlaceOf(nodes_, from), tolerance_um_);
+    const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
+    for (size_t i = from.node + 1; i < end; ++i) {
+      reach.Take(nodes_[i]);
+      const bool next = from.outside == 0 && i == from.node + 1;
+      Improve({i, 0}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
+      if (nodes_[i].outside != nodes_[i].place)
+        Improve({i, 1}, from, reach.DeviationTo(nodes_[i].outside));
+      if (!reach.Pass(nodes_[i].place)) return;
+    }
+  }
+
+  void Improve(Stop stop, Stop from, std::optional<double> deviation) {
+    if (!deviation) return;
+    const Vector away = PlaceOf(nodes_, stop) - nodes_[stop.node].place;
+    const Way& before = WayTo(from);
+    const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
+    Way& best = ways_[stop.node][stop.outside];
+    if (way < best) best = way;
+  }
+
+  const std::vector<Node>& nodes_;
+  const double tolerance_um_;
+  std::vector<std::array<Way, 2>> ways_;  ///< by node, and whether outside of it
+};
 
 double Plastic(const Path& path, Coord bead_height_nm) {
   double plastic = 0, section = 0;
@@ -200,18 +275,20 @@ double Plastic(const Path& path, Coord bead_height_nm) {
   return plastic;
 }
 
-/// The points and widths of beads between nodes.
-void PutBeads(const std::vector<Node>& nodes, const std::vector<size_t>& kept, const Path& from,
-              Path& path) {
-  const auto put = [&](size_t node, Coord width_nm) {
-    path.points.push_back(from.points[nodes[node].point]);
+/// The points and widths of beads from stop to stop.
+void PutBeads(const std::vector<Node>& nodes, const std::vector<Stop>& stops, Path& path) {
+  const auto put = [&](Stop stop, Coord width_nm) {
+    const Node& node = nodes[stop.node];
+    path.points.push_back(stop.outside == 0 ? node.point
+                                            : Point{std::llround(node.outside.x * kNmPerUm),
+                                                    std::llround(node.outside.y * kNmPerUm)});
     path.widths_nm.push_back(width_nm);
   };
-  for (size_t i = 1; i < kept.size(); ++i) {
-    const Node &start = nodes[kept[i - 1]], &end = nodes[kept[i]];
+  for (size_t i = 1; i < stops.size(); ++i) {
+    const Node &start = nodes[stops[i - 1].node], &end = nodes[stops[i].node];
     const Coord width_nm = std::llround((end.area - start.area) / (end.along - start.along));
-    if (i == 1 || width_nm != path.widths_nm.back()) put(kept[i - 1], width_nm);
-    put(kept[i], width_nm);
+    if (i == 1 || width_nm != path.widths_nm.back()) put(stops[i - 1], width_nm);
+    put(stops[i], width_nm);
   }
   const bool even = std::ranges::all_of(
       path.widths_nm, [&](Coord width) { return width == path.widths_nm.front(); });
@@ -225,15 +302,16 @@ void PutBeads(const std::vector<Node>& nodes, const std::vector<size_t>& kept, c
 }  // namespace
 
 SimplifiedPath Simplified(const Path& path, Coord tolerance_nm, Coord bead_height_nm) {
-  const std::vector<Node> nodes = NodesOf(path);
-  const double tolerance_um = static_cast<double>(tolerance_nm) / 1000 - kSlackUm;
+  std::vector<Node> nodes = NodesOf(path);
+  const double tolerance_um = static_cast<double>(tolerance_nm) / kNmPerUm - kSlackUm;
   if (nodes.size() < 3 || tolerance_um <= 0) return {path};
-  const std::vector<size_t> kept = FewestBeads(nodes, tolerance_um);
-  if (path.closed && kept.size() < 4) return {path};
+  FindOutsides(tolerance_um, nodes);
+  const std::vector<Stop> stops = FewestBeads(nodes, tolerance_um).Stops();
+  if (path.closed && stops.size() < 4) return {path};
   SimplifiedPath simple;
   simple.path = {path.feature,    path.settings, path.inset, path.ring, path.closed,
                  path.reversible, path.tool,     {},         {}};
-  PutBeads(nodes, kept, path, simple.path);
+  PutBeads(nodes, stops, simple.path);
   simple.flow = Plastic(path, bead_height_nm) / Plastic(simple.path, bead_height_nm);
   return simple;
 }
