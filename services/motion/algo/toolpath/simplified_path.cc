@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "common/model/bead_section.h"
+#include "services/motion/algo/toolpath/arc_fit.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
 namespace slicefarm::motion {
@@ -45,7 +47,7 @@ double Length(Vector a) { return std::sqrt(Dot(a, a)); }
 struct Node {
   Point point;       ///< of the path
   Vector place;      ///< whole um
-  double width = 0;  ///< nm
+  Coord width_nm = 0;
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
   /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
@@ -55,10 +57,10 @@ struct Node {
 
 /// Nodes of a path, its start once more at the end of a closed one.
 std::vector<Node> NodesOf(const Path& path) {
-  const auto node_at = [&](size_t i, double width, double along, double area) {
+  const auto node_at = [&](size_t i, Coord width_nm, double along, double area) {
     const Point point = path.points[i];
     const Vector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
-    return Node{point, place, width, along, area, place};
+    return Node{point, place, width_nm, along, area, place};
   };
   const size_t count = path.points.size();
   std::vector<Node> nodes = {node_at(0, 0, 0, 0)};
@@ -67,10 +69,10 @@ std::vector<Node> NodesOf(const Path& path) {
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t at = i < count ? i : 0;
     const double length = Distance(path.points[i - 1], path.points[at]) / kNmPerUm;
-    const auto width = static_cast<double>((path.WidthAt(i - 1) + path.WidthAt(at)) / 2);
+    const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(at)) / 2;
     along += length;
-    area += length * width;
-    const Node next = node_at(at, width, along, area);
+    area += length * static_cast<double>(width_nm);
+    const Node next = node_at(at, width_nm, along, area);
     if (next.place != nodes.back().place) nodes.push_back(next);
     nodes.back().along = along;
     nodes.back().area = area;
@@ -145,10 +147,10 @@ class Reach {
 
   /// Goes on to the next node.
   void Take(const Node& to) {
-    narrowest_ = std::min(narrowest_, to.width);
-    widest_ = std::max(widest_, to.width);
+    narrowest_ = std::min(narrowest_, to.width_nm);
+    widest_ = std::max(widest_, to.width_nm);
     length_ = to.along - from_.along;
-    const double width = (to.area - from_.area) / length_;
+    const Coord width = std::llround((to.area - from_.area) / length_);
     even_ = widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm;
   }
 
@@ -179,23 +181,23 @@ class Reach {
   const Vector begin_;
   const double tolerance_um_;
   Cone cone_;
-  double narrowest_ = std::numeric_limits<double>::infinity();
-  double widest_ = 0;
+  Coord narrowest_ = std::numeric_limits<Coord>::max();
+  Coord widest_ = 0;
   double length_ = 0;    ///< of what is stood for
   bool even_ = false;    ///< whether one width may stand for all
   double farthest_ = 0;  ///< squared distance of what was passed: beads must not end before it
   double xx_ = 0, xy_ = 0, yy_ = 0;  ///< moments of what was passed, around the beginning
 };
 
-/// Where a bead may end: at a node or outside of it.
+/// Where a bead ends: at a node or outside of it.
 struct Stop {
   size_t node = 0;
-  int outside = 0;  ///< 1: there
+  size_t outside = 0;   ///< 1: there
+  bool on_arc = false;  ///< the bead is a piece of an arc
 };
 
-Vector PlaceOf(const std::vector<Node>& nodes, Stop stop) {
-  const Node& node = nodes[stop.node];
-  return stop.outside == 0 ? node.place : node.outside;
+Vector PlaceOf(const Node& node, size_t outside) {
+  return outside == 0 ? node.place : node.outside;
 }
 
 /// The best way to a stop that is known.
@@ -210,9 +212,10 @@ struct Way {
   }
 };
 
+/// The fewest beads from the first of some nodes to the last.
 class FewestBeads {
  public:
-  FewestBeads(const std::vector<Node>& nodes, double tolerance_um)
+  FewestBeads(std::span<const Node> nodes, double tolerance_um)
       : nodes_(nodes), tolerance_um_(tolerance_um), ways_(nodes.size()) {
     ways_[0][0].beads = 0;
     for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
@@ -222,10 +225,10 @@ class FewestBeads {
     }
   }
 
-  /// From the first node to the last.
+  /// Where they end, from the first on.
   std::vector<Stop> Stops() const {
-    std::vector<Stop> stops = {{nodes_.size() - 1, 0}};
-    while (stops.back().node != 0) stops.push_back(WayTo(stops.back()).before);
+    std::vector<Stop> stops;
+    for (Stop at = {nodes_.size() - 1, 0}; at.node != 0; at = WayTo(at).before) stops.push_back(at);
     std::ranges::reverse(stops);
     return stops;
   }
@@ -235,7 +238,7 @@ class FewestBeads {
 
   void GoOnFrom(Stop from) {
     if (!WayTo(from).IsKnown()) return;
-    Reach reach(nodes_[from.node], PlaceOf(nodes_, from), tolerance_um_);
+    Reach reach(nodes_[from.node], PlaceOf(nodes_[from.node], from.outside), tolerance_um_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
     for (size_t i = from.node + 1; i < end; ++i) {
       reach.Take(nodes_[i]);
@@ -249,17 +252,63 @@ class FewestBeads {
 
   void Improve(Stop stop, Stop from, std::optional<double> deviation) {
     if (!deviation) return;
-    const Vector away = PlaceOf(nodes_, stop) - nodes_[stop.node].place;
+    const Node& node = nodes_[stop.node];
+    const Vector away = PlaceOf(node, stop.outside) - node.place;
     const Way& before = WayTo(from);
     const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
     Way& best = ways_[stop.node][stop.outside];
     if (way < best) best = way;
   }
 
-  const std::vector<Node>& nodes_;
+  const std::span<const Node> nodes_;
   const double tolerance_um_;
   std::vector<std::array<Way, 2>> ways_;  ///< by node, and whether outside of it
 };
+
+/// Nodes [first, last] which one arc may stand for.
+struct NodeArc {
+  size_t first = 0;
+  size_t last = 0;
+};
+
+/// Of beads that are equally wide, in um.
+std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
+  std::vector<NodeArc> arcs;
+  for (size_t first = 0; first + 1 < nodes.size();) {
+    std::vector<PlaceUm> places;
+    const auto add = [&](const Node& node) {
+      places.push_back({static_cast<int32_t>(node.place.x), static_cast<int32_t>(node.place.y)});
+    };
+    add(nodes[first]);
+    const int32_t width_um = ToUm(nodes[first + 1].width_nm);
+    for (size_t i = first + 1; i < nodes.size() && ToUm(nodes[i].width_nm) == width_um; ++i)
+      add(nodes[i]);
+    size_t at = first;
+    for (const CurvePiece& piece : FitArcs(places)) {
+      if (piece.is_arc) arcs.push_back({at, first + piece.last});
+      at = first + piece.last;
+    }
+    first = at;
+  }
+  return arcs;
+}
+
+/// The last nodes of the beads that stand for all: as few as can be between arcs.
+std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
+                          double tolerance_um) {
+  std::vector<Stop> stops;
+  size_t at = 0;
+  arcs.push_back({nodes.size() - 1, nodes.size() - 1});
+  for (const NodeArc& arc : arcs) {
+    if (at < arc.first) {
+      for (Stop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance_um).Stops())
+        stops.push_back({at + stop.node, stop.outside});
+    }
+    for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, 0, true});
+    at = arc.last;
+  }
+  return stops;
+}
 
 double Plastic(const Path& path, Coord bead_height_nm) {
   double plastic = 0, section = 0;
@@ -275,44 +324,58 @@ double Plastic(const Path& path, Coord bead_height_nm) {
   return plastic;
 }
 
-/// The points and widths of beads from stop to stop.
-void PutBeads(const std::vector<Node>& nodes, const std::vector<Stop>& stops, Path& path) {
+/// The points and widths of beads from stop to stop, of which the first one begins at the first
+/// node.
+void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, SimplifiedPath& simple) {
+  Path& path = simple.path;
   const auto put = [&](Stop stop, Coord width_nm) {
     const Node& node = nodes[stop.node];
     path.points.push_back(stop.outside == 0 ? node.point
                                             : Point{std::llround(node.outside.x * kNmPerUm),
                                                     std::llround(node.outside.y * kNmPerUm)});
     path.widths_nm.push_back(width_nm);
+    simple.on_arc.push_back(stop.on_arc);
   };
-  for (size_t i = 1; i < stops.size(); ++i) {
-    const Node &start = nodes[stops[i - 1].node], &end = nodes[stops[i].node];
+  Stop last;
+  for (const Stop stop : stops) {
+    const Node &start = nodes[last.node], &end = nodes[stop.node];
     const Coord width_nm = std::llround((end.area - start.area) / (end.along - start.along));
-    if (i == 1 || width_nm != path.widths_nm.back()) put(stops[i - 1], width_nm);
-    put(stops[i], width_nm);
+    if (path.points.empty() || width_nm != path.widths_nm.back()) put(last, width_nm);
+    put(stop, width_nm);
+    last = stop;
   }
+  simple.on_arc.erase(simple.on_arc.begin());
   const bool even = std::ranges::all_of(
       path.widths_nm, [&](Coord width) { return width == path.widths_nm.front(); });
   if (path.closed && path.widths_nm.back() == path.widths_nm.front()) {
     path.points.pop_back();
     path.widths_nm.pop_back();
+  } else if (path.closed) {
+    simple.on_arc.push_back(false);
   }
   if (even) path.widths_nm.resize(1);
 }
 
+SimplifiedPath Whole(const Path& path, bool keep_arcs) {
+  return {path, 1, std::vector<bool>(path.points.size() - (path.closed ? 0 : 1), keep_arcs)};
+}
+
 }  // namespace
 
-SimplifiedPath Simplified(const Path& path, Coord tolerance_nm, Coord bead_height_nm) {
+SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   std::vector<Node> nodes = NodesOf(path);
-  const double tolerance_um = static_cast<double>(tolerance_nm) / kNmPerUm - kSlackUm;
-  if (nodes.size() < 3 || tolerance_um <= 0) return {path};
+  const double tolerance_um = static_cast<double>(options.tolerance_nm) / kNmPerUm - kSlackUm;
+  if (nodes.size() < 3 || tolerance_um <= 0) return Whole(path, options.keep_arcs);
   FindOutsides(tolerance_um, nodes);
-  const std::vector<Stop> stops = FewestBeads(nodes, tolerance_um).Stops();
-  if (path.closed && stops.size() < 4) return {path};
+  const std::vector<Stop> stops =
+      StopsOf(nodes, options.keep_arcs ? ArcsOf(nodes) : std::vector<NodeArc>{}, tolerance_um);
+  if (path.closed && stops.size() < 3) return Whole(path, options.keep_arcs);
   SimplifiedPath simple;
   simple.path = {path.feature,    path.settings, path.inset, path.ring, path.closed,
                  path.reversible, path.tool,     {},         {}};
-  PutBeads(nodes, stops, simple.path);
-  simple.flow = Plastic(path, bead_height_nm) / Plastic(simple.path, bead_height_nm);
+  PutBeads(nodes, stops, simple);
+  simple.flow =
+      Plastic(path, options.bead_height_nm) / Plastic(simple.path, options.bead_height_nm);
   return simple;
 }
 
