@@ -22,7 +22,7 @@ struct SparseFill {
   Coord anchor_nm = 0;      ///< how far a loose end turns along the edge
   Coord anchor_max_nm = 0;  ///< longest link; 0: none
   std::span<const Polyline> planned = {};  ///< of patterns that planning lays out
-  const LayerField* field = nullptr;  ///< says how dense, in place of `density`, and which way
+  const LayerField* field = nullptr;       ///< says how dense, in place of `density`, and which way
 };
 
 /// Fills a region with a pattern of the given density: path length per area is density / spacing,
