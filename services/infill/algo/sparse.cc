@@ -81,8 +81,9 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   const MultiPolygon area = FastOffset(region, -inset);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
-  const auto pieces =
-      PiecesOf(fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, fill.planned});
+  const auto pieces = PiecesOf(
+      fill, area,
+      {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, fill.planned, fill.smoothing_nm});
   if (!pieces.ok()) return pieces.status();
   const auto width = static_cast<double>(fill.width_nm);
   // A link lies beside a wall, which has taken the part of its bead that overlaps.

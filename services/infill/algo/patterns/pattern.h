@@ -16,8 +16,9 @@ struct PatternPlace {
   int32_t layer = 0;
   double pitch_nm = 0;  ///< the law: length of lines per area is 1 / pitch, over a period in z
   double angle_rad = 0;
-  Coord spacing_nm = 0;  ///< of beads that lie side by side
+  Coord spacing_nm = 0;                    ///< of beads that lie side by side
   std::span<const Polyline> planned = {};  ///< the lines of patterns that planning lays out
+  Coord smoothing_nm = 0;                  ///< of lines that follow the region; 0: none
 };
 
 /// What is left of a pattern inside a region. Every pattern has this form; registry.h names them.
