@@ -183,7 +183,7 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
+         smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
          interface_shells, nozzle, every_layers, only_where_needed, shells, overhang_lines, ironing,
          small_area_flow, small_area_flow_table, density_field, stress_field, field_halo_layers] =
       options;
@@ -223,6 +223,7 @@ InfillOptions DistinctInfill() {
   solid_below_area = 314.5;
   anchor = 315;
   anchor_max = 316;
+  smoothing = 317;
   solid_every_layers = 318;
   density_field = "density";
   stress_field = "stress";
@@ -512,6 +513,7 @@ constexpr char kDistinct[] = R"pb(
     solid_below_area_mm2: 314.5
     anchor_nm: 315
     anchor_max_nm: 316
+    smoothing_nm: 317
     solid_every_layers: 318
     bridge_angle_rad: 0.319
     density_field: "density"

@@ -60,7 +60,8 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
   const MultiPolygon area = FastOffset(FastOffset(region, -(inset + half)), half);
   const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
   const auto pieces = PiecesOf(
-      fill, area, {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, 0, fill.planned});
+      fill, area,
+      {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, 0, fill.planned, fill.smoothing_nm});
   if (!pieces.ok()) return pieces.status();
   const auto width = static_cast<double>(fill.width_nm);
   paths =

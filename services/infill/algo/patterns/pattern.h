@@ -21,6 +21,7 @@ struct PatternPlace {
   /// pitches. Half of one if they are to fill the region, 0 if that line is to hold to the walls.
   double first_line = 0.5;
   std::span<const Polyline> planned = {};  ///< the lines of patterns that planning lays out
+  Coord smoothing_nm = 0;                  ///< of lines that follow the region; 0: none
 };
 
 /// What is left of a pattern inside a region. Every pattern has this form; registry.h names them.

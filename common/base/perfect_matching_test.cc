@@ -1,4 +1,4 @@
-#include "services/ordering/algo/tours/graphs/perfect_matching.h"
+#include "common/base/perfect_matching.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace slicefarm::ordering::perfect_matching_test {
+namespace slicefarm::perfect_matching_test {
 namespace {
 
 using Weights = std::vector<std::vector<int64_t>>;
@@ -95,4 +95,4 @@ TEST(PerfectMatching, TheProofTellsWhetherMoreEdgesMatter) {
 }
 
 }  // namespace
-}  // namespace slicefarm::ordering::perfect_matching_test
+}  // namespace slicefarm::perfect_matching_test

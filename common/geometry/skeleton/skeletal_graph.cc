@@ -1,4 +1,4 @@
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 
 #include <algorithm>
 #include <boost/polygon/voronoi.hpp>
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "services/beading/algo/skeleton/voronoi_traits.h"
+#include "common/geometry/skeleton/voronoi_traits.h"
 
-namespace slicefarm::beading {
+namespace slicefarm {
 namespace {
 
 /// How far a node's distances to its features may differ.
@@ -27,7 +27,7 @@ using Edge = Diagram::edge_type;
 Place Of(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 /// > 0 for a place to the left of the edge; its distance from the line, times the edge's length.
-double Side(const BoundaryEdge& edge, Place p) {
+double SideOf(const BoundaryEdge& edge, Place p) {
   const Point d = edge.to - edge.from;
   return static_cast<double>(d.x) * (p.y - static_cast<double>(edge.from.y)) -
          static_cast<double>(d.y) * (p.x - static_cast<double>(edge.from.x));
@@ -162,7 +162,7 @@ class Builder {
         (p.x - from.x) * static_cast<double>(d.x) + (p.y - from.y) * static_cast<double>(d.y);
     if (along <= 0) return Hypot(p.x - from.x, p.y - from.y);
     if (along >= SquaredNorm(d)) return Hypot(p.x - to.x, p.y - to.y);
-    return std::abs(Side(edge, p)) / Norm(d);
+    return std::abs(SideOf(edge, p)) / Norm(d);
   }
 
   /// The node of a vertex, or -1 if it is not as far from `a` as from `b` and all before them.
@@ -257,7 +257,7 @@ class Builder {
     const Point d = directrix.to - directrix.from;
     const double length = Norm(d);
     const double ux = static_cast<double>(d.x) / length, uy = static_cast<double>(d.y) / length;
-    const double height = Side(directrix, focus) / length;
+    const double height = SideOf(directrix, focus) / length;
     if (height < 1) return {};
     const auto along = [&](int node) {
       const Place p = graph_.nodes[node].place;
@@ -480,4 +480,4 @@ std::optional<SkeletalGraph> MakeSkeletalGraph(const Boundary& boundary,
   return BuildWith<boost::polygon::detail::voronoi_ctype_traits<int32_t>>(boundary, options);
 }
 
-}  // namespace slicefarm::beading
+}  // namespace slicefarm

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace slicefarm::beading {
+namespace slicefarm {
 
 /// A double that Boost.Polygon's Voronoi builder takes for its own floating-point type.
 ///
@@ -72,13 +72,13 @@ struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
   using to_fpt_converter_type = ToLoose;
 };
 
-}  // namespace slicefarm::beading
+}  // namespace slicefarm
 
 /// The builder's number with a bound on its relative error, in ulps; what it is asked for to decide
 /// on another try is a part of that.
 template <>
-class boost::polygon::detail::robust_fpt<slicefarm::beading::Loose> {
-  using Number = slicefarm::beading::Loose;
+class boost::polygon::detail::robust_fpt<slicefarm::Loose> {
+  using Number = slicefarm::Loose;
 
  public:
   using floating_point_type = Number;
@@ -90,7 +90,7 @@ class boost::polygon::detail::robust_fpt<slicefarm::beading::Loose> {
 
   Number fpv() const { return value_; }
   Number re() const { return error_; }
-  Number ulp() const { return error_ * slicefarm::beading::kCoarser; }
+  Number ulp() const { return error_ * slicefarm::kCoarser; }
   bool has_pos_value() const { return value_ > 0; }
   bool has_neg_value() const { return value_ < 0; }
   bool has_zero_value() const { return value_ == 0; }

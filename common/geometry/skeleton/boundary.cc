@@ -1,4 +1,4 @@
-#include "services/beading/algo/skeleton/boundary.h"
+#include "common/geometry/skeleton/boundary.h"
 
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "common/geometry/rings/ring_cleaning.h"
 #include "common/geometry/rings/simple_rings.h"
 
-namespace slicefarm::beading {
+namespace slicefarm {
 namespace {
 
 constexpr Coord kCoarseUnitNm = 1'000;
@@ -69,4 +69,4 @@ std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region) {
   return boundary ? std::move(boundary) : MakeBoundary(region, 1);
 }
 
-}  // namespace slicefarm::beading
+}  // namespace slicefarm

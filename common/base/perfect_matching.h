@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace slicefarm::ordering {
+namespace slicefarm {
 
 struct WeightedEdge {
   int32_t a;
@@ -33,4 +33,4 @@ struct PerfectMatching {
 /// 0,1-Vertices" (1965), by the LEMON library.
 PerfectMatching LightestPerfectMatching(int32_t size, const std::vector<WeightedEdge>& edges);
 
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm

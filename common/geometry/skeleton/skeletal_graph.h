@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "services/beading/algo/skeleton/boundary.h"
+#include "common/geometry/skeleton/boundary.h"
 
-namespace slicefarm::beading {
+namespace slicefarm {
 
 /// A point of the plane in nm from the graph's origin.
 struct Place {
@@ -81,4 +81,4 @@ struct SkeletalOptions {
 std::optional<SkeletalGraph> MakeSkeletalGraph(const Boundary& boundary,
                                                const SkeletalOptions& options);
 
-}  // namespace slicefarm::beading
+}  // namespace slicefarm

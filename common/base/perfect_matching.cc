@@ -1,10 +1,10 @@
 // LEMON 1.3.1 needs what C++20 took out of std::allocator: this file is C++17 (CMakeLists.txt).
-#include "services/ordering/algo/tours/graphs/perfect_matching.h"
+#include "common/base/perfect_matching.h"
 
 #include <lemon/matching.h>
 #include <lemon/smart_graph.h>
 
-namespace slicefarm::ordering {
+namespace slicefarm {
 namespace {
 
 using Graph = lemon::SmartGraph;
@@ -56,4 +56,4 @@ PerfectMatching LightestPerfectMatching(int32_t size, const std::vector<Weighted
   return matching;
 }
 
-}  // namespace slicefarm::ordering
+}  // namespace slicefarm

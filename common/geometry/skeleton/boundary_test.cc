@@ -1,4 +1,4 @@
-#include "services/beading/algo/skeleton/boundary.h"
+#include "common/geometry/skeleton/boundary.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "common/geometry/boolean/predicates.h"
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading::boundary_test {
+namespace slicefarm::boundary_test {
 namespace {
 
 constexpr Coord kUm = 1'000;
@@ -131,4 +131,4 @@ TEST(Boundary, IsNoWiderThan32Bits) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading::boundary_test
+}  // namespace slicefarm::boundary_test

@@ -5,7 +5,7 @@
 
 #include "common/geometry/polygon.h"
 
-namespace slicefarm::beading {
+namespace slicefarm {
 
 /// A directed edge of a boundary, the region to its left; and where the boundary goes on.
 struct BoundaryEdge {
@@ -38,4 +38,4 @@ std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region, Coord unit_
 /// quite parallel, and these are what costs a diagram its precision.
 std::optional<Boundary> MakeBoundary(const PolygonWithHoles& region);
 
-}  // namespace slicefarm::beading
+}  // namespace slicefarm

@@ -1,4 +1,4 @@
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 #include "common/geometry/text_format.h"
 
-namespace slicefarm::beading::skeletal_graph_test {
+namespace slicefarm::skeletal_graph_test {
 namespace {
 
 constexpr double kErrorNm = 2'000;
@@ -336,4 +336,4 @@ TEST(SkeletalGraph, BetweenTwoCornersTheNarrowestPlaceIsANode) {
 }
 
 }  // namespace
-}  // namespace slicefarm::beading::skeletal_graph_test
+}  // namespace slicefarm::skeletal_graph_test
