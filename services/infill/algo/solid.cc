@@ -53,11 +53,11 @@ EndDistances EndsOf(Coord spacing, const SolidFill& fill, bool linked) {
   return {std::max(free, EndDistance(spacing, overlap)), free};
 }
 
-/// Lines across a region that fill it from edge to edge, if that takes no more stretch than
-/// allowed; else as many as come nearest, in its middle.
-LineFamily FittingLines(const PolygonWithHoles& region, double angle_rad, double spacing) {
-  const FrameBox extent = BoxIn(LineAxes(angle_rad), {region});
-  const double height = extent.max_v - extent.min_v;
+/// Lines across an area, the outermost ones `margin` inside of it, if that takes no more stretch
+/// than allowed; else as many as come nearest, in its middle.
+LineFamily FittingLines(const MultiPolygon& area, double angle_rad, double spacing, double margin) {
+  const FrameBox extent = BoxIn(LineAxes(angle_rad), area);
+  const double height = extent.max_v - extent.min_v - 2 * margin + spacing;
   const double count = std::max(1.0, std::round(height / spacing));
   const double pitch = std::clamp(height / count, kLeastStretch * spacing, kMostStretch * spacing);
   return {angle_rad, (extent.min_v + extent.max_v) / 2 - (count - 1) / 2 * pitch, pitch};
@@ -83,12 +83,17 @@ double FittingLoops(const MultiPolygon& region, double spacing) {
 }
 
 absl::StatusOr<FillGroup> FillByLines(const PolygonWithHoles& region, const SolidFill& fill) {
-  const LineFamily family = FittingLines(
-      region, fill.angle_rad, static_cast<double>(Spacing(fill.width_nm, fill.height_nm)));
-  const Coord spacing = std::llround(family.pitch_nm);
   const bool linked = fill.pattern != FillPattern::kMonotonicLines;
+  const Coord nominal = Spacing(fill.width_nm, fill.height_nm);
+  const Coord inset = EndsOf(nominal, fill, linked).linked_nm;
+  MultiPolygon area = FastOffset({region}, -inset);
+  if (area.empty()) return FillGroup{};
+  const auto wanted = static_cast<double>(nominal);
+  const LineFamily family =
+      FittingLines(area, fill.angle_rad, wanted, wanted / 2 - static_cast<double>(inset));
+  const Coord spacing = std::llround(family.pitch_nm);
   const EndDistances ends = EndsOf(spacing, fill, linked);
-  const MultiPolygon area = FastOffset({region}, -ends.linked_nm);
+  if (ends.linked_nm != inset) area = FastOffset({region}, -ends.linked_nm);
   const auto lines = CutLines(area, family);
   if (!lines.ok()) return lines.status();
 

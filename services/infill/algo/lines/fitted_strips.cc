@@ -22,7 +22,7 @@ constexpr double kEndPitches = 1.0;
 constexpr double kLeastStepPitches = 0.25;
 /// The narrowest and the widest strip, in pitches.
 constexpr double kNarrowest = 0.6;
-constexpr double kWidest = 1.4;
+constexpr double kWidest = 1.5;
 
 }  // namespace
 
