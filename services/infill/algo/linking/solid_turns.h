@@ -20,9 +20,9 @@ struct SolidTurn {
 /// square to them. So lines end upright: over their last pitch they bend towards the edge's normal,
 /// one into the wedge, the other one away from where its link and line would lie double. The ends
 /// of a link move along the edge, both to the same side. By how much, follows from the angle: found
-/// by minimising what lies double and six times what stays empty, of lines on a straight edge, for
-/// 30 to 90 degrees; half of the pitch from the edge the plastic is the room's to 2 % of a square
-/// of the pitch by length of edge.
+/// by minimising what lies double and eight times what stays empty, of lines on a straight edge at
+/// 26 to 88 degrees. Half of the pitch from the edge a turn holds what its room takes, and up to a
+/// tenth of a pitch more for each length of edge where that is flat.
 ///
 /// `from` and `to`: crossings next to each other on their ring, `forward`: to is behind from. Cost:
 /// O(corners passed).
