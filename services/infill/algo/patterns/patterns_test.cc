@@ -126,8 +126,7 @@ TEST_P(PatternsWithALaw, DensityIsAsAsked) {
         return std::llround((share - std::floor(share)) * 12 * pitch);
       };
       MultiPolygon box = P("(-40 -40, 40 -40, 40 40, -40 40)");
-      for (Point& p : box[0].outer)
-        p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
+      for (Point& p : box[0].outer) p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
       fill.layer = i;
       fill.z_nm = std::llround(i * pitch / std::numbers::sqrt2);
       const auto paths = FillSparse(box, fill);
@@ -200,11 +199,12 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
   fill.height_nm = 10'000;
   const auto paths = FillSparse(huge, fill);
   // Straight lines and loops across two metres are fewer than the limit.
-  const FillPattern few[] = {
-      FillPattern::kRectilinear, FillPattern::kAlignedRectilinear, FillPattern::kLine,
-      FillPattern::kZigzag,      FillPattern::kGrid,               FillPattern::kTriangles,
-      FillPattern::kStars,       FillPattern::kCubic,              FillPattern::kMonotonic,
-      FillPattern::kConcentric,  FillPattern::kMonotonicLines};
+  const FillPattern few[] = {FillPattern::kRectilinear,    FillPattern::kAlignedRectilinear,
+                             FillPattern::kLine,           FillPattern::kZigzag,
+                             FillPattern::kGrid,           FillPattern::kTriangles,
+                             FillPattern::kStars,          FillPattern::kCubic,
+                             FillPattern::kMonotonic,      FillPattern::kConcentric,
+                             FillPattern::kMonotonicLines, FillPattern::kMedialAxis};
   if (std::ranges::find(few, GetParam()) != std::end(few)) {
     EXPECT_TRUE(paths.ok()) << paths.status();
     return;
