@@ -48,8 +48,8 @@ class AxisTree {
       std::vector<Branch> small;
       for (size_t node = 0; node < degree_.size(); ++node) {
         if (degree_[node] != 1) continue;
-        const Branch branch = BranchOf(static_cast<int>(node));
-        if (branch.fork >= 0 && IsSmall(branch, options)) small.push_back(branch);
+        Branch branch = BranchOf(static_cast<int>(node));
+        if (branch.fork >= 0 && IsSmall(branch, options)) small.push_back(std::move(branch));
       }
       if (small.empty()) return;
       for (const Branch& branch : small) Remove(branch);
@@ -89,6 +89,7 @@ class AxisTree {
   struct Branch {
     int leaf = 0;
     int fork = -1;  ///< -1: it is a line without forks
+    std::vector<int> halves;
   };
 
   size_t From(int half) const {
@@ -109,20 +110,19 @@ class AxisTree {
     return -1;
   }
 
-  template <typename Visit>
-  int WalkFrom(int leaf, const Visit& visit) const {
+  /// From a leaf to the next fork.
+  Branch BranchOf(int leaf) const {
+    Branch branch;
+    branch.leaf = leaf;
     int half = LeavingKept(leaf, -1);
     while (true) {
-      visit(half);
+      branch.halves.push_back(half);
       const int node = graph_.To(half);
-      if (degree_[static_cast<size_t>(node)] != 2) return node;
+      const int degree = degree_[static_cast<size_t>(node)];
+      if (degree > 2) branch.fork = node;
+      if (degree != 2) return branch;
       half = LeavingKept(node, half ^ 1);
     }
-  }
-
-  Branch BranchOf(int leaf) const {
-    const int end = WalkFrom(leaf, [](int) {});
-    return {leaf, degree_[static_cast<size_t>(end)] > 2 ? end : -1};
   }
 
   double Reach(const Branch& branch) const {
@@ -137,9 +137,7 @@ class AxisTree {
 
   void Remove(const Branch& branch) {
     const double reach = Reach(branch);
-    std::vector<int> edges;
-    WalkFrom(branch.leaf, [&edges](int half) { edges.push_back(half); });
-    for (const int half : edges) {
+    for (const int half : branch.halves) {
       kept_[static_cast<size_t>(half / 2)] = false;
       --degree_[From(half)];
       --degree_[From(half ^ 1)];

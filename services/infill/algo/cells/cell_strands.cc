@@ -15,11 +15,11 @@ constexpr double kLengthUnit = 1e-9;
 /// A corner lies no farther along an edge than this share of it.
 constexpr double kMostOfEdge = 0.45;
 
+/// Of an edge that goes straight on from the doubled one.
+constexpr double kSteepest = 1e9;
+
 double CrossOf(Vec a, Vec b) { return a.u * b.v - a.v * b.u; }
 double LengthOf(Vec a) { return std::sqrt(a.u * a.u + a.v * a.v); }
-Vec Along(Vec from, Vec way, double share) {
-  return {from.u + share * way.u, from.v + share * way.v};
-}
 
 int32_t Root(std::vector<int32_t>& parent, int32_t i) {
   while (parent[static_cast<size_t>(i)] != i)
@@ -42,6 +42,8 @@ StrandTile::StrandTile(VoronoiTile tile) : tile_(std::move(tile)) {
   MatchVertices();
   LayCourses();
   JoinCourses();
+  LinkStrands();
+  MeasureBends();
 }
 
 Vec StrandTile::Way(int32_t half) const {
@@ -81,7 +83,7 @@ void StrandTile::LayCourses() {
     };
     const auto from = sides(tile_.edges[static_cast<size_t>(edge)].from, 2 * edge);
     const auto to = sides(tile_.edges[static_cast<size_t>(edge)].to, 2 * edge + 1);
-    for (const size_t side : {0, 1}) courses_.push_back({from[side], to[side], 2 * edge});
+    for (const size_t side : {0, 1}) courses_.push_back({edge, {from[side], to[side]}});
   }
 }
 
@@ -94,59 +96,65 @@ void StrandTile::JoinCourses() {
     curve[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
     return a != b;
   };
-  for (const Course& course : courses_) join(course.from, course.to);
+  for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
   for (size_t i = 0; i + 1 < courses_.size(); i += 2) {
-    if (!join(courses_[i].from, courses_[i + 1].from)) continue;
-    std::swap(courses_[i].to, courses_[i + 1].to);
+    if (!join(courses_[i].ends[0], courses_[i + 1].ends[0])) continue;
+    std::swap(courses_[i].ends[1], courses_[i + 1].ends[1]);
     ++crossings_;
   }
 }
 
-Vec StrandTile::Corner(Vec vertex, int32_t half, int32_t along, double gap) const {
-  const Vec way = Way(half), doubled = Way(along);
-  const double sine = std::abs(CrossOf(way, doubled)) / LengthOf(doubled);  // times the way
-  const double share = sine > 0 ? gap / 2 / sine : kMostOfEdge;
-  return Along(vertex, way, std::min(share, kMostOfEdge));
-}
-
-std::vector<Strand> StrandTile::Strands(double gap) const {
+/// Across the edge that both of them walk, each end of a strand meets the end of another one.
+void StrandTile::LinkStrands() {
   struct End {
-    int32_t strand = 0;
+    size_t strand = 0;
     int32_t end = 0;
   };
   std::vector<End> end_at(2 * tile_.edges.size());
-  std::vector<Strand> strands;
-  for (int32_t i = 0; i < static_cast<int32_t>(courses_.size()); ++i) {
-    const Course& course = courses_[static_cast<size_t>(i)];
-    end_at[static_cast<size_t>(course.from)] = {i, 0};
-    end_at[static_cast<size_t>(course.to)] = {i, 1};
-    const TileEdge& edge = tile_.edges[static_cast<size_t>(course.along / 2)];
-    const Vec u = tile_.vertices[static_cast<size_t>(edge.from)];
-    const Vec v = Along(u, Way(course.along), 1);
-    strands.push_back({{Along(u, Way(course.from), 0.5), Corner(u, course.from, course.along, gap),
-                        Corner(v, course.to, course.along, gap), Along(v, Way(course.to), 0.5)},
-                       {}});
-  }
-  const auto second = [this](int32_t strand) {  // where its second vertex lies, from its first
-    const Course& course = courses_[static_cast<size_t>(strand)];
-    const TileEdge& edge = tile_.edges[static_cast<size_t>(course.along / 2)];
-    return std::pair(edge.step_u, edge.step_v);
-  };
-  for (int32_t i = 0; i < static_cast<int32_t>(courses_.size()); ++i) {
-    for (const int32_t end : {0, 1}) {
-      const Course& course = courses_[static_cast<size_t>(i)];
-      const int32_t half = end == 0 ? course.from : course.to;
-      const TileEdge& edge = tile_.edges[static_cast<size_t>(half / 2)];
+  for (size_t i = 0; i < courses_.size(); ++i)
+    for (const int32_t end : {0, 1})
+      end_at[static_cast<size_t>(courses_[i].ends[static_cast<size_t>(end)])] = {i, end};
+  strands_.resize(courses_.size());
+  for (size_t i = 0; i < courses_.size(); ++i) {
+    for (const size_t end : {0, 1}) {
+      const int32_t half = courses_[i].ends[end];
+      const TileEdge& across = tile_.edges[static_cast<size_t>(half / 2)];
       const int32_t sign = half % 2 == 0 ? 1 : -1;
       const End to = end_at[static_cast<size_t>(half ^ 1)];
-      Strand::Next& next = strands[static_cast<size_t>(i)].next[static_cast<size_t>(end)];
-      next = {to.strand, to.end, sign * edge.step_u, sign * edge.step_v};
-      if (end == 1) next.step_u += second(i).first, next.step_v += second(i).second;
-      if (to.end == 1) {
-        next.step_u -= second(to.strand).first;
-        next.step_v -= second(to.strand).second;
-      }
+      Strand::Next next{static_cast<int32_t>(to.strand), to.end, sign * across.step_u,
+                        sign * across.step_v};
+      // A strand lies where its doubled edge's first vertex does; the second may lie aside.
+      const TileEdge& own = tile_.edges[static_cast<size_t>(courses_[i].edge)];
+      const TileEdge& its = tile_.edges[static_cast<size_t>(courses_[to.strand].edge)];
+      if (end == 1) next.step_u += own.step_u, next.step_v += own.step_v;
+      if (to.end == 1) next.step_u -= its.step_u, next.step_v -= its.step_v;
+      strands_[i].next[end] = next;
     }
+  }
+}
+
+void StrandTile::MeasureBends() {
+  for (const Course& course : courses_) {
+    const Vec doubled = Way(2 * course.edge);
+    const Vec first =
+        tile_.vertices[static_cast<size_t>(tile_.edges[static_cast<size_t>(course.edge)].from)];
+    std::array<Bend, 2>& bends = bends_.emplace_back();
+    bends[0].vertex = first;
+    bends[1].vertex = {first.u + doubled.u, first.v + doubled.v};
+    for (const size_t end : {0, 1}) {
+      bends[end].way = Way(course.ends[end]);
+      const double aside = std::abs(CrossOf(bends[end].way, doubled)) / LengthOf(doubled);
+      bends[end].share_by_gap = aside > 0 ? 0.5 / aside : kSteepest;
+    }
+  }
+}
+
+std::vector<Strand> StrandTile::Strands(double gap) const {
+  std::vector<Strand> strands = strands_;
+  for (size_t i = 0; i < strands.size(); ++i) {
+    const auto& [from, to] = bends_[i];
+    strands[i].points = {from.At(0.5), from.At(std::min(kMostOfEdge, gap * from.share_by_gap)),
+                         to.At(std::min(kMostOfEdge, gap * to.share_by_gap)), to.At(0.5)};
   }
   return strands;
 }

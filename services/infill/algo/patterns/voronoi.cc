@@ -16,7 +16,7 @@ namespace {
 constexpr int kTileCells = 16;
 /// Cells are as even as makes no difference to the eye, and not yet a honeycomb.
 constexpr int kLloydRounds = 40;
-constexpr int kSizeSteps = 50;
+constexpr int kMostSizeSteps = 60;
 
 const StrandTile& TileOfCells() {
   static const auto& tile = *new StrandTile(RelaxedCells(kTileCells, kLloydRounds));
@@ -42,12 +42,15 @@ struct SizedTile {
 };
 SizedTile TileFor(double pitch_nm, double gap_nm) {
   const StrandTile& tile = TileOfCells();
-  double high = LengthOf(tile.Strands(0)) * pitch_nm, low = high / 4;
-  for (int i = 0; i < kSizeSteps; ++i) {
-    const double size = (low + high) / 2;
-    (LengthOf(tile.Strands(gap_nm / size)) * pitch_nm > size ? low : high) = size;
+  SizedTile sized{LengthOf(tile.Strands(0)) * pitch_nm, {}};
+  for (int i = 0; i < kMostSizeSteps; ++i) {
+    sized.strands = tile.Strands(gap_nm / sized.size_nm);
+    const double before = sized.size_nm;
+    // A mean with what was is where it ends up too, and cannot swing.
+    sized.size_nm = (before + LengthOf(sized.strands) * pitch_nm) / 2;
+    if (std::abs(sized.size_nm - before) < 1) break;
   }
-  return {high, tile.Strands(gap_nm / high)};
+  return sized;
 }
 
 /// The copies of a tile that come near a region, and the curves of their strands there.
