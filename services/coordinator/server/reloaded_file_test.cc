@@ -1,4 +1,4 @@
-#include "services/coordinator/server/api/tenants_file.h"
+#include "services/coordinator/server/reloaded_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,20 +10,24 @@
 
 #include "common/base/error.h"
 #include "common/base/temp_directory_test.h"
+#include "services/coordinator/algo/tenants.h"
 
-namespace slicefarm::coordinator::tenants_file_test {
+namespace slicefarm::coordinator::reloaded_file_test {
 namespace {
 
 using std::chrono::milliseconds;
 
-class TenantsFileTest : public testing::Test {
+class ReloadedFileTest : public testing::Test {
  protected:
   void Write(const std::string& tenants) {
     std::ofstream(path_ + ".new") << R"({"tenants": )" << tenants << "}";
     std::filesystem::rename(path_ + ".new", path_);
   }
 
-  auto Open() { return TenantsFile::Open(path_, registry_, rpc::JsonLog("test"), milliseconds(1)); }
+  auto Open() {
+    return ReloadedFile<Tenants>::Open(path_, "tenants", ParseTenants, registry_,
+                                       rpc::JsonLog("test"), milliseconds(1));
+  }
 
   void AwaitUsable(const std::string& value) {
     const std::string line = "\nslicefarm_tenants_file_usable " + value + "\n";
@@ -38,7 +42,7 @@ class TenantsFileTest : public testing::Test {
   prometheus::Registry registry_;
 };
 
-TEST_F(TenantsFileTest, ANewContentReplacesTheOld) {
+TEST_F(ReloadedFileTest, ANewContentReplacesTheOld) {
   Write(R"({"a": {}})");
   const auto file = Open();
   ASSERT_TRUE(file.ok()) << file.status();
@@ -50,7 +54,7 @@ TEST_F(TenantsFileTest, ANewContentReplacesTheOld) {
   EXPECT_TRUE(before->contains("a"));  // who has it may go on with it
 }
 
-TEST_F(TenantsFileTest, ABadContentLeavesTheOldInForce) {
+TEST_F(ReloadedFileTest, ABadContentLeavesTheOldInForce) {
   Write(R"({"a": {}})");
   const auto file = Open();
   ASSERT_TRUE(file.ok()) << file.status();
@@ -66,11 +70,11 @@ TEST_F(TenantsFileTest, ABadContentLeavesTheOldInForce) {
   EXPECT_TRUE((*file)->Get()->contains("b"));
 }
 
-TEST_F(TenantsFileTest, ABadFileAtTheStartIsAnError) {
+TEST_F(ReloadedFileTest, ABadFileAtTheStartIsAnError) {
   EXPECT_EQ(DetailOf(Open().status()).metadata["file"], path_);
   Write("[]");
   EXPECT_EQ(DetailOf(Open().status()).metadata["place"], "tenants");
 }
 
 }  // namespace
-}  // namespace slicefarm::coordinator::tenants_file_test
+}  // namespace slicefarm::coordinator::reloaded_file_test
