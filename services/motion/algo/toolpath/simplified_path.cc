@@ -106,10 +106,10 @@ class Cone {
   void Narrow(Vector centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
-    const double squared = Dot(centre, centre);
-    const double s = std::sqrt(radius * radius / squared), c = std::sqrt(1 - s * s);
-    const Vector right = {centre.x * c + centre.y * s, centre.y * c - centre.x * s};
-    const Vector left = {centre.x * c - centre.y * s, centre.y * c + centre.x * s};
+    // Tangents, as long as they come.
+    const double c = std::sqrt(Dot(centre, centre) - radius * radius);
+    const Vector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
+    const Vector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
     least_ = std::max(least_, SlopeOf(right));
     most_ = std::min(most_, SlopeOf(left));
   }
@@ -152,6 +152,8 @@ class Reach {
     narrowest_ = std::min(narrowest_, to.width_nm);
     widest_ = std::max(widest_, to.width_nm);
     length_ = to.along - from_.along;
+    even_ = widest_ == narrowest_;
+    if (even_) return;
     const Coord width = std::llround((to.area - from_.area) / length_);
     even_ = widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm;
   }
@@ -162,7 +164,8 @@ class Reach {
     const Vector way = end - begin_;
     const double squared = Dot(way, way);
     if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
-    if (kLeastShare * length_ > std::sqrt(squared) + kLengthSlackUm) return std::nullopt;
+    const double least = std::max(0.0, kLeastShare * length_ - kLengthSlackUm);
+    if (least * least > squared) return std::nullopt;
     return (way.y * way.y * xx_ - 2 * way.x * way.y * xy_ + way.x * way.x * yy_) / squared;
   }
 
@@ -212,8 +215,8 @@ struct Way {
 };
 
 /// The fewest beads from the first of some nodes to the last: the best way to each stop, stop by
-/// stop. Of the nodes that take as many beads, only the farthest lead on, which bounds the cost; with
-/// two of them results differ by 0.1 % of all moves, with 17 by none.
+/// stop. Of the nodes that take as many beads, only the farthest lead on, which bounds the cost;
+/// with two of them results differ by 0.1 % of all moves, with 17 by none.
 class FewestBeads {
  public:
   FewestBeads(std::span<const Node> nodes, double tolerance_um)
@@ -243,11 +246,13 @@ class FewestBeads {
   void GoOnFrom(Stop from) {
     Reach reach(nodes_[from.node], PlaceOf(nodes_[from.node], from.outside), tolerance_um_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
+    const size_t beads = WayTo(from).beads + 1;
     for (size_t i = from.node + 1; i < end; ++i) {
       reach.Take(nodes_[i]);
       const bool next = !from.outside && i == from.node + 1;
-      Improve({i, false}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
-      if (nodes_[i].outside != nodes_[i].place)
+      if (beads <= ways_[i][0].beads)
+        Improve({i, false}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
+      if (beads <= ways_[i][1].beads && nodes_[i].outside != nodes_[i].place)
         Improve({i, true}, from, reach.DeviationTo(nodes_[i].outside));
       if (!reach.Pass(nodes_[i].place)) return;
     }
