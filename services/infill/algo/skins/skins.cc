@@ -27,10 +27,11 @@ MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
   return FastOffset(Simplify(region, kNoiseNm), distance_nm);
 }
 
-/// Round but for 7 % of the radius: what miters reach jumps with an angle, at tips of 60 degrees.
+/// The same with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
+/// tips of 60 degrees.
 MultiPolygon RoundOffset(const MultiPolygon& region, Coord distance_nm) {
   return Offset(Simplify(region, kNoiseNm), distance_nm,
-                {.join = Join::kRound, .arc_tolerance_nm = distance_nm / 14});
+                {.join = Join::kRound, .arc_tolerance_nm = distance_nm / 50});
 }
 
 /// The part of `region` that is at least `width_nm` wide.
@@ -174,14 +175,19 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
 }
 
 /// The narrow places of `covered` beside what is `bare`. By widths alone: whatever noise the
-/// operands have, the result moves no more than they do.
+/// operands have, the result moves no more than they do. What lies in a right angle belongs to the
+/// wide place that ends there: to its corner a disc's middle has sqrt(2) of the disc's radius.
 MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
   const Coord least_nm = kLeastSparseWidths * width_nm;
   const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
-  MultiPolygon narrow = Difference(covered, RoundOffset(core, least_nm / 2 + kNoiseNm));
+  const Coord to_corner_nm = least_nm / 2 * 3 / 2;
+  MultiPolygon narrow =
+      core.empty() ? covered : Difference(covered, RoundOffset(core, to_corner_nm));
   EraseSpecks(narrow, width_nm);
   if (narrow.empty()) return {};
-  narrow = Intersection(narrow, SmoothOffset(bare, least_nm));
+  // Hairs that rounding leaves along the fill area's edge are nothing bare.
+  const MultiPolygon without_hairs = SmoothOffset(bare, -2 * kNoiseNm);
+  narrow = Intersection(narrow, SmoothOffset(without_hairs, least_nm + 2 * kNoiseNm));
   EraseSpecks(narrow, width_nm);
   return narrow;
 }
