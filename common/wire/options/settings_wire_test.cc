@@ -322,7 +322,7 @@ MotionOptions DistinctMotion() {
          filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode,
          end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
-         max_print_height, arc_fitting, material_field] = options;
+         max_print_height, arc_fitting, resolution, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -384,6 +384,7 @@ MotionOptions DistinctMotion() {
   layer_settings = "settings";
   labels = ObjectLabels::kFirmware;
   arc_fitting = ArcFitting::kEmitCenter;
+  resolution = 539;
   between_objects_gcode = "between";
   max_print_height = 538;
   material_field = "materials";
@@ -646,6 +647,7 @@ constexpr char kDistinct[] = R"pb(
     between_objects_gcode: "between"
     max_print_height_nm: 538
     arc_fitting: ARC_FITTING_EMIT_CENTER
+    resolution_nm: 539
     material_field: "materials"
   }
 )pb";
@@ -782,6 +784,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NegativePrintHeight",
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
                 "motion.max_print_height_nm"},
+        Refused{"NegativeMotionResolution",
+                [](auto& p) { p.mutable_motion()->set_resolution_nm(-1); },
+                "motion.resolution_nm"},
         Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
         Refused{"TooManySkirts",
                 [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },

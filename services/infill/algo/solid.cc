@@ -186,9 +186,7 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   FillGroup group;
   group.paths = LinkedPaths(area, *pieces,
                             {.width_nm = width,
-                             .height_nm = fill.height_nm,
                              .max_link_nm = kMaxLinkSpacings * pitch,
-                             .budget_nm = kMostLinkShare * Area(region) / pitch,
                              .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
   for (Path& path : group.paths) path.feature = fill.feature;
   return group;

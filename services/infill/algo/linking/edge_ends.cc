@@ -5,7 +5,8 @@
 
 namespace slicefarm::infill {
 
-EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces) : pieces_(pieces) {
+EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm)
+    : pieces_(pieces) {
   ForEachRing(region, [this](const Polygon& ring) { rings_.push_back(&ring); });
   MeasureRings();
   ends_.reserve(2 * pieces.size());
@@ -14,6 +15,7 @@ EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces) : 
     ends_.push_back({piece.closed ? EdgePlace{} : piece.to});
   }
   SortAlongRings();
+  FindRoom(region, static_cast<double>(width_nm));
 }
 
 Point EdgeEnds::PlaceOf(int32_t end) const {
@@ -70,10 +72,21 @@ void EdgeEnds::SortAlongRings() {
       End& to = ends_[static_cast<size_t>(order_[wraps ? first : i + 1])];
       from.next = order_[wraps ? first : i + 1];
       to.previous = order_[i];
-      from.stretch_nm = std::max(0.0, to.along_nm - from.along_nm +
-                                          (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
+      from.stretch_nm =
+          std::max(0.0, to.along_nm - from.along_nm +
+                            (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
     }
     first = last;
+  }
+}
+
+void EdgeEnds::FindRoom(const MultiPolygon& region, double width_nm) {
+  const std::vector<std::vector<TakenSpan>> taken = TakenEdge(region, pieces_, width_nm);
+  for (const int32_t number : order_) {
+    End& end = ends_[static_cast<size_t>(number)];
+    const auto ring = static_cast<size_t>(end.place.ring);
+    end.room = RoomAlong(taken[ring], corner_at_[ring].back(),
+                         {end.along_nm, end.stretch_nm, number / 2, end.next / 2}, width_nm);
   }
 }
 

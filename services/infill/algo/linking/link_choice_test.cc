@@ -47,7 +47,7 @@ int32_t CheckedPaths(const EdgeEnds& ends, const Links& links) {
 int32_t PathsOf(const MultiPolygon& region, std::vector<LineFamily> families,
                 double max_link_nm = kFar) {
   const auto pieces = StraightPieces(region, families);
-  const EdgeEnds ends(region, *pieces);
+  const EdgeEnds ends(region, *pieces, 450'000);
   return CheckedPaths(ends, ChooseLinks(ends, max_link_nm));
 }
 
@@ -101,7 +101,8 @@ TEST(LinkChoice, LinksAreNoLongerThanAllowed) {
   EXPECT_EQ(PathsOf(wedge, {{0, 0.5e6, 1e6}}, 1.5e6), 1);
 }
 
-// Few pieces, so that all choices can be tried. The search is no proof; it may miss by one at times.
+// Few pieces, so that all choices can be tried. The search is no proof; it may miss by one at
+// times.
 TEST(LinkChoice, IsNearTheBestChoice) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> phase(0, 5e6), angle(0, 3);
@@ -111,7 +112,7 @@ TEST(LinkChoice, IsNearTheBestChoice) {
     const double a = angle(random);
     const LineFamily families[] = {{a, phase(random), 7e6}, {a + 1.2, phase(random), 9e6}};
     const auto pieces = StraightPieces(region, families);
-    const EdgeEnds ends(region, *pieces);
+    const EdgeEnds ends(region, *pieces, 450'000);
     if (ends.size() > 18) continue;
     found += CheckedPaths(ends, ChooseLinks(ends, kFar));
     fewest += FewestPaths(ends);
@@ -122,7 +123,7 @@ TEST(LinkChoice, IsNearTheBestChoice) {
 
 TEST(LinkChoice, NothingOfNothing) {
   const MultiPolygon none;
-  const EdgeEnds ends(none, {});
+  const EdgeEnds ends(none, {}, 450'000);
   EXPECT_TRUE(ChooseLinks(ends, kFar).empty());
 }
 

@@ -6,6 +6,7 @@
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/skins/region_mask.h"
 
 namespace slicefarm::infill {
@@ -13,13 +14,29 @@ namespace {
 
 /// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
 constexpr Coord kAnchorBeads = 2;
-constexpr Coord kRoundingNm = 10;
+
+/// Edges of layers that lie on each other in the part do so to some tens of nanometres in sections.
+/// What differs by less is noise.
+constexpr Coord kNoiseNm = 200;
+
+/// Offsets a result of boolean operations, whose edges may have steps and tips of noise where
+/// operands' edges lay on each other: miters would make them as long as the offset.
+MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
+  return FastOffset(Simplify(region, kNoiseNm), distance_nm);
+}
 
 /// The part of `region` that is at least `width_nm` wide.
 MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
-  const MultiPolygon core = FastOffset(region, -width_nm / 2);
+  const MultiPolygon core = SmoothOffset(region, -width_nm / 2);
   if (core.empty()) return {};
-  return Intersection(region, FastOffset(core, width_nm / 2 + kRoundingNm));
+  // Tips of what lies beyond the grown core are noise to SmoothOffset.
+  return Intersection(region, SmoothOffset(core, width_nm / 2 + kNoiseNm / 2));
+}
+
+/// Drops islands that are smaller than a dot of a bead.
+void EraseSpecks(MultiPolygon& region, Coord width_nm) {
+  const double least = 0.25 * static_cast<double>(width_nm) * static_cast<double>(width_nm);
+  std::erase_if(region, [least](const PolygonWithHoles& island) { return Area(island) < least; });
 }
 
 bool IsAir(const MultiPolygon* layer) { return layer == nullptr || layer->empty(); }
@@ -69,9 +86,9 @@ class SparseRegion {
 
  private:
   void TakeWide(const MultiPolygon& bare, Coord least_nm) {
-    const MultiPolygon core = FastOffset(bare, -least_nm / 2);
+    const MultiPolygon core = SmoothOffset(bare, -least_nm / 2);
     if (core.empty()) return;
-    Set(Difference(region_, FastOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
+    Set(Difference(region_, SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
   }
 
   void Set(MultiPolygon region) {
@@ -138,41 +155,42 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
   return sparse.region();
 }
 
-/// Whether one of `parts`, none of which crosses the island's edge, lies in it.
-bool HoldsOneOf(const PolygonWithHoles& island, const MultiPolygon& parts) {
-  return std::any_of(parts.begin(), parts.end(), [&island](const PolygonWithHoles& part) {
-    return Covers({island}, part.outer[0]);
-  });
+/// The narrow places of `covered` beside what is `bare`. By widths alone: whatever noise the
+/// operands have, the result moves no more than they do.
+MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
+  const Coord least_nm = kLeastSparseWidths * width_nm;
+  MultiPolygon narrow = Difference(covered, WithoutSlivers(covered, least_nm));
+  EraseSpecks(narrow, width_nm);
+  if (narrow.empty()) return {};
+  narrow = Intersection(narrow, SmoothOffset(bare, least_nm));
+  EraseSpecks(narrow, width_nm);
+  return narrow;
 }
 
-/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid where
-/// it hangs together with something bare, as between two skins; else it stays sparse: a wedge
+/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid as far
+/// as it lies beside something bare, as between two skins; farther off it stays sparse: a wedge
 /// between walls is no skin.
-void PartSparse(const MultiPolygon& fill_area, const MultiPolygon& covered, Coord width_nm,
-                Skins& skins) {
-  skins.sparse = covered.empty() || covered == fill_area
-                     ? covered
-                     : WithoutSlivers(covered, kLeastSparseWidths * width_nm);
-  if (skins.sparse == fill_area) return;
-  if (skins.sparse.empty()) {
-    skins.solid = fill_area;
+void PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, Coord width_nm, Skins& skins) {
+  if (covered.empty() || covered == fill_area) {
+    (covered.empty() ? skins.solid : skins.sparse) = fill_area;
     return;
   }
-  const MultiPolygon bare = Difference(fill_area, covered);
-  MultiPolygon wedges;
-  for (PolygonWithHoles& island : Difference(fill_area, skins.sparse))
-    (HoldsOneOf(island, bare) ? skins.solid : wedges).push_back(std::move(island));
-  if (!wedges.empty()) skins.sparse = Union(skins.sparse, wedges);
+  skins.solid = Difference(fill_area, covered);
+  skins.sparse = std::move(covered);
+  const MultiPolygon narrow = NarrowBeside(skins.sparse, skins.solid, width_nm);
+  if (narrow.empty()) return;
+  skins.sparse = Difference(skins.sparse, narrow);
+  skins.solid = Difference(fill_area, skins.sparse);
 }
 
 /// Takes a part from the solid region, with as much around it as the lines of bridges need to lie
-/// on something at both ends.
+/// on something at both ends, and what that leaves too narrow for a bead beside it.
 MultiPolygon TakeAnchored(const MultiPolygon& part, Coord width_nm, MultiPolygon& solid) {
   if (part.empty()) return {};
-  const MultiPolygon anchored = FastOffset(part, kAnchorBeads * width_nm);
-  MultiPolygon rest = WithoutSlivers(Difference(solid, anchored), width_nm);
-  MultiPolygon taken = Difference(solid, rest);
-  solid = std::move(rest);
+  const MultiPolygon beyond = Difference(solid, SmoothOffset(part, kAnchorBeads * width_nm));
+  const MultiPolygon reach = SmoothOffset(part, (kAnchorBeads + 1) * width_nm);
+  MultiPolygon taken = Difference(Intersection(solid, reach), WithoutSlivers(beyond, width_nm));
+  solid = Difference(solid, taken);
   return taken;
 }
 

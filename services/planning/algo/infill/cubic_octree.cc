@@ -1,7 +1,6 @@
 #include "services/planning/algo/infill/cubic_octree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,12 +8,50 @@
 namespace slicefarm::planning {
 namespace {
 
+using Cell = CubicOctree::Cell;
+using Cells = CubicOctree::Cells;
+using Shares = CubicOctree::Shares;
+
 // A cube's edges against the plane: each normal has this much along the layer and across it.
 const double kAlong = std::sqrt(2.0 / 3.0);
 const double kAcross = std::sqrt(1.0 / 3.0);
 constexpr double kThirdTurn = 2 * std::numbers::pi / 3;
-/// Points are looked at on a grid of this share of the planes' distance.
-constexpr double kStepShare = 0.5;
+
+/// The cube of double the size in which a cube lies, of the way `by` in which eight make one.
+Cell DoubledCell(const Cell& cell, const Cell& by) {
+  return {(cell[0] + by[0]) >> 1, (cell[1] + by[1]) >> 1, (cell[2] + by[2]) >> 1};
+}
+
+Cells Doubled(const Cells& cubes, const Cell& by) {
+  Cells doubled;
+  for (const Cell& cell : cubes) doubled.insert(DoubledCell(cell, by));
+  return doubled;
+}
+
+Shares Doubled(const Shares& body, const Cell& by) {
+  Shares doubled;
+  for (const auto& [cell, share] : body) doubled[DoubledCell(cell, by)] += share;
+  return doubled;
+}
+
+/// The way in which cubes of double the size hold least of the body; of those that are alike, the
+/// one with fewest cubes, then the first.
+Cell LeastFilled(const Cells& cubes, const Shares& body) {
+  std::pair<int64_t, size_t> least;
+  Cell best{};
+  for (int32_t way = 0; way < 8; ++way) {
+    const Cell by{way & 1, way >> 1 & 1, way >> 2};
+    const Cells doubled = Doubled(cubes, by);
+    std::pair<int64_t, size_t> found{0, doubled.size()};
+    for (const auto& [cell, share] : body)
+      if (doubled.contains(DoubledCell(cell, by))) found.first += share;
+    if (way == 0 || found < least) {
+      least = found;
+      best = by;
+    }
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -27,96 +64,115 @@ size_t CubicOctree::CellHash::operator()(const Cell& cell) const {
 CubicOctree::CubicOctree(double pitch_nm, double angle_rad, double reach_nm)
     : distance_(3 * kAlong * pitch_nm),
       reach_(reach_nm),
-      step_(kStepShare * distance_),
       frames_{LineAxes(angle_rad), LineAxes(angle_rad + kThirdTurn),
-              LineAxes(angle_rad + 2 * kThirdTurn)} {
-  // No coordinate along a normal is greater than this.
-  const double farthest = std::sqrt(3.0) * reach_nm;
-  double half = 2 * distance_;
-  for (levels_ = 1; half < farthest; ++levels_) half *= 2;
-  divided_.resize(static_cast<size_t>(levels_));
+              LineAxes(angle_rad + 2 * kThirdTurn)} {}
+
+double CubicOctree::EdgeOf(size_t level) const {
+  return 2 * distance_ * static_cast<double>(int64_t{1} << level);
 }
 
-double CubicOctree::EdgeOf(int level) const {
-  return 2 * distance_ * static_cast<double>(int64_t{1} << (levels_ - level));
-}
-
-bool CubicOctree::Exists(int level, const Cell& cell) const {
-  if (level <= 1) return true;
-  const Cell parent{cell[0] >> 1, cell[1] >> 1, cell[2] >> 1};
-  return divided_[static_cast<size_t>(level - 1)].contains(parent);
-}
-
-void CubicOctree::Add(Point place, Coord z_nm) {
+std::array<double, 3> CubicOctree::AlongOf(Point place, Coord z_nm) const {
   std::array<double, 3> along;
-  for (int family = 0; family < 3; ++family)
-    along[static_cast<size_t>(family)] =
-        kAlong * FrameOf(family).V(place) - kAcross * static_cast<double>(z_nm);
-  const auto cell_of = [&](double edge) {
-    Cell cell;
-    for (size_t i = 0; i < 3; ++i) cell[i] = static_cast<int32_t>(std::floor(along[i] / edge));
-    return cell;
-  };
-  if (!seen_.insert(cell_of(step_)).second) return;
-  for (int level = 1; level < levels_; ++level) {
-    const double edge = EdgeOf(level);
-    // What stands for all points of a step may be off by the step's diagonal.
-    const double ball = std::sqrt(3.0) * (edge / 2 + step_);
-    const Cell middle = cell_of(edge);
-    for (int32_t k = 0; k < 27; ++k) {
-      const Cell cell{middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1};
-      double square = 0;
-      for (size_t i = 0; i < 3; ++i) {
-        const double away = (static_cast<double>(cell[i]) + 0.5) * edge - along[i];
-        square += away * away;
-      }
-      if (square <= ball * ball) divided_[static_cast<size_t>(level)].insert(cell);
-    }
+  for (size_t i = 0; i < 3; ++i)
+    along[i] = (kAlong * frames_[i].V(place) - kAcross * static_cast<double>(z_nm)) / distance_;
+  return along;
+}
+
+void CubicOctree::Add(Point place, Coord z_nm, double around_nm) {
+  const double around = kAlong * around_nm / distance_;
+  Cell first, last;
+  const auto along = AlongOf(place, z_nm);
+  for (size_t i = 0; i < 3; ++i) {
+    first[i] = static_cast<int32_t>(std::floor(along[i] - around));
+    last[i] = static_cast<int32_t>(std::floor(along[i] + around));
   }
+  for (Cell cell{first[0]}; cell[0] <= last[0]; ++cell[0])
+    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
+      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) places_.insert(cell);
+}
+
+void CubicOctree::AddBody(Point place, Coord z_nm) {
+  const auto along = AlongOf(place, z_nm);
+  ++body_[{static_cast<int32_t>(std::floor(along[0])), static_cast<int32_t>(std::floor(along[1])),
+           static_cast<int32_t>(std::floor(along[2]))}];
+}
+
+void CubicOctree::Grow() {
+  // No place's coordinate along a normal is greater than this.
+  const double farthest = std::sqrt(3.0) * reach_;
+  Cells cubes = std::move(places_);
+  Shares body = std::move(body_);
+  Cell shift{};
+  for (size_t level = 0; EdgeOf(level) < 2 * farthest; ++level) {
+    const Cell by = LeastFilled(cubes, body);
+    for (size_t i = 0; i < 3; ++i) shift[i] += by[i] * (int32_t{1} << level);
+    cubes = Doubled(cubes, by);
+    body = Doubled(body, by);
+    levels_.push_back({cubes, shift});
+  }
+}
+
+size_t CubicOctree::LevelOf(int family, int64_t plane) const {
+  const auto axis = static_cast<size_t>(family);
+  size_t level = 0;
+  while (level < levels_.size() && ((plane + levels_[level].shift[axis]) >> level) % 2 == 0)
+    ++level;
+  return level;
+}
+
+std::vector<double> CubicOctree::CutsOf(size_t level, int family, double mean, double half) const {
+  std::vector<double> cuts = {-half, half};
+  const double edge = EdgeOf(level), span = half / std::numbers::sqrt2;
+  double side = -1;
+  for (const int other : {family + 1, family + 2}) {
+    const double shift = distance_ * levels_[level].shift[static_cast<size_t>(other % 3)];
+    const auto first = static_cast<int64_t>(std::ceil((mean - span + shift) / edge));
+    const auto last = static_cast<int64_t>(std::floor((mean + span + shift) / edge));
+    for (int64_t i = first; i <= last; ++i)
+      cuts.push_back(side * (static_cast<double>(i) * edge - shift - mean) * std::numbers::sqrt2);
+    side = 1;
+  }
+  std::ranges::sort(cuts);
+  return cuts;
 }
 
 void CubicOctree::AddLine(int family, int64_t plane, double z_nm,
                           std::vector<Polyline>& lines) const {
-  // Planes whose number has more factors of two belong to greater cubes.
-  const int level =
-      plane == 0 ? 0 : std::max(0, levels_ - std::countr_zero(static_cast<uint64_t>(plane)));
-  const double edge = EdgeOf(level);
+  const size_t level = LevelOf(family, plane);
   const double v = (static_cast<double>(plane) * distance_ + kAcross * z_nm) / kAlong;
   if (std::abs(v) >= reach_) return;
   const double half = std::sqrt(reach_ * reach_ - v * v);
+  const auto add = [&](double from, double to) {
+    const Point a = FrameOf(family).At(from, v), b = FrameOf(family).At(to, v);
+    if (a != b) lines.push_back({a, b});
+  };
+  if (level == levels_.size()) return add(-half, half);
   // At u along the line the other two numbers are mean - u / sqrt 2 and mean + u / sqrt 2.
   const double mean = -(std::sqrt(3.0) * z_nm + static_cast<double>(plane) * distance_) / 2;
-  std::vector<double> cuts = {-half, half};
-  if (level > 1) {
-    for (const double side : {-1.0, 1.0}) {
-      const double span = half / std::numbers::sqrt2;
-      const auto first = static_cast<int64_t>(std::ceil((mean - span) / edge));
-      const auto last = static_cast<int64_t>(std::floor((mean + span) / edge));
-      for (int64_t i = first; i <= last; ++i)
-        cuts.push_back(side * (static_cast<double>(i) * edge - mean) * std::numbers::sqrt2);
-    }
-    std::ranges::sort(cuts);
-  }
+  const Level& of = levels_[level];
   const auto exists_at = [&](double u) {
     const double aside = u / std::numbers::sqrt2;
-    const auto index = [&](double along) { return static_cast<int32_t>(std::floor(along / edge)); };
+    const std::array<double, 3> along = {static_cast<double>(plane) * distance_, mean - aside,
+                                         mean + aside};
     Cell cell;
-    cell[static_cast<size_t>(family)] = index(static_cast<double>(plane) * distance_);
-    cell[static_cast<size_t>((family + 1) % 3)] = index(mean - aside);
-    cell[static_cast<size_t>((family + 2) % 3)] = index(mean + aside);
-    return Exists(level, cell);
-  };
-  for (size_t i = 0; i + 1 < cuts.size();) {
-    if (cuts[i + 1] <= cuts[i] || !exists_at((cuts[i] + cuts[i + 1]) / 2)) {
-      ++i;
-      continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const size_t axis = (static_cast<size_t>(family) + k) % 3;
+      cell[axis] =
+          static_cast<int32_t>(std::floor((along[k] + distance_ * of.shift[axis]) / EdgeOf(level)));
     }
+    return of.cubes.contains(cell);
+  };
+  const std::vector<double> cuts = CutsOf(level, family, mean, half);
+  for (size_t i = 0; i + 1 < cuts.size();) {
     const double from = cuts[i];
-    while (i + 1 < cuts.size() &&
-           (cuts[i + 1] <= cuts[i] || exists_at((cuts[i] + cuts[i + 1]) / 2)))
-      ++i;
-    const Point a = FrameOf(family).At(from, v), b = FrameOf(family).At(cuts[i], v);
-    if (a != b) lines.push_back({a, b});
+    bool exists = false;
+    for (; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] <= cuts[i]) continue;
+      if (!exists_at((cuts[i] + cuts[i + 1]) / 2)) break;
+      exists = true;
+    }
+    if (exists) add(from, cuts[i]);
+    if (!exists || i + 1 < cuts.size()) ++i;
   }
 }
 

@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
+#include "services/planning/algo/infill/sparse_areas.h"
 #include "services/planning/algo/infill/stacks_test.h"
 #include "services/planning/algo/infill/surface_points.h"
 
@@ -15,6 +20,7 @@ namespace {
 
 constexpr double kPitch = 2e6;
 constexpr double kReach = 60e6;
+constexpr int kSkins = 5;
 /// Of neighbouring planes, along a layer: the pattern's law.
 constexpr double kLinePitch = 3 * kPitch;
 
@@ -40,14 +46,32 @@ double LengthIn(const std::vector<Polyline>& lines, const Box& box) {
   return length;
 }
 
-// Points everywhere: the tree is full, and its lines are those of cubic infill.
-TEST(CubicOctree, AFullTreeIsCubicInfill) {
-  CubicOctree tree(kPitch, 0.4, kReach);
+CubicOctree FullTree(double angle_rad) {
+  CubicOctree tree(kPitch, angle_rad, kReach);
   const auto step = static_cast<Coord>(tree.StepNm());
   const Coord far = FromMm(30);
   for (Coord x = -far; x <= far; x += step)
     for (Coord y = -far; y <= far; y += step)
-      for (Coord z = 0; z <= far; z += step) tree.Add({x, y}, z);
+      for (Coord z = 0; z <= far; z += step) tree.Add({x, y}, z, 0);
+  tree.Grow();
+  return tree;
+}
+
+/// As planning lays it out: of roofs alone, or of all surfaces.
+CubicOctree TreeOf(const ObjectStack& stack, bool roofs_alone, double angle_rad = 0.2) {
+  CubicOctree tree(kPitch, angle_rad, kReach);
+  const auto each = roofs_alone ? ForEachRoofPlace : ForEachSurfacePlace;
+  each(stack, {kSkins, kSkins}, static_cast<Coord>(tree.StepNm()),
+       [&](Point p, Coord z, double around) { tree.Add(p, z, around); });
+  ForEachInnerPlace(stack, static_cast<Coord>(tree.BodyStepNm()),
+                    [&](Point p, Coord z) { tree.AddBody(p, z); });
+  tree.Grow();
+  return tree;
+}
+
+// Places everywhere: the tree is full, and its lines are those of cubic infill.
+TEST(CubicOctree, AFullTreeIsCubicInfill) {
+  const CubicOctree tree = FullTree(0.4);
   const Box box{{-FromMm(20), -FromMm(20)}, {FromMm(20), FromMm(20)}};
   for (const double z : {3e6, 10.1e6, 17.77e6}) {
     const auto lines = tree.LinesAt(z);
@@ -72,7 +96,8 @@ TEST(CubicOctree, LinesThinOutAwayFromThePoints) {
   const auto step = static_cast<Coord>(tree.StepNm());
   // A wall at x = -40 mm.
   for (Coord y = -FromMm(50); y <= FromMm(50); y += step)
-    for (Coord z = -FromMm(40); z <= FromMm(40); z += step) tree.Add({-FromMm(40), y}, z);
+    for (Coord z = -FromMm(40); z <= FromMm(40); z += step) tree.Add({-FromMm(40), y}, z, 0);
+  tree.Grow();
   const auto density = [&](double from_mm, double to_mm) {
     double length = 0;
     for (int i = 0; i < 10; ++i)
@@ -96,19 +121,17 @@ TEST(CubicOctree, DependsOnThePointsAlone) {
     points.push_back({{FromMm(random() % 100 - 50.0), FromMm(random() % 100 - 50.0)},
                       FromMm(static_cast<double>(random() % 40))});
   CubicOctree one(kPitch, 0.1, kReach), other(kPitch, 0.1, kReach);
-  for (const auto& [p, z] : points) one.Add(p, z);
+  for (const auto& [p, z] : points) one.Add(p, z, 0);
   std::ranges::shuffle(points, random);
   for (int twice = 0; twice < 2; ++twice)
-    for (const auto& [p, z] : points) other.Add(p, z);
+    for (const auto& [p, z] : points) other.Add(p, z, 0);
+  one.Grow(), other.Grow();
   for (const double z : {0.0, 7e6, 33.3e6}) EXPECT_EQ(one.LinesAt(z), other.LinesAt(z));
 }
 
 // Planes lean by arctan 1 / sqrt 2: each line stands on the one below.
 TEST(CubicOctree, LinesStandOnThoseBelow) {
-  CubicOctree tree(kPitch, 0.2, kReach);
-  const ObjectStack stack = Prism(100, "(-30 -30, 30 -30, 30 30, -30 30)");
-  ForEachSurfacePoint(stack, static_cast<Coord>(tree.StepNm()),
-                      [&](Point p, Coord z) { tree.Add(p, z); });
+  const CubicOctree tree = TreeOf(Prism(100, "(-30 -30, 30 -30, 30 30, -30 30)"), false);
   const auto below = tree.LinesAt(8e6), above = tree.LinesAt(8.2e6);
   int loose = 0;
   for (const Polyline& line : above) {
@@ -123,11 +146,97 @@ TEST(CubicOctree, LinesStandOnThoseBelow) {
   EXPECT_GT(LengthOf(above), 0);
 }
 
-TEST(CubicOctree, WithoutPointsOnlyTheGreatestCubesHavePlanes) {
-  const CubicOctree tree(kPitch, 0, kReach);
+TEST(CubicOctree, WithoutPlacesOnlyTheGreatestCubesHavePlanes) {
+  CubicOctree tree(kPitch, 0, kReach);
+  tree.Grow();
   const size_t lines = tree.LinesAt(5e6).size();
-  EXPECT_GE(lines, 3u);
+  EXPECT_GE(lines, 1u);
   EXPECT_LE(lines, 9u);
+}
+
+struct Shape {
+  const char* name;
+  ObjectStack stack;
+};
+
+std::vector<Shape> Shapes() {
+  const auto square = MakePolygonsOrDie("(-25 -25, 25 -25, 25 25, -25 25)");
+  std::vector<Shape> shapes;
+  shapes.push_back({"box", Prism(150, "(-30 -30, 30 -30, 30 30, -30 30)")});
+  shapes.push_back({"step", StackOf(120, [&](int i) {
+                      return i < 60 ? square : MakePolygonsOrDie("(-25 -25, 3 -25, 3 25, -25 25)");
+                    })});
+  shapes.push_back(
+      {"dome", StackOf(100, [&](int i) { return FastOffset(square, -FromMm(0.0024 * i * i)); })});
+  shapes.push_back(
+      {"flat cone", StackOf(40, [&](int i) { return FastOffset(square, -FromMm(0.6 * i)); })});
+  return shapes;
+}
+
+/// Places on the lines of a full tree that lie in `region` and on no line of `tree`.
+int Missing(const CubicOctree& full, const CubicOctree& tree, const MultiPolygon& region,
+            double z_nm, int& looked_at) {
+  const auto lines = tree.LinesAt(z_nm);
+  int missing = 0;
+  for (const Polyline& line : full.LinesAt(z_nm)) {
+    constexpr int kParts = 400;
+    for (int k = 0; k < kParts; ++k) {
+      const Point way = line[1] - line[0];
+      const double share = (k + 0.5) / kParts;
+      const Point p = line[0] + Point{std::llround(share * static_cast<double>(way.x)),
+                                      std::llround(share * static_cast<double>(way.y))};
+      if (!Inside(p, region)) continue;
+      ++looked_at;
+      missing += std::ranges::none_of(lines, [&](const Polyline& other) {
+        return DistanceToSegment(p, other[0], other[1]) < 100;
+      });
+    }
+  }
+  return missing;
+}
+
+// Whatever lies on the sparse infill lies on all that cubic infill would have there.
+TEST(CubicOctree, CarriesRoofsLikeCubicInfill) {
+  const CubicOctree full = FullTree(0.2);
+  for (const Shape& shape : Shapes()) {
+    const auto areas = SparseAreas(shape.stack, {1'350'000, kSkins, kSkins});
+    for (const bool roofs_alone : {false, true}) {
+      const CubicOctree tree = TreeOf(shape.stack, roofs_alone);
+      int looked_at = 0, missing = 0;
+      for (size_t i = 0; i + 1 < areas.size(); ++i) {
+        // What leans more than 45 degrees is not what roofs alone are about.
+        const Coord wider = roofs_alone ? kStackHeight + 10'000 : 0;
+        const MultiPolygon roof = Difference(areas[i], FastOffset(areas[i + 1], wider));
+        if (Area(roof) < 1e12) continue;
+        missing += Missing(full, tree, roof,
+                           static_cast<double>(shape.stack[i].z_nm - kStackHeight / 2), looked_at);
+      }
+      EXPECT_GT(looked_at, 300) << shape.name;
+      EXPECT_EQ(missing, 0) << shape.name << (roofs_alone ? ", roofs alone" : "");
+    }
+  }
+}
+
+// A cube of 37 pitches, as one of 100 mm at 15 %.
+TEST(CubicOctree, SavesAThirdOfABox) {
+  constexpr double kHalf = 18.5 * kPitch;
+  const auto half = static_cast<Coord>(kHalf);
+  const MultiPolygon square = {{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}};
+  const auto layers = static_cast<int>(2 * half / kStackHeight);
+  const ObjectStack stack = StackOf(layers, [&](int) { return square; });
+  const Box box{{-half, -half}, {half, half}};
+  for (const bool roofs_alone : {false, true}) {
+    for (const double angle : {0.0, 0.3, 0.7853981}) {
+      CubicOctree tree = TreeOf(stack, roofs_alone, angle);
+      double length = 0, volume = 0;
+      for (int i = kSkins; i < layers - kSkins; i += 9) {
+        length += LengthIn(tree.LinesAt((i + 0.5) * kStackHeight), box);
+        volume += 4 * kHalf * kHalf;
+      }
+      EXPECT_LT(length * kPitch / volume, roofs_alone ? 0.35 : 0.7) << angle;
+      EXPECT_GT(length * kPitch / volume, roofs_alone ? 0.15 : 0.5) << angle;
+    }
+  }
 }
 
 }  // namespace

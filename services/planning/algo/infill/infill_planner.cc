@@ -51,12 +51,18 @@ LinesByLayer OctreeLines(FillPattern pattern, const InfillPlanOptions& options,
                          const ObjectStack& stack) {
   CubicOctree tree(PitchOf(options, stack), options.angle_rad, ReachOf(stack));
   const auto step = static_cast<Coord>(tree.StepNm());
-  const auto add = [&](Point place, Coord z_nm) { tree.Add(place, z_nm); };
+  const SkinLayers skins{options.top_solid_layers, options.bottom_solid_layers};
+  const auto add = [&](Point place, Coord z_nm, double around_nm) {
+    tree.Add(place, z_nm, around_nm);
+  };
   if (pattern == FillPattern::kSupportCubic) {
-    ForEachTopPoint(stack, step, add);
+    ForEachRoofPlace(stack, skins, step, add);
   } else {
-    ForEachSurfacePoint(stack, step, add);
+    ForEachSurfacePlace(stack, skins, step, add);
   }
+  ForEachInnerPlace(stack, static_cast<Coord>(tree.BodyStepNm()),
+                    [&](Point place, Coord z_nm) { tree.AddBody(place, z_nm); });
+  tree.Grow();
   LinesByLayer lines;
   for (const StackLayer& layer : stack)
     lines.push_back(layer.region.empty()

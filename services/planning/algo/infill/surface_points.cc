@@ -11,22 +11,30 @@
 namespace slicefarm::planning {
 namespace {
 
-void AlongEdges(const MultiPolygon& outline, Coord z_nm, Coord step_nm, const TakePoint& take) {
+/// Roofs are looked at on a grid finer by this, as what is told of each place reaches that far.
+constexpr Coord kRoofSteps = 4;
+
+template <class Take>
+void AlongEdges(const MultiPolygon& outline, Coord step_nm, const Take& take) {
   ForEachRing(outline, [&](const Polygon& ring) {
     for (size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       const auto steps = static_cast<int64_t>(
           std::ceil(std::max(1.0, Distance(a, b) / static_cast<double>(step_nm))));
       for (int64_t k = 0; k < steps; ++k)
-        take({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps}, z_nm);
+        take({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
     }
   });
 }
 
+/// The middle of a layer's height, where its lines are laid out.
+Coord MiddleOf(const StackLayer& layer) { return layer.z_nm - layer.height_nm / 2; }
+
 /// An area that may be narrower than the step: its edge, and a grid within.
-void Over(const MultiPolygon& area, Coord z_nm, Coord step_nm, const TakePoint& take) {
-  AlongEdges(area, z_nm, step_nm, take);
-  for (const Point p : GridPoints(area, step_nm)) take(p, z_nm);
+template <class Take>
+void Over(const MultiPolygon& area, Coord step_nm, const Take& take) {
+  AlongEdges(area, step_nm, take);
+  for (const Point p : GridPoints(area, step_nm)) take(p);
 }
 
 /// What of a layer is open towards the next one, `nearer_nm` away from what covers it.
@@ -39,20 +47,47 @@ MultiPolygon Open(const ObjectStack& stack, size_t layer, int step, Coord nearer
   return Difference(whole, nearer_nm > 0 ? FastOffset(cover, nearer_nm) : cover);
 }
 
+/// What of a layer is open, told where sparse infill ends below it. A place is within 0.71 steps of
+/// a node of the grid, or nearer to the edge, of which points are half a step away.
+void RoofUnder(const ObjectStack& stack, const SkinLayers& skins, size_t layer,
+               const MultiPolygon& open, Coord step_nm, const TakePlace& take) {
+  const auto top = static_cast<size_t>(skins.top);
+  if (layer < top) return;
+  const Coord fine_nm = std::max<Coord>(1, step_nm / kRoofSteps);
+  const double around = 1.21 * static_cast<double>(fine_nm);
+  const Coord z = MiddleOf(stack[layer - top]);
+  Over(open, fine_nm, [&](Point p) { take(p, z, around); });
+}
+
 }  // namespace
 
-void ForEachSurfacePoint(const ObjectStack& stack, Coord step_nm, const TakePoint& take) {
+void ForEachSurfacePlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                         const TakePlace& take) {
+  const auto bottom = static_cast<size_t>(skins.bottom);
   for (size_t i = 0; i < stack.size(); ++i) {
-    const Coord top_nm = stack[i].z_nm, bottom_nm = top_nm - stack[i].height_nm;
-    AlongEdges(stack[i].whole, top_nm - stack[i].height_nm / 2, step_nm, take);
-    Over(Open(stack, i, 1, 0), top_nm, step_nm, take);
-    Over(Open(stack, i, -1, 0), bottom_nm, step_nm, take);
+    const auto at = [&](Coord z_nm) { return [&take, z_nm](Point p) { take(p, z_nm, 0); }; };
+    AlongEdges(stack[i].whole, step_nm, at(MiddleOf(stack[i])));
+    if (i + bottom < stack.size())
+      Over(Open(stack, i, -1, 0), step_nm, at(MiddleOf(stack[i + bottom])));
+    RoofUnder(stack, skins, i, Open(stack, i, 1, 0), step_nm, take);
   }
 }
 
-void ForEachTopPoint(const ObjectStack& stack, Coord step_nm, const TakePoint& take) {
+void ForEachRoofPlace(const ObjectStack& stack, const SkinLayers& skins, Coord step_nm,
+                      const TakePlace& take) {
   for (size_t i = 0; i < stack.size(); ++i)
-    Over(Open(stack, i, 1, stack[i].height_nm), stack[i].z_nm, step_nm, take);
+    RoofUnder(stack, skins, i, Open(stack, i, 1, stack[i].height_nm), step_nm, take);
+}
+
+void ForEachInnerPlace(const ObjectStack& stack, Coord step_nm,
+                       const std::function<void(Point place, Coord z_nm)>& take) {
+  Coord next = 0;
+  for (const StackLayer& layer : stack) {
+    const Coord z = MiddleOf(layer);
+    if (z < next) continue;
+    for (const Point p : GridPoints(layer.region, step_nm)) take(p, z);
+    next = z + step_nm;
+  }
 }
 
 }  // namespace slicefarm::planning

@@ -2,17 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
+#include "common/geometry/boolean/random_islands_test.h"
 #include "services/planning/algo/infill/stacks_test.h"
 
 namespace slicefarm::planning::surface_points_test {
 namespace {
 
-std::map<Coord, int> Counts(const ObjectStack& stack,
-                            void (*each)(const ObjectStack&, Coord, const TakePoint&)) {
-  std::map<Coord, int> counts;
-  each(stack, kNmPerMm, [&](Point, Coord z) { ++counts[z]; });
+constexpr SkinLayers kSkins{1, 1};
+
+struct Told {
+  int count = 0;
+  double around_nm = 0;
+};
+
+std::map<Coord, Told> Counts(const ObjectStack& stack, decltype(ForEachRoofPlace)& each,
+                             const SkinLayers& skins = kSkins) {
+  std::map<Coord, Told> counts;
+  each(stack, skins, kNmPerMm, [&](Point, Coord z, double around) {
+    ++counts[z].count;
+    counts[z].around_nm = std::max(counts[z].around_nm, around);
+  });
   return counts;
 }
 
@@ -22,29 +34,46 @@ ObjectStack Step() {
   });
 }
 
-TEST(SurfacePoints, LieOnSidesTopsAndBottoms) {
-  const auto counts = Counts(Step(), ForEachSurfacePoint);
-  EXPECT_EQ(counts.at(100'000), 60);  // the edge, each mm
-  EXPECT_EQ(counts.at(300'000), 60);
-  EXPECT_EQ(counts.at(500'000), 40);
-  EXPECT_GE(counts.at(0), 60 + 19 * 9);       // the bottom: edge and grid
-  EXPECT_GE(counts.at(400'000), 40 + 9 * 9);  // the step
-  EXPECT_GE(counts.at(800'000), 40 + 9 * 9);  // the top
-  EXPECT_FALSE(counts.contains(200'000));
+TEST(SurfacePlaces, LieOnSidesAndUnderAndOverSkins) {
+  const auto counts = Counts(Step(), ForEachSurfacePlace);
+  // Four times as fine, and reaching as far as they are apart: roofs of the step and of the top.
+  EXPECT_GE(counts.at(100'000).count, 60 + 160 + 39 * 39);
+  EXPECT_GE(counts.at(500'000).count, 40 + 160 + 39 * 39);
+  EXPECT_NEAR(counts.at(500'000).around_nm, 302'500, 1);
+  EXPECT_GE(counts.at(300'000).count, 60 + 60 + 19 * 9);  // the floor: edge and grid
+  EXPECT_EQ(counts.at(300'000).around_nm, 0);
+  EXPECT_EQ(counts.at(700'000).count, 40);  // the edge, each mm
+  EXPECT_EQ(counts.size(), 4u);
 }
 
-TEST(SurfacePoints, TopsThatAreSteepAreNone) {
-  const auto counts = Counts(Step(), ForEachTopPoint);
+TEST(SurfacePlaces, OfThinPlatesAreTheSidesAlone) {
+  for (const auto& [z, told] : Counts(Step(), ForEachSurfacePlace, {4, 4}))
+    EXPECT_LE(told.count, 60) << z;
+}
+
+TEST(RoofPlaces, AreNoneUnderWhatIsSteep) {
+  const auto counts = Counts(Step(), ForEachRoofPlace);
   EXPECT_EQ(counts.size(), 2u);
-  EXPECT_TRUE(counts.contains(400'000));
-  EXPECT_TRUE(counts.contains(800'000));
+  EXPECT_TRUE(counts.contains(100'000));
+  EXPECT_TRUE(counts.contains(500'000));
   for (const bool steep : {false, true}) {
     const ObjectStack cone = StackOf(10, [&](int i) {
       const Coord half = FromMm(10) - i * (steep ? 150'000 : 250'000);
       return MultiPolygon{{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}};
     });
-    EXPECT_EQ(Counts(cone, ForEachTopPoint).size(), steep ? 1u : 10u);
+    EXPECT_EQ(Counts(cone, ForEachRoofPlace).size(), steep ? 1u : 9u);
   }
+}
+
+TEST(InnerPlaces, AreEven) {
+  std::map<Coord, int> counts;
+  const ObjectStack stack = Prism(100, "(0 0, 20 0, 20 10, 0 10)");
+  ForEachInnerPlace(stack, 2 * kNmPerMm, [&](Point p, Coord z) {
+    EXPECT_TRUE(Inside(p, stack[0].whole) || p.x == 0 || p.y == 0);
+    ++counts[z];
+  });
+  EXPECT_EQ(counts.size(), 10u);
+  for (const auto& [z, count] : counts) EXPECT_NEAR(count, 50, 15) << z;
 }
 
 }  // namespace
