@@ -119,7 +119,8 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
                   {.width_nm = fill.width_nm,
                    .max_link_nm = static_cast<double>(fill.anchor_max_nm),
                    .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
-                   .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinPieceWidths) * width});
+                   .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinPieceWidths) * width,
+                   .facing_nm = fill.pattern == FillPattern::kMedialAxis ? pitch : 0});
   for (Path& path : paths) path.feature = Feature::kInternalInfill;
   return paths;
 }

@@ -87,7 +87,8 @@ void StrandTile::LayCourses() {
   }
 }
 
-/// Two curves that share a doubled edge become one where their lines there cross.
+/// Two curves that share a doubled edge become one where their lines there cross: on the shortest
+/// edges that will do.
 void StrandTile::JoinCourses() {
   std::vector<int32_t> curve(tile_.edges.size());  // of an edge that is walked once
   std::iota(curve.begin(), curve.end(), 0);
@@ -97,7 +98,11 @@ void StrandTile::JoinCourses() {
     return a != b;
   };
   for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
-  for (size_t i = 0; i + 1 < courses_.size(); i += 2) {
+  std::vector<size_t> pairs;
+  for (size_t i = 0; i < courses_.size(); i += 2) pairs.push_back(i);
+  std::ranges::stable_sort(pairs, {},
+                           [this](size_t i) { return LengthOf(Way(2 * courses_[i].edge)); });
+  for (const size_t i : pairs) {
     if (!join(courses_[i].ends[0], courses_[i + 1].ends[0])) continue;
     std::swap(courses_[i].ends[1], courses_[i + 1].ends[1]);
     ++crossings_;

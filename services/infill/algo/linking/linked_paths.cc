@@ -7,10 +7,12 @@
 #include "services/infill/algo/lines/shortened.h"
 #include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"
+#include "services/infill/algo/linking/least_links.h"
 #include "services/infill/algo/linking/lifted_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 #include "services/infill/algo/linking/near_ends.h"
 #include "services/infill/algo/linking/spliced_paths.h"
+#include "services/infill/algo/space_filling/ring_links.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -149,6 +151,26 @@ std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
   return nearer.size() <= paths.size() ? nearer : paths;
 }
 
+/// A few paths of what lies at even distances: rings, and what has loose ends.
+std::vector<Path> FacingPaths(const EdgeEnds& ends, const LinkOptions& options) {
+  const Links links = LeastLinks(ends, options.max_link_nm);
+  std::vector<Path> paths = Assembler(ends, links, options).Run();
+  const auto closed = std::stable_partition(paths.begin(), paths.end(),
+                                            [](const Path& path) { return !path.closed; });
+  std::vector<StepRing> rings;
+  for (auto path = closed; path != paths.end(); ++path)
+    rings.push_back({std::move(path->points), 0});
+  paths.erase(closed, paths.end());
+  for (Polyline& line : LinkRings(rings, options.facing_nm)) {
+    Path& path = paths.emplace_back();
+    path.closed = line.size() > 3 && line.front() == line.back();
+    if (path.closed) line.pop_back();
+    path.points = std::move(line);
+    path.widths_nm = {options.width_nm};
+  }
+  return paths;
+}
+
 }  // namespace
 
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
@@ -164,6 +186,9 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
     const Links links = LinkAllEnds(ends, options.max_link_nm);
     rings =
         SplicedPaths(Assembler(ends, links, options).Run(), static_cast<double>(options.width_nm));
+    if (rings.size() == 1) return rings;
+  } else if (options.facing_nm > 0) {
+    rings = FacingPaths(ends, options);
     if (rings.size() == 1) return rings;
   }
   std::vector<Path> lines = OpenPaths(ends, options);

@@ -13,6 +13,7 @@ struct LinkOptions {
   double max_link_nm = 0;    ///< ends farther apart along the edge are not linked
   double anchor_nm = 0;      ///< how far a loose end turns along the edge
   double min_length_nm = 0;  ///< shorter paths are left out
+  double facing_nm = 0;      ///< closed paths so far apart become one where they face each other
 };
 
 /// Joins pieces of any pattern to long paths of one width, by links along the region's edge. Ends
@@ -22,6 +23,10 @@ struct LinkOptions {
 /// (SplicedPaths): lines in several directions are one closed path then in most regions, which may
 /// begin wherever the nozzle is. Where that gives more paths than open ones would be, and for
 /// curves, paths are open (ChooseLinks), and end near each other (BringEndsTogether).
+///
+/// Lines that lie at even distances (`facing_nm`) are linked to rings too (LeastLinks), and rings
+/// that face each other become one (LinkRings), which changes no length; open paths if those are
+/// fewer.
 ///
 /// Every piece is in exactly one path, and no stretch of the edge is used twice. Closed pieces stay
 /// as they are. Cost: as ChooseLinks and SplicedPaths, and O(n + k) with n points of the region.

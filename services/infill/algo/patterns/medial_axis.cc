@@ -12,7 +12,6 @@
 #include "services/infill/algo/lines/clip_curves.h"
 #include "services/infill/algo/lines/line_limit.h"
 #include "services/infill/algo/lines/smoothed.h"
-#include "services/infill/algo/space_filling/ring_links.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -72,11 +71,6 @@ class AxisLines {
     return most_nm_ / place_.pitch_nm * static_cast<double>(axis_.size() + 1);
   }
 
-  /// By how many lines a place lies farther from the axis than the first one.
-  int32_t StepAt(Point p) const {
-    return static_cast<int32_t>(std::lround(DistanceToLines(p, axis_) / place_.pitch_nm));
-  }
-
   std::vector<Curve> Curves(double pitch_nm, double smoothing_nm) const {
     const AxisPhase phase = PhaseAt(place_, pitch_nm);
     std::vector<Curve> curves = AxisLevels(axis_, phase.first_nm, pitch_nm, most_nm_);
@@ -115,31 +109,11 @@ std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines&
   return ClipCurves({island}, lines.Curves(place.pitch_nm * share, smoothing));
 }
 
-/// Lines that come back to where they start lie in one another: LinkRings makes one of them.
-void LinkLoops(const AxisLines& lines, double pitch_nm, std::vector<Piece>& pieces) {
-  const auto loops = std::stable_partition(pieces.begin(), pieces.end(),
-                                           [](const Piece& piece) { return !piece.closed; });
-  std::vector<StepRing> rings;
-  for (auto loop = loops; loop != pieces.end(); ++loop) {
-    const int32_t step = lines.StepAt(loop->points.front());
-    rings.push_back({std::move(loop->points), step});
-  }
-  pieces.erase(loops, pieces.end());
-  for (Polyline& line : LinkRings(rings, pitch_nm)) {
-    Piece& piece = pieces.emplace_back();
-    piece.closed = line.size() > 3 && line.front() == line.back();
-    if (piece.closed) line.pop_back();
-    piece.points = std::move(line);
-  }
-}
-
 absl::StatusOr<std::vector<Piece>> AroundAxis(const PolygonWithHoles& island,
                                               const PatternPlace& place) {
   const AxisLines lines(island, place);
   if (absl::Status ok = CheckLineCount(lines.Count()); !ok.ok()) return ok;
-  std::vector<Piece> pieces = PiecesInside(island, lines, place);
-  LinkLoops(lines, place.pitch_nm, pieces);
-  return pieces;
+  return PiecesInside(island, lines, place);
 }
 
 }  // namespace
