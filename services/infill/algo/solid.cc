@@ -139,6 +139,8 @@ absl::StatusOr<FillGroup> FillByCurves(const PolygonWithHoles& region, const Sol
   group.paths = LinkedPaths(area, *pieces,
                             {.width_nm = width,
                              .max_link_nm = kMaxLinkSpacings * pitch,
+                             .budget_nm = kMostLinkShare * Area(region) / pitch,
+                             .lifts_ends = false,
                              .min_length_nm = kMinLengthWidths * static_cast<double>(width)});
   for (Path& path : group.paths) path.feature = fill.feature;
   return group;

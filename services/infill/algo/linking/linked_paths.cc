@@ -25,6 +25,24 @@ bool AreStraight(std::span<const Piece> pieces) {
       pieces, [](const Piece& piece) { return piece.points.size() == 2 && !piece.closed; });
 }
 
+/// Leaves out the longest links, until the others come to the budget.
+Links WithinBudget(const EdgeEnds& ends, Links links, double budget_nm) {
+  std::vector<int32_t> linked;
+  double length = 0;
+  for (const int32_t end : ends.OnEdge()) {
+    if (!links[static_cast<size_t>(end)]) continue;
+    linked.push_back(end);
+    length += ends.StretchLength(end);
+  }
+  if (length <= budget_nm) return links;
+  std::ranges::stable_sort(linked, {}, [&](int32_t end) { return ends.StretchLength(end); });
+  for (; !linked.empty() && length > budget_nm; linked.pop_back()) {
+    length -= ends.StretchLength(linked.back());
+    links[static_cast<size_t>(linked.back())] = false;
+  }
+  return links;
+}
+
 /// Puts paths together from pieces, links and anchors.
 class Assembler {
  public:
@@ -143,9 +161,10 @@ class Assembler {
 
 /// Paths with loose ends, which lie near to those of other paths where that costs no path.
 std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
-  const Links links = ChooseLinks(ends, options.max_link_nm);
+  const Links links = WithinBudget(ends, ChooseLinks(ends, options.max_link_nm), options.budget_nm);
   std::vector<Path> paths = Assembler(ends, links, options).Run();
-  const Links near = BringEndsTogether(ends, links, options.max_link_nm);
+  const Links near =
+      WithinBudget(ends, BringEndsTogether(ends, links, options.max_link_nm), options.budget_nm);
   if (near == links) return paths;
   std::vector<Path> nearer = Assembler(ends, near, options).Run();
   return nearer.size() <= paths.size() ? nearer : paths;
@@ -177,7 +196,7 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
                               const LinkOptions& options) {
   if (pieces.empty()) return {};
   const bool is_edge_used = options.max_link_nm > 0 || options.anchor_nm > 0;
-  if (!is_edge_used) return OpenPaths(EdgeEnds(region, pieces), options);
+  if (!is_edge_used || !options.lifts_ends) return OpenPaths(EdgeEnds(region, pieces), options);
   const LiftedPieces lifted = LiftEnds(region, pieces, options.width_nm);
   EdgeEnds ends(region, lifted.pieces);
   ends.SetTaken(lifted.taken, options.width_nm);

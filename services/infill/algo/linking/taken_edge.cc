@@ -14,7 +14,7 @@ namespace {
 /// Sine of the angle at which beads run along each other.
 constexpr double kMostSine = 0.342;
 /// How long a link may lie on another bead, in widths.
-constexpr double kMostTaken = 0.5;
+constexpr double kMostTaken = 1;
 /// Squares in which pieces are looked up, in distances that count as near.
 constexpr double kSquares = 8;
 

@@ -26,7 +26,7 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
 
 /// What beads along a stretch of a ring have room for.
 struct StretchRoom {
-  bool links = true;     ///< a bead all along it; it may lie on another one for half a width
+  bool links = true;     ///< a bead all along it; it may lie on another one for a width
   double ahead_nm = 0;   ///< a bead from where it begins, so far
   double behind_nm = 0;  ///< a bead from where it ends, so far back
 };

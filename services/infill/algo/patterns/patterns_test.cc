@@ -161,7 +161,7 @@ TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
     ASSERT_TRUE(paths.ok());
     for (const Path& path : *paths) EXPECT_EQ(path.widths_nm, std::vector<Coord>{kWidth});
     const double depth = static_cast<double>(Spacing(kWidth, kHeight)) / 2 - 157'500 + 10'000;
-    EXPECT_GE(LengthAlongEdge(*paths, region, depth), (along_edge ? 0.9 : 0.3) * EdgeOf(region))
+    EXPECT_GE(LengthAlongEdge(*paths, region, depth), (along_edge ? 0.9 : 0.2) * EdgeOf(region))
         << density;
     fill.anchor_max_nm = 0;
     const auto lines = FillSparse(region, fill);
