@@ -16,9 +16,12 @@ namespace {
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 
 constexpr std::string_view kSpeeds[] = {
-    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
-    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
-    "support_material_speed", "support_material_interface_speed", "ironing_speed",
+    "perimeter_speed",        "external_perimeter_speed",
+    "small_perimeter_speed",  "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",
+    "gap_fill_speed",         "bridge_speed",
+    "support_material_speed", "support_material_interface_speed",
+    "ironing_speed",
 };
 
 /// The setting's value, a percentage taken of `whole`.
@@ -37,6 +40,11 @@ void TakePercentage(Draft& draft, std::string_view key) {
 /// Replaces 0 by another setting's value.
 void FallBack(Draft& draft, std::string_view key, std::string_view to) {
   if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number(to));
+}
+
+/// Replaces what is less than another setting's value by that.
+void RaiseTo(Draft& draft, std::string_view key, std::string_view least) {
+  draft.SetNumber(key, std::max(draft.Number(key), draft.Number(least)));
 }
 
 void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
@@ -192,6 +200,7 @@ absl::Status CheckPercentages(const Draft& draft) {
 
 absl::Status Derive(Draft& draft) {
   TakePercentage(draft, "first_layer_height");
+  RaiseTo(draft, "outline_resolution", "resolution");
   if (draft.process() == Process::kLaser) return CheckPercentages(draft);
   DeriveWidths(draft);
   DeriveVariableWalls(draft);

@@ -45,7 +45,6 @@ constexpr KnownKey kSwitches[] = {
     {"overhangs", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
     {"prefer_clockwise_movements", kNotYet, "0", true},
-    {"resolution", "outline_resolution is the setting here", "0", true},
     {"solid_infill_extruder", kNotYet, "1", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
     {"toolchange_gcode", kNotYet, "", true},

@@ -304,8 +304,9 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 1,
        .standard = "0.0125",
-       .doc = "How far straight moves may deviate from the curves that they stand for; 0: all points "
-              "of paths are written",
+       .doc =
+           "How far straight moves may deviate from the curves that they stand for; 0: all points "
+           "of paths are written",
        .field = Bind([](auto& s) -> auto& { return s.motion.resolution_nm; })},
       {.key = "printer_model",
        .kind = Kind::kText,
