@@ -20,6 +20,7 @@
 /// must be solid; what lies farther from anything bare than anchors reach must not.
 /// From the environment:
 ///   SLICEFARM_SKIN_CASES   how many of the table's rows (2); the slow test takes all
+///   SLICEFARM_SKIN_FIRST   the first of them (0)
 namespace slicefarm::skin_oracle_test {
 namespace {
 
@@ -193,12 +194,15 @@ Faults FaultsOf(const FilledLayer& layer, const SkinOracle::Due& due, const Rast
   return faults;
 }
 
-void ExpectSkins(const Case& c) {
+/// Returns what had to be solid, mm2.
+double ExpectSkins(const Case& c) {
   SCOPED_TRACE(testing::PrintToString(c));
   const auto part = PartOf(c);
-  ASSERT_TRUE(part.ok()) << part.status();
+  EXPECT_TRUE(part.ok()) << part.status();
+  if (!part.ok()) return 0;
   const auto filled = Filled(*part, c.skins);
-  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_TRUE(filled.ok()) << filled.status();
+  if (!filled.ok()) return 0;
   SkinOracle oracle(*part, c.skins);
   double due_mm2 = 0;
   for (size_t i = 0; i < filled->size(); ++i) {
@@ -209,7 +213,7 @@ void ExpectSkins(const Case& c) {
     EXPECT_LT(faults.solid_mm, 0.5) << "layer " << i;
     EXPECT_LT(faults.open_mm2, 0.1) << "layer " << i;
   }
-  EXPECT_GT(due_mm2, 1);
+  return due_mm2;
 }
 
 std::vector<Case> Table() {
@@ -230,7 +234,11 @@ std::vector<Case> Table() {
 TEST(SkinOracle, SkinsAreWhereSectionsEnd) {
   const std::vector<Case> cases = Table();
   const auto count = static_cast<size_t>(FromEnvironment("SLICEFARM_SKIN_CASES", 2));
-  for (size_t i = 0; i < std::min(count, cases.size()); ++i) ExpectSkins(cases[i]);
+  const auto first = static_cast<size_t>(FromEnvironment("SLICEFARM_SKIN_FIRST", 0));
+  double due_mm2 = 0;
+  for (size_t i = first; i < std::min(first + count, cases.size()); ++i)
+    due_mm2 += ExpectSkins(cases[i]);
+  EXPECT_GT(due_mm2, 1);
 }
 
 /// Moves each corner by up to 20 nm.
