@@ -72,6 +72,10 @@ constexpr Need kNeeds[] = {
      [](const JobSettings& s) { return s.infill[0].ironing.enabled; }},
     {"small_area_infill_flow_compensation_model", "small_area_infill_flow_compensation = 1",
      [](const JobSettings& s) { return s.infill[0].small_area_flow; }},
+    {"infill_smoothing", "fill_pattern = medialaxis",
+     [](const JobSettings& s) {
+       return !s.infill[0].choose_pattern && s.infill[0].pattern == FillPattern::kMedialAxis;
+     }},
     {"infill_goal", "fill_pattern = auto",
      [](const JobSettings& s) { return s.infill[0].choose_pattern; }},
     {"fill_density", "no density_field, which takes its place",
@@ -114,13 +118,9 @@ constexpr Need kLaserNeeds[] = {
     {"hatch_angle hatch_rotation alternate_hatch skywriting",
      "scan_strategy = stripes, islands or hatch", IsHatched},
     {"stripe_width", "scan_strategy = stripes",
-     [](const JobSettings& s) {
-       return s.exposure.regions[0].strategy == ScanStrategy::kStripes;
-     }},
+     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kStripes; }},
     {"island_width", "scan_strategy = islands",
-     [](const JobSettings& s) {
-       return s.exposure.regions[0].strategy == ScanStrategy::kIslands;
-     }},
+     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kIslands; }},
     {"scan_overlap", "scan_strategy = stripes or islands",
      [](const JobSettings& s) {
        const ScanStrategy strategy = s.exposure.regions[0].strategy;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/skeleton/boundary.h"
 #include "services/beading/algo/sample_outlines_test.h"
-#include "services/beading/algo/skeleton/boundary.h"
 #include "services/cli/bead_files.h"
 #include "services/cli/bead_maker.h"
 #include "tests/bench/benchmarks.h"
@@ -18,8 +18,6 @@
 namespace slicefarm::bench {
 namespace {
 
-using beading::Boundary;
-using beading::BoundaryEdge;
 using cli::BeadMaker;
 using cli::BeadTotals;
 
@@ -65,12 +63,12 @@ std::vector<Segment> Segments(const Boundary& boundary) {
 Outline Prepare(MultiPolygon islands) {
   Outline outline;
   for (const PolygonWithHoles& island : islands) {
-    if (const std::optional<Boundary> boundary = beading::MakeBoundary(island)) {
+    if (const std::optional<Boundary> boundary = MakeBoundary(island)) {
       outline.segments.push_back(Segments(*boundary));
       continue;
     }
     for (const PolygonWithHoles& part : Offset({island}, -kOpenNm))
-      if (const auto boundary = beading::MakeBoundary(part))
+      if (const auto boundary = MakeBoundary(part))
         outline.segments.push_back(Segments(*boundary));
   }
   outline.islands = std::move(islands);

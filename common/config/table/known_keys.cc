@@ -76,7 +76,7 @@ constexpr Group kGroups[] = {
      "filament_ramming_parameters filament_retract_length_toolchange "
      "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
      "filament_soluble filament_stamping_* filament_toolchange_delay filament_travel_* "
-     "filament_unload_time filament_unloading_* fuzzy_skin_* gcode_resolution "
+     "filament_unload_time filament_unloading_* fuzzy_skin_* "
      "high_current_on_filament_swap idle_temperature "
      "interlocking_* max_layer_height "
      "min_layer_height mmu_* multimaterial_purging nozzle_high_flow "

@@ -104,6 +104,7 @@ constexpr std::string_view kOfRegions[] = {
     "infill_goal",
     "infill_only_where_needed",
     "infill_overlap",
+    "infill_smoothing",
     "infill_speed",
     "inner_outer_inner",
     "ironing",

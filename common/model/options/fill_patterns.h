@@ -35,6 +35,8 @@ enum class FillPattern : uint8_t {
   kAdaptiveCubic,
   kSupportCubic,
   kLightning,
+  kMedialAxis,
+  kVoronoi,
 };
 
 /// How a pattern fills a solid region.
@@ -108,6 +110,10 @@ inline constexpr FillPatternInfo kFillPatterns[] = {
      "Cubic, of cubes that double their size with the distance to top surfaces", false, true},
     {FillPattern::kLightning, "lightning", true, SolidWay::kNone,
      "Trees that grow from the walls to where a top surface needs something under it", false, true},
+    {FillPattern::kMedialAxis, "medialaxis", true, SolidWay::kNone,
+     "Lines at equal distances from the region's medial axis: along its limbs, into its corners"},
+    {FillPattern::kVoronoi, "voronoi", true, SolidWay::kNone,
+     "Irregular cells of like size: the Voronoi cells of places that Lloyd's method has spread"},
 };
 
 inline constexpr int kFillPatternCount = std::size(kFillPatterns);

@@ -63,15 +63,16 @@ struct InfillOptions {
       0;                        ///< solid_infill_below_area: smaller sparse regions become solid
   Coord anchor_nm = 2'700'000;  ///< infill_anchor: of a line's end that is not linked
   Coord anchor_max_nm = 50'000'000;  ///< infill_anchor_max: longest link; 0: none
+  Coord smoothing_nm = 0;            ///< infill_smoothing: of medialaxis' lines; 0: none
   int32_t solid_every_layers = 0;    ///< solid_infill_every_layers; 0: none
   double bridge_angle_rad = 0;       ///< bridge_angle; 0: found for each bridge
   double bridge_flow = 1;            ///< bridge_flow_ratio: plastic of bridges' beads
   bool thick_bridges = true;         ///< thick_bridges: round threads as wide as the nozzle
-  bool over_bridges = false;      ///< over_bridge_speed: solid infill over bridges goes by itself
-  bool interface_shells = false;  ///< interface_shells: skins where another region begins
-  Coord nozzle_nm = 400'000;         ///< nozzle_diameter
-  int32_t every_layers = 1;          ///< infill_every_layers: that many are filled at once
-  bool only_where_needed = false;    ///< infill_only_where_needed
+  bool over_bridges = false;       ///< over_bridge_speed: solid infill over bridges goes by itself
+  bool interface_shells = false;   ///< interface_shells: skins where another region begins
+  Coord nozzle_nm = 400'000;       ///< nozzle_diameter
+  int32_t every_layers = 1;        ///< infill_every_layers: that many are filled at once
+  bool only_where_needed = false;  ///< infill_only_where_needed
   ShellThickness shells = ShellThickness::kEnabled;  ///< ensure_vertical_shell_thickness
   bool overhang_lines = false;                       ///< extra_perimeters_on_overhangs
   IroningOptions ironing;

@@ -177,6 +177,7 @@ struct MotionOptions {
   std::string between_objects_gcode;               ///< between_objects_gcode
   Coord max_print_height_nm = 0;                   ///< max_print_height, 0: unlimited
   ArcFitting arc_fitting = ArcFitting::kDisabled;  ///< arc_fitting
+  Coord resolution_nm = 12'500;  ///< gcode_resolution: paths are simplified within this; 0: not
   std::string material_field;  ///< canonical text (fields/field_text.h); empty: no mixing
 
   friend bool operator==(const MotionOptions&, const MotionOptions&) = default;

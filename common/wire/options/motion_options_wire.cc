@@ -91,6 +91,8 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
   }
   if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxCoord)
     return Malformed("max_print_height_nm", "is out of range");
+  if (proto.resolution_nm() < 0 || proto.resolution_nm() > limits::kMaxCoord)
+    return Malformed("resolution_nm", "is out of range");
   const v1::CoolingOptions& cooling = proto.cooling();
   std::vector<int32_t> fans = {cooling.min_fan_percent(), cooling.max_fan_percent(),
                                cooling.bridge_fan_percent()};
@@ -339,6 +341,7 @@ v1::MotionOptions ToProto(const MotionOptions& options) {
   proto.set_between_objects_gcode(options.between_objects_gcode);
   proto.set_max_print_height_nm(options.max_print_height_nm);
   proto.set_arc_fitting(EnumToProto<v1::ArcFitting>(options.arc_fitting));
+  proto.set_resolution_nm(options.resolution_nm);
   proto.set_material_field(options.material_field);
   return proto;
 }
@@ -369,6 +372,7 @@ absl::StatusOr<MotionOptions> FromProto(const v1::MotionOptions& proto) {
   options.between_objects_gcode = proto.between_objects_gcode();
   options.max_print_height_nm = proto.max_print_height_nm();
   options.arc_fitting = Known<ArcFitting>(proto.arc_fitting());
+  options.resolution_nm = proto.resolution_nm();
   options.material_field = proto.material_field();
   return options;
 }

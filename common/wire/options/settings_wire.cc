@@ -120,8 +120,9 @@ absl::Status Check(const v1::InfillOptions& proto) {
                                {"first_layer_width_nm", proto.first_layer_width_nm()},
                                {"nozzle_nm", proto.nozzle_nm()}}));
   status.Update(CheckLengths({{"overlap_nm", proto.overlap_nm()}}, -limits::kMaxCoord));
-  status.Update(CheckNotNegative(
-      {{"anchor_nm", proto.anchor_nm()}, {"anchor_max_nm", proto.anchor_max_nm()}}));
+  status.Update(CheckNotNegative({{"anchor_nm", proto.anchor_nm()},
+                                  {"anchor_max_nm", proto.anchor_max_nm()},
+                                  {"smoothing_nm", proto.smoothing_nm()}}));
   if (proto.solid_every_layers() < 0) status.Update(Malformed("solid_every_layers", "is negative"));
   if (proto.every_layers() < 1) status.Update(Malformed("every_layers", "is below 1"));
   if (!(proto.bridge_flow() > 0)) status.Update(Malformed("bridge_flow", "is not above 0"));
@@ -277,6 +278,7 @@ v1::InfillOptions ToProto(const InfillOptions& options) {
   proto.set_solid_below_area_mm2(options.solid_below_area_mm2);
   proto.set_anchor_nm(options.anchor_nm);
   proto.set_anchor_max_nm(options.anchor_max_nm);
+  proto.set_smoothing_nm(options.smoothing_nm);
   proto.set_solid_every_layers(options.solid_every_layers);
   proto.set_bridge_angle_rad(options.bridge_angle_rad);
   proto.set_density_field(options.density_field);
@@ -324,6 +326,7 @@ absl::StatusOr<InfillOptions> FromProto(const v1::InfillOptions& proto) {
   options.solid_below_area_mm2 = proto.solid_below_area_mm2();
   options.anchor_nm = proto.anchor_nm();
   options.anchor_max_nm = proto.anchor_max_nm();
+  options.smoothing_nm = proto.smoothing_nm();
   options.solid_every_layers = proto.solid_every_layers();
   options.bridge_angle_rad = proto.bridge_angle_rad();
   options.density_field = proto.density_field();

@@ -183,7 +183,7 @@ InfillOptions DistinctInfill() {
   auto& [top_layers, bottom_layers, density, pattern, choose_pattern, goal, solid_pattern,
          top_pattern, bottom_pattern, angle, angle_template, solid_angle_template, sparse_width,
          solid_width, top_width, first_layer_width, overlap, solid_below_area, anchor, anchor_max,
-         solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
+         smoothing, solid_every_layers, bridge_angle, bridge_flow, thick_bridges, over_bridges,
          interface_shells, nozzle, every_layers, only_where_needed, shells, overhang_lines, ironing,
          small_area_flow, small_area_flow_table, density_field, stress_field, field_halo_layers] =
       options;
@@ -223,6 +223,7 @@ InfillOptions DistinctInfill() {
   solid_below_area = 314.5;
   anchor = 315;
   anchor_max = 316;
+  smoothing = 317;
   solid_every_layers = 318;
   density_field = "density";
   stress_field = "stress";
@@ -321,7 +322,7 @@ MotionOptions DistinctMotion() {
          filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode,
          end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
-         max_print_height, arc_fitting, material_field] = options;
+         max_print_height, arc_fitting, resolution, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
   retraction = DistinctRetraction();
@@ -383,6 +384,7 @@ MotionOptions DistinctMotion() {
   layer_settings = "settings";
   labels = ObjectLabels::kFirmware;
   arc_fitting = ArcFitting::kEmitCenter;
+  resolution = 539;
   between_objects_gcode = "between";
   max_print_height = 538;
   material_field = "materials";
@@ -511,6 +513,7 @@ constexpr char kDistinct[] = R"pb(
     solid_below_area_mm2: 314.5
     anchor_nm: 315
     anchor_max_nm: 316
+    smoothing_nm: 317
     solid_every_layers: 318
     bridge_angle_rad: 0.319
     density_field: "density"
@@ -644,6 +647,7 @@ constexpr char kDistinct[] = R"pb(
     between_objects_gcode: "between"
     max_print_height_nm: 538
     arc_fitting: ARC_FITTING_EMIT_CENTER
+    resolution_nm: 539
     material_field: "materials"
   }
 )pb";
@@ -780,6 +784,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"NegativePrintHeight",
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
                 "motion.max_print_height_nm"},
+        Refused{"NegativeMotionResolution",
+                [](auto& p) { p.mutable_motion()->set_resolution_nm(-1); },
+                "motion.resolution_nm"},
         Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
         Refused{"TooManySkirts",
                 [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },

@@ -94,11 +94,9 @@ absl::Status CheckWidths(const SectionView& view, const InfillOptions& options) 
   }
   absl::Status status =
       CheckSpacing("solid_infill_extrusion_width", options.solid_width_nm, view.height_nm);
-  status.Update(
-      CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
+  status.Update(CheckSpacing("top_infill_extrusion_width", options.top_width_nm, view.height_nm));
   if (options.density > 0 || !options.density_field.empty()) {
-    status.Update(
-        CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
+    status.Update(CheckSpacing("infill_extrusion_width", options.sparse_width_nm, view.height_nm));
   }
   return status;
 }
@@ -155,8 +153,8 @@ std::optional<double> PlannedAngle(const std::string& angles, double base_rad, i
 FillAngles AnglesOf(const InfillOptions& options, int32_t layer) {
   const auto sparse = PlannedAngle(options.angle_template, options.angle_rad, layer);
   const auto solid = PlannedAngle(options.solid_angle_template, options.angle_rad, layer);
-  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad),
-          sparse.has_value(), solid.has_value()};
+  return {sparse.value_or(options.angle_rad), solid.value_or(options.angle_rad), sparse.has_value(),
+          solid.has_value()};
 }
 
 /// What areas are filled with, and what it comes to.
@@ -217,9 +215,8 @@ class RegionFill {
   }
 
   bool IsSolidLayer(const LayerField* field) const {
-    const bool filled = PlainDensity(field) > 0 ||
-                        (field != nullptr && field->density != nullptr &&
-                         field->density->Greatest() > 0);
+    const bool filled = PlainDensity(field) > 0 || (field != nullptr && field->density != nullptr &&
+                                                    field->density->Greatest() > 0);
     return filled && options_.solid_every_layers > 0 &&
            view_.layer % options_.solid_every_layers == 0;
   }
@@ -355,14 +352,14 @@ class RegionFill {
                     .overlap_nm = options_.overlap_nm,
                     .anchor_nm = options_.anchor_nm,
                     .anchor_max_nm = options_.anchor_max_nm,
+                    .smoothing_nm = options_.smoothing_nm,
                     .field = plain ? nullptr : field};
     if (plan_ == nullptr) return AppendSparsePart(region, fill, fills);
     fill.planned = plan_->lines;
     const MultiPolygon filled =
         plan_->left_out.empty() ? region : Difference(region, plan_->left_out);
     if (plan_->combined.empty()) return AppendSparsePart(filled, fill, fills);
-    const absl::Status status =
-        AppendSparsePart(Difference(filled, plan_->combined), fill, fills);
+    const absl::Status status = AppendSparsePart(Difference(filled, plan_->combined), fill, fills);
     if (!status.ok()) return status;
     fill.height_nm = plan_->combined_height_nm;
     return AppendSparsePart(Intersection(filled, plan_->combined), fill, fills);

@@ -21,8 +21,9 @@ struct SparseFill {
   Coord overlap_nm = 0;     ///< how much nearer than half a spacing lines come to the region's edge
   Coord anchor_nm = 0;      ///< how far a loose end turns along the edge
   Coord anchor_max_nm = 0;  ///< longest link; 0: none
+  Coord smoothing_nm = 0;   ///< of medial-axis lines; 0: none
   std::span<const Polyline> planned = {};  ///< of patterns that planning lays out
-  const LayerField* field = nullptr;  ///< says how dense, in place of `density`, and which way
+  const LayerField* field = nullptr;       ///< says how dense, in place of `density`, and which way
 };
 
 /// Fills a region with a pattern of the given density: path length per area is density / spacing,

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
 
 namespace slicefarm::beading {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "common/geometry/skeleton/skeletal_graph.h"
 #include "services/beading/algo/arachne/node_beading.h"
-#include "services/beading/algo/skeleton/skeletal_graph.h"
 
 namespace slicefarm::beading {
 

@@ -6,12 +6,12 @@
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/offset/offset.h"
+#include "common/geometry/skeleton/boundary.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 #include "services/beading/algo/arachne/bead_counts.h"
 #include "services/beading/algo/arachne/bead_tracing.h"
 #include "services/beading/algo/arachne/beading_field.h"
-#include "services/beading/algo/skeleton/boundary.h"
 #include "services/beading/algo/skeleton/centrality.h"
-#include "services/beading/algo/skeleton/skeletal_graph.h"
 
 namespace slicefarm::beading {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 #include "services/beading/algo/strategy/beading_strategy.h"
 #include "services/beading/algo/thick_line.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 
 namespace slicefarm::beading {
 

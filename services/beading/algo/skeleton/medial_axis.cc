@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "common/base/portable_math.h"
-#include "services/beading/algo/skeleton/skeletal_graph.h"
+#include "common/geometry/skeleton/skeletal_graph.h"
 
 namespace slicefarm::beading {
 namespace {
@@ -147,16 +147,12 @@ class AxisGraph {
     const Place p = Node(a).place, q = Node(b).place;
     return Hypot(p.x - q.x, p.y - q.y);
   }
-  double EdgeLength(int e) const {
-    return Apart(edges_[e].a, edges_[e].b);
-  }
+  double EdgeLength(int e) const { return Apart(edges_[e].a, edges_[e].b); }
   bool IsFacing(int e) const {
     const AxisEdge& edge = edges_[e];
     return std::abs(Node(edge.a).radius - Node(edge.b).radius) < kFacing * EdgeLength(e);
   }
-  int OtherEnd(int e, int node) const {
-    return edges_[e].a == node ? edges_[e].b : edges_[e].a;
-  }
+  int OtherEnd(int e, int node) const { return edges_[e].a == node ? edges_[e].b : edges_[e].a; }
 
   /// Drops what is thinner than `min_radius`; edges that cross it end there.
   void CutAt(double min_radius) {
@@ -169,9 +165,9 @@ class AxisGraph {
       if (thin.radius < min_radius) {
         const double t = (min_radius - thin.radius) / (thick.radius - thin.radius);
         edge.a = NodeCount();
-        nodes_.push_back({{std::lerp(thin.place.x, thick.place.x, t),
-                           std::lerp(thin.place.y, thick.place.y, t)},
-                          min_radius});
+        nodes_.push_back(
+            {{std::lerp(thin.place.x, thick.place.x, t), std::lerp(thin.place.y, thick.place.y, t)},
+             min_radius});
       }
       kept.push_back(edge);
     }

@@ -29,7 +29,7 @@ Choice EverySecond(const EdgeEnds& ends, const std::vector<int32_t>& ring, size_
   Choice choice;
   for (size_t i = 0; i + 1 < ring.size(); i += 2) {
     const int32_t stretch = ring[(first + i) % ring.size()];
-    const double length = ends.StretchLength(stretch);
+    const double length = ends.LinkLength(stretch);
     if (length > max_link_nm) {
       ++choice.too_long;
       continue;

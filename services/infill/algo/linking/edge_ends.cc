@@ -6,8 +6,10 @@
 namespace slicefarm::infill {
 
 EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces) : pieces_(pieces) {
-  ForEachRing(region, [this](const Polygon& ring) { rings_.push_back(&ring); });
-  MeasureRings();
+  ForEachRing(region, [this](const Polygon& ring) {
+    rings_.push_back(&ring);
+    corner_at_.push_back(CornerLengths(ring));
+  });
   ends_.reserve(2 * pieces.size());
   for (const Piece& piece : pieces) {
     ends_.push_back({piece.closed ? EdgePlace{} : piece.from});
@@ -36,15 +38,6 @@ Polyline EdgeEnds::StretchPoints(int32_t end) const {
   return points;
 }
 
-void EdgeEnds::MeasureRings() {
-  for (const Polygon* ring : rings_) {
-    std::vector<double>& at = corner_at_.emplace_back(1, 0.0);
-    at.reserve(ring->size() + 1);
-    for (size_t i = 0; i < ring->size(); ++i)
-      at.push_back(at.back() + Distance((*ring)[i], (*ring)[i + 1 == ring->size() ? 0 : i + 1]));
-  }
-}
-
 void EdgeEnds::SortAlongRings() {
   for (int32_t i = 0; i < size(); ++i) {
     if (!IsOnEdge(i)) continue;
@@ -70,10 +63,20 @@ void EdgeEnds::SortAlongRings() {
       End& to = ends_[static_cast<size_t>(order_[wraps ? first : i + 1])];
       from.next = order_[wraps ? first : i + 1];
       to.previous = order_[i];
-      from.stretch_nm = std::max(0.0, to.along_nm - from.along_nm +
-                                          (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
+      from.stretch_nm =
+          std::max(0.0, to.along_nm - from.along_nm +
+                            (wraps ? corner_at_[static_cast<size_t>(ring)].back() : 0));
     }
     first = last;
+  }
+}
+
+void EdgeEnds::SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm) {
+  for (const int32_t number : order_) {
+    End& end = ends_[static_cast<size_t>(number)];
+    const auto ring = static_cast<size_t>(end.place.ring);
+    end.room = RoomAlong(taken[ring], corner_at_[ring].back(), end.along_nm, end.stretch_nm,
+                         static_cast<double>(width_nm));
   }
 }
 

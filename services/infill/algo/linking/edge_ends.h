@@ -1,10 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "services/infill/algo/lines/piece.h"
 #include "services/infill/algo/linking/ring_way.h"
+#include "services/infill/algo/linking/taken_edge.h"
 
 namespace slicefarm::infill {
 
@@ -15,8 +17,11 @@ inline constexpr int32_t kNoEnd = -1;
 /// of a ring from an end forwards to the next one, and has that end's number.
 class EdgeEnds {
  public:
-  /// `region` and `pieces` must outlive this. Cost: O(n + k log k).
+  /// `region` and `pieces` must outlive this. All of the edge is free. Cost: O(n + k log k).
   EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces);
+
+  /// Says where beads of that width have no room, by ring.
+  void SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm);
 
   int32_t size() const { return static_cast<int32_t>(ends_.size()); }
   int32_t PieceCount() const { return size() / 2; }
@@ -30,6 +35,12 @@ class EdgeEnds {
   int32_t Previous(int32_t end) const { return At(end).previous; }
   /// Length in nm of a stretch. REQUIRES: on the edge.
   double StretchLength(int32_t end) const { return At(end).stretch_nm; }
+  /// The same for a link; infinite where other beads lie in its way. REQUIRES: on the edge.
+  double LinkLength(int32_t end) const {
+    return At(end).room.links ? At(end).stretch_nm : std::numeric_limits<double>::infinity();
+  }
+  /// What a bead along a stretch has room for. REQUIRES: on the edge.
+  const StretchRoom& RoomOf(int32_t end) const { return At(end).room; }
 
   Point PlaceOf(int32_t end) const;
   /// The points of a stretch, both ends' places with them.
@@ -42,10 +53,10 @@ class EdgeEnds {
     int32_t previous = kNoEnd;
     double along_nm = 0;  ///< the ring, from its first point
     double stretch_nm = 0;
+    StretchRoom room{};  ///< of the stretch
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }
-  void MeasureRings();
   void SortAlongRings();
 
   std::span<const Piece> pieces_;

@@ -43,10 +43,10 @@ class Chooser {
   void LinkShortestFirst() {
     std::vector<int32_t> stretches = ends_.OnEdge();
     std::erase_if(stretches, [this](int32_t s) {
-      return ends_.StretchLength(s) > max_link_nm_ || ends_.Next(s) == s;
+      return ends_.LinkLength(s) > max_link_nm_ || ends_.Next(s) == s;
     });
     std::stable_sort(stretches.begin(), stretches.end(), [this](int32_t a, int32_t b) {
-      return ends_.StretchLength(a) < ends_.StretchLength(b);
+      return ends_.LinkLength(a) < ends_.LinkLength(b);
     });
     std::vector<int32_t> path_of(static_cast<size_t>(ends_.PieceCount()));
     std::iota(path_of.begin(), path_of.end(), 0);
@@ -133,7 +133,7 @@ class Chooser {
   std::optional<Step> StepFrom(int32_t end, int32_t tail, Way way) {
     const int32_t near = Neighbour(end, way);
     const int32_t made = Stretch(end, way);
-    if (near == end || ends_.StretchLength(made) > max_link_nm_) return std::nullopt;
+    if (near == end || ends_.LinkLength(made) > max_link_nm_) return std::nullopt;
     const int32_t far = Partner(near);
     if (far == kNoEnd) {
       if (near == tail) return std::nullopt;
@@ -164,7 +164,7 @@ class Chooser {
     do {
       const int32_t stretch = Stretch(end, way);
       const int32_t near = Neighbour(end, way);
-      if (near == end || ends_.StretchLength(stretch) > max_link_nm_) break;
+      if (near == end || ends_.LinkLength(stretch) > max_link_nm_) break;
       const int32_t far = Partner(near);
       if (far == kNoEnd) {
         if (EndOfPath(end) == near) break;
@@ -235,8 +235,7 @@ class Chooser {
       if (seen[static_cast<size_t>(piece)]) continue;
       int32_t longest = kNoEnd;
       follow(2 * piece, [&](int32_t link) {
-        if (longest == kNoEnd || ends_.StretchLength(link) > ends_.StretchLength(longest))
-          longest = link;
+        if (longest == kNoEnd || ends_.LinkLength(link) > ends_.LinkLength(longest)) longest = link;
       });
       if (longest != kNoEnd) links_[static_cast<size_t>(longest)] = false;
     }

@@ -101,7 +101,8 @@ TEST(LinkChoice, LinksAreNoLongerThanAllowed) {
   EXPECT_EQ(PathsOf(wedge, {{0, 0.5e6, 1e6}}, 1.5e6), 1);
 }
 
-// Few pieces, so that all choices can be tried. The search is no proof; it may miss by one at times.
+// Few pieces, so that all choices can be tried. The search is no proof; it may miss by one at
+// times.
 TEST(LinkChoice, IsNearTheBestChoice) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> phase(0, 5e6), angle(0, 3);

@@ -1,136 +1,75 @@
 #include "services/infill/algo/linking/linked_paths.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <numeric>
 #include <utility>
 
-#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
-#include "common/model/bead_section.h"
 #include "services/infill/algo/lines/shortened.h"
 #include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"
+#include "services/infill/algo/linking/least_links.h"
+#include "services/infill/algo/linking/lifted_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
-#include "services/infill/algo/linking/link_shape.h"
 #include "services/infill/algo/linking/near_ends.h"
 #include "services/infill/algo/linking/spliced_paths.h"
+#include "services/infill/algo/space_filling/ring_links.h"
 
 namespace slicefarm::infill {
 namespace {
 
-struct Plan {
-  Links links;
-  std::vector<LinkShape> shapes;
-  double flow = 1;
-  double net_nm = 0;
-};
-
-double NetOf(const std::vector<LinkShape>& shapes, double flow) {
-  return std::accumulate(shapes.begin(), shapes.end(), 0.0,
-                         [flow](double sum, const LinkShape& s) { return sum + s.Net(flow); });
-}
-
-/// The flow at which the links come to the budget; beyond any where they take nothing.
-double FlowFor(const std::vector<LinkShape>& shapes, double budget_nm) {
-  const double length = NetOf(shapes, 1) - NetOf(shapes, 0);
-  return length > 0 ? (budget_nm - NetOf(shapes, 0)) / length : 1e9;
-}
-
-/// Leaves out the links that cost most, until the others come to the budget.
-void DropLongest(double budget_nm, Plan& plan) {
-  std::stable_sort(plan.shapes.begin(), plan.shapes.end(),
-                   [&](const LinkShape& a, const LinkShape& b) {
-                     return a.Net(plan.flow) < b.Net(plan.flow);
-                   });
-  double net = NetOf(plan.shapes, plan.flow);
-  while (!plan.shapes.empty() && net > budget_nm && plan.shapes.back().Net(plan.flow) > 0) {
-    net -= plan.shapes.back().Net(plan.flow);
-    plan.links[static_cast<size_t>(plan.shapes.back().stretch)] = false;
-    plan.shapes.pop_back();
-  }
-}
-
-Plan MakePlan(const EdgeEnds& ends, Links links, const EdgeIndex& edges,
-              const LinkOptions& options) {
-  Plan plan;
-  plan.links = std::move(links);
-  for (const double cut : {0.0, options.most_cut_nm / 2, options.most_cut_nm}) {
-    plan.shapes = ShapeLinks(ends, plan.links, edges, cut);
-    plan.flow = FlowFor(plan.shapes, options.aim_nm);
-    if (plan.flow >= options.most_flow || options.most_cut_nm <= 0) break;
-  }
-  plan.flow = std::clamp(plan.flow, options.least_flow, options.most_flow);
-  DropLongest(options.budget_nm, plan);
-  plan.net_nm = NetOf(plan.shapes, plan.flow);
-  return plan;
-}
+/// Shorter anchors hold no more than the end itself, in widths.
+constexpr double kLeastAnchor = 1;
 
 bool AreStraight(std::span<const Piece> pieces) {
-  return std::ranges::all_of(pieces, [](const Piece& piece) {
-    return piece.points.size() == 2 && !piece.closed;
-  });
+  return std::ranges::all_of(
+      pieces, [](const Piece& piece) { return piece.points.size() == 2 && !piece.closed; });
 }
 
 /// Puts paths together from pieces, links and anchors.
 class Assembler {
  public:
-  Assembler(const EdgeEnds& ends, const Plan& plan, const LinkOptions& options)
+  Assembler(const EdgeEnds& ends, const Links& links, const LinkOptions& options)
       : ends_(ends),
-        plan_(plan),
+        links_(links),
         options_(options),
-        left_nm_(options.aim_nm - plan.net_nm),
-        link_of_(static_cast<size_t>(ends.size()), nullptr),
-        cut_(static_cast<size_t>(ends.size()), 0),
-        done_(static_cast<size_t>(ends.PieceCount()), false) {
-    const auto spacing = static_cast<double>(Spacing(options.width_nm, options.height_nm));
-    link_width_nm_ = plan.flow == 1 ? options.width_nm
-                                    : WidthToFill(std::llround(plan.flow * spacing),
-                                                  options.height_nm);
-    for (const LinkShape& shape : plan.shapes) {
-      const int32_t next = ends.Next(shape.stretch);
-      link_of_[static_cast<size_t>(shape.stretch)] = link_of_[static_cast<size_t>(next)] = &shape;
-      cut_[static_cast<size_t>(shape.stretch)] = shape.from_cut_nm;
-      cut_[static_cast<size_t>(next)] = shape.to_cut_nm;
-    }
-  }
+        done_(static_cast<size_t>(ends.PieceCount()), false) {}
 
   std::vector<Path> Run() {
     std::vector<Path> paths;
     for (int32_t end = 0; end < ends_.size(); ++end) {
-      if (done_[static_cast<size_t>(end / 2)]) continue;
+      if (IsDone(end)) continue;
       const Piece& piece = ends_.PieceAt(end / 2);
-      if (!piece.closed && LinkedTo(ends_, plan_.links, end) != kNoEnd) continue;
+      if (!piece.closed && LinkedTo(ends_, links_, end) != kNoEnd) continue;
       Keep(piece.closed ? Loop(end) : Follow(end), paths);
     }
     for (int32_t end = 0; end < ends_.size(); ++end)
-      if (!done_[static_cast<size_t>(end / 2)]) Keep(FollowRing(end), paths);
+      if (!IsDone(end)) Keep(FollowRing(end), paths);
     return paths;
   }
 
  private:
+  bool IsDone(int32_t end) const { return done_[static_cast<size_t>(end / 2)]; }
+
+  void Keep(Path path, std::vector<Path>& paths) const {
+    path.widths_nm = {options_.width_nm};
+    if (path.points.size() >= 2 && PathLength(path) >= options_.min_length_nm)
+      paths.push_back(std::move(path));
+  }
+
   Path Loop(int32_t end) {
     done_[static_cast<size_t>(end / 2)] = true;
     Path path;
     path.closed = true;
     path.points = ends_.PieceAt(end / 2).points;
-    path.widths_nm = {options_.width_nm};
     return path;
-  }
-
-  void Keep(Path path, std::vector<Path>& paths) const {
-    if (link_width_nm_ == options_.width_nm) path.widths_nm = {options_.width_nm};
-    if (PathLength(path) >= options_.min_length_nm) paths.push_back(std::move(path));
   }
 
   /// The path that begins with a loose end.
   Path Follow(int32_t end) {
     Path path;
-    Polyline anchor = Anchor(end);
-    std::reverse(anchor.begin(), anchor.end());
-    Append(anchor, link_width_nm_, path);
-    Append(Anchor(FollowLinks(end, path)), link_width_nm_, path);
+    path.points = Anchor(end);
+    std::reverse(path.points.begin(), path.points.end());
+    Append(Anchor(FollowLinks(end, path)), path);
     return path;
   }
 
@@ -139,11 +78,7 @@ class Assembler {
     Path path;
     path.closed = true;
     FollowLinks(end, path);
-    if (path.points.back() == path.points.front() &&
-        path.widths_nm.back() == path.widths_nm.front()) {
-      path.points.pop_back();
-      path.widths_nm.pop_back();
-    }
+    if (path.points.back() == path.points.front()) path.points.pop_back();
     return path;
   }
 
@@ -153,82 +88,87 @@ class Assembler {
     while (true) {
       done_[static_cast<size_t>(end / 2)] = true;
       const int32_t out = end ^ 1;
-      Append(PiecePoints(end), options_.width_nm, path);
-      end = LinkedTo(ends_, plan_.links, out);
+      Polyline piece = ends_.PieceAt(end / 2).points;
+      if (end % 2 != 0) std::reverse(piece.begin(), piece.end());
+      Append(piece, path);
+      end = LinkedTo(ends_, links_, out);
       if (end == kNoEnd) return out;
-      const LinkShape& link = *link_of_[static_cast<size_t>(out)];
-      Polyline way = link.way;
-      if (link.stretch != out) std::reverse(way.begin(), way.end());
-      Append(way, link_width_nm_, path);
-      if (done_[static_cast<size_t>(end / 2)]) return out;
+      Append(WayFrom(out, links_[static_cast<size_t>(out)] && ends_.Next(out) == end), path);
+      if (IsDone(end)) return out;
     }
   }
 
-  /// A piece from one end to the other, less what its links cut off.
-  Polyline PiecePoints(int32_t from) const {
-    const int32_t start = from & ~1;
-    const Polyline& points = ends_.PieceAt(from / 2).points;
-    Polyline left = Shortened(points, Length(points), cut_[static_cast<size_t>(start)],
-                              cut_[static_cast<size_t>(start + 1)]);
-    if (from % 2 != 0) std::reverse(left.begin(), left.end());
-    return left;
+  /// The stretch beside an end, from there on.
+  Polyline WayFrom(int32_t end, bool forward) const {
+    if (forward) return ends_.StretchPoints(end);
+    Polyline way = ends_.StretchPoints(ends_.Previous(end));
+    std::reverse(way.begin(), way.end());
+    return way;
   }
 
-  /// The way along the edge by which a loose end is borne, from the end on: half of the longer
-  /// stretch beside it at most. Empty where nothing is left for it.
-  Polyline Anchor(int32_t end) {
+  /// The way along the edge by which a loose end is borne, from the end on, where it has more room.
+  /// Empty where there is none.
+  Polyline Anchor(int32_t end) const {
     if (!ends_.IsOnEdge(end) || options_.anchor_nm <= 0) return {};
-    const int32_t previous = ends_.Previous(end);
-    const auto room = [this](int32_t stretch) {
-      return plan_.links[static_cast<size_t>(stretch)] ? 0 : ends_.StretchLength(stretch);
-    };
-    const bool forward = room(end) >= room(previous);
-    const int32_t stretch = forward ? end : previous;
-    const double length = std::min(options_.anchor_nm, room(stretch) / 2);
-    if (length * plan_.flow > left_nm_ || length < static_cast<double>(options_.width_nm))
-      return {};
-    left_nm_ -= length * plan_.flow;
-    Polyline way = ends_.StretchPoints(stretch);
-    if (!forward) std::reverse(way.begin(), way.end());
+    const int32_t before = ends_.Previous(end);
+    const double ahead = RoomFor(end, end, ends_.RoomOf(end).ahead_nm, ends_.Next(end));
+    const double behind = RoomFor(end, before, ends_.RoomOf(before).behind_nm, before);
+    const double length = std::min(options_.anchor_nm, std::max(ahead, behind));
+    if (length < kLeastAnchor * static_cast<double>(options_.width_nm)) return {};
+    const Polyline way = WayFrom(end, ahead >= behind);
     const double all = Length(way);
     return Shortened(way, all, 0, all - length);
   }
 
-  /// Appends a run of one width. Points of a path differ from their neighbours, but where the width
-  /// steps.
-  void Append(const Polyline& run, Coord width_nm, Path& path) const {
-    const bool steps = link_width_nm_ != options_.width_nm;
-    for (size_t i = 0; i < run.size(); ++i) {
-      const bool same = !path.points.empty() && path.points.back() == run[i] &&
-                        !(steps && i == 0 && path.widths_nm.back() != width_nm);
-      if (same) continue;
-      path.points.push_back(run[i]);
-      path.widths_nm.push_back(width_nm);
-    }
+  /// How far an anchor may go along a stretch, of which `free_nm` are free: half way to another
+  /// loose end, which may come to meet it.
+  double RoomFor(int32_t end, int32_t stretch, double free_nm, int32_t neighbour) const {
+    if (links_[static_cast<size_t>(stretch)]) return 0;
+    const bool is_shared = neighbour == end || LinkedTo(ends_, links_, neighbour) == kNoEnd;
+    const double length = ends_.StretchLength(stretch);
+    return std::min(free_nm, is_shared ? length / 2 : length) -
+           static_cast<double>(options_.width_nm);
+  }
+
+  static void Append(const Polyline& run, Path& path) {
+    for (const Point p : run)
+      if (path.points.empty() || path.points.back() != p) path.points.push_back(p);
   }
 
   const EdgeEnds& ends_;
-  const Plan& plan_;
+  const Links& links_;
   const LinkOptions& options_;
-  double left_nm_;
-  Coord link_width_nm_;
-  std::vector<const LinkShape*> link_of_;  ///< by end
-  std::vector<double> cut_;                ///< by end
-  std::vector<bool> done_;                 ///< by piece
+  std::vector<bool> done_;  ///< by piece
 };
 
-/// Paths with loose ends, which lie near to those of other paths where that costs no path: links
-/// may be longer there and come to more than the budget, and dots be joined to what was long
-/// enough.
-std::vector<Path> OpenPaths(const EdgeEnds& ends, const EdgeIndex& edges,
-                            const LinkOptions& options) {
-  const Plan plan = MakePlan(ends, ChooseLinks(ends, options.max_link_nm), edges, options);
-  std::vector<Path> paths = Assembler(ends, plan, options).Run();
-  Links near = BringEndsTogether(ends, plan.links, options.max_link_nm);
-  if (near == plan.links) return paths;
-  const Plan moved = MakePlan(ends, std::move(near), edges, options);
-  std::vector<Path> nearer = Assembler(ends, moved, options).Run();
+/// Paths with loose ends, which lie near to those of other paths where that costs no path.
+std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
+  const Links links = ChooseLinks(ends, options.max_link_nm);
+  std::vector<Path> paths = Assembler(ends, links, options).Run();
+  const Links near = BringEndsTogether(ends, links, options.max_link_nm);
+  if (near == links) return paths;
+  std::vector<Path> nearer = Assembler(ends, near, options).Run();
   return nearer.size() <= paths.size() ? nearer : paths;
+}
+
+/// A few paths of what lies at even distances: rings, and what has loose ends.
+std::vector<Path> FacingPaths(const EdgeEnds& ends, const LinkOptions& options) {
+  const Links links = LeastLinks(ends, options.max_link_nm);
+  std::vector<Path> paths = Assembler(ends, links, options).Run();
+  const auto closed = std::stable_partition(paths.begin(), paths.end(),
+                                            [](const Path& path) { return !path.closed; });
+  std::vector<StepRing> rings;
+  for (auto path = closed; path != paths.end(); ++path)
+    rings.push_back({std::move(path->points), 0});
+  paths.erase(closed, paths.end());
+  for (Polyline& line : LinkRings(rings, options.facing_nm)) {
+    Path& path = paths.emplace_back();
+    path.closed = line.size() > 3 && line.front() == line.back();
+    if (path.closed) line.pop_back();
+    path.points = std::move(line);
+    path.widths_nm = {options.width_nm};
+  }
+  return paths;
 }
 
 }  // namespace
@@ -236,16 +176,22 @@ std::vector<Path> OpenPaths(const EdgeEnds& ends, const EdgeIndex& edges,
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
                               const LinkOptions& options) {
   if (pieces.empty()) return {};
-  const EdgeEnds ends(region, pieces);
-  const EdgeIndex edges(region, std::max<Coord>(1, std::llround(options.most_cut_nm)));
+  const bool is_edge_used = options.max_link_nm > 0 || options.anchor_nm > 0;
+  if (!is_edge_used) return OpenPaths(EdgeEnds(region, pieces), options);
+  const LiftedPieces lifted = LiftEnds(region, pieces, options.width_nm);
+  EdgeEnds ends(region, lifted.pieces);
+  ends.SetTaken(lifted.taken, options.width_nm);
   std::vector<Path> rings;
   if (options.max_link_nm > 0 && AreStraight(pieces)) {
-    const Plan plan = MakePlan(ends, LinkAllEnds(ends, options.max_link_nm), edges, options);
+    const Links links = LinkAllEnds(ends, options.max_link_nm);
     rings =
-        SplicedPaths(Assembler(ends, plan, options).Run(), static_cast<double>(options.width_nm));
+        SplicedPaths(Assembler(ends, links, options).Run(), static_cast<double>(options.width_nm));
+    if (rings.size() == 1) return rings;
+  } else if (options.facing_nm > 0) {
+    rings = FacingPaths(ends, options);
     if (rings.size() == 1) return rings;
   }
-  std::vector<Path> lines = OpenPaths(ends, edges, options);
+  std::vector<Path> lines = OpenPaths(ends, options);
   return !rings.empty() && rings.size() <= lines.size() ? rings : lines;
 }
 

@@ -6,7 +6,7 @@
 
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
-#include "common/model/bead_section.h"
+#include "services/infill/algo/bead_checks_test.h"
 #include "services/infill/algo/lines/straight_pieces.h"
 
 namespace slicefarm::infill::linked_paths_test {
@@ -28,52 +28,69 @@ double LengthOf(const std::vector<Piece>& pieces) {
   return length;
 }
 
-/// Length in beads of the pieces' width: what the paths' plastic comes to.
-double BeadsOf(const std::vector<Path>& paths, const LinkOptions& options) {
+double LengthOf(const std::vector<Path>& paths) {
   double length = 0;
-  for (const Path& path : paths) {
-    EXPECT_TRUE(WellFormed(path));
-    for (size_t i = 1; i < path.points.size(); ++i)
-      length += Distance(path.points[i - 1], path.points[i]) *
-                SectionMm2(path.WidthAt(i), options.height_nm) /
-                SectionMm2(options.width_nm, options.height_nm);
-  }
+  for (const Path& path : paths) length += PathLength(path);
   return length;
 }
 
-TEST(LinkedPaths, KeepToTheBudget) {
-  for (const double angle : {0.0, 0.5, 1.2}) {
-    const std::vector<Piece> pieces = Lines(angle);
-    const double length = LengthOf(pieces);
-    size_t fewer = pieces.size() + 1;
-    for (const double budget : {0.0, 2e6, 8e6, 40e6}) {
-      const LinkOptions options{.max_link_nm = 50e6,
-                                .anchor_nm = 2.7e6,
-                                .most_cut_nm = 0.9e6,
-                                .budget_nm = budget,
-                                .most_flow = 0.6,
-                                .least_flow = 0.3};
-      const auto paths = LinkedPaths(Region(), pieces, options);
-      EXPECT_LE(BeadsOf(paths, options), length + budget + 100) << angle << ' ' << budget;
-      EXPECT_LE(paths.size(), fewer);
-      fewer = paths.size();
-    }
-    EXPECT_LE(fewer, 5u);
+/// What is expected of all paths: one width, and no bead on another.
+void ExpectEvenBeads(const std::vector<Path>& paths) {
+  for (const Path& path : paths) {
+    EXPECT_TRUE(WellFormed(path));
+    EXPECT_EQ(path.widths_nm, std::vector<Coord>{450'000});
   }
+  EXPECT_LE(DoubledLength(paths, 450'000), 0.006 * LengthOf(paths));
+}
+
+TEST(LinkedPaths, HoldToTheEdgeByEvenBeads) {
+  for (const double angle : {0.0, 0.03, 0.5, 1.2}) {
+    const std::vector<Piece> pieces = Lines(angle);
+    const auto paths = LinkedPaths(Region(), pieces, {.max_link_nm = 50e6, .anchor_nm = 2.7e6});
+    ExpectEvenBeads(paths);
+    double edge = 0;
+    ForEachRing(Region(), [&edge](const Polygon& ring) { edge += Perimeter(ring); });
+    EXPECT_GE(LengthAlongEdge(paths, Region(), 10'000), 0.4 * edge) << angle;
+    EXPECT_LE(paths.size(), 6u) << angle;
+  }
+}
+
+// A line so near to a side of the box that a bead along that side would lie on it.
+TEST(LinkedPaths, NoLinkLiesOnALine) {
+  const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
+  for (const double angle : {0.0, 0.01, -0.02}) {
+    for (const double first : {0.05e6, 0.15e6, 0.25e6}) {
+      const LineFamily families[] = {{angle, first, 2e6}, {angle + 1.57, 1e6, 2e6}};
+      const auto pieces = StraightPieces(square, families);
+      const auto paths = LinkedPaths(square, *pieces, {.max_link_nm = 50e6, .anchor_nm = 2.7e6});
+      ExpectEvenBeads(paths);
+      EXPECT_GE(LengthAlongEdge(paths, square, 10'000), 0.3 * 40e6) << angle << ' ' << first;
+    }
+  }
+}
+
+// A link that begins beside its own line: the line ends where the link leaves it.
+TEST(LinkedPaths, ALineInAWedgeIsCutOffThere) {
+  const MultiPolygon wedge = MakePolygonsOrDie("(0 0, 20 0, 20 8, 0 8)");
+  const LineFamily family{0.08, 0, 1.5e6};
+  const auto pieces = StraightPieces(wedge, {&family, 1});
+  const auto paths = LinkedPaths(wedge, *pieces, {.max_link_nm = 50e6, .anchor_nm = 2.7e6});
+  EXPECT_LE(paths.size(), 2u);
+  ExpectEvenBeads(paths);
 }
 
 TEST(LinkedPaths, WithoutLinksAreThePieces) {
   const std::vector<Piece> pieces = Lines(0.3);
   const auto paths = LinkedPaths(Region(), pieces, {.max_link_nm = 0});
   ASSERT_EQ(paths.size(), pieces.size());
-  EXPECT_NEAR(BeadsOf(paths, {}), LengthOf(pieces), 1);
+  EXPECT_NEAR(LengthOf(paths), LengthOf(pieces), 1);
 }
 
-TEST(LinkedPaths, FullWidthLinksHaveOneWidth) {
+TEST(LinkedPaths, LinksAreAsWideAsLines) {
   const LineFamily family{0, 0.5e6, 1e6};
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   const auto pieces = StraightPieces(square, {&family, 1});
-  const auto paths = LinkedPaths(square, *pieces, {.max_link_nm = 50e6, .budget_nm = 1e9});
+  const auto paths = LinkedPaths(square, *pieces, {.max_link_nm = 50e6});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_EQ(paths[0].widths_nm.size(), 1u);
   EXPECT_NEAR(PathLength(paths[0]), 109e6, 1);
@@ -84,14 +101,14 @@ TEST(LinkedPaths, CrossingLinesAreOneRingInAnyConnectedRegion) {
       MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20)"),
       MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20) (8 8, 8 12, 12 12, 12 8) (20 5, 20 9, 25 9)")};
   for (const MultiPolygon& region : regions) {
-    for (const double angle : {0.1, 0.5, 1.2}) {
+    for (const double angle : {0.3, 0.5, 1.2}) {
       const LineFamily families[] = {{angle, 0, 2.1e6}, {angle + 1.5, 0, 2.3e6}};
       const auto pieces = *StraightPieces(region, families);
-      const LinkOptions options{.max_link_nm = 50e6, .budget_nm = 1e9};
+      const LinkOptions options{.max_link_nm = 50e6};
       const auto paths = LinkedPaths(region, pieces, options);
       ASSERT_EQ(paths.size(), 1u) << angle;
       EXPECT_TRUE(paths[0].closed);
-      EXPECT_GE(BeadsOf(paths, options), LengthOf(pieces) - 1);
+      EXPECT_GE(LengthOf(paths), LengthOf(pieces));
     }
   }
 }
@@ -100,15 +117,14 @@ TEST(LinkedPaths, LooseEndsTurnAlongTheEdge) {
   const LineFamily family{0, 5e6, 10e6};
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 10 0, 10 10, 0 10)");
   const auto pieces = StraightPieces(square, {&family, 1});
-  const auto paths =
-      LinkedPaths(square, *pieces, {.max_link_nm = 1e6, .anchor_nm = 2e6, .budget_nm = 1e9});
+  const auto paths = LinkedPaths(square, *pieces, {.max_link_nm = 1e6, .anchor_nm = 2e6});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_NEAR(PathLength(paths[0]), 14e6, 1);
 }
 
 TEST(LinkedPaths, ClosedPiecesStayClosed) {
   const std::vector<Piece> pieces = {{MakeLineOrDie("(14 4, 16 4, 16 6, 14 6)"), {}, {}, true}};
-  const auto paths = LinkedPaths(Region(), pieces, {.max_link_nm = 50e6, .budget_nm = 1e9});
+  const auto paths = LinkedPaths(Region(), pieces, {.max_link_nm = 50e6});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_TRUE(paths[0].closed);
 }

@@ -71,10 +71,10 @@ class Mover {
     int32_t best_end = end;
     for (int step = 0; step < kReach; ++step) {
       const int32_t near = neighbour(end);
-      if (near == end || ends_.StretchLength(stretch(end)) > max_link_nm_) break;
+      if (near == end || ends_.LinkLength(stretch(end)) > max_link_nm_) break;
       const int32_t far = LinkedTo(ends_, links_, near);
       if (far == kNoEnd || far != neighbour(near)) break;
-      longer_nm += ends_.StretchLength(stretch(end)) - ends_.StretchLength(stretch(near));
+      longer_nm += ends_.LinkLength(stretch(end)) - ends_.LinkLength(stretch(near));
       Flip(stretch(near));
       Flip(stretch(end));
       end = far;

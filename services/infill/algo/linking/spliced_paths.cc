@@ -12,6 +12,8 @@ namespace {
 
 /// How many pairs of stretches are looked at.
 constexpr size_t kMostPairs = 4'000'000;
+/// How much of a corner is cut off, of the margin.
+constexpr double kCut = 0.45;
 
 /// Where stretch i of a path, from its point i on, crosses stretch j of another.
 struct CrossPlace {
@@ -78,23 +80,26 @@ std::optional<CrossPlace> FirstCrossing(const Placed& placed, const Path& ring, 
   return std::nullopt;
 }
 
-void TakeIn(const Path& ring, const CrossPlace& crossing, Path& path) {
-  const bool varies = path.widths_nm.size() > 1 || ring.widths_nm.size() > 1;
-  std::vector<Point> points{crossing.at};
-  std::vector<Coord> widths{path.WidthAt(crossing.i)};
-  for (size_t k = 1; k <= ring.points.size(); ++k) {
-    const size_t at = (crossing.j + k) % ring.points.size();
-    points.push_back(ring.points[at]);
-    widths.push_back(ring.WidthAt(at));
-  }
-  points.push_back(crossing.at);
-  widths.push_back(path.WidthAt(crossing.i));
-  const auto place = static_cast<ptrdiff_t>(crossing.i + 1);
-  if (varies) {
-    if (path.widths_nm.size() == 1) path.widths_nm.resize(path.points.size(), path.widths_nm[0]);
-    path.widths_nm.insert(path.widths_nm.begin() + place, widths.begin(), widths.end());
-  }
-  path.points.insert(path.points.begin() + place, points.begin(), points.end());
+/// The point on the way from `at` to another, so far from it.
+Point OnTheWay(Point at, Point to, double distance_nm) {
+  const double share = distance_nm / Distance(at, to);
+  return {at.x + std::llround(share * static_cast<double>(to.x - at.x)),
+          at.y + std::llround(share * static_cast<double>(to.y - at.y))};
+}
+
+/// Both corners at the crossing are cut off, so that the beads on both sides of it do not meet.
+void TakeIn(const Path& ring, const CrossPlace& crossing, double cut_nm, Path& path) {
+  const auto turn = [&](Point from, Point to, std::vector<Point>& points) {
+    points.push_back(OnTheWay(crossing.at, from, cut_nm));
+    points.push_back(OnTheWay(crossing.at, to, cut_nm));
+  };
+  std::vector<Point> points;
+  turn(path.points[crossing.i], EndOfStretch(ring, crossing.j), points);
+  for (size_t k = 1; k <= ring.points.size(); ++k)
+    points.push_back(ring.points[(crossing.j + k) % ring.points.size()]);
+  turn(ring.points[crossing.j], EndOfStretch(path, crossing.i), points);
+  path.points.insert(path.points.begin() + static_cast<ptrdiff_t>(crossing.i + 1), points.begin(),
+                     points.end());
 }
 
 /// Whether a path other than the ring itself took it in.
@@ -103,7 +108,7 @@ bool IsTakenIn(size_t ring, double margin, std::vector<Placed>& paths, size_t& p
     if (i == ring || !paths[i].box.Intersects(paths[ring].box)) continue;
     const auto crossing = FirstCrossing(paths[i], paths[ring].path, margin, pairs);
     if (!crossing) continue;
-    TakeIn(paths[ring].path, *crossing, paths[i].path);
+    TakeIn(paths[ring].path, *crossing, kCut * margin, paths[i].path);
     paths[i].box.Add(paths[ring].box);
     return true;
   }

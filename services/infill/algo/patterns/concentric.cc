@@ -9,6 +9,12 @@
 #include "services/infill/algo/lines/line_limit.h"
 
 namespace slicefarm::infill {
+namespace {
+
+/// Half of how near the sides of a loop may lie to each other, in spacings.
+constexpr double kNarrow = 0.35;
+
+}  // namespace
 
 absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
                                               const PatternPlace& place) {
@@ -17,14 +23,20 @@ absl::StatusOr<std::vector<Piece>> Concentric(const MultiPolygon& region,
   const Box box = Bounds(region);
   const auto size = static_cast<double>(std::min(box.max.x - box.min.x, box.max.y - box.min.y));
   if (absl::Status ok = CheckLineCount(size / 2 / place.pitch_nm); !ok.ok()) return ok;
-  MultiPolygon left = FastOffset(region, -std::llround(place.pitch_nm / 2));
+  // A loop whose two sides would lie on each other is none; a void as wide as that may stay where
+  // lines are so far apart anyway.
+  const double spare = (place.pitch_nm - static_cast<double>(place.spacing_nm)) / 2;
+  const Coord narrow =
+      std::llround(std::clamp(spare, 0.0, kNarrow * static_cast<double>(place.spacing_nm)));
+  MultiPolygon left = FastOffset(region, -std::llround(place.first_line * place.pitch_nm));
   while (!left.empty()) {
     ForEachRing(left, [&pieces](const Polygon& ring) {
       Piece& loop = pieces.emplace_back();
       loop.points = ring;
       loop.closed = true;
     });
-    left = FastOffset(left, -std::max<Coord>(1, std::llround(place.pitch_nm)));
+    left = FastOffset(
+        FastOffset(left, -(std::max<Coord>(1, std::llround(place.pitch_nm)) + narrow)), narrow);
   }
   return pieces;
 }

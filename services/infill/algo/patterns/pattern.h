@@ -17,7 +17,11 @@ struct PatternPlace {
   double pitch_nm = 0;  ///< the law: length of lines per area is 1 / pitch, over a period in z
   double angle_rad = 0;
   Coord spacing_nm = 0;  ///< of beads that lie side by side
+  /// Of patterns that lie along the region's edge: how far inside it the outermost line is, in
+  /// pitches. Half of one if they are to fill the region, 0 if that line is to hold to the walls.
+  double first_line = 0.5;
   std::span<const Polyline> planned = {};  ///< the lines of patterns that planning lays out
+  Coord smoothing_nm = 0;                  ///< of lines that follow the region; 0: none
 };
 
 /// What is left of a pattern inside a region. Every pattern has this form; registry.h names them.

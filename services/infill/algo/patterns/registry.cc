@@ -7,10 +7,12 @@
 #include "services/infill/algo/patterns/crossing_lines.h"
 #include "services/infill/algo/patterns/honeycomb.h"
 #include "services/infill/algo/patterns/honeycomb_3d.h"
+#include "services/infill/algo/patterns/medial_axis.h"
 #include "services/infill/algo/patterns/planned_lines.h"
 #include "services/infill/algo/patterns/rectilinear.h"
 #include "services/infill/algo/patterns/spirals.h"
 #include "services/infill/algo/patterns/surfaces.h"
+#include "services/infill/algo/patterns/voronoi.h"
 #include "services/infill/algo/patterns/whole_paths.h"
 
 namespace slicefarm::infill {
@@ -49,6 +51,8 @@ constexpr Row kRows[] = {
     {FillPattern::kAdaptiveCubic, PlannedLines},
     {FillPattern::kSupportCubic, PlannedLines},
     {FillPattern::kLightning, PlannedLines},
+    {FillPattern::kMedialAxis, MedialAxis},
+    {FillPattern::kVoronoi, Voronoi},
 };
 
 constexpr bool InOrder() {

@@ -9,13 +9,12 @@
 namespace slicefarm::infill {
 namespace {
 
-/// `fill`: of one island, at a spacing.
+/// `fill`: of one island.
 template <typename Fill>
-absl::StatusOr<std::vector<Piece>> OfIslands(const MultiPolygon& region, const PatternPlace& place,
-                                             const Fill& fill) {
+absl::StatusOr<std::vector<Piece>> OfIslands(const MultiPolygon& region, const Fill& fill) {
   std::vector<Piece> pieces;
   for (const PolygonWithHoles& island : region) {
-    auto lines = fill(island, std::llround(place.pitch_nm));
+    auto lines = fill(island);
     if (!lines.ok()) return lines.status();
     for (Polyline& line : *lines) pieces.push_back({.points = std::move(line)});
   }
@@ -25,22 +24,22 @@ absl::StatusOr<std::vector<Piece>> OfIslands(const MultiPolygon& region, const P
 }  // namespace
 
 absl::StatusOr<std::vector<Piece>> Fermat(const MultiPolygon& region, const PatternPlace& place) {
-  return OfIslands(region, place, [](const PolygonWithHoles& island, Coord spacing_nm) {
-    return FermatFill(island, {spacing_nm});
+  return OfIslands(region, [&](const PolygonWithHoles& island) {
+    return FermatFill(island, {std::llround(place.pitch_nm), place.first_line});
   });
 }
 
 absl::StatusOr<std::vector<Piece>> HilbertQuadtree(const MultiPolygon& region,
                                                    const PatternPlace& place) {
-  return OfIslands(region, place, [](const PolygonWithHoles& island, Coord spacing_nm) {
-    return HilbertFill(island, {spacing_nm});
+  return OfIslands(region, [&](const PolygonWithHoles& island) {
+    return HilbertFill(island, {std::llround(place.pitch_nm), place.first_line});
   });
 }
 
 absl::StatusOr<std::vector<Piece>> PeanoQuadtree(const MultiPolygon& region,
                                                  const PatternPlace& place) {
-  return OfIslands(region, place, [](const PolygonWithHoles& island, Coord spacing_nm) {
-    return PeanoFill(island, {spacing_nm});
+  return OfIslands(region, [&](const PolygonWithHoles& island) {
+    return PeanoFill(island, {std::llround(place.pitch_nm), place.first_line});
   });
 }
 

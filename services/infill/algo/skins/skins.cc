@@ -1,11 +1,14 @@
 #include "services/infill/algo/skins/skins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
+#include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/skins/region_mask.h"
 
 namespace slicefarm::infill {
@@ -13,13 +16,36 @@ namespace {
 
 /// How far skins reach into the sparse region, and bridges onto what bears them, in beads.
 constexpr Coord kAnchorBeads = 2;
-constexpr Coord kRoundingNm = 10;
+
+/// Edges of layers that lie on each other in the part do so to some tens of nanometres in sections.
+/// What differs by less is noise.
+constexpr Coord kNoiseNm = 5'000;
+
+/// Offsets a result of boolean operations, whose edges may have steps and tips of noise where
+/// operands' edges lay on each other: miters would make them as long as the offset.
+MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
+  return FastOffset(Simplify(region, kNoiseNm), distance_nm);
+}
+
+/// The same with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
+/// tips of 60 degrees.
+MultiPolygon RoundOffset(const MultiPolygon& region, Coord distance_nm) {
+  return Offset(Simplify(region, kNoiseNm), distance_nm,
+                {.join = Join::kRound, .arc_tolerance_nm = distance_nm / 50});
+}
 
 /// The part of `region` that is at least `width_nm` wide.
 MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
-  const MultiPolygon core = FastOffset(region, -width_nm / 2);
+  const MultiPolygon core = SmoothOffset(region, -width_nm / 2);
   if (core.empty()) return {};
-  return Intersection(region, FastOffset(core, width_nm / 2 + kRoundingNm));
+  // Tips of what lies beyond the grown core are noise to SmoothOffset.
+  return Intersection(region, SmoothOffset(core, width_nm / 2 + kNoiseNm / 2));
+}
+
+/// Drops islands that are smaller than a dot of a bead.
+void EraseSpecks(MultiPolygon& region, Coord width_nm) {
+  const double least = static_cast<double>(width_nm) * static_cast<double>(width_nm);
+  std::erase_if(region, [least](const PolygonWithHoles& island) { return Area(island) < least; });
 }
 
 bool IsAir(const MultiPolygon* layer) { return layer == nullptr || layer->empty(); }
@@ -68,10 +94,11 @@ class SparseRegion {
   const MultiPolygon& region() const { return region_; }
 
  private:
-  void TakeWide(const MultiPolygon& bare, Coord least_nm) {
-    const MultiPolygon core = FastOffset(bare, -least_nm / 2);
+  void TakeWide(MultiPolygon bare, Coord least_nm) {
+    EraseSpecks(bare, width_nm_);
+    const MultiPolygon core = SmoothOffset(bare, -least_nm / 2);
     if (core.empty()) return;
-    Set(Difference(region_, FastOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
+    Set(Difference(region_, SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
   }
 
   void Set(MultiPolygon region) {
@@ -99,6 +126,14 @@ constexpr Coord kLeastSparseWidths = 4;
 
 /// How wide bare parts must be for ShellThickness::kPartial, in beads.
 constexpr Coord kPartialBeads = 3;
+
+/// Narrower parts than this share of a bead are not bare. What is bare beside walls, or in a place
+/// between walls that is no wider than a bead, goes on under them: it is wider than it looks.
+constexpr double kLeastBareBeads = 0.3;
+
+Coord LeastBare(const SkinOptions& options) {
+  return std::llround(kLeastBareBeads * static_cast<double>(options.width_nm));
+}
 
 /// What no layer of the cover exposes.
 MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
@@ -131,48 +166,56 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
       // What lies open itself is a skin, however narrow.
-      const Coord least_nm = partial && i > 0 ? kPartialBeads * options.width_nm : options.width_nm;
+      const Coord least_nm =
+          partial && i > 0 ? kPartialBeads * options.width_nm : LeastBare(options);
       if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
     }
   }
   return sparse.region();
 }
 
-/// Whether one of `parts`, none of which crosses the island's edge, lies in it.
-bool HoldsOneOf(const PolygonWithHoles& island, const MultiPolygon& parts) {
-  return std::any_of(parts.begin(), parts.end(), [&island](const PolygonWithHoles& part) {
-    return Covers({island}, part.outer[0]);
-  });
+/// The narrow places of `covered` beside what is `bare`. By widths alone: whatever noise the
+/// operands have, the result moves no more than they do. What lies in a right angle belongs to the
+/// wide place that ends there: to its corner a disc's middle has sqrt(2) of the disc's radius.
+MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
+  const Coord least_nm = kLeastSparseWidths * width_nm;
+  const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
+  const Coord to_corner_nm = least_nm / 2 * 3 / 2;
+  MultiPolygon narrow =
+      core.empty() ? covered : Difference(covered, RoundOffset(core, to_corner_nm));
+  EraseSpecks(narrow, width_nm);
+  if (narrow.empty()) return {};
+  // Hairs that rounding leaves along the fill area's edge are nothing bare.
+  const MultiPolygon without_hairs = SmoothOffset(bare, -2 * kNoiseNm);
+  narrow = Intersection(narrow, SmoothOffset(without_hairs, least_nm + 2 * kNoiseNm));
+  EraseSpecks(narrow, width_nm);
+  return narrow;
 }
 
-/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid where
-/// it hangs together with something bare, as between two skins; else it stays sparse: a wedge
+/// Parts a fill area into sparse and solid. What is narrow of the covered part becomes solid as far
+/// as it lies beside something bare, as between two skins; farther off it stays sparse: a wedge
 /// between walls is no skin.
-void PartSparse(const MultiPolygon& fill_area, const MultiPolygon& covered, Coord width_nm,
-                Skins& skins) {
-  skins.sparse = covered.empty() || covered == fill_area
-                     ? covered
-                     : WithoutSlivers(covered, kLeastSparseWidths * width_nm);
-  if (skins.sparse == fill_area) return;
-  if (skins.sparse.empty()) {
-    skins.solid = fill_area;
+void PartSparse(const MultiPolygon& fill_area, MultiPolygon covered, Coord width_nm, Skins& skins) {
+  if (covered.empty() || covered == fill_area) {
+    (covered.empty() ? skins.solid : skins.sparse) = fill_area;
     return;
   }
-  const MultiPolygon bare = Difference(fill_area, covered);
-  MultiPolygon wedges;
-  for (PolygonWithHoles& island : Difference(fill_area, skins.sparse))
-    (HoldsOneOf(island, bare) ? skins.solid : wedges).push_back(std::move(island));
-  if (!wedges.empty()) skins.sparse = Union(skins.sparse, wedges);
+  skins.solid = Difference(fill_area, covered);
+  skins.sparse = std::move(covered);
+  const MultiPolygon narrow = NarrowBeside(skins.sparse, skins.solid, width_nm);
+  if (narrow.empty()) return;
+  skins.sparse = Difference(skins.sparse, narrow);
+  skins.solid = Difference(fill_area, skins.sparse);
 }
 
 /// Takes a part from the solid region, with as much around it as the lines of bridges need to lie
-/// on something at both ends.
+/// on something at both ends, and what that leaves too narrow for a bead beside it.
 MultiPolygon TakeAnchored(const MultiPolygon& part, Coord width_nm, MultiPolygon& solid) {
   if (part.empty()) return {};
-  const MultiPolygon anchored = FastOffset(part, kAnchorBeads * width_nm);
-  MultiPolygon rest = WithoutSlivers(Difference(solid, anchored), width_nm);
-  MultiPolygon taken = Difference(solid, rest);
-  solid = std::move(rest);
+  const MultiPolygon beyond = Difference(solid, SmoothOffset(part, kAnchorBeads * width_nm));
+  const MultiPolygon reach = SmoothOffset(part, (kAnchorBeads + 1) * width_nm);
+  MultiPolygon taken = Difference(Intersection(solid, reach), WithoutSlivers(beyond, width_nm));
+  solid = Difference(solid, taken);
   return taken;
 }
 

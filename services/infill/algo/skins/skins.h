@@ -31,11 +31,11 @@ struct SkinOptions {
 
 /// A partition of a fill area by what its infill is for.
 struct Skins {
-  MultiPolygon top;     ///< nothing above: the surface that is seen
-  MultiPolygon bridge;  ///< over air, and two beads of what bears it around that
-  MultiPolygon bottom;  ///< over another region
+  MultiPolygon top;          ///< nothing above: the surface that is seen
+  MultiPolygon bridge;       ///< over air, and two beads of what bears it around that
+  MultiPolygon bottom;       ///< over another region
   MultiPolygon over_bridge;  ///< over what is a bridge in the layer below
-  MultiPolygon solid;   ///< the rest of the skins, or what is solid for other reasons
+  MultiPolygon solid;        ///< the rest of the skins, or what is solid for other reasons
   MultiPolygon sparse;
 };
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
@@ -80,8 +83,7 @@ TEST(Skins, NarrowSparsePlacesBetweenSkinsBecomeSolid) {
 }
 
 TEST(Skins, NarrowPlacesBesideWallsStaySparse) {
-  const MultiPolygon fill =
-      P("(1 1, 12 1, 12 -3, 13.2 -3, 13.2 1, 19 1, 19 19, 1 19)");
+  const MultiPolygon fill = P("(1 1, 12 1, 12 -3, 13.2 -3, 13.2 1, 19 1, 19 19, 1 19)");
   const MultiPolygon whole = P("(0 -5, 20 -5, 20 20, 0 20)");
   const MultiPolygon right = P("(5 -5, 20 -5, 20 20, 5 20)");
   const Skins skins = PartFillArea(fill, whole, {{&right}, {&whole}, false}, {});
@@ -197,6 +199,83 @@ TEST(Skins, SurfacesKeepTheirLayersWithoutShells) {
     EXPECT_NEAR(Mm2(all.sparse), Mm2(exposed.sparse), 0.01);
     EXPECT_NEAR(Mm2(all.top), Mm2(exposed.top), 0.01);
   }
+}
+
+/// Each corner moved by up to 20 nm, differently for each seed.
+MultiPolygon Noisy(const MultiPolygon& polygons, uint32_t seed) {
+  std::minstd_rand random(seed + 1);
+  const auto move = [&random](Polygon& ring) {
+    for (Point& p : ring) {
+      p.x += static_cast<Coord>(random() % 41) - 20;
+      p.y += static_cast<Coord>(random() % 41) - 20;
+    }
+  };
+  MultiPolygon result = polygons;
+  for (PolygonWithHoles& island : result) {
+    move(island.outer);
+    for (Polygon& hole : island.holes) move(hole);
+  }
+  return result;
+}
+
+MultiPolygon Turned(std::string_view text) {
+  MultiPolygon result = P(text);
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  for (PolygonWithHoles& island : result) {
+    for (Point& p : island.outer) {
+      const auto x = static_cast<double>(p.x), y = static_cast<double>(p.y);
+      p = {std::llround(c * x - s * y), std::llround(s * x + c * y)};
+    }
+  }
+  return result;
+}
+
+struct NoiseCase {
+  const char* above;
+  const char* below;
+};
+
+// Nothing may hang on a vertex that lies on an edge of another operand but for rounding.
+TEST(Skins, NoiseOfSomeNanometresMovesNoSkin) {
+  const MultiPolygon fill = Turned("(1 1, 17 1, 19 3, 19 19, 2.5 19, 2.5 12, 1 12)");
+  const MultiPolygon whole = Turned("(0 0, 20 0, 20 20, 0 20)");
+  for (const NoiseCase& c :
+       {NoiseCase{"(0 0, 10 0, 10 20, 0 20)", "(0 0, 20 0, 20 20, 0 20)"},
+        NoiseCase{"(0 0, 20 0, 20 20, 0 20)", "(0 0, 12 0, 12 12, 0 12)"},
+        NoiseCase{"(0 0, 18 0, 18 20, 0 20)", "(1 0, 20 0, 20 7, 1 7)"},
+        NoiseCase{"(0 0, 6 0, 6 20, 0 20) ; (8 0, 11 0, 11 20, 8 20) ; (13 0, 20 0, 20 20, 13 20)",
+                  "(0 0, 20 0, 20 18, 0 18)"}}) {
+    const MultiPolygon above = Turned(c.above), below = Turned(c.below);
+    const Skins plain =
+        PartFillArea(fill, whole, {.above = {&above, &above}, .below = {&below, &below}}, {});
+    for (uint32_t seed = 0; seed < 250; seed += 5) {
+      MultiPolygon noisy[4];
+      for (uint32_t i = 0; i < 4; ++i) noisy[i] = Noisy(i < 2 ? above : below, seed + i);
+      const Cover cover{.above = {&noisy[0], &noisy[1]}, .below = {&noisy[2], &noisy[3]}};
+      const Skins moved = PartFillArea(Noisy(fill, seed + 4), whole, cover, {});
+      for (auto part : {&Skins::top, &Skins::bridge, &Skins::solid, &Skins::sparse})
+        EXPECT_NEAR(Mm2(plain.*part), Mm2(moved.*part), 0.01) << c.above << ' ' << seed;
+    }
+  }
+}
+
+// A channel between walls that a skin ends in: as far as lines would be bits beside the skin.
+TEST(Skins, NarrowPlacesAreSolidNoFartherThanTheirWidthFromASkin) {
+  const MultiPolygon fill = P("(1 1, 19 1, 19 2.2, 1 2.2)");
+  const MultiPolygon left = P("(0 0, 8 0, 8 5, 0 5)");
+  const MultiPolygon whole = P("(0 0, 20 0, 20 5, 0 5)");
+  const Skins skins = PartFillArea(fill, whole, {{&left}, {&whole}, false}, {});
+  EXPECT_NEAR(Mm2(skins.sparse), (7 - 0.9 - 4 * 0.45) * 1.2, 0.01);
+  ExpectPartition(skins, fill);
+}
+
+// What is narrow of a skin far from any bridge is no part of one.
+TEST(Skins, SliversOfSolidFarFromABridgeStaySolid) {
+  const MultiPolygon fill = P("(1 1, 19 1, 19 10, 12 10, 12 19, 11.7 19, 11.7 10, 1 10)");
+  const MultiPolygon below = P("(5 0, 20 0, 20 20, 5 20)");
+  const Skins skins = PartFillArea(fill, kWhole, {{}, {&below}, false}, {.all_solid = true});
+  EXPECT_NEAR(Mm2(skins.bridge), 4.9 * 9, 0.01);
+  ExpectPartition(skins, fill);
 }
 
 TEST(Skins, IslandsNotUnderALayerAreBare) {

@@ -18,6 +18,11 @@ namespace slicefarm::infill {
 /// each other than a tenth of a spacing. REQUIRES: spacing_nm > 0. Cost: an offset for each step.
 std::vector<StepRing> RingsFrom(MultiPolygon region, Coord spacing_nm);
 
+/// How far inside an edge the first line of a fill lies, `first_line` spacings.
+inline Coord FirstLineDepth(double first_line, Coord spacing_nm) {
+  return static_cast<Coord>(first_line * static_cast<double>(spacing_nm));
+}
+
 /// Errors of fills with lines a spacing apart: InvalidArgument (SETTING_OUT_OF_RANGE) unless the
 /// spacing is positive; LimitError (REQUEST_TOO_LARGE) if the region's box has more squares of a
 /// spacing than limits::kMaxPointsPerLayer.

@@ -13,7 +13,8 @@ absl::StatusOr<std::vector<Polyline>> FermatFill(const PolygonWithHoles& region,
   const Coord spacing = options.spacing_nm;
   if (absl::Status status = CheckRingSpacing(region, spacing); !status.ok()) return status;
   std::vector<Polyline> paths;
-  for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
+  for (const PolygonWithHoles& part :
+       FastOffset({region}, -FirstLineDepth(options.first_line, spacing))) {
     std::vector<Polyline> linked =
         LinkRings(RingsFrom({part}, spacing), static_cast<double>(spacing));
     std::move(linked.begin(), linked.end(), std::back_inserter(paths));

@@ -92,11 +92,13 @@ std::vector<Polyline> FillPart(const PolygonWithHoles& part, Coord spacing,
   return LinkRings(rings, static_cast<double>(spacing));
 }
 
-absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region, Coord spacing,
-                                           const CellCurve& curve) {
+absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region,
+                                           const QuadtreeOptions& options, const CellCurve& curve) {
+  const Coord spacing = options.spacing_nm;
   if (absl::Status status = CheckRingSpacing(region, spacing); !status.ok()) return status;
   std::vector<Polyline> paths;
-  for (const PolygonWithHoles& part : FastOffset({region}, -(spacing / 2))) {
+  for (const PolygonWithHoles& part :
+       FastOffset({region}, -FirstLineDepth(options.first_line, spacing))) {
     std::vector<Polyline> linked = FillPart(part, spacing, curve);
     std::move(linked.begin(), linked.end(), std::back_inserter(paths));
   }
@@ -107,12 +109,12 @@ absl::StatusOr<std::vector<Polyline>> Fill(const PolygonWithHoles& region, Coord
 
 absl::StatusOr<std::vector<Polyline>> HilbertFill(const PolygonWithHoles& region,
                                                   const QuadtreeOptions& options) {
-  return Fill(region, options.spacing_nm, kHilbert);
+  return Fill(region, options, kHilbert);
 }
 
 absl::StatusOr<std::vector<Polyline>> PeanoFill(const PolygonWithHoles& region,
                                                 const QuadtreeOptions& options) {
-  return Fill(region, options.spacing_nm, kPeano);
+  return Fill(region, options, kPeano);
 }
 
 }  // namespace slicefarm::infill

@@ -8,7 +8,8 @@
 namespace slicefarm::infill {
 
 struct QuadtreeOptions {
-  Coord spacing_nm = 450'000;  ///< of neighbouring lines; half of it is left free at the edge
+  Coord spacing_nm = 450'000;  ///< of neighbouring lines
+  double first_line = 0.5;     ///< how far inside the edge the outermost lies, in spacings
 };
 
 /// Fills a region with Hilbert curves: one runs round each leaf of a quadtree of the cells that lie

@@ -9,9 +9,9 @@ namespace {
 
 /// Whether two moves print alike, so that an arc may stand for both.
 bool SameBead(const Move& a, const Move& b) {
-  return a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint && a.feature == b.feature &&
-         a.rest == b.rest && a.width_um == b.width_um && a.height_um == b.height_um &&
-         a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
+  return a.on_arc && b.on_arc && a.kind == MoveKind::kPrint && b.kind == MoveKind::kPrint &&
+         a.feature == b.feature && a.rest == b.rest && a.width_um == b.width_um &&
+         a.height_um == b.height_um && a.z_um == b.z_um && a.feed_rate == b.feed_rate &&
          a.acceleration_mm_s2 == b.acceleration_mm_s2;
 }
 

@@ -61,28 +61,35 @@ ToolpathBuilder::ToolpathBuilder(const MotionOptions& options, const LayerFrame&
 }
 
 void ToolpathBuilder::Add(const Path& path, const Travel& travel) {
-  const double length_mm = ToMm(PathLength(path));
+  const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
+  const bool scarfed = !first_layer_ && HasScarf(path, scarf);
+  const bool arcs = options_.arc_fitting != ArcFitting::kDisabled;
+  // A scarf cuts a loop anew, and arcs are found in what it leaves.
+  const SimplifiedPath simple =
+      Simplified(path, {scarfed && arcs ? 0 : options_.resolution_nm, bead_height_nm_, arcs});
+  const double speed_mm_s = speeds_.Of(path, ToMm(PathLength(path)));
   print_acceleration_ = accelerations_.Print(path.feature);
   at_.feature = path.feature;
   at_.height_um = ToUm(bead_height_nm_);
+  flow_ = simple.flow;
   const int64_t filament_before = filament_;
   if (path_.approach == Toolpath::kNone) {
     Approach(StartOf(path), retracted_ ? Travel{} : travel);
   } else {
     GoTo(StartOf(path), travel);
   }
-  const ScarfOptions& scarf = options_.speeds[static_cast<size_t>(path.settings)].scarf;
-  const bool scarfed = !first_layer_ && HasScarf(path, scarf);
   if (retracted_) Restart();
   if (scarfed) {
-    PrintScarf(path, scarf, speeds_.Of(path, length_mm));
+    at_.on_arc = arcs;
+    PrintScarf(simple.path, scarf, speed_mm_s);
   } else {
-    PrintSegments(path, speeds_.Of(path, length_mm));
+    PrintSegments(simple, speed_mm_s);
   }
+  at_.on_arc = false;
   moved_on_ = scarfed;
   wipe_way_.clear();
-  if (wipe_.length_mm > 0 && !scarfed) wipe_way_ = WipeWay(path, wipe_.length_mm);
-  Count(path, length_mm, filament_ - filament_before);
+  if (wipe_.length_mm > 0 && !scarfed) wipe_way_ = WipeWay(simple.path, wipe_.length_mm);
+  Count(simple.path, filament_ - filament_before);
 }
 
 Toolpath ToolpathBuilder::Finish() {
@@ -97,18 +104,21 @@ Toolpath ToolpathBuilder::FinishReady(const std::optional<Leave>& leave) {
 }
 
 ToolpathBuilder::Bead ToolpathBuilder::BeadOf(Coord width_nm, double speed_mm_s) const {
-  const double section_mm2 = SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier;
+  const double section_mm2 =
+      SectionMm2(width_nm, bead_height_nm_) * options_.extrusion_multiplier * flow_;
   return {width_nm, section_mm2 / filament_area_mm2_ * kFilamentUnitsPerMm,
           FeedRate(speeds_.LimitedByFlow(speed_mm_s, section_mm2))};
 }
 
-void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
+void ToolpathBuilder::PrintSegments(const SimplifiedPath& simple, double speed_mm_s) {
+  const Path& path = simple.path;
   Bead bead = BeadOf(path.widths_nm.front(), speed_mm_s);
   const size_t count = path.points.size();
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) {
     const size_t to = i < count ? i : 0;
     const Coord width_nm = (path.WidthAt(i - 1) + path.WidthAt(to)) / 2;
     if (width_nm != bead.width_nm) bead = BeadOf(width_nm, speed_mm_s);
+    at_.on_arc = simple.on_arc[i - 1];
     if (below_ != nullptr && IsWall(path.feature)) {
       PrintOverAir(path, path.points[i - 1], path.points[to], bead, speed_mm_s);
     } else {
@@ -117,8 +127,7 @@ void ToolpathBuilder::PrintSegments(const Path& path, double speed_mm_s) {
   }
 }
 
-void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options,
-                                 double speed_mm_s) {
+void ToolpathBuilder::PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s) {
   const auto height_um = static_cast<double>(z_um_ - bottom_um_);
   MoveZ(bottom_um_ + static_cast<int32_t>(std::lround(options.start_height_ratio * height_um)));
   Point from = path.points.front();
@@ -296,10 +305,10 @@ void ToolpathBuilder::Push(MoveKind kind, double acceleration_mm_s2) {
   path_.moves.push_back(at_);
 }
 
-void ToolpathBuilder::Count(const Path& path, double length_mm, int64_t filament) {
+void ToolpathBuilder::Count(const Path& path, int64_t filament) {
   FeatureUse& use = stats_.features[static_cast<size_t>(path.feature)];
   const double filament_mm = static_cast<double>(filament) / kFilamentUnitsPerMm;
-  use.length_mm += length_mm;
+  use.length_mm += ToMm(PathLength(path));
   use.filament_mm += filament_mm;
   use.volume_mm3 += filament_mm * filament_area_mm2_;
   const Coord reach = *std::max_element(path.widths_nm.begin(), path.widths_nm.end()) / 2;

@@ -9,6 +9,7 @@
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/overhang.h"
 #include "services/motion/algo/toolpath/print_speed.h"
+#include "services/motion/algo/toolpath/simplified_path.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 #include "services/motion/algo/toolpath/wipe.h"
 
@@ -19,6 +20,9 @@ bool LiftsIn(const RetractionOptions& retraction, const LayerFrame& frame);
 
 /// Turns paths into moves, one path after the other: travels with retraction and lift, beads with
 /// their filament.
+///
+/// Paths are simplified within `resolution_nm` first (simplified_path.h): this is the one place
+/// where they are, whatever they come from.
 ///
 /// Filament is that of the bead's section (SectionMm2) times the extrusion multiplier; a path
 /// of varying width has the mean of its ends on each segment. What rounding leaves is carried on,
@@ -61,7 +65,7 @@ class ToolpathBuilder {
   Bead BeadOf(Coord width_nm, double speed_mm_s) const;
   void Approach(Point to, const Travel& travel);
   void GoTo(Point to, const Travel& travel);
-  void PrintSegments(const Path& path, double speed_mm_s);
+  void PrintSegments(const SimplifiedPath& simple, double speed_mm_s);
   void PrintScarf(const Path& path, const ScarfOptions& options, double speed_mm_s);
   void PrintOverAir(const Path& path, Point from, Point to, const Bead& bead, double speed_mm_s);
   void PrintSegment(Point from, Point to, const Bead& bead);
@@ -74,7 +78,7 @@ class ToolpathBuilder {
   void Restart();
   void MoveZ(int32_t z_um);
   void Push(MoveKind kind, double acceleration_mm_s2);
-  void Count(const Path& path, double length_mm, int64_t filament);
+  void Count(const Path& path, int64_t filament);
 
   const MotionOptions& options_;
   bool first_layer_;
@@ -93,12 +97,13 @@ class ToolpathBuilder {
 
   Toolpath path_;
   Move at_;                        ///< where the nozzle is, and what the next move inherits
+  double flow_ = 1;                ///< of the path being printed, of its beads' sections
   double print_acceleration_ = 0;  ///< of the path being printed
   double set_acceleration_ = 0;    ///< what the machine is set to; 0: as before the layer
   bool retracted_ = true;
   bool moved_on_ = false;  ///< beyond the end of the path before: a scarf ends over its beginning
-  double owed_ = 0;       ///< filament that rounding left, in 1e-5 mm
-  int64_t filament_ = 0;  ///< printed in all, in 1e-5 mm
+  double owed_ = 0;        ///< filament that rounding left, in 1e-5 mm
+  int64_t filament_ = 0;   ///< printed in all, in 1e-5 mm
   ProgramStats stats_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "services/ordering/algo/tours/graphs/perfect_matching.h"
+#include "common/base/perfect_matching.h"
 #include "services/ordering/algo/tours/graphs/spanning_tree.h"
 
 namespace slicefarm::ordering {

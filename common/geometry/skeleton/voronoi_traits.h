@@ -1,0 +1,119 @@
+#pragma once
+
+#include <algorithm>
+#include <boost/polygon/voronoi_builder.hpp>
+#include <cmath>
+#include <cstdint>
+
+namespace slicefarm {
+
+/// A double that Boost.Polygon's Voronoi builder takes for its own floating-point type.
+///
+/// The builder works out each circle in doubles with a bound on the error, and again in exact
+/// integers if the bound exceeds 64 ulps. Along two almost parallel sides it nearly always does,
+/// and the integers take most of the time. With this type the bound counts for less (kCoarser), and
+/// only circles that are in doubt by more than 0.1 um are worked out again. The caller has to check
+/// the diagram, and to build it anew with the builder's own type where it is wrong. Measured on the
+/// 300 slices of Kuipers et al.: 0.7 s instead of 1.5 s, 6 of 841 islands a second time.
+class Loose {
+ public:
+  Loose() = default;
+  // Implicit, because the builder mixes its type with numbers.
+  template <typename Number>
+  Loose(Number value)
+      : value_(static_cast<double>(value)) {}  // NOLINT(google-explicit-constructor)
+
+  // Arithmetic is that of doubles.
+  operator double() const { return value_; }  // NOLINT(google-explicit-constructor)
+
+  Loose operator-() const { return -value_; }
+  Loose& operator+=(Loose b) { return value_ += b.value_, *this; }
+  Loose& operator-=(Loose b) { return value_ -= b.value_, *this; }
+  Loose& operator*=(Loose b) { return value_ *= b.value_, *this; }
+  Loose& operator/=(Loose b) { return value_ /= b.value_, *this; }
+  friend Loose get_sqrt(Loose a) { return std::sqrt(a.value_); }
+
+ private:
+  double value_ = 0;
+};
+
+/// A bound of 64 / kCoarser ulps is 1.4e-6 of a number: 0.1 um in 100 mm.
+inline constexpr double kCoarser = 1e-8;
+
+/// Events nearer than this, in units of the input, are taken for simultaneous, as the builder does
+/// within 64 ulps.
+struct LooseComparison {
+  static constexpr double kTolerance = 1e-4;
+
+  enum Result { LESS = -1, EQUAL = 0, MORE = 1 };  // names that the builder uses
+  Result operator()(Loose a, Loose b, unsigned /*max_ulps*/) const {
+    const double difference = double{a} - double{b};
+    return difference < -kTolerance ? LESS : difference > kTolerance ? MORE : EQUAL;
+  }
+};
+
+struct ToLoose {
+  template <typename Number>
+  Loose operator()(const Number& value) const {
+    return static_cast<double>(value);
+  }
+  Loose operator()(const boost::polygon::detail::extended_int<64>& value) const {
+    return value.d();
+  }
+  Loose operator()(const boost::polygon::detail::extended_exponent_fpt<double>& value) const {
+    return value.d();
+  }
+};
+
+/// Traits of a builder for 32-bit coordinates that computes with Loose.
+struct LooseTraits : boost::polygon::detail::voronoi_ctype_traits<int32_t> {
+  using fpt_type = Loose;
+  using ulp_cmp_type = LooseComparison;
+  using to_fpt_converter_type = ToLoose;
+};
+
+}  // namespace slicefarm
+
+/// The builder's number with a bound on its relative error, in ulps; what it is asked for to decide
+/// on another try is a part of that.
+template <>
+class boost::polygon::detail::robust_fpt<slicefarm::Loose> {
+  using Number = slicefarm::Loose;
+
+ public:
+  using floating_point_type = Number;
+  using relative_error_type = Number;
+
+  robust_fpt() = default;
+  explicit robust_fpt(Number value) : value_(value) {}
+  robust_fpt(Number value, Number error) : value_(value), error_(error) {}
+
+  Number fpv() const { return value_; }
+  Number re() const { return error_; }
+  Number ulp() const { return error_ * slicefarm::kCoarser; }
+  bool has_pos_value() const { return value_ > 0; }
+  bool has_neg_value() const { return value_ < 0; }
+  bool has_zero_value() const { return value_ == 0; }
+
+  robust_fpt operator-() const { return {-value_, error_}; }
+  robust_fpt& operator+=(robust_fpt b) { return *this = *this + b; }
+  robust_fpt& operator-=(robust_fpt b) { return *this = *this - b; }
+  robust_fpt& operator*=(robust_fpt b) { return *this = *this * b; }
+  robust_fpt& operator/=(robust_fpt b) { return *this = *this / b; }
+  robust_fpt operator+(robust_fpt b) const {
+    const double sum = double{value_} + double{b.value_};
+    if ((value_ >= 0 && b.value_ >= 0) || (value_ <= 0 && b.value_ <= 0))
+      return {sum, std::max<double>(error_, b.error_) + 1};
+    return {sum, std::abs((value_ * error_ - b.value_ * b.error_) / sum) + 1};
+  }
+  robust_fpt operator-(robust_fpt b) const { return *this + -b; }
+  robust_fpt operator*(robust_fpt b) const { return {value_ * b.value_, error_ + b.error_ + 1}; }
+  robust_fpt operator/(robust_fpt b) const { return {value_ / b.value_, error_ + b.error_ + 1}; }
+  bool operator<(int b) const { return value_ < b; }
+  bool operator>(int b) const { return value_ > b; }
+  robust_fpt sqrt() const { return {get_sqrt(value_), error_ * 0.5 + 1}; }
+
+ private:
+  Number value_;
+  Number error_;
+};

@@ -1,0 +1,167 @@
+#include "services/infill/algo/cells/cell_strands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "common/base/perfect_matching.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Lengths of edges as integers, in tiles.
+constexpr double kLengthUnit = 1e-9;
+/// A corner lies no farther along an edge than this share of it.
+constexpr double kMostOfEdge = 0.45;
+
+/// Of an edge that goes straight on from the doubled one.
+constexpr double kSteepest = 1e9;
+
+double CrossOf(Vec a, Vec b) { return a.u * b.v - a.v * b.u; }
+double LengthOf(Vec a) { return std::sqrt(a.u * a.u + a.v * a.v); }
+
+int32_t Root(std::vector<int32_t>& parent, int32_t i) {
+  while (parent[static_cast<size_t>(i)] != i)
+    i = parent[static_cast<size_t>(i)] =
+        parent[static_cast<size_t>(parent[static_cast<size_t>(i)])];
+  return i;
+}
+
+}  // namespace
+
+StrandTile::StrandTile(VoronoiTile tile) : tile_(std::move(tile)) {
+  leaving_.resize(tile_.vertices.size());
+  std::vector<size_t> count(tile_.vertices.size(), 0);
+  for (int32_t edge = 0; edge < static_cast<int32_t>(tile_.edges.size()); ++edge) {
+    const auto from = static_cast<size_t>(tile_.edges[static_cast<size_t>(edge)].from);
+    const auto to = static_cast<size_t>(tile_.edges[static_cast<size_t>(edge)].to);
+    leaving_[from][count[from]++] = 2 * edge;
+    leaving_[to][count[to]++] = 2 * edge + 1;
+  }
+  MatchVertices();
+  LayCourses();
+  JoinCourses();
+  LinkStrands();
+  MeasureBends();
+}
+
+Vec StrandTile::Way(int32_t half) const {
+  const TileEdge& edge = tile_.edges[static_cast<size_t>(half / 2)];
+  const Vec a = tile_.vertices[static_cast<size_t>(edge.from)];
+  const Vec b = tile_.vertices[static_cast<size_t>(edge.to)];
+  const double sign = half % 2 == 0 ? 1 : -1;
+  return {sign * (b.u + edge.step_u - a.u), sign * (b.v + edge.step_v - a.v)};
+}
+
+void StrandTile::MatchVertices() {
+  std::vector<WeightedEdge> edges;
+  for (int32_t edge = 0; edge < static_cast<int32_t>(tile_.edges.size()); ++edge) {
+    const TileEdge& at = tile_.edges[static_cast<size_t>(edge)];
+    edges.push_back({at.from, at.to, std::llround(LengthOf(Way(2 * edge)) / kLengthUnit)});
+  }
+  const PerfectMatching matching =
+      LightestPerfectMatching(static_cast<int32_t>(tile_.vertices.size()), edges);
+  doubled_.reserve(edges.size());
+  for (const WeightedEdge& edge : edges)
+    doubled_.push_back(matching.mate[static_cast<size_t>(edge.a)] == edge.b);
+}
+
+/// Both lines of a doubled edge stay on their side of it: left first.
+void StrandTile::LayCourses() {
+  for (int32_t edge = 0; edge < static_cast<int32_t>(doubled_.size()); ++edge) {
+    if (!doubled_[static_cast<size_t>(edge)]) continue;
+    const Vec way = Way(2 * edge);
+    const auto sides = [&](int32_t vertex, int32_t own) {
+      std::array<int32_t, 2> others{};
+      size_t count = 0;
+      for (const int32_t half : leaving_[static_cast<size_t>(vertex)])
+        if (half != own) others[count++] = half;
+      if (CrossOf(way, Way(others[0])) < CrossOf(way, Way(others[1])))
+        std::swap(others[0], others[1]);
+      return others;
+    };
+    const auto from = sides(tile_.edges[static_cast<size_t>(edge)].from, 2 * edge);
+    const auto to = sides(tile_.edges[static_cast<size_t>(edge)].to, 2 * edge + 1);
+    for (const size_t side : {0, 1}) courses_.push_back({edge, {from[side], to[side]}});
+  }
+}
+
+/// Two curves that share a doubled edge become one where their lines there cross: on the shortest
+/// edges that will do.
+void StrandTile::JoinCourses() {
+  std::vector<int32_t> curve(tile_.edges.size());  // of an edge that is walked once
+  std::iota(curve.begin(), curve.end(), 0);
+  const auto join = [&curve](int32_t a, int32_t b) {
+    a = Root(curve, a / 2), b = Root(curve, b / 2);
+    curve[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+    return a != b;
+  };
+  for (const Course& course : courses_) join(course.ends[0], course.ends[1]);
+  std::vector<size_t> pairs;
+  for (size_t i = 0; i < courses_.size(); i += 2) pairs.push_back(i);
+  std::ranges::stable_sort(pairs, {},
+                           [this](size_t i) { return LengthOf(Way(2 * courses_[i].edge)); });
+  for (const size_t i : pairs) {
+    if (!join(courses_[i].ends[0], courses_[i + 1].ends[0])) continue;
+    std::swap(courses_[i].ends[1], courses_[i + 1].ends[1]);
+    ++crossings_;
+  }
+}
+
+/// Across the edge that both of them walk, each end of a strand meets the end of another one.
+void StrandTile::LinkStrands() {
+  struct End {
+    size_t strand = 0;
+    int32_t end = 0;
+  };
+  std::vector<End> end_at(2 * tile_.edges.size());
+  for (size_t i = 0; i < courses_.size(); ++i)
+    for (const int32_t end : {0, 1})
+      end_at[static_cast<size_t>(courses_[i].ends[static_cast<size_t>(end)])] = {i, end};
+  strands_.resize(courses_.size());
+  for (size_t i = 0; i < courses_.size(); ++i) {
+    for (const size_t end : {0, 1}) {
+      const int32_t half = courses_[i].ends[end];
+      const TileEdge& across = tile_.edges[static_cast<size_t>(half / 2)];
+      const int32_t sign = half % 2 == 0 ? 1 : -1;
+      const End to = end_at[static_cast<size_t>(half ^ 1)];
+      Strand::Next next{static_cast<int32_t>(to.strand), to.end, sign * across.step_u,
+                        sign * across.step_v};
+      // A strand lies where its doubled edge's first vertex does; the second may lie aside.
+      const TileEdge& own = tile_.edges[static_cast<size_t>(courses_[i].edge)];
+      const TileEdge& its = tile_.edges[static_cast<size_t>(courses_[to.strand].edge)];
+      if (end == 1) next.step_u += own.step_u, next.step_v += own.step_v;
+      if (to.end == 1) next.step_u -= its.step_u, next.step_v -= its.step_v;
+      strands_[i].next[end] = next;
+    }
+  }
+}
+
+void StrandTile::MeasureBends() {
+  for (const Course& course : courses_) {
+    const Vec doubled = Way(2 * course.edge);
+    const Vec first =
+        tile_.vertices[static_cast<size_t>(tile_.edges[static_cast<size_t>(course.edge)].from)];
+    std::array<Bend, 2>& bends = bends_.emplace_back();
+    bends[0].vertex = first;
+    bends[1].vertex = {first.u + doubled.u, first.v + doubled.v};
+    for (const size_t end : {0, 1}) {
+      bends[end].way = Way(course.ends[end]);
+      const double aside = std::abs(CrossOf(bends[end].way, doubled)) / LengthOf(doubled);
+      bends[end].share_by_gap = aside > 0 ? 0.5 / aside : kSteepest;
+    }
+  }
+}
+
+std::vector<Strand> StrandTile::Strands(double gap) const {
+  std::vector<Strand> strands = strands_;
+  for (size_t i = 0; i < strands.size(); ++i) {
+    const auto& [from, to] = bends_[i];
+    strands[i].points = {from.At(0.5), from.At(std::min(kMostOfEdge, gap * from.share_by_gap)),
+                         to.At(std::min(kMostOfEdge, gap * to.share_by_gap)), to.At(0.5)};
+  }
+  return strands;
+}
+
+}  // namespace slicefarm::infill

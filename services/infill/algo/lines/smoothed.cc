@@ -1,0 +1,112 @@
+#include "services/infill/algo/lines/smoothed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "common/base/portable_math.h"
+#include "common/geometry/measure.h"
+#include "common/geometry/rings/simplify.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr double kStepsPerLength = 2;
+/// Farther than that the Green's function is below 1e-5 of its peak.
+constexpr int kReach = 28;
+constexpr int kPeriod = 256;  ///< of the lattice on which it is computed
+constexpr Coord kSmoothToleranceNm = 5'000;
+
+using Kernel = std::array<double, kReach + 1>;
+
+/// The Green's function of 1 - l^2 D2 + l^4 D4 on points l / 2 apart, by its Fourier series.
+Kernel GreensFunction() {
+  constexpr double kLength = kStepsPerLength;  // in steps
+  Kernel kernel{};
+  for (int wave = 0; wave < kPeriod; ++wave) {
+    const double turn = 2 * std::numbers::pi * wave / kPeriod;
+    const double d2 = 2 - 2 * Cos(turn);
+    const double share =
+        1 / (1 + kLength * kLength * d2 + kLength * kLength * kLength * kLength * d2 * d2);
+    for (int step = 0; step <= kReach; ++step)
+      kernel[static_cast<size_t>(step)] += share * Cos(turn * step) / kPeriod;
+  }
+  double sum = kernel[0];
+  for (int step = 1; step <= kReach; ++step) sum += 2 * kernel[static_cast<size_t>(step)];
+  for (double& weight : kernel) weight /= sum;
+  return kernel;
+}
+
+struct FinePoint {
+  double x = 0;
+  double y = 0;
+};
+
+/// Points at `count` even steps along a line, from its first point on.
+std::vector<FinePoint> EvenPoints(const Polyline& line, double length, int64_t count) {
+  std::vector<FinePoint> points;
+  size_t i = 1;
+  double passed = 0, edge = Distance(line[0], line[1]);
+  for (int64_t k = 0; k < count; ++k) {
+    const double at = length * static_cast<double>(k) / static_cast<double>(count);
+    while (i + 1 < line.size() && passed + edge < at) {
+      passed += edge;
+      ++i;
+      edge = Distance(line[i - 1], line[i]);
+    }
+    const double share = edge > 0 ? std::min(1.0, (at - passed) / edge) : 0;
+    const Point a = line[i - 1], way = line[i] - line[i - 1];
+    points.push_back({static_cast<double>(a.x) + share * static_cast<double>(way.x),
+                      static_cast<double>(a.y) + share * static_cast<double>(way.y)});
+  }
+  return points;
+}
+
+/// A point of a closed curve, or of an open one that goes on beyond its ends turned about them.
+FinePoint PointAt(const std::vector<FinePoint>& points, int64_t i, bool closed) {
+  const auto count = static_cast<int64_t>(points.size());
+  if (closed) return points[static_cast<size_t>((i % count + count) % count)];
+  const int64_t last = count - 1;
+  const auto turned = [&](int64_t about, int64_t from) {
+    const FinePoint o = points[static_cast<size_t>(about)];
+    const FinePoint p = points[static_cast<size_t>(std::clamp<int64_t>(from, 0, last))];
+    return FinePoint{2 * o.x - p.x, 2 * o.y - p.y};
+  };
+  if (i < 0) return turned(0, -i);
+  if (i > last) return turned(last, 2 * last - i);
+  return points[static_cast<size_t>(i)];
+}
+
+}  // namespace
+
+Curve Smoothed(const Curve& curve, double length_nm) {
+  static const Kernel kKernel = GreensFunction();
+  Polyline line = curve.points;
+  if (curve.closed) line.push_back(line.front());
+  const double length = Length(line);
+  if (length_nm <= 0 || length < 4 * length_nm) return curve;
+  const auto steps = std::llround(kStepsPerLength * length / length_nm);
+  std::vector<FinePoint> points = EvenPoints(line, length, steps);
+  if (!curve.closed)
+    points.push_back({static_cast<double>(line.back().x), static_cast<double>(line.back().y)});
+  Polyline smooth;
+  for (int64_t i = 0; i < static_cast<int64_t>(points.size()); ++i) {
+    const FinePoint own = PointAt(points, i, curve.closed);
+    double x = kKernel[0] * own.x, y = kKernel[0] * own.y;
+    for (int64_t step = 1; step <= kReach; ++step) {
+      const FinePoint before = PointAt(points, i - step, curve.closed);
+      const FinePoint after = PointAt(points, i + step, curve.closed);
+      x += kKernel[static_cast<size_t>(step)] * (before.x + after.x);
+      y += kKernel[static_cast<size_t>(step)] * (before.y + after.y);
+    }
+    const Point p{std::llround(x), std::llround(y)};
+    if (smooth.empty() || smooth.back() != p) smooth.push_back(p);
+  }
+  if (!curve.closed) return {SimplifyLine(smooth, kSmoothToleranceNm), false};
+  Polygon ring = SimplifyRing(smooth, kSmoothToleranceNm);
+  return ring.empty() ? curve : Curve{std::move(ring), true};
+}
+
+}  // namespace slicefarm::infill

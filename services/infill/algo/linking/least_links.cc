@@ -1,0 +1,107 @@
+#include "services/infill/algo/linking/least_links.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace slicefarm::infill {
+namespace {
+
+/// Links that have no end in common, of a chain of stretches that follow each other.
+struct ChainLinks {
+  int count = 0;
+  double length_nm = 0;
+
+  bool IsBetterThan(const ChainLinks& other) const {
+    return std::pair(-count, length_nm) < std::pair(-other.count, other.length_nm);
+  }
+};
+
+/// The stretches of a ring in order, and their lengths as links.
+struct StretchRing {
+  std::vector<int32_t> stretches;
+  std::vector<double> length_nm;
+
+  size_t size() const { return stretches.size(); }
+};
+
+class RingMatcher {
+ public:
+  RingMatcher(const StretchRing& ring, double max_link_nm)
+      : ring_(ring), max_link_nm_(max_link_nm) {}
+
+  /// The stretches that are links, by their place on the ring.
+  std::vector<size_t> Match() const {
+    const size_t count = ring_.size();
+    if (count < 2) return {};
+    // Without the last stretch the ring is a chain; with it, less the two that share its ends.
+    Chosen without = OfChain(0, count - 1);
+    if (!IsLink(count - 1)) return std::move(without.places);
+    Chosen with = OfChain(1, count - 2);
+    with.links.count += 1;
+    with.links.length_nm += ring_.length_nm[count - 1];
+    if (!with.links.IsBetterThan(without.links)) return std::move(without.places);
+    with.places.push_back(count - 1);
+    return std::move(with.places);
+  }
+
+ private:
+  struct Chosen {
+    ChainLinks links;
+    std::vector<size_t> places;
+  };
+
+  bool IsLink(size_t place) const { return ring_.length_nm[place] <= max_link_nm_; }
+
+  /// Of the stretches from `first` up to, but not including, `last`.
+  Chosen OfChain(size_t first, size_t last) const {
+    std::vector<ChainLinks> best(2);  // of so many stretches, less one that is none
+    std::vector<bool> taken(2, false);
+    for (size_t place = first; place < last; ++place) {
+      ChainLinks with = best[best.size() - 2];
+      with.count += 1;
+      with.length_nm += ring_.length_nm[place];
+      const bool is_taken = IsLink(place) && with.IsBetterThan(best.back());
+      best.push_back(is_taken ? with : best.back());
+      taken.push_back(is_taken);
+    }
+    Chosen chosen{best.back(), {}};
+    for (size_t place = last; place > first; --place) {
+      if (!taken[place - first + 1]) continue;
+      chosen.places.push_back(place - 1);
+      if (--place == first) break;
+    }
+    return chosen;
+  }
+
+  const StretchRing& ring_;
+  const double max_link_nm_;
+};
+
+StretchRing RingFrom(const EdgeEnds& ends, int32_t first) {
+  StretchRing ring;
+  int32_t at = first;
+  do {
+    ring.stretches.push_back(at);
+    ring.length_nm.push_back(ends.LinkLength(at));
+    at = ends.Next(at);
+  } while (at != first);
+  return ring;
+}
+
+}  // namespace
+
+Links LeastLinks(const EdgeEnds& ends, double max_link_nm) {
+  Links links(static_cast<size_t>(ends.size()), false);
+  std::vector<bool> seen(static_cast<size_t>(ends.size()), false);
+  for (const int32_t end : ends.OnEdge()) {
+    if (seen[static_cast<size_t>(end)]) continue;
+    const StretchRing ring = RingFrom(ends, end);
+    for (const int32_t stretch : ring.stretches) seen[static_cast<size_t>(stretch)] = true;
+    for (const size_t place : RingMatcher(ring, max_link_nm).Match())
+      links[static_cast<size_t>(ring.stretches[place])] = true;
+  }
+  return links;
+}
+
+}  // namespace slicefarm::infill

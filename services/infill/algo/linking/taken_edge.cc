@@ -1,0 +1,151 @@
+#include "services/infill/algo/linking/taken_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/space_filling/segment_grid.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Sine of the angle at which beads run along each other.
+constexpr double kMostSine = 0.342;
+/// How long a link may lie on another bead, in widths.
+constexpr double kMostTaken = 0.5;
+/// Squares in which pieces are looked up, in distances that count as near.
+constexpr double kSquares = 8;
+
+struct Segment {
+  Point a, b;
+  int32_t piece = 0;
+};
+
+/// A part of something from 0 on.
+struct Part {
+  double from = 0;
+  double to = 1;
+};
+
+std::vector<Segment> SegmentsOf(std::span<const Piece> pieces) {
+  std::vector<Segment> segments;
+  int32_t number = 0;
+  for (const Piece& piece : pieces) {
+    for (size_t i = 1; i < piece.points.size(); ++i)
+      segments.push_back({piece.points[i - 1], piece.points[i], number});
+    if (piece.closed) segments.push_back({piece.points.back(), piece.points.front(), number});
+    ++number;
+  }
+  return segments;
+}
+
+/// The part of [from, to] where a linear function, `at_from` and `at_to` at 0 and 1, lies between
+/// two values.
+void Narrow(double at_from, double at_to, double low, double high, Part& part) {
+  const double rise = at_to - at_from;
+  if (rise == 0) {
+    if (at_from < low || at_from > high) part.to = part.from - 1;
+    return;
+  }
+  const auto [first, last] = std::minmax({(low - at_from) / rise, (high - at_from) / rise});
+  part.from = std::max(part.from, first);
+  part.to = std::min(part.to, last);
+}
+
+/// The part of an edge beside which a segment runs.
+std::optional<Part> BesideEdge(Point a, Point b, double length_nm, const Segment& segment,
+                               double near_nm) {
+  const Point way = b - a, run = segment.b - segment.a;
+  const double run_nm = Distance(segment.a, segment.b);
+  if (run_nm == 0 || std::abs(Cross(way, run)) > kMostSine * length_nm * run_nm)
+    return std::nullopt;
+  const double along0 = Dot(way, segment.a - a) / length_nm;
+  const double along1 = Dot(way, segment.b - a) / length_nm;
+  Part part;  // of the segment
+  Narrow(Cross(way, segment.a - a) / length_nm, Cross(way, segment.b - a) / length_nm, -near_nm,
+         near_nm, part);
+  Narrow(along0, along1, 0, length_nm, part);
+  if (part.from >= part.to) return std::nullopt;
+  const auto [from, to] =
+      std::minmax({along0 + part.from * (along1 - along0), along0 + part.to * (along1 - along0)});
+  return Part{from, to};
+}
+
+/// Sorts spans by where they begin, those of one piece that meet joined.
+void Join(double gap_nm, std::vector<TakenSpan>& spans) {
+  std::ranges::sort(spans, {},
+                    [](const TakenSpan& s) { return std::tuple(s.piece, s.from_nm, s.to_nm); });
+  size_t kept = 0;
+  for (const TakenSpan& span : spans) {
+    if (kept > 0 && span.piece == spans[kept - 1].piece &&
+        span.from_nm <= spans[kept - 1].to_nm + gap_nm) {
+      spans[kept - 1].to_nm = std::max(spans[kept - 1].to_nm, span.to_nm);
+    } else {
+      spans[kept++] = span;
+    }
+  }
+  spans.resize(kept);
+  std::ranges::stable_sort(spans, {}, &TakenSpan::from_nm);
+}
+
+}  // namespace
+
+std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
+                                              std::span<const Piece> pieces, double width_nm) {
+  const double near_nm = kLeastApart * width_nm;
+  const std::vector<Segment> segments = SegmentsOf(pieces);
+  Box box = Bounds(region);
+  for (const Segment& segment : segments) box.Add(segment.a), box.Add(segment.b);
+  SegmentGrid grid(box, kSquares * near_nm);
+  for (size_t i = 0; i < segments.size(); ++i)
+    grid.Add(segments[i].a, segments[i].b, static_cast<int32_t>(i));
+  std::vector<std::vector<TakenSpan>> taken;
+  ForEachRing(region, [&](const Polygon& ring) {
+    std::vector<TakenSpan>& spans = taken.emplace_back();
+    double at = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const double length = Distance(a, b);
+      if (length > 0) {
+        grid.ForEachNear(a, b, near_nm, [&](int32_t number) {
+          const Segment& segment = segments[static_cast<size_t>(number)];
+          const auto part = BesideEdge(a, b, length, segment, near_nm);
+          if (part) spans.push_back({at + part->from, at + part->to, segment.piece});
+        });
+      }
+      at += length;
+    }
+    Join(near_nm, spans);
+  });
+  return taken;
+}
+
+StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
+                      double length_nm, double width_nm) {
+  StretchRoom room{true, length_nm, length_nm};
+  for (const double turn : {0.0, ring_nm}) {
+    const double start = from_nm - turn;
+    for (const TakenSpan& span : taken) {
+      if (span.from_nm >= start + length_nm) break;
+      if (span.to_nm <= start) continue;
+      const double from = std::max(0.0, span.from_nm - start);
+      const double to = std::min(length_nm, span.to_nm - start);
+      if (to - from > kMostTaken * width_nm) room.links = false;
+      room.ahead_nm = std::min(room.ahead_nm, from);
+      room.behind_nm = std::min(room.behind_nm, length_nm - to);
+    }
+  }
+  return room;
+}
+
+std::vector<double> CornerLengths(const Polygon& ring) {
+  std::vector<double> at(1, 0.0);
+  at.reserve(ring.size() + 1);
+  for (size_t i = 0; i < ring.size(); ++i)
+    at.push_back(at.back() + Distance(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]));
+  return at;
+}
+
+}  // namespace slicefarm::infill

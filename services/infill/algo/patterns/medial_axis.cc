@@ -1,0 +1,138 @@
+#include "services/infill/algo/patterns/medial_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/axis/axis_levels.h"
+#include "services/infill/algo/axis/main_axis.h"
+#include "services/infill/algo/lines/clip_curves.h"
+#include "services/infill/algo/lines/line_limit.h"
+#include "services/infill/algo/lines/smoothed.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Smoothing brings lines no closer than this share of their pitch.
+constexpr double kLeastPitchShare = 0.5;
+
+/// Where the lines of one layer lie, by their distance from the axis.
+struct AxisPhase {
+  double first_nm = 0;
+  bool on_axis = false;  ///< the axis itself is a line
+};
+
+/// A pair closer to the axis than `merged_nm` is one line, for twice that time. The phase goes by
+/// the nominal pitch, so that lines of layers whose own pitch differs a little lie over each other.
+AxisPhase PhaseAt(const PatternPlace& place, double pitch_nm) {
+  const double turns = -static_cast<double>(place.z_nm) / place.pitch_nm;
+  const double phase = (turns - std::floor(turns)) * pitch_nm;
+  const double merged = std::min(pitch_nm, static_cast<double>(place.spacing_nm)) / 2;
+  if (phase < merged) return {phase + pitch_nm, true};
+  return {phase, phase >= pitch_nm - merged};
+}
+
+double PiecesLength(const std::vector<Piece>& pieces) {
+  double length = 0;
+  for (const Piece& piece : pieces)
+    length += piece.closed ? Perimeter(piece.points) : Length(piece.points);
+  return length;
+}
+
+double DistanceToLines(Point p, std::span<const Polyline> lines) {
+  double least = std::numeric_limits<double>::max();
+  for (const Polyline& line : lines)
+    for (size_t i = 1; i < line.size(); ++i)
+      least = std::min(least, DistanceToSegment(p, line[i - 1], line[i]));
+  return least;
+}
+
+Curve CurveAlong(const Polyline& line) {
+  Curve curve{line, line.size() > 3 && line.front() == line.back()};
+  if (curve.closed) curve.points.pop_back();
+  return curve;
+}
+
+/// An island's lines before they are cut.
+class AxisLines {
+ public:
+  AxisLines(const PolygonWithHoles& island, const PatternPlace& place)
+      : place_(place), axis_(MainAxis(island, {.least_nm = place.pitch_nm / 2})) {
+    ForEachRing({island}, [this](const Polygon& ring) {
+      for (size_t i = 0; i < ring.size(); ++i)
+        LookAtEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    });
+  }
+
+  double Count() const {
+    return most_nm_ / place_.pitch_nm * static_cast<double>(axis_.size() + 1);
+  }
+
+  std::vector<Curve> Curves(double pitch_nm, double smoothing_nm) const {
+    const AxisPhase phase = PhaseAt(place_, pitch_nm);
+    std::vector<Curve> curves = AxisLevels(axis_, phase.first_nm, pitch_nm, most_nm_);
+    if (phase.on_axis) std::ranges::transform(axis_, std::back_inserter(curves), CurveAlong);
+    for (Curve& curve : curves) curve = Smoothed(curve, smoothing_nm);
+    return curves;
+  }
+
+ private:
+  /// Between places a pitch apart the distance is half a pitch more at most.
+  void LookAtEdge(Point a, Point b) {
+    const auto steps = static_cast<int>(std::ceil(Distance(a, b) / place_.pitch_nm));
+    for (int i = 0; i < steps; ++i) {
+      const double share = static_cast<double>(i) / steps;
+      const Point p{a.x + std::llround(share * static_cast<double>(b.x - a.x)),
+                    a.y + std::llround(share * static_cast<double>(b.y - a.y))};
+      most_nm_ = std::max(most_nm_, DistanceToLines(p, axis_) + place_.pitch_nm / 2);
+    }
+  }
+
+  const PatternPlace& place_;
+  const std::vector<Polyline> axis_;
+  double most_nm_ = 0;  ///< how far the island's edge lies from the axis
+};
+
+/// What is left of the lines inside an island. Smooth ones are shorter: they lie closer in return.
+std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines& lines,
+                                const PatternPlace& place) {
+  const auto smoothing = static_cast<double>(place.smoothing_nm);
+  std::vector<Piece> pieces = ClipCurves({island}, lines.Curves(place.pitch_nm, smoothing));
+  if (smoothing <= 0) return pieces;
+  const double asked = PiecesLength(ClipCurves({island}, lines.Curves(place.pitch_nm, 0)));
+  const double got = PiecesLength(pieces);
+  if (asked <= 0 || got <= 0) return pieces;
+  const double share = std::clamp(got / asked, kLeastPitchShare, 1.0);
+  return ClipCurves({island}, lines.Curves(place.pitch_nm * share, smoothing));
+}
+
+absl::StatusOr<std::vector<Piece>> AroundAxis(const PolygonWithHoles& island,
+                                              const PatternPlace& place) {
+  const AxisLines lines(island, place);
+  if (absl::Status ok = CheckLineCount(lines.Count()); !ok.ok()) return ok;
+  return PiecesInside(island, lines, place);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<Piece>> MedialAxis(const MultiPolygon& region,
+                                              const PatternPlace& place) {
+  std::vector<Piece> all;
+  int32_t rings = 0;
+  for (const PolygonWithHoles& island : region) {
+    auto pieces = AroundAxis(island, place);
+    if (!pieces.ok()) return pieces.status();
+    for (Piece& piece : *pieces) {
+      for (EdgePlace* end : {&piece.from, &piece.to})
+        if (end->ring >= 0) end->ring += rings;
+      all.push_back(std::move(piece));
+    }
+    rings += 1 + static_cast<int32_t>(island.holes.size());
+  }
+  return all;
+}
+
+}  // namespace slicefarm::infill
