@@ -19,6 +19,7 @@
 #include "common/config/table/known_keys.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
+#include "common/macro/job_code.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
@@ -40,11 +41,48 @@ absl::Status CheckLimits(std::span<const Setting> given) {
   return status;
 }
 
+/// How many tools a machine can have.
+constexpr double kMostTools = 255;
+
+/// The tool that prints, from 0: the last `extruder` that is given, 0 being none of its own.
+size_t ToolOf(std::span<const Setting> given) {
+  size_t tool = 0;
+  for (const Setting& setting : given) {
+    if (setting.key != "extruder") continue;
+    const auto number = ToNumber(Trim(setting.value));
+    const bool valid = number && *number >= 1 && *number <= kMostTools;
+    tool = valid ? static_cast<size_t>(*number) - 1 : 0;
+  }
+  return tool;
+}
+
+/// Of a list with an item for each extruder, that of `tool`; other values as they are.
+std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool) {
+  if (spec.list != List::kPerExtruder) return std::string(value);
+  if (spec.kind == Kind::kText || spec.kind == Kind::kGcode)
+    return QuoteText(TextOfList(value, tool));
+  const std::vector<std::string_view> items = Split(value, ",;");
+  return std::string(Trim(items[tool < items.size() ? tool : 0]));
+}
+
+/// How many extruders the machine has, by its nozzles, or as effective settings tell it.
+size_t ToolCount(std::span<const Setting> given) {
+  size_t nozzles = 1, told = 0;
+  for (const Setting& setting : given) {
+    if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
+    const auto number = ToNumber(Trim(setting.value));
+    if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
+      told = static_cast<size_t>(*number);
+  }
+  return std::max(nozzles, told);
+}
+
 /// The last value of each key by source, and what is said about the others.
 class Reader {
  public:
-  Reader(ResolvedSettings& result, Process process)
-      : result_(result), process_(process), draft_(process) {}
+  /// `tool`: whose items of lists count.
+  Reader(ResolvedSettings& result, Process process, size_t tool)
+      : result_(result), process_(process), tool_(tool), draft_(process) {}
 
   absl::Status Read(const Setting& setting) {
     const std::string_view value = Trim(setting.value);
@@ -70,7 +108,7 @@ class Reader {
   Draft Finish() {
     const auto table = SettingsTable(process_);
     for (size_t i = 0; i < table.size(); ++i) {
-      if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i].written);
+      if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i]);
     }
     for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
     for (const auto& [key, other] : foreign_)
@@ -113,8 +151,16 @@ class Reader {
                      std::move(metadata));
   }
 
-  static absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry,
-                                    const Setting& setting, std::string_view value) {
+  absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry, const Setting& setting,
+                             std::string_view all) {
+    const std::string item = ItemOf(spec, all, tool_);
+    const std::string_view value = setting.source == Source::kRequest ? item : Readable(spec, item);
+    if (value.empty() && !item.empty()) return absl::OkStatus();
+    if (value.empty() && setting.source != Source::kRequest && IsNumber(spec)) {
+      Warn(fmt::format("{} has no value: {} is taken", spec.key, spec.standard));
+      return absl::OkStatus();
+    }
+    entry.all = std::string(all);
     entry.written = std::string(value);
     entry.given = true;
     entry.requested = setting.source == Source::kRequest;
@@ -134,6 +180,23 @@ class Reader {
 
   static std::string_view FirstItem(std::string_view value) {
     return Trim(value.substr(0, value.find(',')));
+  }
+
+  static bool IsNumber(const SettingSpec& spec) {
+    return spec.kind == Kind::kInteger || spec.kind == Kind::kNumber ||
+           spec.kind == Kind::kPercent || spec.kind == Kind::kNumberOrPercent;
+  }
+
+  /// What a vendor's file writes after a number, a comment or a percent sign where there is
+  /// nothing that it relates to, PrusaSlicer leaves out.
+  std::string_view Readable(const SettingSpec& spec, std::string_view value) {
+    if (!IsNumber(spec) || ParseValue(spec, value).ok() || ToNumber(value).has_value())
+      return value;
+    size_t end = value.size();
+    while (end > 0 && !ToNumber(value.substr(0, end)).has_value()) --end;
+    if (end == 0) return value;
+    Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), value.substr(0, end)));
+    return Trim(value.substr(0, end));
   }
 
   /// The choice of `spec` that `value` names, if something else is done instead.
@@ -172,30 +235,37 @@ class Reader {
     result_.warnings.push_back(std::move(text));
   }
 
-  void NoteEffective(const SettingSpec& spec, std::string_view value) {
+  void NoteEffective(const SettingSpec& spec, const Draft::Entry& entry) {
+    const std::string_view value = entry.written;
     if (const Choice* choice = StandIn(spec, value)) {
       Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
     }
     if (WantsOtherFormat(spec, value)) {
       Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
     }
+    NoteOtherItems(spec, entry);
+    if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
+  }
+
+  /// Of lists one item counts: the tool's, or that of the machine's normal mode.
+  void NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
     const std::string_view separator =
         spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
-    if (spec.list != List::kNone && value.find('"') == std::string_view::npos) {
-      const std::vector<std::string_view> items = Split(value, separator);
-      for (const std::string_view item : items) {
-        if (item == items[0]) continue;
-        const std::string text = fmt::format("{}: only the first value, {}, has an effect",
-                                             Quoted(spec.key, value), items[0]);
-        if (spec.list == List::kPerExtruder) {
-          Warn(text);
-        } else {
-          result_.no_effect.push_back(text);
-        }
-        break;
-      }
+    const std::string_view all = entry.all;
+    if (spec.list == List::kNone || all.find('"') != std::string_view::npos) return;
+    const std::vector<std::string_view> items = Split(all, separator);
+    if (std::ranges::all_of(items, [&](std::string_view item) { return Trim(item) == Trim(items[0]); }))
+      return;
+    const std::string text = fmt::format("{}: only {}, {}, has an effect", Quoted(spec.key, all),
+                                         tool_ == 0 || spec.list != List::kPerExtruder
+                                             ? "the first value"
+                                             : fmt::format("that of extruder {}", tool_ + 1),
+                                         entry.written);
+    if (spec.list == List::kPerExtruder) {
+      Warn(text);
+    } else {
+      result_.no_effect.push_back(text);
     }
-    if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
   }
 
   void NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
@@ -222,6 +292,7 @@ class Reader {
 
   ResolvedSettings& result_;
   const Process process_;
+  const size_t tool_;
   Draft draft_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
@@ -313,6 +384,22 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
                    {{"setting", "density_field"}});
 }
 
+/// Between copies that are printed one after the other a skirt of one layer is all that the head can
+/// pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns what
+/// to say of it.
+std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
+  if (draft.process() != Process::kFdm || draft.Number("complete_objects") == 0 ||
+      draft.Number("skirts") == 0)
+    return std::nullopt;
+  const Draft::Entry& height = draft.At("skirt_height");
+  if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
+  std::string note = fmt::format("skirt_height = {}: with complete_objects = 1 the skirt has one "
+                                 "layer, or the head would meet it",
+                                 height.written);
+  draft.SetNumber("skirt_height", 1);
+  return note;
+}
+
 /// Beads are not higher than the nozzle is wide. Returns what to say of it.
 std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
   int32_t& every = settings.infill[0].every_layers;
@@ -331,13 +418,18 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
   result.settings.process = process;
-  Reader reader(result, process);
+  const size_t tool = ToolOf(given);
+  Reader reader(result, process, tool);
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
   ToldSettings told = reader.Told();
   Draft draft = reader.Finish();
   TellDerived(draft, told);
+  if (auto note = TakeSequentialSkirt(draft)) {
+    result.no_effect.push_back(*note);
+    result.warnings.push_back(*std::move(note));
+  }
   if (absl::Status status = Derive(draft); !status.ok()) return status;
   if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
 
@@ -349,6 +441,13 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   }
   if (process == Process::kFdm) {
     TakeFootWidth(result.settings);
+    if (ToolCount(given) > 1) {
+      result.settings.motion.tool = static_cast<int32_t>(tool);
+      told["num_extruders"] = fmt::format("{}", ToolCount(given));
+    }
+    const auto code = macro::ParseJobCode(result.settings.motion);
+    if (!code.ok()) return code.status();
+    if (!macro::NamesClock(*code)) told.erase("creation_time");
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
     if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
@@ -360,6 +459,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   }
   result.effective_text = EffectiveText(result.settings, told);
   MotionOptions& motion = result.settings.motion;
+  if (process == Process::kFdm)
+    if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok()) return ok;
   if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
   return result;
 }

@@ -32,7 +32,6 @@ constexpr KnownKey kSwitches[] = {
     {"chamber_temperature", kNotYet, "0", true},
     {"colorprint_heights", kNotYet, "", true},
     {"extra_perimeters", kNotYet, "0", true},
-    {"extruder", kNotYet, "1", true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
     {"filament_shrinkage_compensation_xy", kNotYet, "0", true},

@@ -116,7 +116,7 @@ std::vector<SettingSpec> Material() {
       PerExtruder({.key = "filament_diameter",
                    .unit = "mm",
                    .min = 0.1,
-                   .max = 10,
+                   .max = 100,
                    .standard = "1.75",
                    .doc = "Diameter of the filament",
                    .field = Bind([](auto& s) -> auto& { return s.motion.filament_diameter_mm; })}),

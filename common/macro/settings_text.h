@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace slicefarm::motion {
+namespace slicefarm::macro {
 
 /// The `key = value` lines of a text, spaces around keys and values taken off; lines without "="
 /// are left out. The views are into `text`.
@@ -18,4 +18,4 @@ std::string UnescapeSetting(std::string_view value);
 /// The texts of a setting, unescaped: of a list of texts (`PLA;PETG`, `"a; b";"c"`) each, else one.
 std::vector<std::string> SettingItems(std::string_view key, std::string_view value);
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::macro

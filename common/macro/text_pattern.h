@@ -4,7 +4,7 @@
 
 #include "absl/status/statusor.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::macro {
 
 /// Whether the whole of `text` matches a regular expression, as PrusaSlicer's =~ has it: Perl's
 /// syntax, `.` takes line ends too, `^` and `$` stand for the ends of lines, capitals count. Texts
@@ -15,4 +15,4 @@ namespace slicefarm::motion {
 /// take, that are longer than 1000 characters, or whose repetitions (`x{1000}`) make them large.
 absl::StatusOr<bool> MatchesPattern(std::string_view text, std::string_view pattern);
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::macro

@@ -1,4 +1,4 @@
-#include "services/motion/algo/macro/template_defaults.h"
+#include "common/macro/template_defaults.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "services/motion/algo/macro/settings_text.h"
+#include "common/macro/settings_text.h"
 
-namespace slicefarm::motion::template_defaults_test {
+namespace slicefarm::macro::template_defaults_test {
 namespace {
 
 TEST(TemplateDefaults, AreSortedAndUnique) {
@@ -45,4 +45,4 @@ TEST(TemplateDefaults, ArePrusaSlicers) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion::template_defaults_test
+}  // namespace slicefarm::macro::template_defaults_test

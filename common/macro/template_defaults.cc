@@ -1,6 +1,6 @@
-#include "services/motion/algo/macro/template_defaults.h"
+#include "common/macro/template_defaults.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::macro {
 
 std::string_view TemplateDefaults() {
   // What has no value at all in PrusaSlicer (printer_notes) is an empty text there as well.
@@ -111,4 +111,4 @@ wipe_tower_y = 140
 )";
 }
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::macro

@@ -1,4 +1,4 @@
-#include "services/motion/algo/macro/text_pattern.h"
+#include "common/macro/text_pattern.h"
 
 #include <re2/re2.h>
 
@@ -6,7 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::macro {
 namespace {
 
 constexpr size_t kLongest = 1'000;
@@ -34,4 +34,4 @@ absl::StatusOr<bool> MatchesPattern(std::string_view text, std::string_view patt
   return RE2::FullMatch(re2::StringPiece(text.data(), text.size()), expression);
 }
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::macro

@@ -1,10 +1,10 @@
-#include "services/motion/algo/macro/settings_text.h"
+#include "common/macro/settings_text.h"
 
 #include <algorithm>
 
 #include "common/base/text.h"
 
-namespace slicefarm::motion {
+namespace slicefarm::macro {
 namespace {
 
 /// Lists of texts that come without quotes, as long as no text needs them. Other settings of one
@@ -72,4 +72,4 @@ std::vector<std::string> SettingItems(std::string_view key, std::string_view val
   return items;
 }
 
-}  // namespace slicefarm::motion
+}  // namespace slicefarm::macro

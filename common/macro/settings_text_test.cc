@@ -1,9 +1,9 @@
-#include "services/motion/algo/macro/settings_text.h"
+#include "common/macro/settings_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace slicefarm::motion::settings_text_test {
+namespace slicefarm::macro::settings_text_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -51,4 +51,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slicefarm::motion::settings_text_test
+}  // namespace slicefarm::macro::settings_text_test

@@ -1,11 +1,11 @@
-#include "services/motion/algo/macro/text_pattern.h"
+#include "common/macro/text_pattern.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <regex>
 
-namespace slicefarm::motion::text_pattern_test {
+namespace slicefarm::macro::text_pattern_test {
 namespace {
 
 struct Case {
@@ -85,4 +85,4 @@ TEST(MatchesPattern, HostilePatternsEnd) {
 }
 
 }  // namespace
-}  // namespace slicefarm::motion::text_pattern_test
+}  // namespace slicefarm::macro::text_pattern_test
