@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "common/base/error.h"
@@ -96,6 +98,8 @@ class Reader {
       return absl::OkStatus();
     }
     if (const KnownKey* known = FindKnownKey(setting.key)) {
+      const bool asks = setting.source == Source::kRequest && known->changes_print;
+      if (asks && !IsNeutral(*known, value)) return NotMade(setting.key, value, *known);
       others_[setting.key] = {known, std::string(value)};
       return absl::OkStatus();
     }
@@ -114,6 +118,7 @@ class Reader {
     for (const auto& [key, other] : foreign_)
       result_.no_effect.push_back(
           fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
+    SortNotes();
     return std::move(draft_);
   }
 
@@ -139,6 +144,14 @@ class Reader {
                      fmt::format("{} is a setting of process {}, and the job is of process {}", key,
                                  owner, ProcessName(process_)),
                      {{"setting", key}, {"process", std::string(owner)}});
+  }
+
+  /// A person who asks for what changes the print should not get another one.
+  static absl::Status NotMade(const std::string& key, std::string_view value,
+                              const KnownKey& known) {
+    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                     fmt::format("{}: {}", Quoted(key, value), known.why),
+                     {{"setting", key}, {"value", std::string(value)}});
   }
 
   absl::Status Unknown(const std::string& key) const {
@@ -286,14 +299,24 @@ class Reader {
     if (known->changes_print) {
       Warn(text);
     } else {
-      result_.no_effect.push_back(text);
+      (known->of_print ? result_.no_effect : last_notes_).push_back(text);
     }
+  }
+
+  /// What changes the print first, what describes profiles last.
+  void SortNotes() {
+    std::vector<std::string>& notes = result_.no_effect;
+    const std::set<std::string> weighty(result_.warnings.begin(), result_.warnings.end());
+    std::stable_partition(notes.begin(), notes.end(),
+                          [&](const std::string& note) { return weighty.contains(note); });
+    std::ranges::move(last_notes_, std::back_inserter(notes));
   }
 
   ResolvedSettings& result_;
   const Process process_;
   const size_t tool_;
   Draft draft_;
+  std::vector<std::string> last_notes_;
   std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
   std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
   std::map<std::pair<Source, std::string>, std::string> last_;

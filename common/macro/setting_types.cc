@@ -143,6 +143,7 @@ constexpr std::string_view kWhole =
     "wall_distribution_count wipe_tower_extruder";
 
 constexpr std::string_view kWholes =
+    "idle_temperature "
     "bed_temperature bridge_fan_speed chamber_minimal_temperature chamber_temperature "
     "disable_fan_first_layers fan_below_layer_time filament_cooling_moves "
     "first_layer_bed_temperature first_layer_temperature full_fan_speed_layer max_fan_speed "

@@ -55,7 +55,8 @@ constexpr Relation kAliases[] = {
 constexpr std::array<std::string_view, 4> kOfALayer = {"layer_num", "layer_z", "max_layer_z",
                                                        "current_object_idx"};
 
-constexpr std::array<std::string_view, 25> kWaiting = {
+constexpr std::array<std::string_view, 28> kWaiting = {
+    "first_layer_center_no_wipe_tower", "model_name", "max_print_z",
     "extruded_volume",           "extruded_volume_total",
     "extruded_weight",           "extruded_weight_total",
     "first_layer_print_convex_hull", "first_layer_print_max",
@@ -71,7 +72,8 @@ constexpr std::array<std::string_view, 25> kWaiting = {
     "position",
 };
 
-constexpr std::array<std::string_view, 8> kLists = {
+constexpr std::array<std::string_view, 9> kLists = {
+    "first_layer_center_no_wipe_tower",
     "extruded_volume",       "extruded_weight",        "first_layer_print_convex_hull",
     "first_layer_print_max", "first_layer_print_min",  "first_layer_print_size",
     "position",              "scale"};
@@ -96,13 +98,13 @@ std::optional<double> Finite(std::string_view text) {
 
 /// A number if it looks like one, else text.
 TemplateValue Guessed(const std::string& item) {
+  if (item == "nil") return Nil{};
   if (const auto whole = Parse<int64_t>(item)) return *whole;
   if (const auto number = Finite(item)) return *number;
   return item;
 }
 
 TemplateValue ItemValue(Of type, const std::string& item) {
-  if (item == "nil") return Nil{};
   std::string_view text = item;
   switch (type) {
     case Of::kFlag:
@@ -206,6 +208,19 @@ void AddBed(std::string_view bed_shape, TemplateVariables& variables) {
   variables["print_bed_size"] = TemplateVariable::List({most[0] - least[0], most[1] - least[1]});
 }
 
+/// What Bambu Studio and OrcaSlicer tell besides, of a plate with one filament.
+void AddBambuNames(TemplateVariables& variables) {
+  for (const char* name : {"bbl_bed_temperature_gcode", "has_tpu_in_first_layer",
+                           "in_head_wrap_detect_zone", "is_all_bbl_filament", "wipe_avoid_perimeter"})
+    variables.try_emplace(name, false);
+  for (const char* name : {"curr_physical_extruder_id", "max_additional_fan",
+                           "most_used_physical_extruder_id"})
+    variables.try_emplace(name, int64_t{0});
+  variables.try_emplace("plate_number", int64_t{1});
+  variables.try_emplace("plate_name", std::string());
+  variables.try_emplace("filament_map", TemplateVariable::List({int64_t{1}}));
+}
+
 /// The tool in use is number `extruder`, from 1.
 void AddTool(TemplateVariables& variables) {
   int64_t tool = 0;
@@ -224,6 +239,7 @@ void AddTool(TemplateVariables& variables) {
   used[static_cast<size_t>(tool)] = true;
   variables["is_extruder_used"] = TemplateVariable::List(std::move(used));
   variables["has_wipe_tower"] = false;
+  AddBambuNames(variables);
   variables["has_single_extruder_multi_material_priming"] = false;
   variables["zhop"] = 0.0;
   variables["e_restart_extra"] = variables["e_position"] = TemplateVariable::List({0.0});

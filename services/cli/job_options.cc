@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "absl/time/clock.h"
+#include "absl/time/time.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/projects/ini.h"
@@ -152,6 +154,12 @@ void AddOutputFormat(const std::string& output, std::vector<config::Setting>& se
       settings.push_back({"output_format", std::string(format), config::Source::kRequest});
 }
 
+/// The time of the job's creation, which G-code templates may name; whatever is given wins.
+config::Setting CreationTime() {
+  return {"creation_time", absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::Now(), absl::UTCTimeZone()),
+          config::Source::kProfile};
+}
+
 /// Whether nothing but a laser's file has such a name.
 bool IsOfLaser(std::string_view output) {
   return output.ends_with(".cli") || output.ends_with(".svg") || output.ends_with(".dxf");
@@ -174,7 +182,11 @@ absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& 
     if (!setting.ok()) return setting.status();
     settings->push_back(*std::move(setting));
   }
-  if (options.process == Process::kLaser) AddOutputFormat(output, *settings);
+  if (options.process == Process::kLaser) {
+    AddOutputFormat(output, *settings);
+  } else {
+    settings->insert(settings->begin(), CreationTime());
+  }
   return settings;
 }
 

@@ -268,6 +268,12 @@ std::vector<SettingSpec> Machine() {
        .standard = "0",
        .doc = "How fast the bed heats up, for times; 0: waiting for it counts as no time",
        .field = Bind([](auto& s) -> auto& { return s.motion.bed_heating_c_s; })},
+      {.key = "autoemit_temperature_commands",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, M141, "
+              "M191)",
+       .field = Bind([](auto& s) -> auto& { return s.motion.emit_temperatures; })},
       {.key = "z_offset",
        .unit = "mm",
        .min = -100,

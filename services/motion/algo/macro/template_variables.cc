@@ -91,7 +91,7 @@ void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variable
   // Start G-code may print it, outside of any comment.
   const std::string name = copies.empty() ? "" : CommentLine(copies.front().name.object_name);
   variables["num_objects"] = variables["num_instances"] = static_cast<int64_t>(copies.size());
-  variables["input_filename"] = name;
+  variables["input_filename"] = variables["model_name"] = name;
   variables["input_filename_base"] = name.substr(0, name.rfind('.'));
   variables["scale"] = TemplateVariable::List({std::string("x:100% y:100% z:100%")});
 }
@@ -128,6 +128,10 @@ TemplateVariables PrintVariables(const MotionOptions& options, const ProgramSumm
   TemplateVariables variables;
   variables["total_layer_count"] = static_cast<int64_t>(summary.layers.size());
   AddBox("first_layer_print", summary.total.bounds, variables);
+  const Box& box = summary.total.bounds;
+  variables["first_layer_center_no_wipe_tower"] =
+      Pair(box.Empty() ? Point{} : Point{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2});
+  variables["max_print_z"] = ToMm(static_cast<double>(TopOf(summary)));
   AddHull(summary.copies, variables);
   AddUse(options, summary.total, variables);
   AddTime(time_s, variables);
