@@ -68,8 +68,22 @@ TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   a.settings = b.settings = {{"fuzzy_skin", "external", Source::kProfile}};
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
               testing::ElementsAre(testing::StartsWith("a: fuzzy_skin = external")));
-  EXPECT_THAT(PlateOrDie({{"fuzzy_skin", "external"}}, {a, b}).warnings,
-              testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+  const std::vector<Setting> job = {{"fuzzy_skin", "external", Source::kProfile}};
+  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b});
+  ASSERT_TRUE(plate.ok()) << plate.status();
+  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+}
+
+TEST(ResolvePlate, TellsOfSupportsThatPartsAskFor) {
+  SceneObject a = ObjectOfFile("a", 0, {}, 1);
+  Part part;
+  part.name = "here";
+  part.role = PartRole::kSupportEnforcer;
+  a.parts.push_back(part);
+  const ResolvedPlate plate = PlateOrDie({}, {a});
+  EXPECT_THAT(plate.warnings,
+              testing::ElementsAre("a: support enforcer \"here\": not supported yet"));
+  EXPECT_EQ(plate.no_effect.front(), plate.warnings.front());
 }
 
 TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {

@@ -17,7 +17,10 @@ SceneObject Object(const std::string& name, Settings settings = {}, Settings of_
   SceneObject object;
   object.name = name;
   object.settings = std::move(settings);
-  object.parts.push_back({.name = "part of " + name, .settings = std::move(of_part)});
+  Part part;
+  part.name = "part of " + name;
+  part.settings = std::move(of_part);
+  object.parts.push_back(std::move(part));
   object.instances.emplace_back();
   return object;
 }
@@ -45,8 +48,11 @@ TEST_P(OneToolTest, IsTheJobs) {
 }
 
 SceneObject WithModifier(SceneObject object, Settings settings) {
-  object.parts.push_back(
-      {.name = "modifier", .role = PartRole::kModifier, .settings = std::move(settings)});
+  Part part;
+  part.name = "modifier";
+  part.role = PartRole::kModifier;
+  part.settings = std::move(settings);
+  object.parts.push_back(std::move(part));
   return object;
 }
 

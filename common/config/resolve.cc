@@ -167,14 +167,13 @@ class Reader {
   absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry, const Setting& setting,
                              std::string_view all) {
     const std::string item = ItemOf(spec, all, tool_);
-    const std::string_view value = setting.source == Source::kRequest ? item : Readable(spec, item);
-    if (value.empty() && !item.empty()) return absl::OkStatus();
+    const std::string value = setting.source == Source::kRequest ? item : Readable(spec, item);
     if (value.empty() && setting.source != Source::kRequest && IsNumber(spec)) {
       Warn(fmt::format("{} has no value: {} is taken", spec.key, spec.standard));
       return absl::OkStatus();
     }
     entry.all = std::string(all);
-    entry.written = std::string(value);
+    entry.written = value;
     entry.given = true;
     entry.requested = setting.source == Source::kRequest;
     if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
@@ -202,14 +201,30 @@ class Reader {
 
   /// What a vendor's file writes after a number, a comment or a percent sign where there is
   /// nothing that it relates to, PrusaSlicer leaves out.
-  std::string_view Readable(const SettingSpec& spec, std::string_view value) {
-    if (!IsNumber(spec) || ParseValue(spec, value).ok() || ToNumber(value).has_value())
-      return value;
+  std::string Readable(const SettingSpec& spec, const std::string& value) {
+    const bool is_bed = spec.kind == Kind::kBedShape;
+    if (!(is_bed || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
+    const std::string read = is_bed ? WithAllCorners(value) : std::string(NumberAtFront(value));
+    if (read.empty() || read == value) return value;
+    Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
+    return read;
+  }
+
+  static std::string_view NumberAtFront(std::string_view value) {
     size_t end = value.size();
     while (end > 0 && !ToNumber(value.substr(0, end)).has_value()) --end;
-    if (end == 0) return value;
-    Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), value.substr(0, end)));
     return Trim(value.substr(0, end));
+  }
+
+  /// A corner without "x" is its number, and 0.
+  static std::string WithAllCorners(std::string_view value) {
+    std::string corners;
+    for (const std::string_view corner : Split(value, ",")) {
+      const bool whole = corner.find('x') != std::string_view::npos;
+      corners += fmt::format("{}{}{}", corners.empty() ? "" : ",",
+                             whole ? corner : NumberAtFront(corner), whole ? "" : "x0");
+    }
+    return corners;
   }
 
   /// The choice of `spec` that `value` names, if something else is done instead.

@@ -407,11 +407,13 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
                                         {"spiral_vase", "1"},
                                         {"fuzzy_skin", "external"},
                                         {"post_process", "/bin/rm"}}) {
-    for (const Source source : {Source::kProfile, Source::kRequest}) {
-      const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, source));
-      EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
-      EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
-    }
+    const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
+    EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    // Whoever asks for it by name gets it, or an error.
+    const ErrorDetail detail = DetailOf(Refusal({{key, value}}));
+    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
+    EXPECT_EQ(detail.metadata.at("setting"), key);
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
       {{"support_material", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));

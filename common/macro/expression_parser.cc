@@ -107,7 +107,9 @@ class ExpressionParser {
   }
 
   std::string_view TakeOneOf(std::span<const std::string_view> signs) {
+    const bool unequal = in_.Peek() == '<' && in_.Peek(1) == '>';
     for (const std::string_view sign : signs) {
+      if (unequal && sign == "<") continue;
       if (in_.Take(sign)) return sign;
     }
     return {};
