@@ -18,6 +18,8 @@ import tempfile
 from collections import Counter
 
 KEYS = ("start_gcode", "start_filament_gcode", "before_layer_gcode", "layer_gcode", "end_filament_gcode", "end_gcode")
+# What one of them may name: by key.
+TOLD_OF = {"end_gcode": {r"\blayer_z\b": "PrusaSlicer's layer_z at the end counts the lift of the nozzle"}}
 # What a template may name that no two slicers agree on, with the reason that is printed.
 TOLD = {
     r"print_time|_time\b": "times",
@@ -138,7 +140,8 @@ def compare(ours, theirs, config):
         a, b = ours.get(key, []), theirs.get(key, [])
         if key in ("before_layer_gcode", "layer_gcode"):
             a, b = a[:5], b[:5]
-        reasons = [why for pattern, why in TOLD.items() if re.search(pattern, config.get(key, ""))]
+        patterns = {**TOLD, **TOLD_OF.get(key, {})}
+        reasons = [why for pattern, why in patterns.items() if re.search(pattern, config.get(key, ""))]
         if len(a) != len(b):
             different.append(f"{key}: {len(a)} and {len(b)} times")
         for x, y in zip(a, b):
@@ -167,7 +170,11 @@ def main():
     sets = {}
     for name, config in configs(o.profiles):
         sets.setdefault(tuple(config.get(k, "") for k in KEYS), (name, config))
-    chosen = list(sets.values())[: o.limit or None]
+    # G-code that stands within another one, marks and all, is not told apart.
+    nested = re.compile(r"[\[{]\s*(" + "|".join(KEYS) + r")\b")
+    all_sets = [each for each in sets.values() if not any(nested.search(each[1].get(k, "")) for k in KEYS)]
+    told_sets = len(sets) - len(all_sets)
+    chosen = all_sets[: o.limit or None]
     counts, told, bad = Counter(), Counter(), []
     with tempfile.TemporaryDirectory() as work:
         model, ini, out = (os.path.join(work, n) for n in ("cube.stl", "c.ini", "o.gcode"))
@@ -192,6 +199,8 @@ def main():
             counts["different" if different else "equal"] += 1
             bad += [f"{name}: {d}" for d in different[: 100 if o.list else 3]]
     print(f"sets {len(chosen)} " + " ".join(f"{k} {v}" for k, v in sorted(counts.items())))
+    if told_sets:
+        print(f"told templates within templates: {told_sets} sets left out")
     for why, n in told.most_common():
         print(f"told {why}: {n} lines")
     print("\n".join(bad))

@@ -13,12 +13,10 @@ using ::testing::ElementsAre;
 using ::testing::StartsWith;
 
 TEST(CoverageOf, CountsKeys) {
-  const std::vector<Setting> profile = {{"layer_height", "0.2", Source::kProfile},
-                                        {"layer_height", "0.3", Source::kProfile},
-                                        {"printer_notes", "", Source::kProfile},
-                                        {"print_host", "here", Source::kProfile},
-                                        {"wipe_tower", "0", Source::kProfile},
-                                        {"no_such_key", "1", Source::kProfile}};
+  const std::vector<Setting> profile = {
+      {"layer_height", "0.2", Source::kProfile}, {"layer_height", "0.3", Source::kProfile},
+      {"printer_notes", "", Source::kProfile},   {"print_host", "here", Source::kProfile},
+      {"wipe_tower", "0", Source::kProfile},     {"no_such_key", "1", Source::kProfile}};
   const Coverage coverage = CoverageOf(profile);
   EXPECT_EQ(coverage.keys, 4);
   EXPECT_EQ(coverage.effect, 2);

@@ -17,9 +17,12 @@ namespace {
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 
 constexpr std::string_view kSpeeds[] = {
-    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
-    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
-    "support_material_speed", "support_material_interface_speed", "ironing_speed",
+    "perimeter_speed",        "external_perimeter_speed",
+    "small_perimeter_speed",  "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",
+    "gap_fill_speed",         "bridge_speed",
+    "support_material_speed", "support_material_interface_speed",
+    "ironing_speed",
 };
 
 /// Sparse infill whose lines run over each other in one layer.
@@ -77,8 +80,8 @@ void DeriveVariableWalls(Draft& draft) {
 void LimitInfillSpeed(Draft& draft) {
   const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
   const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
-  const double limit = draft.Number(crosses ? "filament_infill_max_crossing_speed"
-                                            : "filament_infill_max_speed");
+  const double limit =
+      draft.Number(crosses ? "filament_infill_max_crossing_speed" : "filament_infill_max_speed");
   if (limit > 0) draft.SetNumber("infill_speed", std::min(draft.Number("infill_speed"), limit));
 }
 

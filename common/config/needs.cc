@@ -114,13 +114,9 @@ constexpr Need kLaserNeeds[] = {
     {"hatch_angle hatch_rotation alternate_hatch skywriting",
      "scan_strategy = stripes, islands or hatch", IsHatched},
     {"stripe_width", "scan_strategy = stripes",
-     [](const JobSettings& s) {
-       return s.exposure.regions[0].strategy == ScanStrategy::kStripes;
-     }},
+     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kStripes; }},
     {"island_width", "scan_strategy = islands",
-     [](const JobSettings& s) {
-       return s.exposure.regions[0].strategy == ScanStrategy::kIslands;
-     }},
+     [](const JobSettings& s) { return s.exposure.regions[0].strategy == ScanStrategy::kIslands; }},
     {"scan_overlap", "scan_strategy = stripes or islands",
      [](const JobSettings& s) {
        const ScanStrategy strategy = s.exposure.regions[0].strategy;

@@ -217,9 +217,9 @@ TEST(ResolvePlate, EqualObjectsAreCopiesOfOne) {
 }
 
 TEST(ResolvePlate, ObjectsOfDifferentSettingsStayTwo) {
-  EXPECT_THAT(PlateOrDie({}, {ObjectNamed("box"), ObjectNamed("box", {{"fill_density", "77%"}})})
-                  .objects,
-              SizeIs(2));
+  EXPECT_THAT(
+      PlateOrDie({}, {ObjectNamed("box"), ObjectNamed("box", {{"fill_density", "77%"}})}).objects,
+      SizeIs(2));
 }
 
 TEST(ResolvePlate, ATurnedCopyIsAnObjectOfItsOwn) {
@@ -287,8 +287,8 @@ TEST(ResolvePlate, ARangeMustBeOne) {
 TEST(ResolvePlate, TooManySetsOfSettings) {
   std::vector<SceneObject> objects;
   for (int i = 0; i <= limits::kMaxRegionSettings; ++i)
-    objects.push_back(ObjectNamed("box", {{"top_infill_extrusion_width",
-                                           std::to_string(0.3 + i * 0.0001)}}));
+    objects.push_back(
+        ObjectNamed("box", {{"top_infill_extrusion_width", std::to_string(0.3 + i * 0.0001)}}));
   EXPECT_EQ(DetailOf(PlateRefusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
   EXPECT_TRUE(ResolvePlate({}, objects).ok());
@@ -299,7 +299,8 @@ TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
   SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});
   object.ranges.push_back({5, 10, Settings({{"perimeters", "4"}})});
   const std::string text = PlateOrDie({}, {object}).effective_text;
-  EXPECT_THAT(text, HasSubstr(R"(object_settings = [{"object":"box","settings":{"fill_density":"20%"})"));
+  EXPECT_THAT(text,
+              HasSubstr(R"(object_settings = [{"object":"box","settings":{"fill_density":"20%"})"));
   EXPECT_THAT(text, HasSubstr(R"("perimeters":"4")"));
 }
 

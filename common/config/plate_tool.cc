@@ -33,10 +33,10 @@ absl::StatusOr<int> NumberOf(const Setting& setting) {
   const auto number = ToNumber(Trim(setting.value));
   if (number && *number >= 0 && *number <= kMost && *number == static_cast<int>(*number))
     return static_cast<int>(*number);
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   fmt::format("{} = {}: must be a whole number, 0 to {}", setting.key,
-                               setting.value, kMost),
-                   {{"setting", setting.key}, {"value", setting.value}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      fmt::format("{} = {}: must be a whole number, 0 to {}", setting.key, setting.value, kMost),
+      {{"setting", setting.key}, {"value", setting.value}});
 }
 
 /// What a place with settings of its own makes of the tools around it.

@@ -68,21 +68,24 @@ SceneObject Hidden(SceneObject object) {
 
 INSTANTIATE_TEST_SUITE_P(
     Plates, OneToolTest,
-    testing::Values(
-        Case{"None", {}, {Object("a")}, ""}, Case{"First", {Tool("1")}, {Object("a")}, ""},
-        Case{"Job", {Tool("2")}, {Object("a")}, "2"},
-        Case{"Object", {}, {Object("a", {Tool("2")}), Object("b", {Tool("2")})}, "2"},
-        Case{"Part", {}, {Object("a", {}, {Tool("3")})}, "3"},
-        Case{"PartOverObject", {}, {Object("a", {Tool("2")}, {Tool("1")})}, ""},
-        Case{"PartAsItsObject", {}, {Object("a", {Tool("2")}, {Tool("0")})}, "2"},
-        Case{"Lines",
-             {Tool("2", "perimeter_extruder"), Tool("2", "infill_extruder"),
-              Tool("2", "solid_infill_extruder")},
-             {Object("a")},
-             "2"},
-        Case{"ModifierWithItsObjects", {}, {WithModifier(Object("a", {Tool("2")}), {Tool("2")})}, "2"},
-        Case{"ModifierWithout", {}, {WithModifier(Object("a", {Tool("2")}), {})}, "2"},
-        Case{"NotPrinted", {}, {Object("a", {Tool("2")}), Hidden(Object("b"))}, "2"}),
+    testing::Values(Case{"None", {}, {Object("a")}, ""},
+                    Case{"First", {Tool("1")}, {Object("a")}, ""},
+                    Case{"Job", {Tool("2")}, {Object("a")}, "2"},
+                    Case{"Object", {}, {Object("a", {Tool("2")}), Object("b", {Tool("2")})}, "2"},
+                    Case{"Part", {}, {Object("a", {}, {Tool("3")})}, "3"},
+                    Case{"PartOverObject", {}, {Object("a", {Tool("2")}, {Tool("1")})}, ""},
+                    Case{"PartAsItsObject", {}, {Object("a", {Tool("2")}, {Tool("0")})}, "2"},
+                    Case{"Lines",
+                         {Tool("2", "perimeter_extruder"), Tool("2", "infill_extruder"),
+                          Tool("2", "solid_infill_extruder")},
+                         {Object("a")},
+                         "2"},
+                    Case{"ModifierWithItsObjects",
+                         {},
+                         {WithModifier(Object("a", {Tool("2")}), {Tool("2")})},
+                         "2"},
+                    Case{"ModifierWithout", {}, {WithModifier(Object("a", {Tool("2")}), {})}, "2"},
+                    Case{"NotPrinted", {}, {Object("a", {Tool("2")}), Hidden(Object("b"))}, "2"}),
     [](const auto& info) { return info.param.name; });
 
 struct ManyCase {
@@ -105,20 +108,24 @@ TEST_P(ManyToolsTest, AreRefusedByName) {
     EXPECT_THAT(std::string(status.message()), HasSubstr(name));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Plates, ManyToolsTest,
-    testing::Values(
-        ManyCase{"Objects",
-                 {},
-                 {Object("a"), Object("b", {Tool("2")})},
-                 {"extruder 1: \"a\"", "extruder 2: \"b\""}},
-        ManyCase{"Modifier",
-                 {},
-                 {WithModifier(Object("a"), {Tool("2")})},
-                 {"extruder 2: \"a\", \"modifier\""}},
-        ManyCase{"Range", {}, {WithRange(Object("a"), {Tool("4")})}, {"extruder 4: \"a\" from 1 to 2 mm"}},
-        ManyCase{"Infill", {Tool("2", "infill_extruder")}, {Object("a")}, {"extruder 1", "extruder 2"}}),
-    [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Plates, ManyToolsTest,
+                         testing::Values(ManyCase{"Objects",
+                                                  {},
+                                                  {Object("a"), Object("b", {Tool("2")})},
+                                                  {"extruder 1: \"a\"", "extruder 2: \"b\""}},
+                                         ManyCase{"Modifier",
+                                                  {},
+                                                  {WithModifier(Object("a"), {Tool("2")})},
+                                                  {"extruder 2: \"a\", \"modifier\""}},
+                                         ManyCase{"Range",
+                                                  {},
+                                                  {WithRange(Object("a"), {Tool("4")})},
+                                                  {"extruder 4: \"a\" from 1 to 2 mm"}},
+                                         ManyCase{"Infill",
+                                                  {Tool("2", "infill_extruder")},
+                                                  {Object("a")},
+                                                  {"extruder 1", "extruder 2"}}),
+                         [](const auto& info) { return info.param.name; });
 
 TEST(TakeTool, WantsANumber) {
   Settings job = {Tool("two")};

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "common/base/error.h"
@@ -17,8 +14,7 @@
 #include "common/config/derive.h"
 #include "common/config/draft.h"
 #include "common/config/needs.h"
-#include "common/config/suggest.h"
-#include "common/config/table/known_keys.h"
+#include "common/config/setting_reader.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
 #include "common/macro/job_code.h"
@@ -28,12 +24,6 @@
 
 namespace slicefarm::config {
 namespace {
-
-/// A value as a report quotes it: start G-codes and ramming tables are long.
-std::string Quoted(std::string_view key, std::string_view value) {
-  constexpr size_t kMax = 40;
-  return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
-}
 
 absl::Status CheckLimits(std::span<const Setting> given) {
   absl::Status status = CheckSettingCount(std::ssize(given));
@@ -58,15 +48,6 @@ size_t ToolOf(std::span<const Setting> given) {
   return tool;
 }
 
-/// Of a list with an item for each extruder, that of `tool`; other values as they are.
-std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool) {
-  if (spec.list != List::kPerExtruder) return std::string(value);
-  if (spec.kind == Kind::kText || spec.kind == Kind::kGcode)
-    return QuoteText(TextOfList(value, tool));
-  const std::vector<std::string_view> items = Split(value, ",;");
-  return std::string(Trim(items[tool < items.size() ? tool : 0]));
-}
-
 /// How many extruders the machine has, by its nozzles, or as effective settings tell it.
 size_t ToolCount(std::span<const Setting> given) {
   size_t nozzles = 1, told = 0;
@@ -78,264 +59,6 @@ size_t ToolCount(std::span<const Setting> given) {
   }
   return std::max(nozzles, told);
 }
-
-/// The last value of each key by source, and what is said about the others.
-class Reader {
- public:
-  /// `tool`: whose items of lists count.
-  Reader(ResolvedSettings& result, Process process, size_t tool)
-      : result_(result), process_(process), tool_(tool), draft_(process) {}
-
-  absl::Status Read(const Setting& setting) {
-    const std::string_view value = Trim(setting.value);
-    NoteOverridden(setting, value);
-    if (const int index = FindSetting(setting.key, process_); index >= 0) {
-      return ReadEffective(SettingsTable(process_)[index], draft_.entries()[index], setting, value);
-    }
-    if (const std::string_view owner = OwnerOf(setting.key); !owner.empty()) {
-      if (setting.source == Source::kRequest) return OfOtherProcess(setting.key, owner);
-      foreign_[setting.key] = {owner, std::string(value)};
-      return absl::OkStatus();
-    }
-    if (const KnownKey* known = FindKnownKey(setting.key)) {
-      const bool asks = setting.source == Source::kRequest && known->changes_print;
-      if (asks && !IsNeutral(*known, value)) return NotMade(setting.key, value, *known);
-      others_[setting.key] = {known, std::string(value)};
-      return absl::OkStatus();
-    }
-    if (setting.source == Source::kRequest) return Unknown(setting.key);
-    others_[setting.key] = {nullptr, std::string(value)};
-    return absl::OkStatus();
-  }
-
-  /// Says what has no effect, once all settings are read.
-  Draft Finish() {
-    const auto table = SettingsTable(process_);
-    for (size_t i = 0; i < table.size(); ++i) {
-      if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i]);
-    }
-    for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
-    for (const auto& [key, other] : foreign_)
-      result_.no_effect.push_back(
-          fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
-    SortNotes();
-    return std::move(draft_);
-  }
-
-  /// What was read and no stage works with.
-  ToldSettings Told() const {
-    ToldSettings told;
-    for (const auto& [key, other] : others_) Tell(key, other.second, told);
-    return told;
-  }
-
- private:
-  /// The process that has the setting; empty: the job's own, or none.
-  std::string_view OwnerOf(std::string_view key) const {
-    for (const ProcessInfo& info : kProcesses)
-      if (info.process != process_ && FindSetting(key, info.process) >= 0) return info.name;
-    // What PrusaSlicer knows is about FDM.
-    const bool of_fdm = process_ != Process::kFdm && FindKnownKey(key) != nullptr;
-    return of_fdm ? ProcessName(Process::kFdm) : std::string_view();
-  }
-
-  absl::Status OfOtherProcess(const std::string& key, std::string_view owner) const {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOfOtherProcess,
-                     fmt::format("{} is a setting of process {}, and the job is of process {}", key,
-                                 owner, ProcessName(process_)),
-                     {{"setting", key}, {"process", std::string(owner)}});
-  }
-
-  /// A person who asks for what changes the print should not get another one.
-  static absl::Status NotMade(const std::string& key, std::string_view value,
-                              const KnownKey& known) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("{}: {}", Quoted(key, value), known.why),
-                     {{"setting", key}, {"value", std::string(value)}});
-  }
-
-  absl::Status Unknown(const std::string& key) const {
-    const std::string nearest = NearestSetting(key, process_);
-    std::map<std::string, std::string> metadata = {{"setting", key}};
-    if (!nearest.empty()) metadata["suggestion"] = nearest;
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
-                     fmt::format("there is no setting '{}'{}", key,
-                                 nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest)),
-                     std::move(metadata));
-  }
-
-  absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry, const Setting& setting,
-                             std::string_view all) {
-    const std::string item = ItemOf(spec, all, tool_);
-    const std::string value = setting.source == Source::kRequest ? item : Readable(spec, item);
-    if (value.empty() && setting.source != Source::kRequest && IsNumber(spec)) {
-      Warn(fmt::format("{} has no value: {} is taken", spec.key, spec.standard));
-      return absl::OkStatus();
-    }
-    entry.all = std::string(all);
-    entry.written = value;
-    entry.given = true;
-    entry.requested = setting.source == Source::kRequest;
-    if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
-      entry.value.reset();
-      return absl::OkStatus();
-    }
-    auto parsed = ParseValue(spec, value);
-    if (!parsed.ok()) return parsed.status();
-    if (setting.source == Source::kRequest) {
-      if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);
-      if (WantsOtherFormat(spec, value)) return RefuseStandIn(spec, value);
-    }
-    entry.value = *std::move(parsed);
-    return absl::OkStatus();
-  }
-
-  static std::string_view FirstItem(std::string_view value) {
-    return Trim(value.substr(0, value.find(',')));
-  }
-
-  static bool IsNumber(const SettingSpec& spec) {
-    return spec.kind == Kind::kInteger || spec.kind == Kind::kNumber ||
-           spec.kind == Kind::kPercent || spec.kind == Kind::kNumberOrPercent;
-  }
-
-  /// What a vendor's file writes after a number, a comment or a percent sign where there is
-  /// nothing that it relates to, PrusaSlicer leaves out.
-  std::string Readable(const SettingSpec& spec, const std::string& value) {
-    const bool is_bed = spec.kind == Kind::kBedShape;
-    if (!(is_bed || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
-    const std::string read = is_bed ? WithAllCorners(value) : std::string(NumberAtFront(value));
-    if (read.empty() || read == value) return value;
-    Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
-    return read;
-  }
-
-  static std::string_view NumberAtFront(std::string_view value) {
-    size_t end = value.size();
-    while (end > 0 && !ToNumber(value.substr(0, end)).has_value()) --end;
-    return Trim(value.substr(0, end));
-  }
-
-  /// A corner without "x" is its number, and 0.
-  static std::string WithAllCorners(std::string_view value) {
-    std::string corners;
-    for (const std::string_view corner : Split(value, ",")) {
-      const bool whole = corner.find('x') != std::string_view::npos;
-      corners += fmt::format("{}{}{}", corners.empty() ? "" : ",",
-                             whole ? corner : NumberAtFront(corner), whole ? "" : "x0");
-    }
-    return corners;
-  }
-
-  /// The choice of `spec` that `value` names, if something else is done instead.
-  static const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
-    for (const Choice& choice : spec.choices) {
-      if (choice.name == value && !choice.note.empty()) return &choice;
-    }
-    return nullptr;
-  }
-
-  /// Pictures of the same sizes are made, those of other formats as PNG.
-  static bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
-    return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
-  }
-
-  static absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
-                                 DescribeRange(spec)),
-                     {{"setting", std::string(spec.key)}, {"value", std::string(value)}});
-  }
-
-  /// Within one source, a key that comes twice is likely a mistake; a request over a profile is
-  /// not.
-  void NoteOverridden(const Setting& setting, std::string_view value) {
-    const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
-    std::string& last = entry->second;
-    if (first || last == value) return;
-    result_.no_effect.push_back(
-        fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
-    last = std::string(value);
-  }
-
-  void Warn(std::string text) {
-    result_.no_effect.push_back(text);
-    result_.warnings.push_back(std::move(text));
-  }
-
-  void NoteEffective(const SettingSpec& spec, const Draft::Entry& entry) {
-    const std::string_view value = entry.written;
-    if (const Choice* choice = StandIn(spec, value)) {
-      Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
-    }
-    if (WantsOtherFormat(spec, value)) {
-      Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
-    }
-    NoteOtherItems(spec, entry);
-    if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
-  }
-
-  /// Of lists one item counts: the tool's, or that of the machine's normal mode.
-  void NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
-    const std::string_view separator =
-        spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
-    const std::string_view all = entry.all;
-    if (spec.list == List::kNone || all.find('"') != std::string_view::npos) return;
-    const std::vector<std::string_view> items = Split(all, separator);
-    if (std::ranges::all_of(items, [&](std::string_view item) { return Trim(item) == Trim(items[0]); }))
-      return;
-    const std::string text = fmt::format("{}: only {}, {}, has an effect", Quoted(spec.key, all),
-                                         tool_ == 0 || spec.list != List::kPerExtruder
-                                             ? "the first value"
-                                             : fmt::format("that of extruder {}", tool_ + 1),
-                                         entry.written);
-    if (spec.list == List::kPerExtruder) {
-      Warn(text);
-    } else {
-      result_.no_effect.push_back(text);
-    }
-  }
-
-  void NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
-    const auto number = ParseNumber(value, false);
-    if (!number.ok() || number->number <= 0 || number->number >= 1) return;
-    result_.warnings.push_back(
-        fmt::format("{0} = {1} is read as {1}%; for {2}% write the percent sign", spec.key, value,
-                    PrintNumber(number->number * 100)));
-  }
-
-  void NoteOther(const std::string& key, const KnownKey* known, const std::string& value) {
-    if (known == nullptr) {
-      result_.no_effect.push_back(Quoted(key, value) + ": unknown");
-      return;
-    }
-    if (IsNeutral(*known, value)) return;
-    const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
-    if (known->changes_print) {
-      Warn(text);
-    } else {
-      (known->of_print ? result_.no_effect : last_notes_).push_back(text);
-    }
-  }
-
-  /// What changes the print first, what describes profiles last.
-  void SortNotes() {
-    std::vector<std::string>& notes = result_.no_effect;
-    const std::set<std::string> weighty(result_.warnings.begin(), result_.warnings.end());
-    std::stable_partition(notes.begin(), notes.end(),
-                          [&](const std::string& note) { return weighty.contains(note); });
-    std::ranges::move(last_notes_, std::back_inserter(notes));
-  }
-
-  ResolvedSettings& result_;
-  const Process process_;
-  const size_t tool_;
-  Draft draft_;
-  std::vector<std::string> last_notes_;
-  std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
-  std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
-  std::map<std::pair<Source, std::string>, std::string> last_;
-};
 
 /// What the G-code of each layer names goes along with its options, and no more: the rest is no
 /// part of what decides a layer.
@@ -422,18 +145,19 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
                    {{"setting", "density_field"}});
 }
 
-/// Between copies that are printed one after the other a skirt of one layer is all that the head can
-/// pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns what
-/// to say of it.
+/// Between copies that are printed one after the other a skirt of one layer is all that the head
+/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
+/// what to say of it.
 std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   if (draft.process() != Process::kFdm || draft.Number("complete_objects") == 0 ||
       draft.Number("skirts") == 0)
     return std::nullopt;
   const Draft::Entry& height = draft.At("skirt_height");
   if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
-  std::string note = fmt::format("skirt_height = {}: with complete_objects = 1 the skirt has one "
-                                 "layer, or the head would meet it",
-                                 height.written);
+  std::string note = fmt::format(
+      "skirt_height = {}: with complete_objects = 1 the skirt has one "
+      "layer, or the head would meet it",
+      height.written);
   draft.SetNumber("skirt_height", 1);
   return note;
 }
@@ -457,12 +181,12 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   ResolvedSettings result;
   result.settings.process = process;
   const size_t tool = ToolOf(given);
-  Reader reader(result, process, tool);
+  SettingReader reader(process, tool);
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
   ToldSettings told = reader.Told();
-  Draft draft = reader.Finish();
+  Draft draft = reader.Finish(result);
   TellDerived(draft, told);
   if (auto note = TakeSequentialSkirt(draft)) {
     result.no_effect.push_back(*note);

@@ -132,7 +132,8 @@ std::string TextOfList(std::string_view list, size_t index) {
     size_t end = quoted ? 1 : std::min(rest.find(';'), rest.size());
     while (quoted && end < rest.size() && rest[end] != '"') end += rest[end] == '\\' ? 2 : 1;
     end = std::min(end, rest.size());
-    std::string item = quoted ? Unescape(rest.substr(1, end - 1)) : std::string(Trim(rest.substr(0, end)));
+    std::string item =
+        quoted ? Unescape(rest.substr(1, end - 1)) : std::string(Trim(rest.substr(0, end)));
     if (i == index) return item;
     if (i == 0) first = std::move(item);
     const size_t next = rest.find(';', end);

@@ -13,7 +13,6 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-
 ResolvedSettings Profile(const Pairs& pairs) {
   auto resolved = Resolve(Settings(pairs, Source::kProfile));
   EXPECT_TRUE(resolved.ok()) << resolved.status();

@@ -15,10 +15,11 @@ namespace {
 /// As much of the text as an error quotes.
 constexpr size_t kQuoted = 20;
 
-constexpr std::string_view kWords[] = {
-    "and",    "digits", "else",   "elsif", "empty",  "endif",  "false",             "global",
-    "if",     "int",    "is_nil", "local", "max",    "min",    "interpolate_table", "not",
-    "one_of", "or",     "random", "repeat", "round", "size",   "true",              "zdigits"};
+constexpr std::string_view kWords[] = {"and",    "digits", "else",   "elsif",  "empty",
+                                       "endif",  "false",  "global", "if",     "int",
+                                       "is_nil", "local",  "max",    "min",    "interpolate_table",
+                                       "not",    "one_of", "or",     "random", "repeat",
+                                       "round",  "size",   "true",   "zdigits"};
 
 /// How many arguments a function takes.
 struct Function {
@@ -264,8 +265,7 @@ class ExpressionParser {
       const bool tilde = !slashes && in_.Take("~");
       ParsedExpression pattern = slashes ? Pattern() : Unary();
       if (!pattern.ok()) return pattern;
-      if (slashes || tilde)
-        pattern = Made(Expression::Kind::kPattern, "~", {*std::move(pattern)});
+      if (slashes || tilde) pattern = Made(Expression::Kind::kPattern, "~", {*std::move(pattern)});
       call.parts.push_back(*std::move(pattern));
       in_.Take(",");
     }

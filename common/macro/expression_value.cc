@@ -51,7 +51,9 @@ std::string WrittenItem(const TemplateVariable& variable, int64_t index) {
 }  // namespace
 
 const TemplateVariable* ExpressionValue::Find(std::string_view name) const {
-  for (const TemplateVariables* names : {&locals_, const_cast<const TemplateVariables*>(&memory_.globals), &scope_.now, &scope_.job}) {
+  for (const TemplateVariables* names :
+       {&locals_, const_cast<const TemplateVariables*>(&memory_.globals), &scope_.now,
+        &scope_.job}) {
     if (const auto found = names->find(name); found != names->end()) return &found->second;
   }
   return nullptr;
@@ -123,7 +125,8 @@ absl::StatusOr<TemplateValue> ExpressionValue::ValueOf(const Expression& variabl
   if (!variable.parts.empty()) {
     const auto found = IndexOf(variable.parts[0]);
     if (!found.ok()) return found.status();
-    if (!found->has_value()) return Find(variable.text) == nullptr ? Result(UnknownName(variable.text)) : Unknown{};
+    if (!found->has_value())
+      return Find(variable.text) == nullptr ? Result(UnknownName(variable.text)) : Unknown{};
     index = **found;
     if (index < 0) return absl::InvalidArgumentError("a negative index");
   }

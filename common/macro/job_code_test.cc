@@ -30,7 +30,8 @@ TEST(ParseJobCode, KnowsWhichLayersWait) {
 
 TEST(CheckJobCode, NamesWhatIsWrongBeforeAnyWork) {
   EXPECT_TRUE(CheckJobCode(WithLayers("{n + layer_num}", "{global n = 1}"), "").ok());
-  const ErrorDetail detail = DetailOf(CheckJobCode(WithLayers("G1\n{if layer_num > 3}[oops]{endif}"), ""));
+  const ErrorDetail detail =
+      DetailOf(CheckJobCode(WithLayers("G1\n{if layer_num > 3}[oops]{endif}"), ""));
   EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
   EXPECT_EQ(detail.metadata.at("setting"), "layer_gcode");
   EXPECT_EQ(detail.metadata.at("line"), "2");

@@ -16,8 +16,7 @@ constexpr std::string_view kChoice =
     "support_material_pattern support_material_style thumbnails_format top_fill_pattern "
     "top_one_perimeter_type";
 
-constexpr std::string_view kChoices =
-    "cooling_slowdown_logic";
+constexpr std::string_view kChoices = "cooling_slowdown_logic";
 
 constexpr std::string_view kFlag =
     "autoemit_temperature_commands automatic_extrusion_widths automatic_infill_combination "
@@ -112,8 +111,7 @@ constexpr std::string_view kPercents =
     "filament_purge_multiplier filament_retract_before_wipe filament_shrinkage_compensation_xy "
     "filament_shrinkage_compensation_z retract_before_wipe";
 
-constexpr std::string_view kPoints =
-    "bed_shape extruder_offset";
+constexpr std::string_view kPoints = "bed_shape extruder_offset";
 
 constexpr std::string_view kText =
     "bed_custom_model bed_custom_texture before_layer_gcode between_objects_gcode "

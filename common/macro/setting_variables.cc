@@ -56,27 +56,45 @@ constexpr std::array<std::string_view, 4> kOfALayer = {"layer_num", "layer_z", "
                                                        "current_object_idx"};
 
 constexpr std::array<std::string_view, 28> kWaiting = {
-    "first_layer_center_no_wipe_tower", "model_name", "max_print_z",
-    "extruded_volume",           "extruded_volume_total",
-    "extruded_weight",           "extruded_weight_total",
-    "first_layer_print_convex_hull", "first_layer_print_max",
-    "first_layer_print_min",     "first_layer_print_size",
-    "input_filename",            "input_filename_base",
-    "normal_print_time",         "num_instances",
-    "num_objects",               "print_time",
-    "random",                    "scale",
-    "silent_print_time",         "total_cost",
-    "total_layer_count",         "total_weight",
-    "total_wipe_tower_cost",     "total_wipe_tower_filament",
-    "used_filament",             "e_retracted",
+    "first_layer_center_no_wipe_tower",
+    "model_name",
+    "max_print_z",
+    "extruded_volume",
+    "extruded_volume_total",
+    "extruded_weight",
+    "extruded_weight_total",
+    "first_layer_print_convex_hull",
+    "first_layer_print_max",
+    "first_layer_print_min",
+    "first_layer_print_size",
+    "input_filename",
+    "input_filename_base",
+    "normal_print_time",
+    "num_instances",
+    "num_objects",
+    "print_time",
+    "random",
+    "scale",
+    "silent_print_time",
+    "total_cost",
+    "total_layer_count",
+    "total_weight",
+    "total_wipe_tower_cost",
+    "total_wipe_tower_filament",
+    "used_filament",
+    "e_retracted",
     "position",
 };
 
-constexpr std::array<std::string_view, 9> kLists = {
-    "first_layer_center_no_wipe_tower",
-    "extruded_volume",       "extruded_weight",        "first_layer_print_convex_hull",
-    "first_layer_print_max", "first_layer_print_min",  "first_layer_print_size",
-    "position",              "scale"};
+constexpr std::array<std::string_view, 9> kLists = {"first_layer_center_no_wipe_tower",
+                                                    "extruded_volume",
+                                                    "extruded_weight",
+                                                    "first_layer_print_convex_hull",
+                                                    "first_layer_print_max",
+                                                    "first_layer_print_min",
+                                                    "first_layer_print_size",
+                                                    "position",
+                                                    "scale"};
 
 template <typename Names>
 bool Has(const Names& names, std::string_view name) {
@@ -210,11 +228,12 @@ void AddBed(std::string_view bed_shape, TemplateVariables& variables) {
 
 /// What Bambu Studio and OrcaSlicer tell besides, of a plate with one filament.
 void AddBambuNames(TemplateVariables& variables) {
-  for (const char* name : {"bbl_bed_temperature_gcode", "has_tpu_in_first_layer",
-                           "in_head_wrap_detect_zone", "is_all_bbl_filament", "wipe_avoid_perimeter"})
+  for (const char* name :
+       {"bbl_bed_temperature_gcode", "has_tpu_in_first_layer", "in_head_wrap_detect_zone",
+        "is_all_bbl_filament", "wipe_avoid_perimeter"})
     variables.try_emplace(name, false);
-  for (const char* name : {"curr_physical_extruder_id", "max_additional_fan",
-                           "most_used_physical_extruder_id"})
+  for (const char* name :
+       {"curr_physical_extruder_id", "max_additional_fan", "most_used_physical_extruder_id"})
     variables.try_emplace(name, int64_t{0});
   variables.try_emplace("plate_number", int64_t{1});
   variables.try_emplace("plate_name", std::string());

@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
              "T2 false true 5"},
         Case{"creation_time = 2026-11-25T10:37:01Z\n", "{timestamp} {year} {month} {second}",
              "20261125-103701 2026 11 1"},
-        Case{"filament_type = PETG;PLA\n", "{initial_filament_type} {size(filament_type)}", "PETG 2"},
+        Case{"filament_type = PETG;PLA\n", "{initial_filament_type} {size(filament_type)}",
+             "PETG 2"},
         Case{"", "{is_nil(idle_temperature[0]) ? 150 : idle_temperature[0]} {zhop}", "150 0"},
         Case{"", "{spiral_vase}{support_material}[printer_notes]{filament_vendor[0]}",
              "falsefalse(Unknown)"}));

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "absl/strings/str_format.h"
-#include "common/model/limits.h"
 #include "common/macro/text_pattern.h"
+#include "common/model/limits.h"
 
 namespace slicefarm::macro {
 namespace {
@@ -96,7 +96,8 @@ absl::StatusOr<TemplateValue> Digits(std::span<const TemplateValue> arguments, b
   const int w = static_cast<int>(std::clamp<int64_t>(*width, 0, kMostDigits));
   if (decimals == nullptr) {
     const auto whole = static_cast<int64_t>(std::round(*value));
-    return TemplateValue(zeros ? absl::StrFormat("%0*d", w, whole) : absl::StrFormat("%*d", w, whole));
+    return TemplateValue(zeros ? absl::StrFormat("%0*d", w, whole)
+                               : absl::StrFormat("%*d", w, whole));
   }
   const int d = static_cast<int>(std::clamp<int64_t>(*decimals, 0, kMostDigits));
   return TemplateValue(zeros ? absl::StrFormat("%0*.*f", w, d, *value)

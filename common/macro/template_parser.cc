@@ -32,13 +32,15 @@ class TemplateParser {
   int32_t Line() const { return in_.Line(); }
 
  private:
-  /// Text with placeholders, up to the end or to a {elsif}, {else} or {endif}, whose brace is taken.
+  /// Text with placeholders, up to the end or to a {elsif}, {else} or {endif}, whose brace is
+  /// taken.
   ParsedBody TextBlock() {
     Body body;
     while (!in_.AtEnd()) {
       const size_t open = std::min(text_.find_first_of("[{", in_.at()), text_.size());
       if (open > in_.at()) {
-        body.push_back({.line = in_.Line(), .text = std::string(text_.substr(in_.at(), open - in_.at()))});
+        body.push_back(
+            {.line = in_.Line(), .text = std::string(text_.substr(in_.at(), open - in_.at()))});
         in_.GoTo(open);
       }
       if (in_.AtEnd()) break;
@@ -161,8 +163,8 @@ class TemplateParser {
       if (index.ok()) assignment.index.push_back(*std::move(index));
       if (!index.ok() || !in_.Take("]")) assignment.text.clear();
     }
-    const bool is_one = !assignment.text.empty() && in_.Peek() == '=' && in_.Peek(1) != '=' &&
-                        in_.Peek(1) != '~';
+    const bool is_one =
+        !assignment.text.empty() && in_.Peek() == '=' && in_.Peek(1) != '=' && in_.Peek(1) != '~';
     if (!is_one) {
       in_.GoTo(begin);
       return {};
@@ -239,7 +241,8 @@ class TemplateParser {
 
 void AddNames(const std::vector<Expression>& expressions, std::set<std::string>& names) {
   for (const Expression& expression : expressions) {
-    if (expression.kind == Expression::Kind::kVariable || expression.kind == Expression::Kind::kCall)
+    if (expression.kind == Expression::Kind::kVariable ||
+        expression.kind == Expression::Kind::kCall)
       names.insert(expression.text);
     AddNames(expression.parts, names);
   }
@@ -298,8 +301,8 @@ std::set<std::string> GlobalsOf(const Template& code) {
 absl::Status TemplateError(std::string_view setting, int32_t line, const absl::Status& fault) {
   std::map<std::string, std::string> metadata = {{"setting", std::string(setting)},
                                                  {"line", std::to_string(line)}};
-  std::string message = std::string(setting) + ", line " + std::to_string(line) + ": " +
-                        std::string(fault.message());
+  std::string message =
+      std::string(setting) + ", line " + std::to_string(line) + ": " + std::string(fault.message());
   if (const auto variable = fault.GetPayload(kVariableUrl))
     metadata["variable"] = std::string(*variable);
   if (absl::IsResourceExhausted(fault)) {

@@ -32,8 +32,9 @@ absl::Status MakeAlike(std::vector<TemplateValue>& items) {
   const TemplateValue text = std::string(), real = 0.0, truth = false, whole = int64_t{0};
   if (!any(text.index()) && any(truth.index()) && (any(whole.index()) || any(real.index())))
     return absl::InvalidArgumentError("numbers and truth values in one list");
-  const TemplateValue* const type =
-      any(text.index()) ? &text : any(real.index()) && !any(truth.index()) ? &real : nullptr;
+  const TemplateValue* const type = any(text.index())                          ? &text
+                                    : any(real.index()) && !any(truth.index()) ? &real
+                                                                               : nullptr;
   if (type == nullptr) return absl::OkStatus();
   for (TemplateValue& item : items) {
     auto alike = InTypeOf(*type, std::move(item));

@@ -9,8 +9,8 @@ constexpr int kSignificantDigits = 6;
 
 std::string NumberText(double number) {
   char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number,
-                                 std::chars_format::general, kSignificantDigits);
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general,
+                                 kSignificantDigits);
   const std::string text(buffer, end.ptr);
   return text == "-0" ? "0" : text;
 }

@@ -28,8 +28,8 @@ struct TemplateVariable {
   TemplateVariable() = default;
   /// One value: `TemplateVariable(int64_t{3})`.
   template <typename Item>
-    requires std::is_constructible_v<TemplateValue, Item>
-  TemplateVariable(Item item) : items{TemplateValue(std::move(item))} {}  // NOLINT: reads as one
+  requires std::is_constructible_v<TemplateValue, Item> TemplateVariable(Item item)
+      : items{TemplateValue(std::move(item))} {}  // NOLINT: reads as one
   static TemplateVariable List(std::vector<TemplateValue> items) {
     TemplateVariable list;
     list.items = std::move(items);

@@ -100,10 +100,8 @@ std::vector<KnownKey> MakeKnownKeys() {
   std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
   for (const Group& group : kGroups) {
     for (const std::string_view key : Split(group.keys, " ")) {
-      table.push_back({.key = key,
-                       .why = group.why,
-                       .of_print = group.why == kNotYet,
-                       .told = group.told});
+      table.push_back(
+          {.key = key, .why = group.why, .of_print = group.why == kNotYet, .told = group.told});
     }
   }
   return table;

@@ -271,7 +271,8 @@ std::vector<SettingSpec> Machine() {
       {.key = "autoemit_temperature_commands",
        .kind = Kind::kFlag,
        .standard = "1",
-       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, M141, "
+       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, "
+              "M141, "
               "M191)",
        .field = Bind([](auto& s) -> auto& { return s.motion.emit_temperatures; })},
       {.key = "z_offset",
@@ -357,8 +358,9 @@ std::vector<SettingSpec> Sequence() {
       {.key = "creation_time",
        .kind = Kind::kText,
        .standard = "",
-       .doc = "When the job was made, as 2026-11-25T10:37:01Z: timestamp, year, month, ... of G-code "
-              "templates. Counts only if they name it"},
+       .doc =
+           "When the job was made, as 2026-11-25T10:37:01Z: timestamp, year, month, ... of G-code "
+           "templates. Counts only if they name it"},
       {.key = "complete_objects",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -219,9 +219,8 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
   if (!edges.ok()) return Within("edges", edges.status());
   const auto gcode_bytes = static_cast<int64_t>(proto.gcode().size());
   const bool places = std::ranges::is_sorted(proto.code_at()) &&
-                      std::ranges::all_of(proto.code_at(), [&](int64_t at) {
-                        return 0 <= at && at <= gcode_bytes;
-                      });
+                      std::ranges::all_of(proto.code_at(),
+                                          [&](int64_t at) { return 0 <= at && at <= gcode_bytes; });
   if (!places || (proto.code_at_size() != 0 && proto.code_at_size() != kCodesOfALayer))
     return Malformed("code_at", "are no places in the G-code");
   return LayerProgram{*frame,

@@ -90,8 +90,9 @@ void AddSettings(CLI::App& app, CommandContext& context) {
   CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--ini", options->ini, "As a commented config.ini of the defaults")
       ->excludes(json);
-  command->add_option("--coverage", options->coverage,
-                      "How many keys of a config.ini have an effect here, and which have none")
+  command
+      ->add_option("--coverage", options->coverage,
+                   "How many keys of a config.ini have an effect here, and which have none")
       ->type_name("PROFILE.ini");
   command->footer(
       "Names and meanings are those of PrusaSlicer's config.ini.\n"

@@ -130,8 +130,7 @@ Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
 }
 
 ProgramStats Moved(ProgramStats stats, Point shift) {
-  if (!stats.bounds.Empty())
-    stats.bounds = {stats.bounds.min + shift, stats.bounds.max + shift};
+  if (!stats.bounds.Empty()) stats.bounds = {stats.bounds.min + shift, stats.bounds.max + shift};
   return stats;
 }
 
@@ -201,8 +200,8 @@ class PassProgram {
     return stretches;
   }
 
-  void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts,
-                 LayerWriter& writer, GcodeText& out) const {
+  void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts, LayerWriter& writer,
+                 GcodeText& out) const {
     const auto copy = static_cast<size_t>(visit.copy);
     const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
     if (labelled) BeginCopy(facts.copies[copy], copy, options_, out);
@@ -247,8 +246,7 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
 absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          std::span<const BuiltBlock> built,
                                          std::span<const BlockVisit> visits, const JobFacts& facts,
-                                         const MotionOptions& options,
-                                         const LayerCode& layer_code,
+                                         const MotionOptions& options, const LayerCode& layer_code,
                                          const MaterialField* materials) {
   const LayerPlace place = PlaceOf(layer, visits, facts);
   const auto code = layer_code.At(place, facts);

@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "common/model/bead_section.h"
 #include "common/base/error.h"
+#include "common/model/bead_section.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion::layer_program_test {
@@ -228,8 +228,7 @@ TEST(ProgramLayer, RandomCopiesKeepTheCanonicalState) {
     layer.frame = {trial, 200'000 * (trial + 1), 200'000};
     for (int32_t object = 0; object < 3; ++object) {
       layer.blocks.push_back({object, trial, object == 1 ? 150'000 : 200'000, {}});
-      for (int i = 0; i < 5; ++i)
-        layer.blocks.back().paths.push_back(RandomPath(random, 1'000));
+      for (int i = 0; i < 5; ++i) layer.blocks.back().paths.push_back(RandomPath(random, 1'000));
     }
     for (int i = 0; i < 9; ++i) {
       const auto um = [&] { return static_cast<Coord>(random() % 90'000) * 1'000; };

@@ -76,8 +76,7 @@ TEST(PassChange, RisesBeforeItTravels) {
 // Whatever it did, the nozzle is high above the bed before it moves along it.
 TEST(PassChange, RisesAgainAfterTheUsersGcode) {
   MotionOptions options = Options();
-  options.between_objects_gcode =
-      "EJECT 2\nG1 Z0";
+  options.between_objects_gcode = "EJECT 2\nG1 Z0";
   EXPECT_EQ(Gcode(Passes({3, 9, 2}), 1, options),
             "G1 Z2.8 F600\nEJECT 2\nG1 Z0\nG21\nG90\nM83\nG1 Z2.8 F600\n"
             "G1 X200 Y1 F6000\n");

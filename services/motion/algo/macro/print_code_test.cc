@@ -47,11 +47,13 @@ TEST(FillIn, PlacesAreThoseOfThePrint) {
 TEST(FillIn, SumsRunFromLayerToLayer) {
   MotionOptions options;
   options.start_gcode = "{extruded_weight_total}";
-  options.layer_gcode = "{int(extruded_volume_total)} {extruded_weight[0] == extruded_weight_total}";
+  options.layer_gcode =
+      "{int(extruded_volume_total)} {extruded_weight[0] == extruded_weight_total}";
   options.end_gcode = "{int(extruded_volume[0])}";
   const PrintCode code = Filled(options);
   EXPECT_EQ(code.start, "0");
-  EXPECT_THAT(code.layers, ElementsAre("", "0 true", "", "240 true", "", "481 true", "", "721 true"));
+  EXPECT_THAT(code.layers,
+              ElementsAre("", "0 true", "", "240 true", "", "481 true", "", "721 true"));
   EXPECT_EQ(code.end, "962");
 }
 

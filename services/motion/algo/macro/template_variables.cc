@@ -91,8 +91,11 @@ void AddObjects(std::span<const CopySummary> copies, TemplateVariables& variable
   // Start G-code may print it, outside of any comment.
   const std::string name = copies.empty() ? "" : CommentLine(copies.front().name.object_name);
   variables["num_objects"] = variables["num_instances"] = static_cast<int64_t>(copies.size());
-  variables["input_filename"] = variables["model_name"] = name;
-  variables["input_filename_base"] = name.substr(0, name.rfind('.'));
+  const std::string base = name.substr(0, name.rfind('.'));
+  variables["model_name"] = name;
+  variables["input_filename_base"] = base;
+  // PrusaSlicer's is the name of what it writes.
+  variables["input_filename"] = base + ".gcode";
   variables["scale"] = TemplateVariable::List({std::string("x:100% y:100% z:100%")});
 }
 
