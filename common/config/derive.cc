@@ -9,6 +9,7 @@
 #include "common/base/text.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
+#include "common/model/options/fill_patterns.h"
 
 namespace slicefarm::config {
 namespace {
@@ -23,6 +24,11 @@ constexpr std::string_view kSpeeds[] = {
     "support_material_speed", "support_material_interface_speed",
     "ironing_speed",
 };
+
+/// Sparse infill whose lines run over each other in one layer.
+constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
+                                     FillPattern::kStars,         FillPattern::kCubic,
+                                     FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
 
 /// The setting's value, a percentage taken of `whole`.
 double Absolute(const Value& value, double whole) {
@@ -75,6 +81,15 @@ void DeriveVariableWalls(Draft& draft) {
   }
 }
 
+/// The filament may stand less where lines run over each other.
+void LimitInfillSpeed(Draft& draft) {
+  const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
+  const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
+  const double limit =
+      draft.Number(crosses ? "filament_infill_max_crossing_speed" : "filament_infill_max_speed");
+  if (limit > 0) draft.SetNumber("infill_speed", std::min(draft.Number("infill_speed"), limit));
+}
+
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key :
        {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
@@ -86,6 +101,7 @@ void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key : kSpeeds) {
     FallBack(draft, key, "max_print_speed");
   }
+  LimitInfillSpeed(draft);
 }
 
 void DeriveAccelerations(Draft& draft) {
