@@ -27,15 +27,14 @@ struct SparseFill {
 };
 
 /// Fills a region with a pattern of the given density: path length per area is density / spacing,
-/// exactly, and links along the edge join the lines to long paths (LinkedPaths).
+/// exactly, two widths inside the edge and deeper. Links and anchors along the edge join the lines to
+/// long paths and hold them to the walls (LinkedPaths): beads of the same width, on top of that
+/// length. Patterns whose lines run along the edge begin at it. Places so narrow that beads along
+/// both sides would lie on each other stay empty, and lone paths shorter than two and a half widths
+/// of patterns with a law.
 ///
-/// Links count as plastic. Inside, two widths from the edge, the density is the pattern's own; the
-/// links lie in the band around that. They are no wider than the wall leaves room, cut their
-/// corners off, and are thinned, so that the region as a whole has what is asked for; what brings
-/// it more than 1 % over that is not linked. Of a pattern with a law, lone paths shorter than two
-/// and a half widths are left out.
-///
-/// With a field the same holds at each place, as PiecesOfField says.
+/// With a field the same holds at each place, as PiecesOfField says. In parts of one density each,
+/// what runs along edges between parts counts: lines there are so much fewer.
 ///
 /// Errors: as MakePattern. Cost: O(n log n) for the inset, and the pattern's and LinkedPaths' own.
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);
