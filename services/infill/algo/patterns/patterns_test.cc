@@ -126,7 +126,7 @@ TEST_P(PatternsWithALaw, DensityIsAsAsked) {
       MultiPolygon box = P("(-40 -40, 40 -40, 40 40, -40 40)");
       for (Point& p : box[0].outer) p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
       fill.layer = i;
-      fill.z_nm = std::llround(i * pitch / std::numbers::sqrt2);
+      fill.z_nm = std::llround(i * pitch / std::numbers::phi);
       const auto paths = FillSparse(box, fill);
       ASSERT_TRUE(paths.ok()) << paths.status();
       // Loops keep their distance from the edge: counted is a whole number of them.
@@ -149,11 +149,13 @@ double EdgeOf(const MultiPolygon& region) {
 }
 
 // Beads as wide as asked lie along a good part of the edge, and run into the walls as far as
-// infill_overlap says; those of patterns along the edge, along nearly all of it. No bead lies on
-// another.
+// infill_overlap says; those of patterns along the edge, along nearly all of it; of Voronoi cells,
+// where the two lines of a doubled edge end side by side and are linked there, less. No bead lies
+// on another.
 TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
   const MultiPolygon region = P("(0 0, 40 0, 46 21, 40 40, 20 34, 0 40) (9 9, 9 14, 16 13, 14 7)");
   const bool along_edge = InfoOf(GetParam()).solid == SolidWay::kAlongEdge;
+  const double least = along_edge ? 0.9 : GetParam() == FillPattern::kVoronoi ? 0.25 : 0.33;
   for (const double density : {0.1, 0.2, 0.4}) {
     SparseFill fill = Fill(GetParam(), density);
     fill.z_nm = 5'300'000;
@@ -165,8 +167,7 @@ TEST_P(PatternsLaidOutHere, HoldToTheEdgeByEvenBeads) {
       length += PathLength(path);
     }
     const double depth = static_cast<double>(Spacing(kWidth, kHeight)) / 2 - 157'500 + 10'000;
-    EXPECT_GE(LengthAlongEdge(*paths, region, depth), (along_edge ? 0.9 : 0.33) * EdgeOf(region))
-        << density;
+    EXPECT_GE(LengthAlongEdge(*paths, region, depth), least * EdgeOf(region)) << density;
     EXPECT_LE(DoubledLength(*paths, kWidth), 0.003 * length) << density;
   }
 }
@@ -230,12 +231,12 @@ TEST_P(PatternsLaidOutHere, TooManyLinesAreRefused) {
   fill.height_nm = 10'000;
   const auto paths = FillSparse(huge, fill);
   // Straight lines and loops across two metres are fewer than the limit.
-  const FillPattern few[] = {FillPattern::kRectilinear,    FillPattern::kAlignedRectilinear,
-                             FillPattern::kLine,           FillPattern::kZigzag,
-                             FillPattern::kGrid,           FillPattern::kTriangles,
-                             FillPattern::kStars,          FillPattern::kCubic,
-                             FillPattern::kMonotonic,      FillPattern::kConcentric,
-                             FillPattern::kMonotonicLines, FillPattern::kMedialAxis};
+  const FillPattern few[] = {FillPattern::kRectilinear,   FillPattern::kAlignedRectilinear,
+                             FillPattern::kLine,          FillPattern::kZigzag,
+                             FillPattern::kGrid,          FillPattern::kTriangles,
+                             FillPattern::kStars,         FillPattern::kCubic,
+                             FillPattern::kMonotonic,     FillPattern::kConcentric,
+                             FillPattern::kMonotonicLines};
   if (std::ranges::find(few, GetParam()) != std::end(few)) {
     EXPECT_TRUE(paths.ok()) << paths.status();
     return;
