@@ -102,10 +102,10 @@ absl::Status CheckScan(const Draft& draft) {
   const double hatch = draft.Number("hatch_distance");
   for (const std::string_view width : {"stripe_width", "island_width"}) {
     if (draft.Number(width) <= 2 * overlap)
-      return Refuse(draft, width,
-                    fmt::format("it must be more than twice scan_overlap = {} mm",
-                                PrintNumber(overlap)),
-                    2 * overlap, kUnbounded);
+      return Refuse(
+          draft, width,
+          fmt::format("it must be more than twice scan_overlap = {} mm", PrintNumber(overlap)),
+          2 * overlap, kUnbounded);
     if (draft.Number(width) < hatch)
       return Refuse(draft, width,
                     fmt::format("it must be at least hatch_distance = {} mm", PrintNumber(hatch)),
@@ -144,8 +144,7 @@ absl::Status CheckLaser(const Draft& draft) {
 
 /// Klipper has no mixing extruder.
 absl::Status CheckMixing(const Draft& draft) {
-  const bool klipper =
-      draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
+  const bool klipper = draft.Number("gcode_flavor") == static_cast<double>(GcodeFlavor::kKlipper);
   if (draft.At("material_field").value->text.empty() || !klipper) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                    "material_field: gcode_flavor = klipper cannot mix materials; Marlin can",
@@ -166,10 +165,10 @@ absl::Status CheckSettings(const Draft& draft) {
 
   const double length = draft.Number("retract_length");
   if (length > 0 && draft.Number("retract_restart_extra") < -length)
-    return Refuse(draft, "retract_restart_extra",
-                  fmt::format("it must not take back more than retract_length = {} mm",
-                              PrintNumber(length)),
-                  -length, kUnbounded);
+    return Refuse(
+        draft, "retract_restart_extra",
+        fmt::format("it must not take back more than retract_length = {} mm", PrintNumber(length)),
+        -length, kUnbounded);
   if (length > 0 && draft.Number("retract_speed") == 0) {
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
                      "retract_speed = 0 is out of range: it must be more than 0 mm/s while "

@@ -9,6 +9,7 @@
 #include "common/base/text.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
+#include "common/model/options/fill_patterns.h"
 
 namespace slicefarm::config {
 namespace {
@@ -16,10 +17,18 @@ namespace {
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 
 constexpr std::string_view kSpeeds[] = {
-    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
-    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
-    "support_material_speed", "support_material_interface_speed", "ironing_speed",
+    "perimeter_speed",        "external_perimeter_speed",
+    "small_perimeter_speed",  "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",
+    "gap_fill_speed",         "bridge_speed",
+    "support_material_speed", "support_material_interface_speed",
+    "ironing_speed",
 };
+
+/// Sparse infill whose lines run over each other in one layer.
+constexpr FillPattern kCrossing[] = {FillPattern::kGrid,          FillPattern::kTriangles,
+                                     FillPattern::kStars,         FillPattern::kCubic,
+                                     FillPattern::kAdaptiveCubic, FillPattern::kSupportCubic};
 
 /// The setting's value, a percentage taken of `whole`.
 double Absolute(const Value& value, double whole) {
@@ -37,6 +46,11 @@ void TakePercentage(Draft& draft, std::string_view key) {
 /// Replaces 0 by another setting's value.
 void FallBack(Draft& draft, std::string_view key, std::string_view to) {
   if (draft.Number(key) == 0) draft.SetNumber(key, draft.Number(to));
+}
+
+/// Replaces what is less than another setting's value by that.
+void RaiseTo(Draft& draft, std::string_view key, std::string_view least) {
+  draft.SetNumber(key, std::max(draft.Number(key), draft.Number(least)));
 }
 
 void DeriveWidth(Draft& draft, std::string_view key, double auto_width) {
@@ -67,6 +81,15 @@ void DeriveVariableWalls(Draft& draft) {
   }
 }
 
+/// The filament may stand less where lines run over each other.
+void LimitInfillSpeed(Draft& draft) {
+  const auto pattern = static_cast<FillPattern>(std::lround(draft.Number("fill_pattern")));
+  const bool crosses = std::ranges::find(kCrossing, pattern) != std::end(kCrossing);
+  const double limit =
+      draft.Number(crosses ? "filament_infill_max_crossing_speed" : "filament_infill_max_speed");
+  if (limit > 0) draft.SetNumber("infill_speed", std::min(draft.Number("infill_speed"), limit));
+}
+
 void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key :
        {"external_perimeter_speed", "small_perimeter_speed", "solid_infill_speed",
@@ -78,6 +101,7 @@ void DeriveSpeeds(Draft& draft) {
   for (const std::string_view key : kSpeeds) {
     FallBack(draft, key, "max_print_speed");
   }
+  LimitInfillSpeed(draft);
 }
 
 void DeriveAccelerations(Draft& draft) {
@@ -192,6 +216,7 @@ absl::Status CheckPercentages(const Draft& draft) {
 
 absl::Status Derive(Draft& draft) {
   TakePercentage(draft, "first_layer_height");
+  RaiseTo(draft, "outline_resolution", "resolution");
   if (draft.process() == Process::kLaser) return CheckPercentages(draft);
   DeriveWidths(draft);
   DeriveVariableWalls(draft);

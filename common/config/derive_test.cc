@@ -256,7 +256,9 @@ INSTANTIATE_TEST_SUITE_P(
                    {{"max_volumetric_speed", "8"}, {"filament_max_volumetric_speed", "5"}},
                    "filament_max_volumetric_speed",
                    5},
-        NumberCase{"NoLimit", {}, "filament_max_volumetric_speed", 0}),
+        NumberCase{"NoLimit", {}, "filament_max_volumetric_speed", 0},
+        NumberCase{"CoarserResolution", {{"resolution", "0.05"}}, "outline_resolution", 0.05},
+        NumberCase{"FinerResolution", {{"resolution", "0.001"}}, "outline_resolution", 0.005}),
     NameOf);
 
 TEST(Derive, LeavesAFirstLayerSpeedInPercent) {

@@ -20,6 +20,7 @@ class Draft {
   struct Entry {
     std::optional<Value> value = {};  ///< none: `nil`
     std::string written = {};         ///< as the user wrote it, for errors
+    std::string all = {};             ///< the list that it comes from
     bool given = false;               ///< not the standard
     bool requested = false;           ///< by a person, who names no more than they want
   };

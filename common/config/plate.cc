@@ -11,6 +11,7 @@
 
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
+#include "common/config/plate_tool.h"
 #include "common/config/table/adhesion_rows.h"
 #include "common/config/table/known_keys.h"
 #include "common/config/table/region_table.h"
@@ -82,6 +83,13 @@ class Resolver {
       if (warned_.insert(warning).second) plate_.warnings.push_back(object + ": " + warning);
     known_[own] = resolved->settings;
     return resolved->settings;
+  }
+
+  /// Tells, once, of what changes the print and is not made.
+  void Warn(const std::string& text) {
+    if (!warned_.insert(text).second) return;
+    plate_.no_effect.insert(plate_.no_effect.begin(), text);
+    plate_.warnings.push_back(text);
   }
 
   /// Those of `settings` that the place may have. Others are errors if a person asked for them, and
@@ -212,6 +220,10 @@ class ObjectResolver {
   }
 
   absl::Status AddPart(const Part& part, ObjectInput& input) {
+    if (part.role == PartRole::kSupportEnforcer || part.role == PartRole::kSupportBlocker)
+      resolver_.Warn(fmt::format("{}: support {} {}: not supported yet", object_.name,
+                                 part.role == PartRole::kSupportEnforcer ? "enforcer" : "blocker",
+                                 Quoted(part.name)));
     auto own = resolver_.Fitting(object_.name, part.settings, Scope::kRegion);
     if (!own.ok()) return own.status();
     PartInput added;
@@ -319,8 +331,13 @@ void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
 
 }  // namespace
 
-absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
-                                           std::span<const SceneObject> objects, Process process) {
+absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
+                                           std::span<const SceneObject> given_objects,
+                                           Process process) {
+  Settings job(given_job.begin(), given_job.end());
+  std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
+  if (process == Process::kFdm)
+    if (absl::Status ok = TakeTool(job, objects); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;

@@ -23,10 +23,11 @@ struct ResolvedPlate {
   std::vector<std::string> warnings;
 };
 
-/// Settings of the job, of objects, parts, modifiers and ranges of heights to tables, and objects to
-/// what slicing is given. Each narrower place wins over the wider ones: job, object, part, range;
-/// modifiers change what they lie in, one after the other (PrusaSlicer's order). Copies that are
-/// turned or scaled differently become objects of their own; equal objects become copies of one.
+/// Settings of the job, of objects, parts, modifiers and ranges of heights to tables, and objects
+/// to what slicing is given. Each narrower place wins over the wider ones: job, object, part,
+/// range; modifiers change what they lie in, one after the other (PrusaSlicer's order). Copies that
+/// are turned or scaled differently become objects of their own; equal objects become copies of
+/// one.
 ///
 /// Errors: those of Resolve, with the object's name in front; SETTING_MISPLACED for a kRequest key
 /// that the place cannot have (metadata `object`, `setting`); REQUEST_TOO_LARGE for more than

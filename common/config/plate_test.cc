@@ -68,8 +68,22 @@ TEST(ResolvePlate, WarnsOnceOfWhatObjectsAskFor) {
   a.settings = b.settings = {{"fuzzy_skin", "external", Source::kProfile}};
   EXPECT_THAT(PlateOrDie({}, {a, b}).warnings,
               testing::ElementsAre(testing::StartsWith("a: fuzzy_skin = external")));
-  EXPECT_THAT(PlateOrDie({{"fuzzy_skin", "external"}}, {a, b}).warnings,
-              testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+  const std::vector<Setting> job = {{"fuzzy_skin", "external", Source::kProfile}};
+  const auto plate = ResolvePlate(job, std::vector<SceneObject>{a, b});
+  ASSERT_TRUE(plate.ok()) << plate.status();
+  EXPECT_THAT(plate->warnings, testing::ElementsAre(testing::StartsWith("fuzzy_skin = external")));
+}
+
+TEST(ResolvePlate, TellsOfSupportsThatPartsAskFor) {
+  SceneObject a = ObjectOfFile("a", 0, {}, 1);
+  Part part;
+  part.name = "here";
+  part.role = PartRole::kSupportEnforcer;
+  a.parts.push_back(part);
+  const ResolvedPlate plate = PlateOrDie({}, {a});
+  EXPECT_THAT(plate.warnings,
+              testing::ElementsAre("a: support enforcer \"here\": not supported yet"));
+  EXPECT_EQ(plate.no_effect.front(), plate.warnings.front());
 }
 
 TEST(ResolvePlate, ANeedThatAnObjectMeetsIsMet) {
@@ -203,9 +217,9 @@ TEST(ResolvePlate, EqualObjectsAreCopiesOfOne) {
 }
 
 TEST(ResolvePlate, ObjectsOfDifferentSettingsStayTwo) {
-  EXPECT_THAT(PlateOrDie({}, {ObjectNamed("box"), ObjectNamed("box", {{"fill_density", "77%"}})})
-                  .objects,
-              SizeIs(2));
+  EXPECT_THAT(
+      PlateOrDie({}, {ObjectNamed("box"), ObjectNamed("box", {{"fill_density", "77%"}})}).objects,
+      SizeIs(2));
 }
 
 TEST(ResolvePlate, ATurnedCopyIsAnObjectOfItsOwn) {
@@ -273,8 +287,8 @@ TEST(ResolvePlate, ARangeMustBeOne) {
 TEST(ResolvePlate, TooManySetsOfSettings) {
   std::vector<SceneObject> objects;
   for (int i = 0; i <= limits::kMaxRegionSettings; ++i)
-    objects.push_back(ObjectNamed("box", {{"top_infill_extrusion_width",
-                                           std::to_string(0.3 + i * 0.0001)}}));
+    objects.push_back(
+        ObjectNamed("box", {{"top_infill_extrusion_width", std::to_string(0.3 + i * 0.0001)}}));
   EXPECT_EQ(DetailOf(PlateRefusal({}, objects)).reason, Reason::kRequestTooLarge);
   objects.pop_back();
   EXPECT_TRUE(ResolvePlate({}, objects).ok());
@@ -285,7 +299,8 @@ TEST(ResolvePlate, TheTextSaysWhatObjectsHave) {
   SceneObject object = ObjectNamed("box", {{"fill_density", "20%"}});
   object.ranges.push_back({5, 10, Settings({{"perimeters", "4"}})});
   const std::string text = PlateOrDie({}, {object}).effective_text;
-  EXPECT_THAT(text, HasSubstr(R"(object_settings = [{"object":"box","settings":{"fill_density":"20%"})"));
+  EXPECT_THAT(text,
+              HasSubstr(R"(object_settings = [{"object":"box","settings":{"fill_density":"20%"})"));
   EXPECT_THAT(text, HasSubstr(R"("perimeters":"4")"));
 }
 

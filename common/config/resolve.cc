@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -15,22 +14,16 @@
 #include "common/config/derive.h"
 #include "common/config/draft.h"
 #include "common/config/needs.h"
-#include "common/config/suggest.h"
-#include "common/config/table/known_keys.h"
+#include "common/config/setting_reader.h"
 #include "common/config/table/setting_limits.h"
 #include "common/config/table/settings_table.h"
+#include "common/macro/job_code.h"
 #include "common/model/bead_section.h"
 #include "common/model/fields/field_text.h"
 #include "common/model/limits.h"
 
 namespace slicefarm::config {
 namespace {
-
-/// A value as a report quotes it: start G-codes and ramming tables are long.
-std::string Quoted(std::string_view key, std::string_view value) {
-  constexpr size_t kMax = 40;
-  return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
-}
 
 absl::Status CheckLimits(std::span<const Setting> given) {
   absl::Status status = CheckSettingCount(std::ssize(given));
@@ -40,193 +33,32 @@ absl::Status CheckLimits(std::span<const Setting> given) {
   return status;
 }
 
-/// The last value of each key by source, and what is said about the others.
-class Reader {
- public:
-  Reader(ResolvedSettings& result, Process process)
-      : result_(result), process_(process), draft_(process) {}
+/// How many tools a machine can have.
+constexpr double kMostTools = 255;
 
-  absl::Status Read(const Setting& setting) {
-    const std::string_view value = Trim(setting.value);
-    NoteOverridden(setting, value);
-    if (const int index = FindSetting(setting.key, process_); index >= 0) {
-      return ReadEffective(SettingsTable(process_)[index], draft_.entries()[index], setting, value);
-    }
-    if (const std::string_view owner = OwnerOf(setting.key); !owner.empty()) {
-      if (setting.source == Source::kRequest) return OfOtherProcess(setting.key, owner);
-      foreign_[setting.key] = {owner, std::string(value)};
-      return absl::OkStatus();
-    }
-    if (const KnownKey* known = FindKnownKey(setting.key)) {
-      others_[setting.key] = {known, std::string(value)};
-      return absl::OkStatus();
-    }
-    if (setting.source == Source::kRequest) return Unknown(setting.key);
-    others_[setting.key] = {nullptr, std::string(value)};
-    return absl::OkStatus();
+/// The tool that prints, from 0: the last `extruder` that is given, 0 being none of its own.
+size_t ToolOf(std::span<const Setting> given) {
+  size_t tool = 0;
+  for (const Setting& setting : given) {
+    if (setting.key != "extruder") continue;
+    const auto number = ToNumber(Trim(setting.value));
+    const bool valid = number && *number >= 1 && *number <= kMostTools;
+    tool = valid ? static_cast<size_t>(*number) - 1 : 0;
   }
+  return tool;
+}
 
-  /// Says what has no effect, once all settings are read.
-  Draft Finish() {
-    const auto table = SettingsTable(process_);
-    for (size_t i = 0; i < table.size(); ++i) {
-      if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i].written);
-    }
-    for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
-    for (const auto& [key, other] : foreign_)
-      result_.no_effect.push_back(
-          fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
-    return std::move(draft_);
+/// How many extruders the machine has, by its nozzles, or as effective settings tell it.
+size_t ToolCount(std::span<const Setting> given) {
+  size_t nozzles = 1, told = 0;
+  for (const Setting& setting : given) {
+    if (setting.key == "nozzle_diameter") nozzles = Split(setting.value, ",;").size();
+    const auto number = ToNumber(Trim(setting.value));
+    if (setting.key == "num_extruders" && number && *number >= 1 && *number <= kMostTools)
+      told = static_cast<size_t>(*number);
   }
-
-  /// What was read and no stage works with.
-  ToldSettings Told() const {
-    ToldSettings told;
-    for (const auto& [key, other] : others_) Tell(key, other.second, told);
-    return told;
-  }
-
- private:
-  /// The process that has the setting; empty: the job's own, or none.
-  std::string_view OwnerOf(std::string_view key) const {
-    for (const ProcessInfo& info : kProcesses)
-      if (info.process != process_ && FindSetting(key, info.process) >= 0) return info.name;
-    // What PrusaSlicer knows is about FDM.
-    const bool of_fdm = process_ != Process::kFdm && FindKnownKey(key) != nullptr;
-    return of_fdm ? ProcessName(Process::kFdm) : std::string_view();
-  }
-
-  absl::Status OfOtherProcess(const std::string& key, std::string_view owner) const {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOfOtherProcess,
-                     fmt::format("{} is a setting of process {}, and the job is of process {}", key,
-                                 owner, ProcessName(process_)),
-                     {{"setting", key}, {"process", std::string(owner)}});
-  }
-
-  absl::Status Unknown(const std::string& key) const {
-    const std::string nearest = NearestSetting(key, process_);
-    std::map<std::string, std::string> metadata = {{"setting", key}};
-    if (!nearest.empty()) metadata["suggestion"] = nearest;
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
-                     fmt::format("there is no setting '{}'{}", key,
-                                 nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest)),
-                     std::move(metadata));
-  }
-
-  static absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry,
-                                    const Setting& setting, std::string_view value) {
-    entry.written = std::string(value);
-    entry.given = true;
-    entry.requested = setting.source == Source::kRequest;
-    if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
-      entry.value.reset();
-      return absl::OkStatus();
-    }
-    auto parsed = ParseValue(spec, value);
-    if (!parsed.ok()) return parsed.status();
-    if (setting.source == Source::kRequest) {
-      if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);
-      if (WantsOtherFormat(spec, value)) return RefuseStandIn(spec, value);
-    }
-    entry.value = *std::move(parsed);
-    return absl::OkStatus();
-  }
-
-  static std::string_view FirstItem(std::string_view value) {
-    return Trim(value.substr(0, value.find(',')));
-  }
-
-  /// The choice of `spec` that `value` names, if something else is done instead.
-  static const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
-    for (const Choice& choice : spec.choices) {
-      if (choice.name == value && !choice.note.empty()) return &choice;
-    }
-    return nullptr;
-  }
-
-  /// Pictures of the same sizes are made, those of other formats as PNG.
-  static bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
-    return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
-  }
-
-  static absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
-    return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                     fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
-                                 DescribeRange(spec)),
-                     {{"setting", std::string(spec.key)}, {"value", std::string(value)}});
-  }
-
-  /// Within one source, a key that comes twice is likely a mistake; a request over a profile is
-  /// not.
-  void NoteOverridden(const Setting& setting, std::string_view value) {
-    const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
-    std::string& last = entry->second;
-    if (first || last == value) return;
-    result_.no_effect.push_back(
-        fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
-    last = std::string(value);
-  }
-
-  void Warn(std::string text) {
-    result_.no_effect.push_back(text);
-    result_.warnings.push_back(std::move(text));
-  }
-
-  void NoteEffective(const SettingSpec& spec, std::string_view value) {
-    if (const Choice* choice = StandIn(spec, value)) {
-      Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
-    }
-    if (WantsOtherFormat(spec, value)) {
-      Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
-    }
-    const std::string_view separator =
-        spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
-    if (spec.list != List::kNone && value.find('"') == std::string_view::npos) {
-      const std::vector<std::string_view> items = Split(value, separator);
-      for (const std::string_view item : items) {
-        if (item == items[0]) continue;
-        const std::string text = fmt::format("{}: only the first value, {}, has an effect",
-                                             Quoted(spec.key, value), items[0]);
-        if (spec.list == List::kPerExtruder) {
-          Warn(text);
-        } else {
-          result_.no_effect.push_back(text);
-        }
-        break;
-      }
-    }
-    if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
-  }
-
-  void NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
-    const auto number = ParseNumber(value, false);
-    if (!number.ok() || number->number <= 0 || number->number >= 1) return;
-    result_.warnings.push_back(
-        fmt::format("{0} = {1} is read as {1}%; for {2}% write the percent sign", spec.key, value,
-                    PrintNumber(number->number * 100)));
-  }
-
-  void NoteOther(const std::string& key, const KnownKey* known, const std::string& value) {
-    if (known == nullptr) {
-      result_.no_effect.push_back(Quoted(key, value) + ": unknown");
-      return;
-    }
-    if (IsNeutral(*known, value)) return;
-    const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
-    if (known->changes_print) {
-      Warn(text);
-    } else {
-      result_.no_effect.push_back(text);
-    }
-  }
-
-  ResolvedSettings& result_;
-  const Process process_;
-  Draft draft_;
-  std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
-  std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
-  std::map<std::pair<Source, std::string>, std::string> last_;
-};
+  return std::max(nozzles, told);
+}
 
 /// What the G-code of each layer names goes along with its options, and no more: the rest is no
 /// part of what decides a layer.
@@ -313,6 +145,23 @@ absl::Status CheckPlannedPattern(const InfillOptions& infill) {
                    {{"setting", "density_field"}});
 }
 
+/// Between copies that are printed one after the other a skirt of one layer is all that the head
+/// can pass; profiles ask for more. What a person asks for is checked (check_settings.h). Returns
+/// what to say of it.
+std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
+  if (draft.process() != Process::kFdm || draft.Number("complete_objects") == 0 ||
+      draft.Number("skirts") == 0)
+    return std::nullopt;
+  const Draft::Entry& height = draft.At("skirt_height");
+  if (height.requested || draft.Number("skirt_height") <= 1) return std::nullopt;
+  std::string note = fmt::format(
+      "skirt_height = {}: with complete_objects = 1 the skirt has one "
+      "layer, or the head would meet it",
+      height.written);
+  draft.SetNumber("skirt_height", 1);
+  return note;
+}
+
 /// Beads are not higher than the nozzle is wide. Returns what to say of it.
 std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
   int32_t& every = settings.infill[0].every_layers;
@@ -331,13 +180,18 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   if (absl::Status status = CheckLimits(given); !status.ok()) return status;
   ResolvedSettings result;
   result.settings.process = process;
-  Reader reader(result, process);
+  const size_t tool = ToolOf(given);
+  SettingReader reader(process, tool);
   for (const Setting& setting : given) {
     if (absl::Status status = reader.Read(setting); !status.ok()) return status;
   }
   ToldSettings told = reader.Told();
-  Draft draft = reader.Finish();
+  Draft draft = reader.Finish(result);
   TellDerived(draft, told);
+  if (auto note = TakeSequentialSkirt(draft)) {
+    result.no_effect.push_back(*note);
+    result.warnings.push_back(*std::move(note));
+  }
   if (absl::Status status = Derive(draft); !status.ok()) return status;
   if (absl::Status status = CheckSettings(draft); !status.ok()) return status;
 
@@ -349,6 +203,13 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   }
   if (process == Process::kFdm) {
     TakeFootWidth(result.settings);
+    if (ToolCount(given) > 1) {
+      result.settings.motion.tool = static_cast<int32_t>(tool);
+      told["num_extruders"] = fmt::format("{}", ToolCount(given));
+    }
+    const auto code = macro::ParseJobCode(result.settings.motion);
+    if (!code.ok()) return code.status();
+    if (!macro::NamesClock(*code)) told.erase("creation_time");
     TakeClearance(result.settings);
     TakeAdhesion(result.settings);
     if (absl::Status ok = TakeDensityField(result.settings); !ok.ok()) return ok;
@@ -360,6 +221,8 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
   }
   result.effective_text = EffectiveText(result.settings, told);
   MotionOptions& motion = result.settings.motion;
+  if (process == Process::kFdm)
+    if (absl::Status ok = macro::CheckJobCode(motion, result.effective_text); !ok.ok()) return ok;
   if (absl::Status ok = TakeLayerSettings(result.effective_text, motion); !ok.ok()) return ok;
   return result;
 }

@@ -36,8 +36,8 @@ struct ResolvedSettings {
 absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given,
                                          Process process = Process::kFdm);
 
-/// All settings that have an effect on the job's process, and those that are told, as `key = value` lines, sorted by
-/// key: equal texts for equal settings, and the other way round.
+/// All settings that have an effect on the job's process, and those that are told, as `key = value`
+/// lines, sorted by key: equal texts for equal settings, and the other way round.
 std::string EffectiveText(const JobSettings& settings, const ToldSettings& told = {});
 
 }  // namespace slicefarm::config

@@ -140,8 +140,7 @@ TEST(Resolve, TakesAWholeProfile) {
   const ResolvedSettings resolved = ResolveOrDie(*given);
   EXPECT_THAT(resolved.no_effect, Not(Contains(HasSubstr(": unknown"))));
   EXPECT_THAT(resolved.no_effect, Contains(HasSubstr("support_material_threshold = 0")));
-  EXPECT_THAT(resolved.warnings,
-              ElementsAre(HasSubstr("gcode_flavor = reprap")));
+  EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr("gcode_flavor = reprap")));
 
   // Where the standards differ from PrusaSlicer's, it is for a reason given in the table's
   // documentation.
@@ -407,11 +406,13 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
                                         {"spiral_vase", "1"},
                                         {"fuzzy_skin", "external"},
                                         {"post_process", "/bin/rm"}}) {
-    for (const Source source : {Source::kProfile, Source::kRequest}) {
-      const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, source));
-      EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
-      EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
-    }
+    const ResolvedSettings resolved = ResolveOrDie(Settings({{key, value}}, Source::kProfile));
+    EXPECT_THAT(resolved.no_effect, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    EXPECT_THAT(resolved.warnings, ElementsAre(HasSubstr(key + " = " + value))) << key;
+    // Whoever asks for it by name gets it, or an error.
+    const ErrorDetail detail = DetailOf(Refusal({{key, value}}));
+    EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
+    EXPECT_EQ(detail.metadata.at("setting"), key);
   }
   const ResolvedSettings off = ResolveOrDie(Settings(
       {{"support_material", "0"}, {"brim_width", "0"}, {"post_process", ""}, {"skirts", "0"}}));
@@ -420,13 +421,17 @@ TEST(Resolve, WarnsOfFeaturesThatAreAskedForAndMissing) {
 }
 
 TEST(Resolve, SkirtBrimAndRaftTakeWidthsAndHeightsOfOtherSettings) {
-  const JobSettings settings =
-      ResolveOrDie(Settings({{"first_layer_height", "0.25"}, {"first_layer_extrusion_width", "0.5"},
-                             {"layer_height", "0.2"}, {"nozzle_diameter", "0.6"},
-                             {"filament_diameter", "2"}, {"bed_shape", "0x0,90x0,90x90"},
-                             {"raft_layers", "3"}, {"raft_contact_distance", "0.15"},
-                             {"skirts", "2"}, {"brim_width", "4"}}))
-          .settings;
+  const JobSettings settings = ResolveOrDie(Settings({{"first_layer_height", "0.25"},
+                                                      {"first_layer_extrusion_width", "0.5"},
+                                                      {"layer_height", "0.2"},
+                                                      {"nozzle_diameter", "0.6"},
+                                                      {"filament_diameter", "2"},
+                                                      {"bed_shape", "0x0,90x0,90x90"},
+                                                      {"raft_layers", "3"},
+                                                      {"raft_contact_distance", "0.15"},
+                                                      {"skirts", "2"},
+                                                      {"brim_width", "4"}}))
+                                   .settings;
   const SkirtOptions& skirt = settings.planning.skirt;
   EXPECT_EQ(skirt.loops, 2);
   EXPECT_EQ(skirt.width_nm, 500'000);
@@ -451,8 +456,8 @@ TEST(Resolve, NothingIsAddedToThePlateUnasked) {
 }
 
 TEST(Resolve, TakesTheNearestForAProfilesUnsupportedChoice) {
-  const ResolvedSettings resolved = ResolveOrDie(Settings(
-      {{"gcode_flavor", "reprap"}}, Source::kProfile));
+  const ResolvedSettings resolved =
+      ResolveOrDie(Settings({{"gcode_flavor", "reprap"}}, Source::kProfile));
   EXPECT_EQ(resolved.settings.motion.flavor, GcodeFlavor::kMarlin2);
   EXPECT_THAT(resolved.warnings,
               ElementsAre("gcode_flavor = reprap: not supported yet: marlin2 is used"));
@@ -465,10 +470,9 @@ TEST(Resolve, AFieldByDistanceLooksAsManyLayersAwayAsItReaches) {
   EXPECT_EQ(settings.infill[0].density_field, field);
   EXPECT_EQ(settings.infill[0].field_halo_layers, 21);
   EXPECT_GE(HaloLayers(settings), 21);
-  EXPECT_EQ(Job({{"density_field", R"({"kind":"constant","density":1})"}})
-                .infill[0]
-                .field_halo_layers,
-            0);
+  EXPECT_EQ(
+      Job({{"density_field", R"({"kind":"constant","density":1})"}}).infill[0].field_halo_layers,
+      0);
   const absl::Status far = Refusal({{"density_field", field}, {"layer_height", "0.02"}});
   EXPECT_EQ(DetailOf(far).reason, Reason::kSettingOutOfRange);
   EXPECT_EQ(DetailOf(far).metadata.at("setting"), "density_field");
@@ -480,8 +484,7 @@ TEST(Resolve, RefusesFieldsThatAreNone) {
     EXPECT_EQ(DetailOf(status).reason, Reason::kSettingMalformed) << key;
     EXPECT_EQ(DetailOf(status).metadata.at("setting"), key);
   }
-  const absl::Status large =
-      Refusal({{"density_field", std::string(limits::kMaxFieldBytes, ' ')}});
+  const absl::Status large = Refusal({{"density_field", std::string(limits::kMaxFieldBytes, ' ')}});
   EXPECT_EQ(DetailOf(large).reason, Reason::kRequestTooLarge);
 }
 
@@ -499,10 +502,9 @@ TEST(Resolve, RefusesFieldsThatDoNotGoTogether) {
 
 TEST(Resolve, JobsWithoutFieldsDoNotSaySo) {
   EXPECT_THAT(ResolveOrDie({}).effective_text, Not(HasSubstr("_field")));
-  EXPECT_THAT(
-      ResolveOrDie(Settings({{"density_field", R"({"kind": "constant", "density": 0.5})"}}))
-          .effective_text,
-      HasSubstr("density_field = {\"kind\":\"height\",\"table\":[[0,0.5]]}\n"));
+  EXPECT_THAT(ResolveOrDie(Settings({{"density_field", R"({"kind": "constant", "density": 0.5})"}}))
+                  .effective_text,
+              HasSubstr("density_field = {\"kind\":\"height\",\"table\":[[0,0.5]]}\n"));
 }
 
 TEST(Resolve, EveryPatternHasItsNameInSettings) {
@@ -608,10 +610,8 @@ TEST(Resolve, ReadsTheFlowOfShortLines) {
 }
 
 TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
-  const ResolvedSettings resolved = ResolveOrDie(
-      Settings({{"infill_every_layers", "5"},
-                {"layer_height", "0.15"},
-                {"nozzle_diameter", "0.4"}}));
+  const ResolvedSettings resolved = ResolveOrDie(Settings(
+      {{"infill_every_layers", "5"}, {"layer_height", "0.15"}, {"nozzle_diameter", "0.4"}}));
   EXPECT_EQ(resolved.settings.infill[0].every_layers, 2);
   EXPECT_THAT(resolved.no_effect, ElementsAre("infill_every_layers = 5: 2 is what layer_height and "
                                               "nozzle_diameter allow"));
@@ -619,9 +619,8 @@ TEST(Resolve, LayersPrintedAtOnceAreNoHigherThanTheNozzleIsWide) {
 
 TEST(Resolve, LinesOfTheWholePartFollowNoField) {
   for (const char* pattern : {"auto", "adaptivecubic", "supportcubic", "lightning"}) {
-    const auto refused = Resolve(
-        Settings({{"fill_pattern", pattern},
-                  {"density_field", R"({"kind":"constant","density":0.3})"}}));
+    const auto refused = Resolve(Settings(
+        {{"fill_pattern", pattern}, {"density_field", R"({"kind":"constant","density":0.3})"}}));
     EXPECT_EQ(DetailOf(refused.status()).reason, Reason::kSettingOutOfRange) << pattern;
   }
 }
@@ -645,21 +644,20 @@ TEST(Resolve, MakesPngOfAProfilesOtherPictures) {
 }
 
 TEST(Resolve, ThumbnailsTakeTheFormatThatTheyDoNotName) {
-  const ResolvedSettings resolved = ResolveOrDie(
-      Settings({{"thumbnails", "16x16, 313x173/PNG"}, {"thumbnails_format", "QOI"}}));
+  const ResolvedSettings resolved =
+      ResolveOrDie(Settings({{"thumbnails", "16x16, 313x173/PNG"}, {"thumbnails_format", "QOI"}}));
   EXPECT_THAT(resolved.settings.slicing.thumbnails,
               ElementsAre(ThumbnailSize{16, 16, PictureFormat::kQoi}, ThumbnailSize{313, 173}));
 }
 
 TEST(Resolve, SlowsOverhangsDownByDegree) {
-  const MotionOptions motion =
-      ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
-                             {"enable_dynamic_overhang_speeds", "1"},
-                             {"overhang_speed_1", "50%"},
-                             {"overhang_fan_speed_3", "70"},
-                             {"first_layer_infill_speed", "25%"},
-                             {"solid_infill_speed", "60"}}))
-          .settings.motion;
+  const MotionOptions motion = ResolveOrDie(Settings({{"external_perimeter_speed", "40"},
+                                                      {"enable_dynamic_overhang_speeds", "1"},
+                                                      {"overhang_speed_1", "50%"},
+                                                      {"overhang_fan_speed_3", "70"},
+                                                      {"first_layer_infill_speed", "25%"},
+                                                      {"solid_infill_speed", "60"}}))
+                                   .settings.motion;
   EXPECT_TRUE(motion.speeds[0].dynamic_overhangs);
   EXPECT_EQ(motion.speeds[0].overhang_speed_mm_s, (std::array<double, 4>{15, 20, 20, 25}));
   EXPECT_EQ(motion.cooling.overhang_fan_percent, (std::array<int32_t, 4>{0, 0, 0, 70}));
@@ -787,9 +785,9 @@ TEST(Resolve, CompleteObjectsAreArrangedWithRoomForTheHead) {
   };
   EXPECT_EQ(slicing({}).clearance_radius_nm, 0);
   EXPECT_EQ(slicing({{"complete_objects", "1"}}).clearance_radius_nm, FromMm(20));
-  EXPECT_EQ(slicing({{"complete_objects", "1"}, {"extruder_clearance_radius", "35"}})
-                .clearance_radius_nm,
-            FromMm(35));
+  EXPECT_EQ(
+      slicing({{"complete_objects", "1"}, {"extruder_clearance_radius", "35"}}).clearance_radius_nm,
+      FromMm(35));
   EXPECT_EQ(slicing({{"duplicate_distance", "8.5"}}).part_distance_nm, FromMm(8.5));
 }
 
@@ -879,9 +877,8 @@ TEST(ResolveLaser, TellsWhatHasNoEffect) {
   const auto resolved =
       OfLaser({{"scan_strategy", "hatch"}, {"stripe_width", "4"}, {"output_layer", "2"}});
   ASSERT_TRUE(resolved.ok()) << resolved.status();
-  EXPECT_THAT(resolved->no_effect,
-              ElementsAre("stripe_width = 4: needs scan_strategy = stripes",
-                          "output_layer = 2: needs output_format = dxf"));
+  EXPECT_THAT(resolved->no_effect, ElementsAre("stripe_width = 4: needs scan_strategy = stripes",
+                                               "output_layer = 2: needs output_format = dxf"));
 }
 
 TEST(ResolveLaser, TellsWhatTheFileCannotSay) {
@@ -943,8 +940,7 @@ TEST(ResolveLaser, RefusesWhatCannotBeScanned) {
 
 TEST(ResolveLaser, RefusesStripesThatDoNotGetOn) {
   for (const char* key : {"stripe_width", "island_width"}) {
-    const ErrorDetail detail =
-        DetailOf(OfLaser({{key, "0.2"}, {"scan_overlap", "0.1"}}).status());
+    const ErrorDetail detail = DetailOf(OfLaser({{key, "0.2"}, {"scan_overlap", "0.1"}}).status());
     EXPECT_EQ(detail.reason, Reason::kSettingOutOfRange) << key;
     EXPECT_EQ(detail.metadata.at("setting"), key);
   }

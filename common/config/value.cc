@@ -124,14 +124,22 @@ std::string Escape(std::string_view text) {
   return escaped;
 }
 
-std::string FirstText(std::string_view list) {
-  list = Trim(list);
-  if (list.empty() || list[0] != '"') {
-    return std::string(Trim(list.substr(0, list.find(';'))));
+std::string TextOfList(std::string_view list, size_t index) {
+  std::string_view rest = Trim(list);
+  std::string first;
+  for (size_t i = 0;; ++i) {
+    const bool quoted = !rest.empty() && rest[0] == '"';
+    size_t end = quoted ? 1 : std::min(rest.find(';'), rest.size());
+    while (quoted && end < rest.size() && rest[end] != '"') end += rest[end] == '\\' ? 2 : 1;
+    end = std::min(end, rest.size());
+    std::string item =
+        quoted ? Unescape(rest.substr(1, end - 1)) : std::string(Trim(rest.substr(0, end)));
+    if (i == index) return item;
+    if (i == 0) first = std::move(item);
+    const size_t next = rest.find(';', end);
+    if (next == std::string_view::npos) return first;
+    rest = Trim(rest.substr(next + 1));
   }
-  size_t end = 1;
-  while (end < list.size() && list[end] != '"') end += list[end] == '\\' ? 2 : 1;
-  return Unescape(list.substr(1, std::min(end, list.size()) - 1));
 }
 
 std::string QuoteText(std::string_view text) {

@@ -35,8 +35,9 @@ std::string PrintNumber(double number);
 std::string Unescape(std::string_view text);
 std::string Escape(std::string_view text);
 
-/// The first item of a list of texts: `PLA;PETG` or `"a; b";"c"`, quotes and escapes taken off.
-std::string FirstText(std::string_view list);
+/// Item `index` of a list of texts, `PLA;PETG` or `"a; b";"c"`, quotes and escapes taken off; past
+/// the list's end, the first.
+std::string TextOfList(std::string_view list, size_t index = 0);
 /// One text as such a list has it: in quotes where it must be.
 std::string QuoteText(std::string_view text);
 

@@ -70,7 +70,7 @@ TEST(Escape, ComesBack) {
   EXPECT_EQ(Unescape("end\\"), "end\\");
 }
 
-TEST(FirstText, TakesTheFirstOfAList) {
+TEST(TextOfList, TakesTheFirstOfAList) {
   const std::pair<const char*, const char*> kCases[] = {
       {"PLA", "PLA"},
       {"PLA;PETG", "PLA"},
@@ -82,13 +82,21 @@ TEST(FirstText, TakesTheFirstOfAList) {
       {"\"never closed", "never closed"},
       {"\"a\\nb\"", "a\nb"},
   };
-  for (const auto& [list, want] : kCases) EXPECT_EQ(FirstText(list), want) << list;
+  for (const auto& [list, want] : kCases) EXPECT_EQ(TextOfList(list), want) << list;
+}
+
+TEST(TextOfList, TakesTheItemOrTheFirst) {
+  constexpr std::string_view kList = "\"a; b\"; c ;\"d\\\";e\"";
+  EXPECT_EQ(TextOfList(kList, 0), "a; b");
+  EXPECT_EQ(TextOfList(kList, 1), "c");
+  EXPECT_EQ(TextOfList(kList, 2), "d\";e");
+  EXPECT_EQ(TextOfList(kList, 3), "a; b");
 }
 
 TEST(QuoteText, ComesBack) {
   for (const std::string text :
        {"", "PLA", "Generic PLA", "a;b", "say \"hi\"", "back\\slash", "two\nlines", "#29B2B2"}) {
-    EXPECT_EQ(FirstText(QuoteText(text)), text);
+    EXPECT_EQ(TextOfList(QuoteText(text)), text);
   }
   EXPECT_EQ(QuoteText("PLA"), "PLA");
   EXPECT_EQ(QuoteText("Generic PLA"), "\"Generic PLA\"");

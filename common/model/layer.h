@@ -249,6 +249,9 @@ struct LayerEdges {
   friend bool operator==(const LayerEdges&, const LayerEdges&) = default;
 };
 
+/// before_layer_gcode and layer_gcode.
+inline constexpr int kCodesOfALayer = 2;
+
 /// The G-code of one layer (of one pass). It starts and ends in the canonical state: filament
 /// retracted, or ready to print where OrderedLayer says so; relative extrusion, absolute
 /// coordinates. So layers are joined by concatenation.
@@ -260,6 +263,9 @@ struct LayerProgram {
   Point exit;
   ProgramStats stats;  ///< times: from rest to rest, without the approach to the entry
   LayerEdges edges;
+  /// Places in `gcode`, upwards, where before_layer_gcode and layer_gcode go that depend on what the
+  /// layers before them did (ProgramEnvelope::layer_code); most often none: they stand there.
+  std::vector<int64_t> code_at;
 
   friend bool operator==(const LayerProgram&, const LayerProgram&) = default;
 };
@@ -272,6 +278,8 @@ struct ProgramEnvelope {
   std::string epilogue;
   PrintTimes times;      ///< of the whole print
   double travel_mm = 0;  ///< layers' and between them
+  /// What goes to the places LayerProgram::code_at: two texts a layer, or none at all.
+  std::vector<std::string> layer_code;
 
   friend bool operator==(const ProgramEnvelope&, const ProgramEnvelope&) = default;
 };

@@ -19,6 +19,7 @@ struct LayerSummary {
   double time_s = 0;
   bool empty = false;  ///< nothing is printed in it; entry and exit mean nothing
   LayerEdges edges;
+  double filament_mm = 0;
 
   friend bool operator==(const LayerSummary&, const LayerSummary&) = default;
 };

@@ -8,9 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "absl/time/clock.h"
+#include "absl/time/time.h"
 #include "common/base/error.h"
 #include "common/base/text.h"
 #include "common/config/projects/ini.h"
+#include "common/config/told_settings.h"
 #include "common/model/limits.h"
 #include "common/rpc/utf8.h"
 #include "services/cli/field_files.h"
@@ -59,9 +62,10 @@ void AddJobOptions(CLI::App& app, JobOptions& options) {
       app.add_option("--plate", options.plate, "Which plate of a project with several, from 1")
           ->check(CLI::Range(1, static_cast<int>(limits::kMaxProjectPlates)))
           ->type_name("N");
-  app.add_flag("--plates", options.plates,
-               "A job for each plate of a project, or for as many beds as all parts and copies take; "
-               "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ...")
+  app.add_flag(
+         "--plates", options.plates,
+         "A job for each plate of a project, or for as many beds as all parts and copies take; "
+         "-o OUT.gcode gives OUT-1.gcode, OUT-2.gcode, ...")
       ->excludes(plate);
   app.add_option("--copies", options.copies,
                  "How often a model, or an object of a project, is printed; may be repeated")
@@ -143,8 +147,8 @@ namespace {
 
 /// The format that the name of a laser's file stands for, unless one is set.
 void AddOutputFormat(const std::string& output, std::vector<config::Setting>& settings) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormats = {{
-      {".cli", "cli"}, {".nc", "grbl"}, {".gcode", "marlin"}, {".svg", "svg"}, {".dxf", "dxf"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormats = {
+      {{".cli", "cli"}, {".nc", "grbl"}, {".gcode", "marlin"}, {".svg", "svg"}, {".dxf", "dxf"}}};
   const auto given = std::ranges::find(settings, "output_format", &config::Setting::key);
   if (given != settings.end()) return;
   for (const auto& [suffix, format] : kFormats)
@@ -158,6 +162,17 @@ bool IsOfLaser(std::string_view output) {
 }
 
 }  // namespace
+
+std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings, bool anyway) {
+  const auto names_clock = [](const config::Setting& setting) {
+    constexpr std::string_view kTime = "creation_time = now\n";
+    return setting.key.ends_with("gcode") && !config::LinesNamedIn(setting.value, kTime).empty();
+  };
+  if (!anyway && std::ranges::none_of(settings, names_clock)) return settings;
+  std::string now = absl::FormatTime("%Y-%m-%dT%H:%M:%SZ", absl::Now(), absl::UTCTimeZone());
+  settings.insert(settings.begin(), {"creation_time", std::move(now), config::Source::kProfile});
+  return settings;
+}
 
 absl::StatusOr<std::vector<config::Setting>> GivenJobSettings(const JobOptions& options,
                                                               const std::string& output) {

@@ -56,6 +56,11 @@ void AddMachineOption(CLI::App& app, Process& process);
 /// SETTING_MALFORMED for text that is not UTF-8.
 absl::StatusOr<std::vector<config::Setting>> GivenSettings(const SettingOptions& options);
 
+/// With the time of now as `creation_time`, which all others win over, if G-code among them may
+/// name it, or `anyway`.
+std::vector<config::Setting> WithCreationTime(std::vector<config::Setting> settings,
+                                              bool anyway = false);
+
 /// All of them: those, the fields, and of lasers the output_format that the name of `output` stands
 /// for, unless one is set: .cli, .nc, .gcode, .svg, .dxf. Errors: those of ReadFieldFile too;
 /// REQUEST_MALFORMED for such a name (.cli, .svg, .dxf) where the job is not of lasers.

@@ -62,6 +62,17 @@ TEST(GivenSettings, AreUtf8) {
   EXPECT_EQ(DetailOf(settings.status()).metadata["setting"], "start_gcode");
 }
 
+TEST(WithCreationTime, OnlyWhereGcodeMayNameIt) {
+  const auto first = [](const char* key, const char* value) {
+    return WithCreationTime({{key, value, config::Source::kProfile}}).front().key;
+  };
+  EXPECT_EQ(first("start_gcode", "; made [timestamp]"), "creation_time");
+  EXPECT_EQ(first("start_gcode", "{if hour > 12}M300{endif}"), "creation_time");
+  EXPECT_EQ(first("start_gcode", "G28"), "start_gcode");
+  EXPECT_EQ(first("notes", "timestamp"), "notes");
+  EXPECT_EQ(WithCreationTime({}, true).size(), 1u);
+}
+
 TEST(GivenJobSettings, NamesOfLasersFilesAreForLasers) {
   JobOptions options;
   for (const std::string suffix : {"cli", "svg", "dxf"}) {

@@ -236,7 +236,8 @@ TEST_F(Program, TakesTheSettingsOfItsOwnGcode) {
 }
 
 TEST_F(Program, WritesAReport) {
-  const Outcome outcome = Slice({"--report", Path("r.json"), "--set", "support_material=1"});
+  Put("support.ini", "support_material = 1\n");
+  const Outcome outcome = Slice({"--report", Path("r.json"), "--config", Path("support.ini")});
   ASSERT_EQ(outcome.code, ExitCode::kOk);
   EXPECT_THAT(outcome.err, HasSubstr("warning: support_material = 1"));
   const auto report = nlohmann::json::parse(Text("r.json"));

@@ -6,7 +6,8 @@ usage: tests/bench/fields.py [PATTERN...] [--dither=blue_noise|floyd_steinberg]
 
 density rows: `field pattern mean_error bias paths cpu_s`, cells of 5 mm at least 5 mm inside: mean of |got / asked - 1| over
 cells (%), and got / asked - 1 of all of them together (%).
-stress rows: `field pitch angle_rms even got cpu_s`: angle to the field (degrees, root of the mean square over the length, 5 mm
+stress rows: `field family pitch angle_rms even got cpu_s`: a layer along the greater stress by magnitude (0), the next along the
+other (1); angle to the field (degrees, root of the mean square over the length, 5 mm
 inside and away from degenerate places); share of the length whose neighbours on both sides are at 0.8 to 1.2 of the pitch asked
 for; density got / asked.
 """
@@ -54,6 +55,12 @@ def kirsch(x, y):
     return xx, yy, (rr - tt) * s * c + rt * (c * c - s * s)
 
 
+def beam(x, y):
+    """Held at x = 0, pressed at its other end: drawn above its middle, pressed below, sheared most in it."""
+    up = y - 40
+    return (80 - x) * up, 0, -(40**2 - up * up) / 2
+
+
 def along(u, v):
     n = max(1e-9, math.hypot(u, v))
     return u * u / n / n, v * v / n / n, u * v / n / n
@@ -64,6 +71,7 @@ STRESS = {  # the tensor, and where it counts
     "circles": (lambda x, y: along(*around(x, y)), lambda x, y: math.hypot(x - 40, y - 40) > 6),
     "waves": (lambda x, y: along(1, 0.4 * math.cos(x / 12)), lambda x, y: True),
     "hole": (kirsch, lambda x, y: math.hypot(x - 40, y - 40) > 20),
+    "beam": (beam, lambda x, y: abs(y - 40) > 4),
 }
 
 
@@ -151,11 +159,15 @@ def density_row(folder, name, pattern, dither):
 
 
 def stress_row(folder, name):
-    tensor, counts = STRESS[name]
     density = 0.2
-    (lines, _), cpu = slice_box(folder, "--stress-field", stress_of(tensor), ["--set", f"fill_density={100 * density}%"])
-    layer = max(z for *_, z, _, _ in lines)
-    lines = [line for line in lines if line[4] == layer]
+    (lines, _), cpu = slice_box(folder, "--stress-field", stress_of(STRESS[name][0]), ["--set", f"fill_density={100 * density}%"])
+    heights = sorted({line[4] for line in lines})
+    for family in (0, 1):
+        stress_layer(name, family, density, [line for line in lines if line[4] == heights[40 + family]], cpu)
+
+
+def stress_layer(name, family, density, lines, cpu):
+    tensor, counts = STRESS[name]
     spacing = 0.45 - 0.2 * (1 - math.pi / 4)
     pitch = spacing / density
     grid = {}
@@ -174,7 +186,7 @@ def stress_row(folder, name):
             continue
         volume += own
         xx, yy, xy = tensor(x, y)
-        angle = 0.5 * math.atan2(2 * xy, xx - yy)
+        angle = 0.5 * math.atan2(2 * xy, xx - yy) + (family + (xx + yy < 0)) * math.pi / 2
         off = math.degrees(math.asin(min(1, abs(dx * math.sin(angle) - dy * math.cos(angle)))))
         all_length += length
         square += off * off * length
@@ -188,7 +200,7 @@ def stress_row(folder, name):
                         sides[side] = min(sides[side], abs(across))
         even += length * sum(0.5 for d in sides.values() if 0.8 * pitch <= d <= 1.2 * pitch)
     area = sum(1 for i in range(700) for j in range(700) if counts(INSET + 0.1 * i, INSET + 0.1 * j)) * 0.01
-    print(f"{name} {pitch:.2f} {math.sqrt(square / all_length):.2f} {even / all_length:.3f} "
+    print(f"{name} {family} {pitch:.2f} {math.sqrt(square / all_length):.2f} {even / all_length:.3f} "
           f"{volume / (0.2 * area * density):.3f} {cpu:.2f}", flush=True)
 
 
@@ -202,7 +214,7 @@ def main():
         for field in DENSITY:
             for pattern in patterns:
                 density_row(folder, field, pattern, dither)
-        print("field pitch angle_rms even got cpu_s")
+        print("field family pitch angle_rms even got cpu_s")
         for field in STRESS:
             stress_row(folder, field)
 

@@ -40,7 +40,8 @@ bool IsAlphanumeric(char c) {
 
 bool IsKey(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return IsAlphanumeric(c) || c == '_' || c == '-' || c == '.';
+    // Vendors write key[0], which is a key that nobody knows.
+    return IsAlphanumeric(c) || c == '_' || c == '-' || c == '.' || c == '[' || c == ']';
   });
 }
 

@@ -64,7 +64,7 @@ class OrcaReader {
     if (found == by_key_.end()) return;
     const Setting& setting = *found->second;
     known_.emplace(row.from);
-    const Converted value = Convert(row, setting.value);
+    const Converted value = ConvertAll(row, setting.value);
     if (!value.exact || !value.text) inexact_.emplace(row.from);
     if (value.text && !value.text->empty()) Set(row.to, *value.text, setting.source);
     // An empty text is one for G-code and the like; a choice without a value says nothing.
@@ -87,6 +87,25 @@ class OrcaReader {
   }
 
  private:
+  /// Of a list with an item for each extruder, all of them, as PrusaSlicer writes lists.
+  Converted ConvertAll(const OrcaRow& row, std::string_view text) const {
+    const int to = FindSetting(row.to);
+    const bool is_list = to >= 0 && SettingsTable()[to].list == List::kPerExtruder;
+    const std::optional<std::vector<std::string>> items = ItemsOf(text);
+    if (!is_list || !items || items->empty()) return Convert(row, text);
+    const Kind kind = SettingsTable()[to].kind;
+    const bool is_text = kind == Kind::kText || kind == Kind::kGcode;
+    Converted all = {""};
+    for (size_t i = 0; i < items->size(); ++i) {
+      const Converted one = Convert(row, (*items)[i]);
+      if (!one.text) return one;
+      all.exact = all.exact && one.exact;
+      if (i > 0) *all.text += is_text ? ";" : ",";
+      *all.text += is_text ? QuoteText(Unescape(*one.text)) : *one.text;
+    }
+    return all;
+  }
+
   Converted Convert(const OrcaRow& row, std::string_view text) const {
     if (row.value == OrcaValue::kPoints) return {Joined(text, ",")};
     if (row.value == OrcaValue::kPairs) return {Joined(text, ";")};
@@ -200,8 +219,8 @@ class OrcaReader {
   void TakeTemperature(const std::string& from, std::string_view to) {
     const auto found = by_key_.find(from);
     if (found == by_key_.end()) return;
-    if (const std::optional<std::string> first = FirstOf(found->second->value))
-      Set(to, *first, found->second->source);
+    if (const std::string all = Joined(found->second->value, ","); !all.empty())
+      Set(to, all, found->second->source);
   }
 
   void Set(std::string_view key, const std::string& value, Source source) {

@@ -36,7 +36,7 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
       {"Renamed", {{"wall_loops", "3"}}, {"perimeters = 3"}},
       {"Percent", {{"sparse_infill_density", "15%"}}, {"fill_density = 15%"}},
       {"PercentWithoutSign", {{"sparse_infill_density", "15"}}, {"fill_density = 15%"}},
-      {"FirstOfList", {{"nozzle_temperature", R"(["220","230"])"}}, {"temperature = 220"}},
+      {"FirstOfList", {{"nozzle_temperature", R"(["220","230"])"}}, {"temperature = 220,230"}},
       {"EmptyList", {{"nozzle_temperature", "[]"}}, {}, {"nozzle_temperature = "}},
       {"Pairs",
        {{"small_area_infill_flow_compensation", "1"},
@@ -46,7 +46,11 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
       {"NotAList", {{"machine_start_gcode", "[wait] G28"}}, {"start_gcode = [wait] G28"}},
       {"GcodeInList",
        {{"filament_start_gcode", R"(["G1\nM104"])"}},
-       {R"(start_filament_gcode = G1\nM104)"}},
+       {R"(start_filament_gcode = "G1\nM104")"}},
+      // An array's text is one value, whatever stands in it.
+      {"GcodesWithComments",
+       {{"filament_start_gcode", R"(["; PLA\nM900 K0.02 ; pressure \"PA\"","; PETG"])"}},
+       {R"(start_filament_gcode = "; PLA\nM900 K0.02 ; pressure \"PA\"";"; PETG")"}},
       {"PlaceholdersByName",
        {{"machine_start_gcode",
          "M140 S[bed_temperature_initial_layer_single]\\nM109 "

@@ -71,9 +71,9 @@ class Translator {
   std::set<std::string> told_;  ///< of the project
 };
 
-/// That a part is printed with the usual tool, or the first one, says nothing yet.
+/// That a part is printed with the tool of what stands around it says nothing.
 bool IsUsualTool(const Setting& setting) {
-  return setting.key == "extruder" && (setting.value == "0" || setting.value == "1");
+  return setting.key == "extruder" && setting.value == "0";
 }
 
 void MakeProfile(Settings& settings) {

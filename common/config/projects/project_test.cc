@@ -98,7 +98,7 @@ TEST(InPrusaNames, TranslatesSettingsOfEveryPlace) {
   Project project = TwoObjects();
   project.dialect = SettingsDialect::kOrca;
   project.settings = {{"wall_loops", "3"}, {"nozzle_diameter", "[\"0.4\"]"}, {"no_such", "1"}};
-  project.objects[0].settings = {{"wall_loops", "4"}, {"extruder", "1"}};
+  project.objects[0].settings = {{"wall_loops", "4"}, {"extruder", "0"}};
   project.objects[1].parts[0].settings = {{"sparse_infill_density", "40%"}, {"odd", "1"}};
   project.objects[1].ranges.push_back({0, 5, {{"outer_wall_line_width", "110%"}}});
   const Project named = InPrusaNames(project);

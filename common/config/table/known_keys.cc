@@ -17,40 +17,37 @@ constexpr std::string_view kResin = "concerns resin printers";
 /// What a profile switches on and off, with the value that asks for what is done anyway.
 constexpr KnownKey kSwitches[] = {
     // These change the part or whether it prints at all.
-    {"fuzzy_skin", kNotYet, "none", true, true},
-    {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true},
-    {"post_process", "scripts are never run", "", true, true},
-    {"printer_technology", kResin, "FFF", true, true},
-    {"single_extruder_multi_material", kNotYet, "0", true, true},
-    {"spiral_vase", kNotYet, "0", true, true},
-    {"support_material", kNotYet, "0", true, true},
-    {"use_firmware_retraction", kNotYet, "0", true, true},
-    {"use_volumetric_e", kNotYet, "0", true, true},
+    {"fuzzy_skin", kNotYet, "none", true, true, true},
+    {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true, true},
+    {"post_process", "scripts are never run", "", true, true, true},
+    {"printer_technology", kResin, "FFF", true, true, true},
+    {"single_extruder_multi_material", kNotYet, "0", true, true, true},
+    {"spiral_vase", kNotYet, "0", true, true, true},
+    {"support_material", kNotYet, "0", true, true, true},
+    {"use_firmware_retraction", kNotYet, "0", true, true, true},
+    {"use_volumetric_e", kNotYet, "0", true, true, true},
     // These make it better or different in detail.
     {"avoid_crossing_curled_overhangs", kNotYet, "0", true},
     {"binary_gcode", kNotYet, "0", true},
-    {"chamber_temperature", kNotYet, "0", true},
-    {"colorprint_heights", kNotYet, "", true},
+    {"colorprint_heights", kNotYet, "", true, true, true},
     {"extra_perimeters", kNotYet, "0", true},
-    {"extruder", kNotYet, "1", true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
-    {"filament_shrinkage_compensation_xy", kNotYet, "0", true},
-    {"filament_shrinkage_compensation_z", kNotYet, "0", true},
+    {"filament_shrinkage_compensation_xy", kNotYet, "0", true, true, true},
+    {"filament_shrinkage_compensation_z", kNotYet, "0", true, true, true},
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},
-    {"only_one_perimeter_first_layer", kNotYet, "0", true},
+    {"only_one_perimeter_first_layer", kNotYet, "0", true, true, true},
     {"ooze_prevention", kNotYet, "0", true},
     {"overhangs", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},
     {"prefer_clockwise_movements", kNotYet, "0", true},
-    {"resolution", "outline_resolution is the setting here", "0", true},
     {"solid_infill_extruder", kNotYet, "1", true},
     {"support_material_enforce_layers", kNotYet, "0", true},
     {"toolchange_gcode", kNotYet, "", true},
-    {"top_one_perimeter_type", kNotYet, "none", true},
-    {"travel_ramping_lift", kNotYet, "0", true},
+    {"top_one_perimeter_type", kNotYet, "none", true, true, true},
+    {"travel_ramping_lift", kNotYet, "0", true, true, true},
     {"use_relative_e_distances", "extrusion is always relative", "1", true},
     {"wipe_into_infill", kNotYet, "0", true},
     {"wipe_into_objects", kNotYet, "0", true},
@@ -66,12 +63,11 @@ struct Group {
 /// Settings of features that are not there yet, and those that no slicing ever looks at.
 constexpr Group kGroups[] = {
     {kNotYet,
-     "autoemit_temperature_commands "
      "automatic_extrusion_widths "
-     "bed_temperature_extruder chamber_minimal_temperature clip_multipart_objects "
+     "bed_temperature_extruder clip_multipart_objects "
      "color_change_gcode cooling_tube_* dont_support_bridges "
      "extra_loading_move filament_abrasive "
-     "filament_cooling_* filament_infill_* filament_load_time filament_loading_* "
+     "filament_cooling_* filament_load_time filament_loading_* "
      "filament_minimal_purge_on_wipe_tower filament_multitool_* filament_purge_multiplier "
      "filament_ramming_parameters filament_retract_length_toolchange "
      "filament_retract_restart_extra_toolchange filament_seam_gap_distance "
@@ -103,7 +99,8 @@ std::vector<KnownKey> MakeKnownKeys() {
   std::vector<KnownKey> table(std::begin(kSwitches), std::end(kSwitches));
   for (const Group& group : kGroups) {
     for (const std::string_view key : Split(group.keys, " ")) {
-      table.push_back({.key = key, .why = group.why, .told = group.told});
+      table.push_back(
+          {.key = key, .why = group.why, .of_print = group.why == kNotYet, .told = group.told});
     }
   }
   return table;

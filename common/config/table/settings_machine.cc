@@ -21,7 +21,7 @@ template <Axis kAxis>
 std::vector<SettingSpec> AxisLimits(std::array<std::string_view, 3> keys,
                                     std::array<std::string_view, 3> standards) {
   return {
-      Limit(keys[0], "mm/s", 0.001, 10'000, standards[0], "Speed limit of this axis",
+      Limit(keys[0], "mm/s", 0.001, 100'000, standards[0], "Speed limit of this axis",
             Bind([](auto& s) -> auto& { return s.motion.limits.max_feedrate_mm_s[kAxis]; })),
       Limit(keys[1], "mm/s2", 0.001, 1e6, standards[1], "Acceleration limit of this axis",
             Bind([](auto& s) -> auto& { return s.motion.limits.max_acceleration_mm_s2[kAxis]; })),
@@ -268,6 +268,13 @@ std::vector<SettingSpec> Machine() {
        .standard = "0",
        .doc = "How fast the bed heats up, for times; 0: waiting for it counts as no time",
        .field = Bind([](auto& s) -> auto& { return s.motion.bed_heating_c_s; })},
+      {.key = "autoemit_temperature_commands",
+       .kind = Kind::kFlag,
+       .standard = "1",
+       .doc = "Heats around start_gcode what it does not heat by itself (M104, M109, M140, M190, "
+              "M141, "
+              "M191)",
+       .field = Bind([](auto& s) -> auto& { return s.motion.emit_temperatures; })},
       {.key = "z_offset",
        .unit = "mm",
        .min = -100,
@@ -304,8 +311,9 @@ std::vector<SettingSpec> Machine() {
        .min = 0,
        .max = 1,
        .standard = "0.0125",
-       .doc = "How far straight moves may deviate from the curves that they stand for; 0: all points "
-              "of paths are written",
+       .doc =
+           "How far straight moves may deviate from the curves that they stand for; 0: all points "
+           "of paths are written",
        .field = Bind([](auto& s) -> auto& { return s.motion.resolution_nm; })},
       {.key = "printer_model",
        .kind = Kind::kText,
@@ -348,6 +356,20 @@ std::vector<SettingSpec> CustomGcode() {
 
 std::vector<SettingSpec> Sequence() {
   return {
+      {.key = "extruder",
+       .kind = Kind::kInteger,
+       .min = 0,
+       .max = 255,
+       .standard = "0",
+       .doc = "Which extruder prints it, and so whose nozzle and filament count: that item of each "
+              "list; 0: the first. All that is printed must have the same",
+       .scope = Scope::kRegion},
+      {.key = "creation_time",
+       .kind = Kind::kText,
+       .standard = "",
+       .doc =
+           "When the job was made, as 2026-11-25T10:37:01Z: timestamp, year, month, ... of G-code "
+           "templates. Counts only if they name it"},
       {.key = "complete_objects",
        .kind = Kind::kFlag,
        .standard = "0",

@@ -162,7 +162,7 @@ absl::StatusOr<Value> ParseValue(const SettingSpec& spec, std::string_view text)
   switch (spec.kind) {
     case Kind::kText:
     case Kind::kGcode:
-      return ParseText(spec, spec.list == List::kNone ? Unescape(text) : FirstText(text));
+      return ParseText(spec, spec.list == List::kNone ? Unescape(text) : TextOfList(text));
     case Kind::kFlag:
       return ParseFlag(spec, FirstItem(spec, text));
     case Kind::kChoice:

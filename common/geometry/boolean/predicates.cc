@@ -7,6 +7,15 @@
 namespace slicefarm {
 namespace {
 
+/// Up to here, 1 m, products of differences fit 63 bits.
+constexpr Coord kSmall = Coord{1} << 30;
+
+bool AreSmall(Point a, Point b, Point c) {
+  const auto lifted = [](Coord v) { return static_cast<uint64_t>(v) + uint64_t{kSmall}; };
+  return (lifted(a.x) | lifted(a.y) | lifted(b.x) | lifted(b.y) | lifted(c.x) | lifted(c.y)) <
+         uint64_t{2 * kSmall};
+}
+
 /// Up to here differences fit 63 bits and the difference of two products fits 127.
 constexpr Coord kNarrow = Coord{1} << 61;
 
@@ -25,6 +34,7 @@ int OrientationIn(Point a, Point b, Point c) {
 }  // namespace
 
 int Orientation(Point a, Point b, Point c) {
+  if (AreSmall(a, b, c)) return OrientationIn<Coord>(a, b, c);
   if (IsNarrow(a) && IsNarrow(b) && IsNarrow(c)) return OrientationIn<__int128>(a, b, c);
   return OrientationIn<boost::multiprecision::int256_t>(a, b, c);
 }

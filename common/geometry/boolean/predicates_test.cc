@@ -9,6 +9,8 @@ namespace {
 
 constexpr Coord kMax = std::numeric_limits<Coord>::max();
 constexpr Coord kMin = std::numeric_limits<Coord>::min();
+/// About one, up to which sides are told by 64 bits.
+constexpr Coord kMetre = Coord{1} << 30;
 
 struct Case {
   std::string name;
@@ -28,13 +30,21 @@ TEST_P(OrientationTest, IsExactInEveryOrder) {
 
 INSTANTIATE_TEST_SUITE_P(
     Predicates, OrientationTest,
-    testing::Values(Case{"Unit", {0, 0}, {1, 0}, {0, 1}, 1},  // errata 10.1.4
-                    Case{"Line", {0, 0}, {1, 1}, {2, 2}, 0},
-                    Case{"Same", {5, 5}, {5, 5}, {7, 9}, 0},
-                    Case{"OneUnitOffALongLine", {0, 0}, {2'100'000'000, 1}, {4'200'000'000, 1}, -1},
-                    Case{"WholeRange", {kMin, kMin}, {kMax, kMin}, {kMax, kMax}, 1},
-                    Case{"WholeRangeLine", {kMin, kMin}, {0, 0}, {kMax, kMax}, 0},
-                    Case{"WholeRangeOneOff", {kMin, kMin}, {0, 0}, {kMax, kMax - 1}, -1}),
+    testing::Values(
+        Case{"Unit", {0, 0}, {1, 0}, {0, 1}, 1},  // errata 10.1.4
+        Case{"Line", {0, 0}, {1, 1}, {2, 2}, 0}, Case{"Same", {5, 5}, {5, 5}, {7, 9}, 0},
+        Case{"OneUnitOffALongLine", {0, 0}, {2'100'000'000, 1}, {4'200'000'000, 1}, -1},
+        Case{"CornersOfTwoMetres",
+             {-kMetre, -kMetre},
+             {kMetre - 1, -kMetre},
+             {kMetre - 1, kMetre - 1},
+             1},
+        Case{"AcrossTwoMetres", {-kMetre, -kMetre}, {0, 0}, {kMetre - 1, kMetre - 1}, 0},
+        Case{"AcrossTwoMetresOneOff", {-kMetre, -kMetre}, {0, 0}, {kMetre - 1, kMetre - 2}, -1},
+        Case{"AcrossTwoMetresAndMore", {-kMetre, -kMetre}, {1, 1}, {kMetre + 1, kMetre}, -1},
+        Case{"WholeRange", {kMin, kMin}, {kMax, kMin}, {kMax, kMax}, 1},
+        Case{"WholeRangeLine", {kMin, kMin}, {0, 0}, {kMax, kMax}, 0},
+        Case{"WholeRangeOneOff", {kMin, kMin}, {0, 0}, {kMax, kMax - 1}, -1}),
     [](const auto& info) { return info.param.name; });
 
 // The grid of Kettner et al., on which doubles get one sign in six wrong: a near b and c on a line.

@@ -161,6 +161,13 @@ struct MotionOptions {
   int32_t bed_temperature_c = 0;              ///< bed_temperature
   int32_t first_layer_bed_temperature_c = 0;  ///< first_layer_bed_temperature
 
+  int32_t chamber_temperature_c = 0;          ///< chamber_temperature
+  int32_t chamber_least_c = 0;                ///< chamber_minimal_temperature: waited for
+  /// autoemit_temperature_commands: what start_gcode does not heat is heated around it.
+  bool emit_temperatures = true;
+
+  int32_t tool = -1;  ///< extruder - 1, chosen after start_gcode; -1: there is no choice
+
   double nozzle_heating_c_s = 0;  ///< nozzle_heating_rate, for times; 0: heating takes none
   double bed_heating_c_s = 0;     ///< bed_heating_rate
 

@@ -139,6 +139,7 @@ absl::Status ToProto(const LayerSummary& layer, v1::LayerSummary* proto) {
   proto->set_empty(layer.empty);
   proto->set_pass(layer.pass);
   *proto->mutable_edges() = ToProto(layer.edges);
+  proto->set_filament_mm(layer.filament_mm);
   if (absl::Status status = ToProto(layer.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -149,12 +150,13 @@ absl::StatusOr<LayerSummary> FromProto(const v1::LayerSummary& proto) {
   absl::StatusOr<LayerFrame> frame = FromProto(proto.frame());
   if (!frame.ok()) return frame.status();
   if (!IsAmount(proto.time_s())) return Malformed("time_s", "is not a time");
+  if (!IsAmount(proto.filament_mm())) return Malformed("filament_mm", "is not an amount");
   if (proto.pass() < 0) return Malformed("pass", "is negative");
   absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
   if (!edges.ok()) return Within("edges", edges.status());
   return LayerSummary{
       *frame,         proto.pass(),  FromProto(proto.entry()), FromProto(proto.exit()),
-      proto.time_s(), proto.empty(), *std::move(edges)};
+      proto.time_s(), proto.empty(), *std::move(edges),        proto.filament_mm()};
 }
 
 absl::Status ToProto(const ProgramStats& stats, v1::ProgramStats* proto) {
@@ -197,6 +199,7 @@ absl::Status ToProto(LayerProgram program, v1::LayerProgram* proto) {
   proto->set_gcode(std::move(program.gcode));
   proto->set_pass(program.pass);
   *proto->mutable_edges() = ToProto(program.edges);
+  proto->mutable_code_at()->Assign(program.code_at.begin(), program.code_at.end());
   if (absl::Status status = ToProto(program.entry, proto->mutable_entry()); !status.ok()) {
     return Within("entry", status);
   }
@@ -214,13 +217,20 @@ absl::StatusOr<LayerProgram> FromProto(v1::LayerProgram proto) {
   if (proto.pass() < 0) return Malformed("pass", "is negative");
   absl::StatusOr<LayerEdges> edges = FromProto(proto.edges());
   if (!edges.ok()) return Within("edges", edges.status());
+  const auto gcode_bytes = static_cast<int64_t>(proto.gcode().size());
+  const bool places = std::ranges::is_sorted(proto.code_at()) &&
+                      std::ranges::all_of(proto.code_at(),
+                                          [&](int64_t at) { return 0 <= at && at <= gcode_bytes; });
+  if (!places || (proto.code_at_size() != 0 && proto.code_at_size() != kCodesOfALayer))
+    return Malformed("code_at", "are no places in the G-code");
   return LayerProgram{*frame,
                       proto.pass(),
                       std::move(*proto.mutable_gcode()),
                       FromProto(proto.entry()),
                       FromProto(proto.exit()),
                       *stats,
-                      *std::move(edges)};
+                      *std::move(edges),
+                      {proto.code_at().begin(), proto.code_at().end()}};
 }
 
 v1::StageTimes ToProto(const StageTimes& times) {
@@ -315,6 +325,7 @@ v1::ProgramFrame ToProto(ProgramEnvelope frame) {
   proto.set_epilogue(std::move(frame.epilogue));
   *proto.mutable_times() = ToProto(frame.times);
   proto.set_travel_mm(frame.travel_mm);
+  for (std::string& code : frame.layer_code) proto.add_layer_code(std::move(code));
   return proto;
 }
 
@@ -330,6 +341,7 @@ absl::StatusOr<ProgramEnvelope> FromProto(v1::ProgramFrame proto) {
   frame.epilogue = std::move(*proto.mutable_epilogue());
   frame.times = *std::move(times);
   frame.travel_mm = proto.travel_mm();
+  for (std::string& code : *proto.mutable_layer_code()) frame.layer_code.push_back(std::move(code));
   return frame;
 }
 

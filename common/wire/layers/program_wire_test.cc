@@ -65,7 +65,8 @@ LayerEdges DistinctEdges() {
 
 LayerProgram DistinctProgram() {
   LayerProgram program;
-  auto& [frame, pass, gcode, entry, exit, stats, edges] = program;
+  auto& [frame, pass, gcode, entry, exit, stats, edges, code_at] = program;
+  code_at = {2, 5};
   edges = DistinctEdges();
   frame = kFrame;
   pass = 5;
@@ -80,7 +81,8 @@ ProgramSummary DistinctSummary() {
   ProgramSummary summary;
   auto& [layers, total, thumbnails, copies, settings_text] = summary;
   LayerSummary layer;
-  auto& [frame, pass, entry, exit, time, empty, edges] = layer;
+  auto& [frame, pass, entry, exit, time, empty, edges, filament] = layer;
+  filament = 9;
   edges = DistinctEdges();
   frame = kFrame;
   pass = 7;
@@ -88,7 +90,7 @@ ProgramSummary DistinctSummary() {
   exit = {3, 4};
   time = 5;
   empty = true;
-  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, DistinctEdges()}};
+  layers = {layer, {{4, 1'000'000, 200'000}, 0, {}, {}, 6, false, DistinctEdges(), 1}};
   total = DistinctStats();
   thumbnails = {{16, 17, "\x89PNG", PictureFormat::kQoi}};
   CopySummary copy;
@@ -121,7 +123,8 @@ PrintTimes DistinctTimesOfPrint() {
 
 ProgramEnvelope DistinctFrame() {
   ProgramEnvelope program;
-  auto& [prologue, prefixes, epilogue, times, travel] = program;
+  auto& [prologue, prefixes, epilogue, times, travel, layer_code] = program;
+  layer_code = {"before", "after"};
   prologue = "start\xff";
   prefixes = {"", "M73 P1\n"};
   epilogue = "end";

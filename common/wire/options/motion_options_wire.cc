@@ -299,6 +299,10 @@ void PutMaterial(const MotionOptions& options, v1::MotionOptions* proto) {
   proto->set_first_layer_temperature_c(options.first_layer_temperature_c);
   proto->set_bed_temperature_c(options.bed_temperature_c);
   proto->set_first_layer_bed_temperature_c(options.first_layer_bed_temperature_c);
+  proto->set_chamber_temperature_c(options.chamber_temperature_c);
+  proto->set_chamber_least_c(options.chamber_least_c);
+  proto->set_emit_temperatures(options.emit_temperatures);
+  proto->set_tool(options.tool);
 }
 
 void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
@@ -318,6 +322,10 @@ void TakeMaterial(const v1::MotionOptions& proto, MotionOptions* options) {
   options->first_layer_temperature_c = proto.first_layer_temperature_c();
   options->bed_temperature_c = proto.bed_temperature_c();
   options->first_layer_bed_temperature_c = proto.first_layer_bed_temperature_c();
+  options->chamber_temperature_c = proto.chamber_temperature_c();
+  options->chamber_least_c = proto.chamber_least_c();
+  options->emit_temperatures = proto.emit_temperatures();
+  options->tool = proto.tool();
 }
 
 }  // namespace

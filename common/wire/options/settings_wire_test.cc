@@ -320,7 +320,8 @@ MotionOptions DistinctMotion() {
          over_raft_acceleration, travel_acceleration, nozzle_diameter, filament_diameter,
          extrusion_multiplier, filament_density, filament_cost, filament_type, filament_colour,
          filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
-         first_layer_bed_temperature, nozzle_heating, bed_heating, progress, z_offset, start_gcode,
+         first_layer_bed_temperature, chamber_temperature, chamber_least, emit_temperatures, tool,
+         nozzle_heating, bed_heating, progress, z_offset, start_gcode,
          end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
          max_print_height, arc_fitting, resolution, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
@@ -375,6 +376,10 @@ MotionOptions DistinctMotion() {
   first_layer_temperature = 527;
   bed_temperature = 528;
   first_layer_bed_temperature = 529;
+  chamber_temperature = 530;
+  chamber_least = 531;
+  emit_temperatures = false;
+  tool = 4;
   progress = true;
   z_offset = -531;
   start_gcode = "start";
@@ -636,6 +641,9 @@ constexpr char kDistinct[] = R"pb(
     first_layer_temperature_c: 527
     bed_temperature_c: 528
     first_layer_bed_temperature_c: 529
+    chamber_temperature_c: 530
+    chamber_least_c: 531
+    tool: 4
     progress: true
     z_offset_mm: -531
     start_gcode: "start"
@@ -785,8 +793,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](auto& p) { p.mutable_motion()->set_max_print_height_nm(-1); },
                 "motion.max_print_height_nm"},
         Refused{"NegativeMotionResolution",
-                [](auto& p) { p.mutable_motion()->set_resolution_nm(-1); },
-                "motion.resolution_nm"},
+                [](auto& p) { p.mutable_motion()->set_resolution_nm(-1); }, "motion.resolution_nm"},
         Refused{"NoSkirt", [](auto& p) { p.mutable_planning()->clear_skirt(); }, "planning.skirt"},
         Refused{"TooManySkirts",
                 [](auto& p) { p.mutable_planning()->mutable_skirt()->set_loops(501); },

@@ -52,6 +52,9 @@ void ChangeElement(Message& message, const FieldDescriptor* field, int i) {
     case FieldDescriptor::CPPTYPE_INT32:
       return reflection.SetRepeatedInt32(&message, field, i,
                                          Another(reflection.GetRepeatedInt32(message, field, i)));
+    case FieldDescriptor::CPPTYPE_INT64:
+      return reflection.SetRepeatedInt64(&message, field, i,
+                                         Another(reflection.GetRepeatedInt64(message, field, i)));
     case FieldDescriptor::CPPTYPE_UINT32:
       return reflection.SetRepeatedUInt32(&message, field, i,
                                           reflection.GetRepeatedUInt32(message, field, i) + 1);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/base/error.h"
+#include "common/config/coverage.h"
 #include "common/config/table/settings_table.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
@@ -16,6 +17,7 @@ namespace {
 
 struct SettingsOptions {
   std::string pattern;
+  std::string coverage;
   Process process = Process::kFdm;
   bool json = false;
   bool ini = false;
@@ -44,7 +46,21 @@ std::string ToIni(const config::SettingSpec& spec) {
                      spec.unit.empty() ? "" : "; unit: ", spec.unit, spec.key, spec.standard);
 }
 
+ExitCode ListCoverage(const std::string& path) {
+  SettingOptions given;
+  given.config_files = {path};
+  const auto settings = GivenSettings(given);
+  if (!settings.ok()) return Fail(settings.status());
+  const config::Coverage coverage = config::CoverageOf(*settings);
+  std::string text = fmt::format("keys {} effect {} partial {} none {}\n", coverage.keys,
+                                 coverage.effect, coverage.partial, coverage.none);
+  for (const std::string& line : coverage.without) text += line + "\n";
+  Print(text);
+  return ExitCode::kOk;
+}
+
 ExitCode ListSettings(const SettingsOptions& options) {
+  if (!options.coverage.empty()) return ListCoverage(options.coverage);
   std::string text;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const config::SettingSpec& spec : config::SettingsTable(options.process)) {
@@ -74,6 +90,10 @@ void AddSettings(CLI::App& app, CommandContext& context) {
   CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--ini", options->ini, "As a commented config.ini of the defaults")
       ->excludes(json);
+  command
+      ->add_option("--coverage", options->coverage,
+                   "How many keys of a config.ini have an effect here, and which have none")
+      ->type_name("PROFILE.ini");
   command->footer(
       "Names and meanings are those of PrusaSlicer's config.ini.\n"
       "Example:\n"

@@ -38,7 +38,8 @@ int ThreadsOf(const SliceOptions& options) {
 absl::StatusOr<config::ResolvedPlate> Resolve(const GivenPlate& given,
                                               const std::vector<Setting>& settings,
                                               Process process) {
-  auto plate = config::ResolvePlate(SettingsOf(given, settings), given.objects, process);
+  auto plate =
+      config::ResolvePlate(WithCreationTime(SettingsOf(given, settings)), given.objects, process);
   if (plate.ok())
     plate->no_effect.insert(plate->no_effect.begin(), given.without_effect.begin(),
                             given.without_effect.end());

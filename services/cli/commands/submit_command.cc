@@ -56,7 +56,12 @@ v1::JobSpec SpecOf(const SubmitOptions& submit, const GivenPlate& plate,
   spec.mutable_profiles()->Assign(submit.profiles.begin(), submit.profiles.end());
   if (submit.quote) spec.set_mode(v1::JOB_MODE_QUOTE);
   SettingsToProto(settings, spec.mutable_settings());
-  SettingsToProto(plate.settings, spec.mutable_project_settings());
+  const std::vector<Setting> all = SettingsOf(plate, settings);
+  std::vector<Setting> of_project = plate.settings;
+  // What the farm's profiles name, only the farm knows.
+  if (WithCreationTime(all, !submit.profiles.empty()).size() > all.size())
+    of_project = WithCreationTime(std::move(of_project), true);
+  SettingsToProto(of_project, spec.mutable_project_settings());
   spec.mutable_without_effect()->Assign(plate.without_effect.begin(), plate.without_effect.end());
   return spec;
 }

@@ -39,7 +39,7 @@ TEST(ProjectJson, TellsObjectsPartsPlacesAndSettings) {
 TEST(ProjectJson, SettingsHavePrusaSlicersNames) {
   const nlohmann::json json = JsonOf(threemf::BambuFiles());
   EXPECT_EQ(json["settings"]["perimeters"], "3");
-  EXPECT_EQ(json["settings"]["temperature"], "220");
+  EXPECT_EQ(json["settings"]["temperature"], "220,230");
   EXPECT_EQ(json["objects"][0]["parts"][1]["settings"]["perimeters"], "5");
   ASSERT_EQ(json["plates"].size(), 2);
   EXPECT_EQ(json["plates"][0]["name"], "left");

@@ -34,9 +34,14 @@ Neighbours NeighboursOf(const ObjectSection& section, const ObjectLayers& object
   return neighbours;
 }
 
+Point ShiftOf(int32_t object, std::span<const Copy> copies) {
+  const auto copy = std::ranges::find(copies, object, &Copy::object);
+  return copy == copies.end() ? Point{} : copy->shift;
+}
+
 absl::Status AppendSection(const ObjectSection& section, int32_t layer, const ObjectLayers& objects,
-                           std::span<const ExposureOptions> regions, const CancelToken& cancel,
-                           ExposedLayer& result) {
+                           std::span<const ExposureOptions> regions, std::span<const Copy> copies,
+                           const CancelToken& cancel, ExposedLayer& result) {
   Point at;
   for (const Region& region : section.regions) {
     if (absl::Status status = cancel.Check(); !status.ok()) return status;
@@ -47,7 +52,8 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
                                 .neighbours = {neighbours.above, neighbours.below},
                                 .layer = layer,
                                 .object = section.object,
-                                .settings = region.settings},
+                                .settings = region.settings,
+                                .shift = ShiftOf(section.object, copies)},
                                options, at, cancel, result.cuts);
     if (!groups.ok()) return groups.status();
     if (!groups->empty()) at = groups->back().points.back();
@@ -110,7 +116,7 @@ absl::StatusOr<ExposedLayer> ExposeLayer(const SlicedLayer& layer, const ObjectL
   result.frame = layer.frame;
   for (const ObjectSection& section : layer.sections) {
     absl::Status status =
-        AppendSection(section, layer.frame.index, objects, regions, cancel, result);
+        AppendSection(section, layer.frame.index, objects, regions, copies, cancel, result);
     if (!status.ok()) return status;
   }
   result.visits = Visits(result.groups, copies);

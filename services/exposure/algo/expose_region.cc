@@ -1,13 +1,17 @@
 #include "services/exposure/algo/expose_region.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "common/base/error.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/hatch.h"
+#include "services/exposure/algo/scan/outline_check.h"
 #include "services/exposure/algo/scan/ring_scan.h"
 #include "services/exposure/algo/scan/thin_walls.h"
 
@@ -24,15 +28,15 @@ double AngleOf(const ExposureOptions& options, int32_t layer) {
   return angle - 360 * std::floor(angle / 360);
 }
 
-/// From the outline to where rings or hatch begin. Rings keep half a distance from their border,
-/// less half of what those beside a cut overlap.
-Coord InsideInset(const ExposureOptions& options) {
-  const Coord inset = options.contours == 0
-                          ? options.beam_compensation_nm
-                          : options.beam_compensation_nm + options.hatch_offset_nm +
-                                (options.contours - 1) * options.contour_distance_nm;
-  if (!IsRings(options.strategy)) return inset;
-  return inset - (options.hatch_distance_nm - options.ring_overlap_nm) / 2;
+absl::Status Strayed(const StrayVector& stray, const RegionInput& region) {
+  const Point at = stray.from + region.shift;
+  const auto place = [](Coord nm) { return fmt::format("{:.3f}", ToMm(static_cast<double>(nm))); };
+  return MakeError(
+      absl::StatusCode::kInternal, Reason::kInternal,
+      fmt::format("layer {}: a {} vector at ({}, {}) mm leaves the compensated outline; it is a "
+                  "fault of slicefarm, and nothing was written",
+                  region.layer, ExposureKindName(stray.kind), place(at.x), place(at.y)),
+      {{"layer", fmt::format("{}", region.layer)}, {"x_mm", place(at.x)}, {"y_mm", place(at.y)}});
 }
 
 /// One region on its way from group to group.
@@ -47,6 +51,8 @@ class RegionScan {
     if (absl::Status status = AddThinWalls(); !status.ok()) return status;
     if (absl::Status status = AddInside(); !status.ok()) return status;
     if (!options_.contours_first) AddContours();
+    if (const auto stray = FindStray(groups_, region_.outlines, options_))
+      return Strayed(*stray, region_);
     return std::move(groups_);
   }
 

@@ -21,10 +21,12 @@ struct RegionInput {
   int32_t layer = 0;  ///< of the job: how far the hatch has turned
   int32_t object = 0;
   int32_t settings = 0;
+  Point shift = {};  ///< of a copy of the object: for places in errors
 };
 
 /// The groups of one region in the order of scanning, beginning near `from`: contours, what is
-/// inside of them, skins, thin walls. Errors: Cancelled; those of Hatch and Decompose.
+/// inside of them, skins, thin walls. Errors: Cancelled; those of Hatch and Decompose; INTERNAL
+/// with layer and place for a vector outside of the compensated outline (scan/outline_check.h).
 absl::StatusOr<std::vector<ExposureGroup>> ExposeRegion(const RegionInput& region,
                                                         const ExposureOptions& options, Point from,
                                                         const CancelToken& cancel,

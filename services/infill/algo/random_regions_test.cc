@@ -10,6 +10,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/inside_checks_test.h"
 #include "services/infill/algo/solid.h"
+#include "services/infill/algo/solid_raster_test.h"
 #include "services/infill/algo/sparse.h"
 
 /// Properties of all patterns on random regions: with holes, islands in holes, slivers, parts that
@@ -76,6 +77,11 @@ TEST(RandomRegions, AreFilledInsideTheSameEachTime) {
       const auto group = FillSolid(region[0], solid);
       ASSERT_TRUE(group.ok());
       ExpectInside(group->paths, {region[0]});
+      if (info.solid == SolidWay::kLines) {
+        const Flow flow = FlowOf(group->paths, solid.height_nm);
+        EXPECT_LE(flow.jumps, 2 * flow.length_m);
+        EXPECT_GE(flow.narrowest_nm, 240'000);
+      }
       EXPECT_EQ(*group, *FillSolid(region[0], solid));
       if (HasFatalFailure()) return;
     }

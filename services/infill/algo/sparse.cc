@@ -4,6 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "common/geometry/between.h"
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
@@ -15,6 +18,10 @@
 namespace slicefarm::infill {
 namespace {
 
+/// Of a part of a field, lines are no fewer than this share of what it asks for.
+constexpr double kLeastLines = 0.3;
+/// Parts are cut out of their region with an error of some nanometres.
+constexpr Coord kOnEdgeNm = 1'000;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinPieceWidths = 1;
 /// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
@@ -31,16 +38,59 @@ bool IsByLaw(const SparseFill& fill) {
   return fill.field == nullptr && !InfoOf(fill.pattern).planned;
 }
 
-/// Each part by itself, as dense as it is.
+/// Which share of a part's edge lies inside the region.
+double InnerShare(const EdgeIndex& edges, const MultiPolygon& part) {
+  double inner = 0, all = 0;
+  ForEachRing(part, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const Point middle = PointBetween(a, b, 0.5);
+      bool on_edge = false;
+      edges.ForEachNear(Box{middle, middle}.Grown(kOnEdgeNm), [&](int32_t number) {
+        const EdgeIndex::Edge& edge = edges.At(number);
+        on_edge = on_edge || DistanceToSegment(middle, edge.a, edge.b) <= kOnEdgeNm;
+      });
+      all += Distance(a, b);
+      if (!on_edge) inner += Distance(a, b);
+    }
+  });
+  return all > 0 ? inner / all : 0;
+}
+
+/// A part less a strip along the others, so that beads on both sides of the edge lie side by side.
+MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, Coord strip_nm) {
+  const MultiPolygon others = Difference(region, part);
+  if (others.empty() || strip_nm <= 0) return part;
+  return Difference(part, FastOffset(others, strip_nm));
+}
+
+/// Fills one part as dense as it is. What runs along its inner edges holds to no wall, so it
+/// counts: lines are so much fewer.
+absl::StatusOr<std::vector<Path>> FillPart(const DensityPart& part, const MultiPolygon& own,
+                                           double inner_share, SparseFill fill) {
+  fill.field = nullptr;
+  fill.density = part.density;
+  auto paths = FillSparse(own, fill);
+  if (!paths.ok() || inner_share <= 0) return paths;
+  double length = 0;
+  for (const Path& path : *paths) length += PathLength(path);
+  const auto spacing = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
+  const double excess = length * spacing / Area(part.area) - part.density;
+  fill.density = std::clamp(part.density - inner_share * excess, kLeastLines * part.density, 1.0);
+  return FillSparse(own, fill);
+}
+
+/// Each part by itself.
 absl::StatusOr<std::vector<Path>> FillParts(const MultiPolygon& region, const SparseFill& fill) {
   const auto parts = PartsOfField(region, *fill.field);
   if (!parts.ok()) return parts.status();
+  const EdgeIndex edges(region, kNmPerMm);
+  const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   std::vector<Path> all;
   for (const DensityPart& part : *parts) {
-    SparseFill plain = fill;
-    plain.field = nullptr;
-    plain.density = part.density;
-    auto paths = FillSparse(part.area, plain);
+    const MultiPolygon own =
+        BesideOthers(region, part.area, std::min(fill.overlap_nm, spacing / 2));
+    auto paths = FillPart(part, own, InnerShare(edges, part.area), fill);
     if (!paths.ok()) return paths.status();
     std::ranges::move(*paths, std::back_inserter(all));
   }

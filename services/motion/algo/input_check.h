@@ -14,8 +14,9 @@ absl::Status CheckOptions(const MotionOptions& options);
 
 /// Refuses paths of fewer than two points, with a wrong number of widths, of a width, height or
 /// place that no printer has, whose settings are in no table, or with a tool other than 0; blocks
-/// without paths; visits of no block, or whose shift is not in whole micrometres; passes that do not
-/// ascend. Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points + visits).
+/// without paths; visits of no block, or whose shift is not in whole micrometres; passes that do
+/// not ascend. Errors: InvalidArgument REQUEST_MALFORMED naming the layer. Cost: O(points +
+/// visits).
 absl::Status CheckLayer(const OrderedLayer& layer, const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -13,8 +13,7 @@
 #include "services/motion/algo/gcode/layer_writer.h"
 #include "services/motion/algo/gcode/machine_setup.h"
 #include "services/motion/algo/gcode/object_labels.h"
-#include "services/motion/algo/macro/gcode_template.h"
-#include "services/motion/algo/macro/template_variables.h"
+#include "services/motion/algo/macro/layer_code.h"
 #include "services/motion/algo/toolpath/accelerations.h"
 #include "services/motion/algo/toolpath/cooling.h"
 #include "services/motion/algo/toolpath/edge_moves.h"
@@ -30,36 +29,24 @@ namespace {
 constexpr size_t kBytesPerMove = 32;
 constexpr size_t kBytesAround = 512;
 
-/// before_layer_gcode and layer_gcode, filled in.
-struct CustomCode {
-  std::string before;
-  std::string after;
-};
-
-absl::StatusOr<CustomCode> ExpandCustomCode(const MotionOptions& options, const JobFacts& facts,
-                                            const LayerPlace& place) {
-  CustomCode code;
-  if (options.before_layer_gcode.empty() && options.layer_gcode.empty()) return code;
-  const TemplateVariables variables = LayerVariables(options, facts, place);
-  auto before = ExpandTemplate("before_layer_gcode", options.before_layer_gcode, variables);
-  if (!before.ok()) return before.status();
-  auto after = ExpandTemplate("layer_gcode", options.layer_gcode, variables);
-  if (!after.ok()) return after.status();
-  return CustomCode{*std::move(before), *std::move(after)};
+/// Keeps a place for code that is filled in later.
+void KeepPlace(const CustomCode& code, const GcodeText& out, std::vector<int64_t>& places) {
+  if (code.waits) places.push_back(std::ssize(out.text()));
 }
 
-void WriteHeader(const LayerFrame& frame, const CommentWords& words, std::string_view before,
-                 GcodeText& out) {
+void WriteHeader(const LayerFrame& frame, const CommentWords& words, const CustomCode& code,
+                 std::vector<int64_t>& places, GcodeText& out) {
   const double z_mm = ToMm(static_cast<double>(frame.print_z_nm));
   out << words.layer_change << '\n' << words.z;
   out.Real(z_mm, 3) << '\n' << words.height;
   out.Real(static_cast<double>(ToUm(frame.height_nm)) / kUmPerMm, 3) << '\n';
   // Printer hosts look for this pair of lines; many profiles bring it along.
-  if (before.find(";BEFORE_LAYER_CHANGE") == std::string_view::npos) {
+  if (!code.names_layer_change) {
     out << ";BEFORE_LAYER_CHANGE\n;";
     out.Real(z_mm, 3) << '\n';
   }
-  out.Lines(before);
+  KeepPlace(code, out, places);
+  out.Lines(code.before);
 }
 
 /// The second layer goes over from the first layer's temperatures to the others.
@@ -143,8 +130,7 @@ Point ExitOf(const BlockVisit& visit, std::span<const BuiltBlock> built) {
 }
 
 ProgramStats Moved(ProgramStats stats, Point shift) {
-  if (!stats.bounds.Empty())
-    stats.bounds = {stats.bounds.min + shift, stats.bounds.max + shift};
+  if (!stats.bounds.Empty()) stats.bounds = {stats.bounds.min + shift, stats.bounds.max + shift};
   return stats;
 }
 
@@ -174,7 +160,7 @@ class PassProgram {
   const LayerEdges& edges() const { return edges_; }
 
   void Write(const CustomCode& code, const JobFacts& facts, const LayerState& state,
-             GcodeText& out) const {
+             std::vector<int64_t>& places, GcodeText& out) const {
     LayerWriter writer(FirmwareOf(options_.flavor), AccelerationsFor(options_, Ground::kLayers),
                        state, materials_);
     for (const BlockVisit& visit : visits_) {
@@ -183,8 +169,9 @@ class PassProgram {
       const size_t approach = path.approach;
       const bool first = &visit == &visits_.front();
       if (first || Lifts()) writer.Write(path, 0, approach, shift, out);
+      if (first) KeepPlace(code, out, places);
       if (first) out.Lines(code.after);
-      if (first && !code.after.empty()) writer.Forget();
+      if (first && code.has_after) writer.Forget();
       writer.Write(path, approach, approach + 1, shift, out);
       WriteCopy(visit, shift, facts, writer, out);
     }
@@ -213,8 +200,8 @@ class PassProgram {
     return stretches;
   }
 
-  void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts,
-                 LayerWriter& writer, GcodeText& out) const {
+  void WriteCopy(const BlockVisit& visit, ShiftUm shift, const JobFacts& facts, LayerWriter& writer,
+                 GcodeText& out) const {
     const auto copy = static_cast<size_t>(visit.copy);
     const bool labelled = visit.copy >= 0 && copy < facts.copies.size();
     if (labelled) BeginCopy(facts.copies[copy], copy, options_, out);
@@ -259,10 +246,10 @@ std::vector<std::span<const BlockVisit>> PassesOf(std::span<const BlockVisit> vi
 absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
                                          std::span<const BuiltBlock> built,
                                          std::span<const BlockVisit> visits, const JobFacts& facts,
-                                         const MotionOptions& options,
+                                         const MotionOptions& options, const LayerCode& layer_code,
                                          const MaterialField* materials) {
   const LayerPlace place = PlaceOf(layer, visits, facts);
-  const auto code = ExpandCustomCode(options, facts, place);
+  const auto code = layer_code.At(place, facts);
   if (!code.ok()) return code.status();
   LayerProgram program;
   program.frame = layer.frame;
@@ -285,12 +272,13 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
   for (const BlockVisit& visit : visits)
     moves += built[static_cast<size_t>(visit.block)].path.moves.size();
   GcodeText out(moves * kBytesPerMove + kBytesAround + code->before.size() + code->after.size());
-  WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), code->before, out);
+  WriteHeader(layer.frame, FirmwareOf(options.flavor).comments(), *code, program.code_at, out);
   WriteTemperatures(options, place.index, out);
   WriteFan(state.fan_percent, out);
   if (pass) {
-    pass->Write(*code, facts, state, out);
+    pass->Write(*code, facts, state, program.code_at, out);
   } else {
+    KeepPlace(*code, out, program.code_at);
     out.Lines(code->after);
     const BuiltBlock idle = HandOver(layer, options);
     LayerWriter(FirmwareOf(options.flavor), AccelerationsFor(options, Ground::kLayers), state)
@@ -306,11 +294,12 @@ absl::StatusOr<LayerProgram> ProgramPass(const OrderedLayer& layer,
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
                                                        const MotionOptions& options,
+                                                       const LayerCode& code,
                                                        const MaterialField* materials) {
   const std::vector<BuiltBlock> built = Build(layer, options);
   std::vector<LayerProgram> programs;
   for (const std::span<const BlockVisit> visits : PassesOf(layer.visits)) {
-    auto program = ProgramPass(layer, built, visits, facts, options, materials);
+    auto program = ProgramPass(layer, built, visits, facts, options, code, materials);
     if (!program.ok()) return program.status();
     programs.push_back(*std::move(program));
   }

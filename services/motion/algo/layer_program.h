@@ -7,6 +7,7 @@
 #include "common/model/job_facts.h"
 #include "common/model/layer.h"
 #include "common/model/options/motion_options.h"
+#include "services/motion/algo/macro/layer_code.h"
 
 namespace slicefarm::motion {
 
@@ -26,12 +27,15 @@ namespace slicefarm::motion {
 /// (print_clock.h puts that right).
 /// With a pass for each copy, the layers of a pass are counted as the copy's own (layer_place.h);
 /// the way from pass to pass is no part of them (pass_change.h).
+/// `code`: the options' templates, parsed. What depends on the layers before is left out, and its
+/// places are told (LayerProgram::code_at).
 /// `materials`: that of options.material_field, read; null: nothing is mixed.
-/// Errors: those of the settings' templates (gcode_template.h). REQUIRES: CheckOptions and
+/// Errors: those of the settings' templates (template_run.h). REQUIRES: CheckOptions and
 /// CheckLayer hold.
 absl::StatusOr<std::vector<LayerProgram>> ProgramLayer(const OrderedLayer& layer,
                                                        const JobFacts& facts,
                                                        const MotionOptions& options,
+                                                       const LayerCode& code,
                                                        const MaterialField* materials = nullptr);
 
 }  // namespace slicefarm::motion

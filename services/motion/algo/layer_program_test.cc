@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "common/model/bead_section.h"
 #include "common/base/error.h"
+#include "common/model/bead_section.h"
 #include "common/model/paths_test.h"
 
 namespace slicefarm::motion::layer_program_test {
@@ -60,9 +60,16 @@ JobFacts Facts() {
   return facts;
 }
 
+absl::StatusOr<std::vector<LayerProgram>> Program(const OrderedLayer& layer, const JobFacts& facts,
+                                                  const MotionOptions& options) {
+  const auto code = LayerCode::Of(options);
+  if (!code.ok()) return code.status();
+  return ProgramLayer(layer, facts, options, *code);
+}
+
 std::vector<LayerProgram> Passes(const OrderedLayer& layer,
                                  const MotionOptions& options = Options()) {
-  auto programs = ProgramLayer(layer, Facts(), options);
+  auto programs = Program(layer, Facts(), options);
   EXPECT_TRUE(programs.ok()) << programs.status();
   return *std::move(programs);
 }
@@ -221,8 +228,7 @@ TEST(ProgramLayer, RandomCopiesKeepTheCanonicalState) {
     layer.frame = {trial, 200'000 * (trial + 1), 200'000};
     for (int32_t object = 0; object < 3; ++object) {
       layer.blocks.push_back({object, trial, object == 1 ? 150'000 : 200'000, {}});
-      for (int i = 0; i < 5; ++i)
-        layer.blocks.back().paths.push_back(RandomPath(random, 1'000));
+      for (int i = 0; i < 5; ++i) layer.blocks.back().paths.push_back(RandomPath(random, 1'000));
     }
     for (int i = 0; i < 9; ++i) {
       const auto um = [&] { return static_cast<Coord>(random() % 90'000) * 1'000; };
@@ -298,10 +304,28 @@ TEST(ProgramLayer, AHeightBetweenMicrometresIsSaidOnce) {
   }
 }
 
+// What depends on the layers before is left out, and its places are told.
+TEST(ProgramLayer, KeepsPlacesForCodeThatWaits) {
+  MotionOptions options = Options();
+  options.before_layer_gcode = ";BEFORE_LAYER_CHANGE\nM117 {extruded_weight_total}";
+  options.layer_gcode = "M118 {layer_num}";
+  const LayerProgram program = Programmed(Square(), options);
+  ASSERT_EQ(program.code_at.size(), 2u);
+  EXPECT_THAT(program.gcode, Not(HasSubstr("M117")));
+  EXPECT_THAT(program.gcode, Not(HasSubstr("M118")));
+  std::string filled = program.gcode;
+  filled.insert(static_cast<size_t>(program.code_at[1]), "M118 2\n");
+  filled.insert(static_cast<size_t>(program.code_at[0]), ";BEFORE_LAYER_CHANGE\nM117 7\n");
+  options.before_layer_gcode = ";BEFORE_LAYER_CHANGE\nM117 7";
+  const LayerProgram direct = Programmed(Square(), options);
+  EXPECT_TRUE(direct.code_at.empty());
+  EXPECT_EQ(filled, direct.gcode);
+}
+
 TEST(ProgramLayer, NamesTheTemplateThatIsWrong) {
   MotionOptions options = Options();
   options.layer_gcode = "[no_such_setting]";
-  const auto program = ProgramLayer(Square(), {}, options);
+  const auto program = Program(Square(), {}, options);
   const ErrorDetail detail = DetailOf(program.status());
   EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
   EXPECT_EQ(detail.metadata.at("setting"), "layer_gcode");
@@ -433,7 +457,7 @@ TEST(ProgramLayer, ACopyInAPassOfItsOwnCountsItsOwnLayers) {
   options.cooling.disable_fan_first_layers = 2;
   JobFacts facts = Facts();
   facts.passes = {{0, 0, 0}, {30, 0, FromMm(6)}};
-  const auto programs = ProgramLayer(layer, facts, options);
+  const auto programs = Program(layer, facts, options);
   ASSERT_TRUE(programs.ok()) << programs.status();
   ASSERT_EQ(programs->size(), 2);
   const std::string& first = programs->front().gcode;
@@ -445,7 +469,7 @@ TEST(ProgramLayer, ACopyInAPassOfItsOwnCountsItsOwnLayers) {
   EXPECT_THAT(second, HasSubstr("M104 S200\n"));
   EXPECT_THAT(second, HasSubstr("M107"));
   options.layer_gcode = "{current_object_idx / (1 - current_object_idx)}";
-  EXPECT_FALSE(ProgramLayer(layer, facts, options).ok()) << "of the second pass alone";
+  EXPECT_FALSE(Program(layer, facts, options).ok()) << "of the second pass alone";
 }
 
 TEST(ProgramLayer, ThePlatesOwnPathsHaveNoLabel) {

@@ -36,12 +36,14 @@ class LocalMotion : public MotionStage {
     if (!materials.ok()) return materials.status();
     MotionOptions running = options;
     running.limits = LimitsAfterStart(options);
+    const auto code = LayerCode::Of(options);
+    if (!code.ok()) return code.status();
     std::vector<LayerProgram> programs;
     programs.reserve(layers.size());
     for (OrderedLayer& layer : layers) {
       if (absl::Status wanted = call.cancel.Check(); !wanted.ok()) return wanted;
       if (absl::Status good = CheckLayer(layer, options); !good.ok()) return good;
-      auto passes = ProgramLayer(layer, facts, running, *materials ? &**materials : nullptr);
+      auto passes = ProgramLayer(layer, facts, running, *code, *materials ? &**materials : nullptr);
       if (!passes.ok()) return passes.status();
       std::ranges::move(*passes, std::back_inserter(programs));
       layer.blocks = {};  // a range may be long: its paths make room for its text

@@ -69,7 +69,8 @@ TEST(LocalMotion, ChecksItsInput) {
   EXPECT_EQ(DetailOf(stage->Envelope({}, {}, options).status()).reason, Reason::kSettingOutOfRange);
   std::vector<OrderedLayer> layers = Layers(2);
   layers[1].blocks[0].paths[0].points.clear();
-  EXPECT_EQ(DetailOf(stage->Program({}, layers, {}, {}).status()).reason, Reason::kRequestMalformed);
+  EXPECT_EQ(DetailOf(stage->Program({}, layers, {}, {}).status()).reason,
+            Reason::kRequestMalformed);
 }
 
 TEST(LocalMotion, StopsWhenCancelled) {

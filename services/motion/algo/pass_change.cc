@@ -1,11 +1,9 @@
 #include "services/motion/algo/pass_change.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "services/motion/algo/gcode/gcode_text.h"
 #include "services/motion/algo/gcode/machine_setup.h"
-#include "services/motion/algo/macro/gcode_template.h"
 #include "services/motion/algo/toolpath/print_speed.h"
 #include "services/motion/algo/toolpath/toolpath.h"
 
@@ -22,16 +20,6 @@ void WriteFirstLayerTemperatures(const MotionOptions& options, std::string_view 
   if (options.first_layer_temperature_c != options.temperature_c &&
       !Commands(custom, {"M104", "M109"}))
     WriteTemperature("M104", options.first_layer_temperature_c, out);
-}
-
-TemplateVariables VariablesAt(const PassChange& change, const ProgramSummary& summary,
-                              TemplateVariables variables) {
-  const LayerSummary& last = summary.layers[change.layer - 1];
-  variables["current_object_idx"] = {int64_t{summary.layers[change.layer].pass}};
-  variables["layer_num"] = {static_cast<int64_t>(change.layer) - 1};
-  variables["layer_z"] = {ToMm(static_cast<double>(last.frame.print_z_nm))};
-  variables["max_layer_z"] = {ToMm(static_cast<double>(change.top_nm))};
-  return variables;
 }
 
 }  // namespace
@@ -64,19 +52,11 @@ std::string MoveToHeight(Coord z_nm, const MotionOptions& options) {
   return out.Take();
 }
 
-absl::StatusOr<std::string> GcodeOf(const PassChange& change, const ProgramSummary& summary,
-                                    const TemplateVariables& variables,
-                                    const MotionOptions& options) {
+std::string GcodeOf(const PassChange& change, std::string_view custom,
+                    const MotionOptions& options) {
   const std::string rise = MoveToHeight(ClearHeight(change.top_nm, options), options);
   GcodeText out;
   out << rise;
-  std::string custom;
-  if (!options.between_objects_gcode.empty()) {
-    auto expanded = ExpandTemplate("between_objects_gcode", options.between_objects_gcode,
-                                   VariablesAt(change, summary, variables));
-    if (!expanded.ok()) return expanded.status();
-    custom = *std::move(expanded);
-  }
   if (change.on_bed) WriteFirstLayerTemperatures(options, custom, out);
   if (!custom.empty()) out.Lines(custom) << "G21\nG90\nM83\n" << rise;
   out << "G1 X";

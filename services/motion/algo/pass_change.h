@@ -2,12 +2,11 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "absl/status/statusor.h"
 #include "common/model/options/motion_options.h"
 #include "common/model/program_summary.h"
-#include "services/motion/algo/macro/template_value.h"
 
 namespace slicefarm::motion {
 
@@ -30,13 +29,10 @@ Coord ClearHeight(Coord top_nm, const MotionOptions& options);
 std::string MoveToHeight(Coord z_nm, const MotionOptions& options);
 
 /// From the canonical state at the end of a pass to that over the entry of the next one, whose
-/// program moves down first. The nozzle rises, runs between_objects_gcode and goes to the entry at
-/// that height, wherever that G-code has left it. The first layer's temperatures are set and not
-/// waited for, unless that G-code sets them. `variables`: of the program; added to them are
-/// current_object_idx, and layer_num, layer_z and max_layer_z of what is printed by then. Errors:
-/// those of the template (gcode_template.h).
-absl::StatusOr<std::string> GcodeOf(const PassChange& change, const ProgramSummary& summary,
-                                    const TemplateVariables& variables,
-                                    const MotionOptions& options);
+/// program moves down first. The nozzle rises, runs `custom`, between_objects_gcode filled in, and
+/// goes to the entry at that height, wherever that G-code has left it. The first layer's
+/// temperatures are set and not waited for, unless that G-code sets them.
+std::string GcodeOf(const PassChange& change, std::string_view custom,
+                    const MotionOptions& options);
 
 }  // namespace slicefarm::motion

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/base/error.h"
-
 namespace slicefarm::motion::pass_change_test {
 namespace {
 
@@ -38,9 +36,7 @@ MotionOptions Options() {
 }
 
 std::string Gcode(const ProgramSummary& summary, size_t change, const MotionOptions& options) {
-  const auto gcode = GcodeOf(PassChanges(summary).at(change), summary, {}, options);
-  EXPECT_TRUE(gcode.ok()) << gcode.status();
-  return gcode.value_or("");
+  return GcodeOf(PassChanges(summary).at(change), options.between_objects_gcode, options);
 }
 
 TEST(PassChanges, AreBetweenPassesOnly) {
@@ -80,21 +76,10 @@ TEST(PassChange, RisesBeforeItTravels) {
 // Whatever it did, the nozzle is high above the bed before it moves along it.
 TEST(PassChange, RisesAgainAfterTheUsersGcode) {
   MotionOptions options = Options();
-  options.between_objects_gcode =
-      "EJECT {current_object_idx} {layer_num} {layer_z} {max_layer_z}\nG1 Z0";
+  options.between_objects_gcode = "EJECT 2\nG1 Z0";
   EXPECT_EQ(Gcode(Passes({3, 9, 2}), 1, options),
-            "G1 Z2.8 F600\nEJECT 2 11 1.8 1.8\nG1 Z0\nG21\nG90\nM83\nG1 Z2.8 F600\n"
+            "G1 Z2.8 F600\nEJECT 2\nG1 Z0\nG21\nG90\nM83\nG1 Z2.8 F600\n"
             "G1 X200 Y1 F6000\n");
-}
-
-TEST(PassChange, NamesTheTemplateThatIsWrong) {
-  MotionOptions options = Options();
-  options.between_objects_gcode = "{oops}";
-  const ProgramSummary summary = Passes({1, 1});
-  const ErrorDetail detail =
-      DetailOf(GcodeOf(PassChanges(summary)[0], summary, {}, options).status());
-  EXPECT_EQ(detail.reason, Reason::kSettingMalformed);
-  EXPECT_EQ(detail.metadata.at("setting"), "between_objects_gcode");
 }
 
 TEST(PassChange, GoesBackToTheFirstLayersTemperatures) {

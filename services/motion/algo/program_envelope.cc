@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "common/macro/job_code.h"
 #include "common/model/filament_use.h"
 #include "services/motion/algo/firmware/firmware.h"
 #include "services/motion/algo/gcode/gcode_text.h"
@@ -11,8 +12,7 @@
 #include "services/motion/algo/gcode/object_labels.h"
 #include "services/motion/algo/gcode/print_metadata.h"
 #include "services/motion/algo/gcode/thumbnails_block.h"
-#include "services/motion/algo/macro/gcode_template.h"
-#include "services/motion/algo/macro/template_variables.h"
+#include "services/motion/algo/macro/print_code.h"
 #include "services/motion/algo/pass_change.h"
 #include "services/motion/algo/program/print_clock.h"
 #include "services/motion/algo/toolpath/print_speed.h"
@@ -88,27 +88,27 @@ std::string Ending(const ProgramSummary& summary, const MotionOptions& options,
 struct FrameText {
   std::string prologue;
   std::vector<PassChange> changes;
-  std::vector<std::string> ways;  ///< of the changes
+  std::vector<std::string> ways;    ///< of the changes
+  std::vector<std::string> layers;  ///< ProgramEnvelope::layer_code
   std::string ending;
 };
 
 /// `time_s`: of the print, for templates.
-absl::StatusOr<FrameText> TextOf(const ProgramSummary& summary, const MotionOptions& options,
-                                 double time_s) {
-  const TemplateVariables variables = ProgramVariables(options, summary, time_s);
-  const auto start = ExpandTemplate("start_gcode", options.start_gcode, variables);
-  if (!start.ok()) return start.status();
-  const auto end = ExpandTemplate("end_gcode", options.end_gcode, variables);
-  if (!end.ok()) return end.status();
+absl::StatusOr<FrameText> TextOf(const macro::JobCode& code, const ProgramSummary& summary,
+                                 const MotionOptions& options, double time_s) {
   FrameText text;
-  text.prologue = Prologue(summary, options, time_s, *start);
   text.changes = PassChanges(summary);
-  for (const PassChange& change : text.changes) {
-    auto way = GcodeOf(change, summary, variables, options);
-    if (!way.ok()) return way.status();
-    text.ways.push_back(*std::move(way));
+  auto filled = FillIn(code, summary, text.changes, options, time_s);
+  if (!filled.ok()) return filled.status();
+  text.prologue = Prologue(summary, options, time_s, filled->start);
+  for (size_t i = 0; i < text.changes.size(); ++i)
+    text.ways.push_back(GcodeOf(text.changes[i], filled->between[i], options));
+  for (std::string& layer : filled->layers) {
+    GcodeText lines;
+    lines.Lines(layer);
+    text.layers.push_back(lines.Take());
   }
-  text.ending = Ending(summary, options, *end);
+  text.ending = Ending(summary, options, filled->end);
   return text;
 }
 
@@ -145,12 +145,14 @@ double TravelMm(const ProgramSummary& summary) {
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options) {
   // Templates may name the time, which their moves are part of; what they name is the layers'.
-  auto text = TextOf(summary, options, summary.total.TimeS());
+  const auto code = macro::ParseJobCode(options);
+  if (!code.ok()) return code.status();
+  auto text = TextOf(*code, summary, options, summary.total.TimeS());
   if (!text.ok()) return text.status();
   ProgramEnvelope frame;
   frame.times = TimesOf(summary, *text, options);
   const double time_s = frame.times.TotalS();
-  text = TextOf(summary, options, time_s);
+  text = TextOf(*code, summary, options, time_s);
   if (!text.ok()) return text.status();
 
   frame.travel_mm = TravelMm(summary);
@@ -164,6 +166,7 @@ absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
   }
   for (size_t i = 0; i < text->changes.size(); ++i)
     frame.layer_prefixes[text->changes[i].layer] += text->ways[i];
+  frame.layer_code = std::move(text->layers);
   frame.prologue = std::move(text->prologue);
   frame.epilogue = text->ending + MetadataTail(options, summary, frame.times);
   return frame;

@@ -14,7 +14,7 @@ namespace slicefarm::motion {
 /// begins in that state. Times: those of the whole program's look-ahead (print_clock.h), its own
 /// G-code included; heating by the settings' rates. The prefix of a pass's first layer brings the
 /// nozzle there over all that stands (pass_change.h); end G-code begins above all of it. Errors:
-/// those of the templates (gcode_template.h). REQUIRES: CheckOptions holds.
+/// those of the templates (template_run.h). REQUIRES: CheckOptions holds.
 absl::StatusOr<ProgramEnvelope> FrameProgram(const ProgramSummary& summary,
                                              const MotionOptions& options);
 

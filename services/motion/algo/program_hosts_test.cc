@@ -48,8 +48,8 @@ std::string Program(const MotionOptions& options, const std::string& name) {
     path.feature = Feature::kExternalPerimeter;
     layer.blocks = {{0, i, 200'000, {path}}};
     layer.visits = {{0, 0, 0, {}}, {0, 1, 0, {FromMm(50), 0}}};
-    LayerProgram& program =
-        programs.emplace_back(std::move(ProgramLayer(layer, facts, options)->front()));
+    LayerProgram& program = programs.emplace_back(
+        std::move(ProgramLayer(layer, facts, options, *LayerCode::Of(options))->front()));
     summary.layers.push_back({.frame = program.frame,
                               .entry = program.entry,
                               .exit = program.exit,

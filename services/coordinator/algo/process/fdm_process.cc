@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -153,7 +155,8 @@ LayerSummary Summarize(const LayerProgram& program) {
           .exit = program.exit,
           .time_s = program.stats.TimeS(),
           .empty = program.stats.ExtrudedMm() == 0,
-          .edges = program.edges};
+          .edges = program.edges,
+          .filament_mm = program.stats.FilamentMm()};
 }
 
 ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
@@ -165,17 +168,32 @@ ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
   return summary;
 }
 
+/// A layer's G-code with what its places were kept free for.
+void AddLayer(const LayerProgram& program, std::span<const std::string> code, std::string& gcode) {
+  const std::string_view text = program.gcode;
+  size_t done = 0;
+  for (size_t i = 0; i < std::min(code.size(), program.code_at.size()); ++i) {
+    const auto at = static_cast<size_t>(program.code_at[i]);
+    gcode.append(text.substr(done, at - done)).append(code[i]);
+    done = at;
+  }
+  gcode.append(text.substr(done));
+}
+
 /// Prologue, prefixes and programs, epilogue. Each part is freed as soon as it is copied.
 std::string WholeProgram(ProgramEnvelope frame, std::vector<LayerProgram> programs) {
   size_t size = frame.prologue.size() + frame.epilogue.size();
   for (const std::string& prefix : frame.layer_prefixes) size += prefix.size();
+  for (const std::string& code : frame.layer_code) size += code.size();
   for (const LayerProgram& program : programs) size += program.gcode.size();
   std::string gcode;
   gcode.reserve(size);
   gcode += frame.prologue;
   for (size_t i = 0; i < programs.size(); ++i) {
     if (i < frame.layer_prefixes.size()) gcode += frame.layer_prefixes[i];
-    gcode += programs[i].gcode;
+    const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
+    const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
+    AddLayer(programs[i], std::span(frame.layer_code).subspan(first, count), gcode);
     std::string().swap(programs[i].gcode);
   }
   gcode += frame.epilogue;

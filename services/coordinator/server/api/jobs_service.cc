@@ -18,12 +18,16 @@
 #include "services/coordinator/server/execution/job_meshes.h"
 #include "services/coordinator/server/observe/job_log.h"
 #include "services/coordinator/server/observe/job_traces.h"
+#include "services/coordinator/store/blobs/checking_reader.h"
 #include "services/coordinator/store/jobs/job_steps.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int64_t kDownloadChunkBytes = 64 << 10;
+constexpr size_t kDownloadChunkBytes = 64 << 10;
+
+/// As stores keep blobs in pieces: each is fetched once.
+constexpr int64_t kDownloadPieceBytes = 1 << 20;
 
 /// Of a batch's answer, whose jobs come without their settings: less than gRPC takes in a message.
 constexpr int64_t kMaxEchoedBytes = 2 << 20;
@@ -97,6 +101,18 @@ absl::StatusOr<std::string> ArtifactOf(const JobRecord& job, v1::Artifact artifa
     default:
       return Malformed("artifact", "is none of this version");
   }
+}
+
+/// False: the client left.
+bool SendPiece(std::string_view piece, const Transfers::Moved& moved,
+               grpc::ServerWriter<v1::DownloadResponse>& stream) {
+  v1::DownloadResponse response;
+  for (size_t at = 0; at < piece.size(); at += kDownloadChunkBytes) {
+    response.set_data(std::string(piece.substr(at, kDownloadChunkBytes)));
+    if (!stream.Write(response)) return false;
+    moved();
+  }
+  return true;
 }
 
 /// What is made when it is asked for.
@@ -213,7 +229,8 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
   std::vector<v1::Job> checked;
   std::vector<Submission> plates;
   for (int i = 0; i < request.requests_size(); ++i) {
-    auto beds = ReadPlates(caller, request.requests(i), call);
+    auto beds =
+        ReadPlates(caller, request.requests(i), {std::ssize(plates), limits::kMaxBatchJobs}, call);
     if (!beds.ok()) return Within("requests", i, beds.status());
     for (Submission& plate : *beds) {
       plate.request_id = request_id(plates.size());
@@ -232,6 +249,7 @@ absl::StatusOr<std::vector<v1::Job>> JobsService::MakePlates(const Caller& calle
 /// A submission for each bed that the request takes.
 absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(const Caller& caller,
                                                                 const v1::CreateJobRequest& request,
+                                                                const PlateRoom& room,
                                                                 const rpc::Call& call) {
   auto submission = Read(caller, request);
   if (!submission.ok()) return submission.status();
@@ -239,14 +257,12 @@ absl::StatusOr<std::vector<Submission>> JobsService::ReadPlates(const Caller& ca
   StageCall stage_call;
   stage_call.cancel = call.cancel;
   stage_call.trace = call.trace;
-  return PlatesOf(stage_call, *submission,
+  return PlatesOf(stage_call, *submission, room,
                   {backend_.intake, backend_.blobs, backend_.arranging, backend_.mesh_memory});
 }
 
 /// All, or none and why.
 absl::StatusOr<std::vector<JobRecord>> JobsService::CreateAll(std::vector<Submission> plates) {
-  if (const int64_t count = std::ssize(plates); count > limits::kMaxBatchJobs)
-    return LimitError(Reason::kRequestTooLarge, "plates", limits::kMaxBatchJobs, count);
   auto created = backend_.intake.CreateAll(std::move(plates));
   if (!created.ok()) return created.status();
   std::vector<JobRecord> jobs;
@@ -298,7 +314,7 @@ absl::StatusOr<Submission> JobsService::Read(const Caller& caller,
   submission.priority = *priority;
   submission.webhook_url = request.webhook_url();
   if (!submission.webhook_url.empty()) {
-    absl::Status allowed = backend_.webhook_policy.Check(caller.tenant, submission.webhook_url);
+    absl::Status allowed = backend_.webhook_policy()->Check(caller.tenant, submission.webhook_url);
     if (!allowed.ok()) return allowed;
   }
   if (!request.has_deadline()) return submission;
@@ -412,14 +428,15 @@ grpc::Status JobsService::DeleteJob(grpc::ServerContext* context,
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenResult(const JobRecord& job,
-                                                                    v1::Artifact artifact) {
+                                                                    v1::Artifact artifact,
+                                                                    int64_t offset) {
   const auto digest = ArtifactOf(job, artifact);
   if (!digest.ok()) return digest.status();
   const auto blobs = backend_.blobs.Of(job.result->tenant);
   if (!blobs.ok()) return blobs.status();
   // Also if its job is deleted meanwhile, what is read stays for as long as that takes.
   if (const auto kept = (*blobs)->Keep(*digest); !kept.ok()) return kept.status();
-  return (*blobs)->Open(*digest);
+  return offset == 0 ? OpenToStream(*blobs, *digest) : (*blobs)->Open(*digest);
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenTrace(const JobRecord& job) {
@@ -432,8 +449,9 @@ absl::StatusOr<std::unique_ptr<BlobReader>> JobsService::OpenArtifact(
     const Caller& caller, const v1::DownloadRequest& request) {
   const auto job = Find(caller, request.id(), Of::kTenant);
   if (!job.ok()) return job.status();
-  auto reader = request.artifact() == v1::ARTIFACT_TRACE ? OpenTrace(*job)
-                                                         : OpenResult(*job, request.artifact());
+  auto reader = request.artifact() == v1::ARTIFACT_TRACE
+                    ? OpenTrace(*job)
+                    : OpenResult(*job, request.artifact(), request.offset());
   if (!reader.ok()) return reader.status();
   if (request.offset() < 0 || request.offset() > (*reader)->size()) {
     return LimitError(Reason::kRequestMalformed, "offset", (*reader)->size(), request.offset());
@@ -455,13 +473,11 @@ absl::Status JobsService::Send(const Caller& caller, const v1::DownloadRequest& 
                                grpc::ServerWriter<v1::DownloadResponse>& stream) {
   const auto reader = OpenArtifact(caller, request);
   if (!reader.ok()) return reader.status();
-  v1::DownloadResponse response;
-  for (int64_t at = request.offset(); at < (*reader)->size(); at += kDownloadChunkBytes) {
-    auto bytes = (*reader)->Read(at, kDownloadChunkBytes);
-    if (!bytes.ok()) return bytes.status();
-    response.set_data(*std::move(bytes));
-    if (!stream.Write(response)) break;  // the client left
-    moved();
+  for (int64_t at = request.offset(); at < (*reader)->size();) {
+    const auto piece = (*reader)->Read(at, kDownloadPieceBytes - at % kDownloadPieceBytes);
+    if (!piece.ok()) return piece.status();
+    at += std::ssize(*piece);
+    if (!SendPiece(*piece, moved, stream)) break;
   }
   return absl::OkStatus();
 }

@@ -3,18 +3,19 @@
 #include <functional>
 #include <optional>
 
+#include "common/rpc/observe/json_log.h"
 #include "common/rpc/server/call_gate.h"
 #include "common/rpc/server/call_queue.h"
-#include "common/rpc/observe/json_log.h"
 #include "common/stage/plates.h"
 #include "services/coordinator/algo/pipeline/cost.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/api/callers.h"
-#include "services/coordinator/server/execution/job_feed.h"
 #include "services/coordinator/server/api/job_intake.h"
-#include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/api/job_watch.h"
+#include "services/coordinator/server/api/plate_submissions.h"
 #include "services/coordinator/server/api/transfers.h"
+#include "services/coordinator/server/execution/byte_budget.h"
+#include "services/coordinator/server/execution/job_feed.h"
+#include "services/coordinator/server/execution/job_runner.h"
 #include "services/coordinator/server/webhooks/webhook_policy.h"
 #include "services/coordinator/store/jobs/profile_store.h"
 #include "services/coordinator/store/jobs/webhook_store.h"
@@ -32,8 +33,8 @@ struct JobsBackend {
   JobFeed& feed;
   ProfileStore& profiles;
   WebhookStore& webhooks;
-  const WebhookPolicy& webhook_policy;
-  const SlicingStage& slicing;    ///< for preflights
+  const WebhooksNow& webhook_policy;
+  const SlicingStage& slicing;  ///< for preflights
   const ArrangingStage& arranging;
   const PlanningStage& planning;  ///< for preflights
   ByteBudget& mesh_memory;
@@ -92,10 +93,11 @@ class JobsService final : public JobWatches::Service, public rpc::QueuedMethods 
                                                   const rpc::Call& call);
   absl::StatusOr<std::vector<Submission>> ReadPlates(const Caller& caller,
                                                      const v1::CreateJobRequest& request,
-                                                     const rpc::Call& call);
+                                                     const PlateRoom& room, const rpc::Call& call);
   absl::StatusOr<std::vector<JobRecord>> CreateAll(std::vector<Submission> plates);
+  /// To be read from `offset` on.
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenResult(const JobRecord& job,
-                                                         v1::Artifact artifact);
+                                                         v1::Artifact artifact, int64_t offset);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenTrace(const JobRecord& job);
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenArtifact(const Caller& caller,
                                                            const v1::DownloadRequest& request);

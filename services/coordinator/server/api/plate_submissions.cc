@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/base/error.h"
 #include "common/wire/scene_wire.h"
 #include "common/wire/support/wire_error.h"
 #include "services/coordinator/server/api/jobs_wire.h"
@@ -50,11 +51,14 @@ absl::StatusOr<Submission> WithObjects(const Submission& submission,
 
 absl::StatusOr<std::vector<Submission>> PlatesOf(const StageCall& call,
                                                  const Submission& submission,
+                                                 const PlateRoom& room,
                                                  const PlatesBackend& backend) {
   const auto resolved = backend.intake.Check(submission);
   if (!resolved.ok()) return resolved.status();
   const auto beds = Arranged(call, submission.tenant, *resolved, backend);
   if (!beds.ok()) return beds.status();
+  if (const int64_t count = room.made + std::ssize(*beds); count > room.most)
+    return LimitError(Reason::kRequestTooLarge, "plates", room.most, count);
   std::vector<Submission> plates;
   for (const std::vector<SceneObject>& objects : *beds) {
     auto plate = WithObjects(submission, objects);

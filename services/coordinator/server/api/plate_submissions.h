@@ -17,10 +17,18 @@ struct PlatesBackend {
   ByteBudget& mesh_memory;
 };
 
-/// The submission as one for each bed that its copies take, with places for all. Errors: those of
-/// JobIntake::Check, BlobStores and ArrangingStage.
+/// How many plates a call may make.
+struct PlateRoom {
+  int64_t made = 0;  ///< by the requests before
+  int64_t most = 0;
+};
+
+/// The submission as one for each bed that its copies take, with places for all. Beds are counted
+/// before a submission is copied for each. Errors: those of JobIntake::Check, BlobStores and
+/// ArrangingStage; REQUEST_TOO_LARGE for more plates than there is room for.
 absl::StatusOr<std::vector<Submission>> PlatesOf(const StageCall& call,
                                                  const Submission& submission,
+                                                 const PlateRoom& room,
                                                  const PlatesBackend& backend);
 
 }  // namespace slicefarm::coordinator

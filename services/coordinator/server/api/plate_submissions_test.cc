@@ -132,6 +132,13 @@ TEST_F(PlatesTest, RefusesWhatIsNoRequest) {
   advice.mutable_requests(0)->set_advise_orientations(true);
   EXPECT_EQ(RefusalOf(advice), Reason::kRequestMalformed);
   EXPECT_EQ(RefusalOf(PlatesFor("xxx", limits::kMaxBatchJobs + 1)), Reason::kRequestTooLarge);
+  v1::CreatePlatesRequest checked = PlatesFor("xxx", limits::kMaxBatchJobs + 1);
+  checked.set_validate_only(true);
+  EXPECT_EQ(RefusalOf(checked), Reason::kRequestTooLarge) << "each would be sliced";
+  EXPECT_EQ(slicing_.runs(), 0);
+  v1::CreatePlatesRequest together = PlatesFor("xxx", limits::kMaxBatchJobs);
+  *together.add_requests() = RequestFor("xxx");
+  EXPECT_EQ(RefusalOf(together), Reason::kRequestTooLarge);
   v1::CreatePlatesRequest many;
   for (int i = 0; i <= limits::kMaxBatchJobs; ++i) *many.add_requests() = RequestFor("xxx");
   EXPECT_EQ(RefusalOf(many), Reason::kRequestTooLarge);

@@ -8,15 +8,15 @@
 #include "common/model/limits.h"
 #include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/algo/process/laser_process.h"
-#include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/api/jobs_service.h"
-#include "services/coordinator/server/execution/maintenance.h"
 #include "services/coordinator/server/api/meshes_service.h"
+#include "services/coordinator/server/api/profiles_service.h"
+#include "services/coordinator/server/execution/byte_budget.h"
+#include "services/coordinator/server/execution/maintenance.h"
+#include "services/coordinator/server/main/stores.h"
 #include "services/coordinator/server/observe/metered_blob_store.h"
 #include "services/coordinator/server/observe/metered_job_store.h"
-#include "services/coordinator/server/api/profiles_service.h"
 #include "services/coordinator/server/observe/stage_seconds.h"
-#include "services/coordinator/server/main/stores.h"
 #include "services/coordinator/server/webhooks/webhook_sender.h"
 
 namespace slicefarm::coordinator {
@@ -25,7 +25,7 @@ struct CoordinatorOptions {
   StoreOptions stores;
   JobRunnerOptions runner;
   Rates rates = {};
-  WebhookPolicy webhooks = {};
+  WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
   int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;

@@ -25,7 +25,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
     options.runner.jobs = jobs_at_once_;
     options.transfers = transfers_;
     options.rates = rates_;
-    options.webhooks = webhooks_;
+    options.webhooks = [this] { return webhooks_; };
     options.webhook_sender.poll = std::chrono::milliseconds(20);
     options.webhook_sender.first_retry = std::chrono::milliseconds(50);
     options.webhook_sender.max_attempts = 3;
@@ -90,7 +90,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
 
   TransferOptions transfers_;
   Rates rates_;
-  WebhookPolicy webhooks_;
+  std::shared_ptr<const WebhookPolicy> webhooks_ = std::make_shared<const WebhookPolicy>();
   int64_t min_free_bytes_ = 0;
   int jobs_at_once_ = 2;
 };

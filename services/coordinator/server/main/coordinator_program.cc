@@ -14,16 +14,34 @@
 #include "services/coordinator/remote/remote_stages.h"
 #include "services/coordinator/remote/stage_pool.h"
 #include "services/coordinator/remote/worker_pool.h"
+#include "services/coordinator/server/execution/split_stages.h"
 #include "services/coordinator/server/main/coordinator.h"
 #include "services/coordinator/server/main/coordinator_flags.h"
-#include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/main/rates_file.h"
-#include "services/coordinator/server/execution/split_stages.h"
+#include "services/coordinator/server/observe/coordinator_metrics.h"
 #include "services/coordinator/server/observe/status_board.h"
-#include "services/coordinator/server/api/tenants_file.h"
+#include "services/coordinator/server/reloaded_file.h"
 
 namespace slicefarm::coordinator {
 namespace {
+
+/// Opens a file that is read again when it changes; without a path, none. False: it cannot be used,
+/// and the log says why.
+template <typename Content>
+bool OpenReloaded(const std::string& path, const std::string& name,
+                  typename ReloadedFile<Content>::Parse parse, rpc::ServerProgram& program,
+                  std::unique_ptr<ReloadedFile<Content>>& file) {
+  if (path.empty()) return true;
+  auto opened = ReloadedFile<Content>::Open(path, name, std::move(parse),
+                                            program.metrics().registry(), program.log());
+  if (opened.ok()) {
+    file = *std::move(opened);
+    return true;
+  }
+  program.log().Error("cannot use the " + name,
+                      {{"error", std::string(opened.status().message())}});
+  return false;
+}
 
 int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   std::shared_ptr<const rpc::Tls> tls;
@@ -82,39 +100,25 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     program.log().Error("cannot use the rates", {{"error", std::string(rates.status().message())}});
     return 1;
   }
-  auto webhooks = flags.webhooks_file.empty() ? absl::StatusOr<WebhookPolicy>(WebhookPolicy())
-                                              : WebhookPolicy::Read(flags.webhooks_file);
-  if (!webhooks.ok()) {
-    program.log().Error("cannot use the webhooks",
-                        {{"error", std::string(webhooks.status().message())}});
+  std::unique_ptr<ReloadedFile<WebhookPolicy>> webhooks;
+  std::unique_ptr<ReloadedFile<Tenants>> tenants;
+  if (!OpenReloaded(flags.webhooks_file, "webhooks", WebhookPolicy::Parse, program, webhooks) ||
+      !OpenReloaded(flags.tenants_file, "tenants", ParseTenants, program, tenants))
     return 1;
-  }
-  std::unique_ptr<TenantsFile> tenants;
-  if (!flags.tenants_file.empty()) {
-    auto opened =
-        TenantsFile::Open(flags.tenants_file, program.metrics().registry(), program.log());
-    if (!opened.ok()) {
-      program.log().Error("cannot use the tenants",
-                          {{"error", std::string(opened.status().message())}});
-      return 1;
-    }
-    tenants = *std::move(opened);
-  }
   CoordinatorOptions options{
       .stores = flags.stores,
       .runner = flags.runner_options(),
       .rates = *rates,
-      .webhooks = *std::move(webhooks),
       .min_free_bytes = flags.min_free_mib << 20,
       .build_id = std::string(BuildId()),
       .maintenance = flags.maintenance(),
       .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
       .metrics = &program.metrics().registry()};
+  if (webhooks) options.webhooks = [&webhooks] { return webhooks->Get(); };
   if (tenants) options.tenants = [&tenants] { return tenants->Get(); };
-  auto coordinator =
-      Coordinator::Open(std::move(options),
-                        {slicing, arranging, planning, motion, exposure ? &*exposure : nullptr},
-                        dispatcher, program.log());
+  auto coordinator = Coordinator::Open(
+      std::move(options), {slicing, arranging, planning, motion, exposure ? &*exposure : nullptr},
+      dispatcher, program.log());
   if (!coordinator.ok()) {
     program.log().Error("cannot open the state",
                         {{"error", std::string(coordinator.status().message())}});
@@ -122,9 +126,8 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
   }
   program.metrics().Show(std::make_shared<CoordinatorMetrics>(CoordinatorMetrics::Sources{
       (*coordinator)->jobs(), dispatcher, fleet, flags.stores.state_dir}));
-  std::map<std::string, const StagePool*> stages = {{"slicing", &slicing_pool},
-                                                    {"planning", &planning_pool},
-                                                    {"motion", &motion_pool}};
+  std::map<std::string, const StagePool*> stages = {
+      {"slicing", &slicing_pool}, {"planning", &planning_pool}, {"motion", &motion_pool}};
   if (exposure_pool) stages["exposure"] = &*exposure_pool;
   if (split) stages.merge(split->Pools());
   const StatusBoard board({.name = flags.runner.owner,

@@ -44,6 +44,9 @@ class MeteredBlobStores::Metered : public BlobStore {
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override {
     return Opened(store_->Open(digest));
   }
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override {
+    return store_->OpenUnchecked(digest);
+  }
   absl::StatusOr<std::string> Get(const std::string& digest) override {
     return Opened(store_->Get(digest));
   }

@@ -13,7 +13,7 @@ namespace slicefarm::coordinator {
 
 std::string WebhookBody(const JobRecord& job) {
   v1::Job proto = ToProto(job);
-  proto.mutable_spec()->clear_settings();
+  ClearSettings(*proto.mutable_spec());
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   std::string json;
@@ -21,14 +21,18 @@ std::string WebhookBody(const JobRecord& job) {
   return fmt::format(R"({{"type":"job.ended","job":{}}})", json);
 }
 
-std::string WebhookSignature(const std::string& secret, int64_t time_s, const std::string& body) {
+std::string WebhookSignature(const std::vector<std::string>& secrets, int64_t time_s,
+                             const std::string& body) {
   const std::string text = fmt::format("{}.{}", time_s, body);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest = {};
-  unsigned int size = 0;
-  HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()),
-       reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
-  std::string signature = fmt::format("t={},v1=", time_s);
-  for (unsigned int i = 0; i < size; ++i) signature += fmt::format("{:02x}", digest[i]);
+  std::string signature = fmt::format("t={}", time_s);
+  for (const std::string& secret : secrets) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest = {};
+    unsigned int size = 0;
+    HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()),
+         reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
+    signature += ",v1=";
+    for (unsigned int i = 0; i < size; ++i) signature += fmt::format("{:02x}", digest[i]);
+  }
   return signature;
 }
 

@@ -4,11 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "common/base/error.h"
 #include "common/model/limits.h"
@@ -19,6 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kMinSecretBytes = 16;
+/// A new secret and the one that it replaces.
+constexpr size_t kMaxSecrets = 2;
 
 struct Url {
   std::string origin;  ///< scheme, host and port, in their usual form
@@ -71,22 +71,38 @@ absl::Status TakeAllow(const std::string& tenant, const Json& value, WebhookRule
   return absl::OkStatus();
 }
 
+/// `value`: a secret, or a list of them.
+absl::Status TakeSecrets(const std::string& tenant, const std::string& key, const Json& value,
+                         WebhookRules& rules) {
+  if (!rules.secrets.empty())
+    return Invalid(tenant, key, "\"secret\" and \"secrets\" exclude each other");
+  const Json list = value.is_array() ? value : Json::array({value});
+  if (list.empty() || list.size() > kMaxSecrets)
+    return Invalid(tenant, key, fmt::format("1 to {} secrets are needed", kMaxSecrets));
+  for (const Json& secret : list) {
+    if (!secret.is_string() || secret.get_ref<const std::string&>().size() < kMinSecretBytes)
+      return Invalid(tenant, key, fmt::format("{} bytes or more are needed", kMinSecretBytes));
+    rules.secrets.push_back(secret.get<std::string>());
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<WebhookRules> RulesFrom(const std::string& tenant, const Json& json) {
   if (!json.is_object()) return Invalid(tenant, "its value", "an object is needed");
   WebhookRules rules;
   for (const auto& [key, value] : json.items()) {
     if (key == "allow") {
       if (absl::Status taken = TakeAllow(tenant, value, rules); !taken.ok()) return taken;
-    } else if (key == "secret" && value.is_string()) {
-      rules.secret = value.get<std::string>();
+    } else if ((key == "secret" && value.is_string()) || (key == "secrets" && value.is_array())) {
+      if (absl::Status taken = TakeSecrets(tenant, key, value, rules); !taken.ok()) return taken;
     } else if (key == "private" && value.is_boolean()) {
       rules.private_addresses = value.get<bool>();
     } else {
       return Invalid(tenant, key, "is unknown, or of another type");
     }
   }
-  if (rules.secret.size() >= kMinSecretBytes) return rules;
-  return Invalid(tenant, "secret", fmt::format("{} bytes or more are needed", kMinSecretBytes));
+  if (rules.secrets.empty()) return Invalid(tenant, "secret", "there is none");
+  return rules;
 }
 
 absl::Status Refused(const std::string& url, std::string_view why) {
@@ -106,15 +122,6 @@ absl::StatusOr<WebhookPolicy> WebhookPolicy::Parse(std::string_view text) {
     policy.rules_[tenant] = *std::move(rules);
   }
   return policy;
-}
-
-absl::StatusOr<WebhookPolicy> WebhookPolicy::Read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    return absl::InvalidArgumentError(fmt::format("webhooks: {} cannot be read", path));
-  }
-  return Parse(text.str());
 }
 
 absl::Status WebhookPolicy::Check(const std::string& tenant, const std::string& url) const {

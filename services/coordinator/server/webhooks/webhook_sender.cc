@@ -26,12 +26,12 @@ prometheus::Counter& Tries(prometheus::Registry& registry, const char* outcome) 
 
 }  // namespace
 
-WebhookSender::WebhookSender(WebhookStore& webhooks, JobStore& jobs, const WebhookPolicy& policy,
+WebhookSender::WebhookSender(WebhookStore& webhooks, JobStore& jobs, WebhooksNow policy,
                              Options options, std::function<int64_t()> now_us, rpc::JsonLog log,
                              prometheus::Registry& registry)
     : webhooks_(webhooks),
       jobs_(jobs),
-      policy_(policy),
+      policy_(std::move(policy)),
       options_(options),
       now_us_(std::move(now_us)),
       log_(std::move(log)),
@@ -102,18 +102,19 @@ WebhookAttempt WebhookSender::Try(const DueWebhook& due) {
     return attempt;
   }
   // The list may have become shorter since the job was made.
-  if (absl::Status allowed = policy_.Check(job->tenant, due.url); !allowed.ok()) {
+  const std::shared_ptr<const WebhookPolicy> policy = policy_();
+  if (absl::Status allowed = policy->Check(job->tenant, due.url); !allowed.ok()) {
     attempt.error = std::string(allowed.message());
     return attempt;
   }
-  const WebhookRules& rules = *policy_.RulesOf(job->tenant);
+  const WebhookRules& rules = *policy->RulesOf(job->tenant);
   const std::string body = WebhookBody(*job);
   const auto status =
       HttpPost(due.url, body,
                {.headers = {fmt::format("Slicefarm-Delivery: {}", due.job_id),
                             fmt::format("Slicefarm-Attempt: {}", due.attempt),
                             fmt::format("Slicefarm-Signature: {}",
-                                        WebhookSignature(rules.secret, now_us / 1'000'000, body))},
+                                        WebhookSignature(rules.secrets, now_us / 1'000'000, body))},
                 .timeout = options_.timeout,
                 .private_addresses = rules.private_addresses});
   if (status.ok()) {

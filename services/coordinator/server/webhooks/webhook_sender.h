@@ -34,9 +34,8 @@ class WebhookSender {
   };
 
   /// Everything outlives it.
-  WebhookSender(WebhookStore& webhooks, JobStore& jobs, const WebhookPolicy& policy,
-                Options options, std::function<int64_t()> now_us, rpc::JsonLog log,
-                prometheus::Registry& registry);
+  WebhookSender(WebhookStore& webhooks, JobStore& jobs, WebhooksNow policy, Options options,
+                std::function<int64_t()> now_us, rpc::JsonLog log, prometheus::Registry& registry);
   /// Waits for the tries that are on their way.
   ~WebhookSender();
 
@@ -51,7 +50,7 @@ class WebhookSender {
 
   WebhookStore& webhooks_;
   JobStore& jobs_;
-  const WebhookPolicy& policy_;
+  const WebhooksNow policy_;
   const Options options_;
   const std::function<int64_t()> now_us_;
   const rpc::JsonLog log_;

@@ -35,7 +35,7 @@ class WebhookSenderTest : public CoordinatorTest {
                                    {{"allow", {receiver_.Url("/farm")}},
                                     {"secret", kSecret},
                                     {"private", private_addresses}}}};
-    webhooks_ = *WebhookPolicy::Parse(rules.dump());
+    webhooks_ = std::make_shared<const WebhookPolicy>(*WebhookPolicy::Parse(rules.dump()));
   }
 
   absl::StatusOr<v1::Job> CreateWith(const std::string& url) {
@@ -87,7 +87,7 @@ TEST_F(WebhookSenderTest, TellsOfTheEndSigned) {
   const std::string body = request.substr(request.find("\r\n\r\n") + 4);
   const std::string signature = Header(request, "Slicefarm-Signature");
   const int64_t time_s = std::stoll(signature.substr(2));
-  EXPECT_EQ(signature, WebhookSignature(kSecret, time_s, body));
+  EXPECT_EQ(signature, WebhookSignature({kSecret}, time_s, body));
   const auto json = nlohmann::json::parse(body);
   EXPECT_EQ(json["job"]["id"], job->id());
   EXPECT_EQ(json["job"]["state"], "JOB_STATE_SUCCEEDED");

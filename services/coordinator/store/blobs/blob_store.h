@@ -24,7 +24,7 @@ struct BlobEntry {
   double idle_s = 0;  ///< since it was last used: written, put or finished again, kept
 };
 
-/// A blob whose content was checked against its name when it was opened.
+/// A blob that was opened.
 class BlobReader {
  public:
   virtual ~BlobReader() = default;
@@ -66,8 +66,13 @@ class BlobStore {
   /// Keeps `bytes`, and gives their digest.
   virtual absl::StatusOr<std::string> Put(std::string_view bytes) = 0;
 
-  /// Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have changed.
+  /// The content is checked against its name: once while the process lives, and again if the blob
+  /// was written since. Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have
+  /// changed: the blob is put aside.
   virtual absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) = 0;
+
+  /// Open, but nothing is read yet: for who checks the content, as OpenToStream does.
+  virtual absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) = 0;
 
   /// Open, and all of its bytes.
   virtual absl::StatusOr<std::string> Get(const std::string& digest) = 0;

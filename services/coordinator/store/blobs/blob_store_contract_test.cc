@@ -10,6 +10,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/blobs/checking_reader.h"
 #include "services/coordinator/store/blobs/directory_blob_store.h"
 #include "services/coordinator/store/blobs/postgres_blob_store.h"
 #include "services/coordinator/store/sql/postgres_database.h"
@@ -90,6 +91,21 @@ TEST_P(BlobStoreTest, ReadsParts) {
   EXPECT_EQ(*(*reader)->Read((*reader)->size() - 1, 100), "x");
   EXPECT_EQ(*(*reader)->Read((*reader)->size(), 100), "");
   EXPECT_EQ(*(*reader)->Read((*reader)->size() + 7, 100), "");
+}
+
+TEST_P(BlobStoreTest, StreamsWhatWasPut) {
+  ASSERT_TRUE(store_->Put(bytes_).ok());
+  const std::shared_ptr<BlobStore> store = std::move(store_);
+  const auto reader = OpenToStream(store, digest_);
+  ASSERT_TRUE(reader.ok()) << reader.status();
+  std::string streamed;
+  while (std::ssize(streamed) < (*reader)->size()) {
+    const auto piece = (*reader)->Read(std::ssize(streamed), 65'536);
+    ASSERT_TRUE(piece.ok()) << piece.status();
+    streamed += *piece;
+  }
+  EXPECT_EQ(streamed, bytes_);
+  EXPECT_EQ(DetailOf(OpenToStream(store, Sha256Hex("abc")).status()).reason, Reason::kBlobNotFound);
 }
 
 TEST_P(BlobStoreTest, ABlobOfManyPiecesIsReadAsOne) {

@@ -39,6 +39,18 @@ std::optional<double> IdleSeconds(const std::filesystem::path& path) {
   return std::chrono::duration<double>(now - written).count();
 }
 
+/// None if the file is not there.
+std::optional<CheckedBlobs::Print> PrintOf(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(path, error);
+  if (error) return std::nullopt;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) return std::nullopt;
+  const auto since =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(written.time_since_epoch());
+  return CheckedBlobs::Print{static_cast<int64_t>(size), since.count()};
+}
+
 absl::Status WriteDurably(const std::string& path, std::string_view bytes) {
   const auto file = PosixFile::OpenToWrite(path);
   if (!file.ok()) return file.status();
@@ -136,10 +148,15 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Status(const std::string& digest)
 }
 
 /// What is complete counts as used from now on.
-absl::StatusOr<BlobStatus> DirectoryBlobStore::Used(const std::string& digest,
-                                                    const BlobStatus& status) const {
-  if (absl::Status done = TouchFile(BlobPath(digest)); !done.ok()) return done;
-  return status;
+/// The blob counts as used just now. One that was checked stays so: only its date changes.
+absl::Status DirectoryBlobStore::Touch(const std::string& digest) {
+  const std::string path = BlobPath(digest);
+  const auto before = PrintOf(path);
+  const bool checked = before && checked_.Holds(digest, *before);
+  if (absl::Status touched = TouchFile(path); !touched.ok()) return touched;
+  const auto after = PrintOf(path);
+  if (checked && after && after->size == before->size) checked_.Add(digest, *after);
+  return absl::OkStatus();
 }
 
 absl::StatusOr<BlobStatus> DirectoryBlobStore::Append(const std::string& digest, int64_t offset,
@@ -203,7 +220,10 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Finish(const std::string& digest,
   Lock lock(MutexOf(digest));
   const auto status = StatusLocked(digest);
   if (!status.ok()) return status;
-  if (status->complete) return Used(digest, *status);
+  if (status->complete) {
+    if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
+    return status;
+  }
   if (status->committed_size < size) return UploadOffset(digest, status->committed_size, size);
   const std::string path = UploadPath(digest);
   const auto file = PosixFile::OpenToWrite(path);  // also makes the file of an empty blob
@@ -228,7 +248,7 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   const auto got = DigestOf(*file);
   if (!got.ok() || *got != digest) return false;
   if (absl::Status settled = Settle(FolderOf(digest)); !settled.ok()) return settled;
-  if (absl::Status touched = TouchFile(BlobPath(digest)); !touched.ok()) return touched;
+  if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
   return true;
 }
 
@@ -270,9 +290,23 @@ absl::StatusOr<std::unique_ptr<BlobReader>> DirectoryBlobStore::Open(const std::
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   auto file = OpenBlob(BlobPath(digest), digest);
   if (!file.ok()) return file.status();
-  const auto got = DigestOf(*file);
-  if (!got.ok()) return got.status();
-  if (*got != digest) return Corrupt(digest, *got);
+  const auto print = PrintOf(BlobPath(digest));
+  if (!print || !checked_.Holds(digest, *print)) {
+    const auto got = DigestOf(*file);
+    if (!got.ok()) return got.status();
+    if (*got != digest) return Corrupt(digest, *got);
+    if (print) checked_.Add(digest, *print);
+  }
+  const auto size = file->Size();
+  if (!size.ok()) return size.status();
+  return std::make_unique<FileReader>(*std::move(file), *size);
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> DirectoryBlobStore::OpenUnchecked(
+    const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  auto file = OpenBlob(BlobPath(digest), digest);
+  if (!file.ok()) return file.status();
   const auto size = file->Size();
   if (!size.ok()) return size.status();
   return std::make_unique<FileReader>(*std::move(file), *size);
@@ -295,7 +329,9 @@ absl::StatusOr<BlobStatus> DirectoryBlobStore::Keep(const std::string& digest) {
   if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
   Lock lock(MutexOf(digest));
   const auto status = StatusLocked(digest);
-  return status.ok() && status->complete ? Used(digest, *status) : status;
+  if (!status.ok() || !status->complete) return status;
+  if (absl::Status touched = Touch(digest); !touched.ok()) return touched;
+  return status;
 }
 
 absl::StatusOr<bool> DirectoryBlobStore::Delete(const std::string& digest, double idle_s) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "services/coordinator/store/blobs/blob_store.h"
+#include "services/coordinator/store/blobs/checked_blobs.h"
 #include "services/coordinator/store/blobs/posix_file.h"
 
 namespace slicefarm::coordinator {
@@ -31,6 +32,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
   absl::StatusOr<std::string> Put(std::string_view bytes) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
   absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override;
   absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override;
@@ -44,7 +46,7 @@ class DirectoryBlobStore : public BlobStore {
   std::string UploadPath(const std::string& digest) const;
   std::mutex& MutexOf(const std::string& digest);
   absl::StatusOr<BlobStatus> StatusLocked(const std::string& digest);
-  absl::StatusOr<BlobStatus> Used(const std::string& digest, const BlobStatus& status) const;
+  absl::Status Touch(const std::string& digest);
   absl::Status SyncUpload(const std::string& digest, const PosixFile& file);
   absl::StatusOr<bool> HasGood(const std::string& digest);
   absl::Status Corrupt(const std::string& digest, const std::string& got);
@@ -54,6 +56,7 @@ class DirectoryBlobStore : public BlobStore {
   const std::string root_;
   std::array<std::mutex, 16> mutexes_;  ///< one write to a blob at a time
   std::atomic<int64_t> next_tmp_ = 0;
+  CheckedBlobs checked_;
 
   std::mutex doubts_mutex_;
   /// Folders of blobs whose names are on disk for certain. Not so at the start, as an earlier life

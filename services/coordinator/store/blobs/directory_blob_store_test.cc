@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/sha256.h"
 #include "common/base/temp_directory_test.h"
+#include "services/coordinator/store/blobs/checking_reader.h"
 
 namespace slicefarm::coordinator::directory_blob_store_test {
 namespace {
@@ -35,6 +36,38 @@ TEST_F(DirectoryBlobStoreTest, ChangedBytesAreNoticed) {
   const absl::Status status = store_->Get(digest).status();
   EXPECT_TRUE(absl::IsDataLoss(status)) << status;
   EXPECT_EQ(DetailOf(status).reason, Reason::kBlobDigestMismatch);
+}
+
+/// Reads a blob as a download does.
+absl::Status Stream(const std::shared_ptr<BlobStore>& store, const std::string& digest) {
+  const auto reader = OpenToStream(store, digest);
+  if (!reader.ok()) return reader.status();
+  for (int64_t at = 0; at < (*reader)->size(); at += 4)
+    if (const auto read = (*reader)->Read(at, 4); !read.ok()) return read.status();
+  return absl::OkStatus();
+}
+
+TEST_F(DirectoryBlobStoreTest, ABlobThatWasCheckedIsNotReadAgainToOpenIt) {
+  const std::string digest = *store_->Put("some bytes");
+  ASSERT_TRUE(store_->Open(digest).ok());
+  ASSERT_TRUE(store_->Keep(digest)->complete) << "which changes its date";
+  const auto written = std::filesystem::last_write_time(PathOf(digest));
+  Damage(digest);
+  std::filesystem::last_write_time(PathOf(digest), written);  // as a disk that forgets bits
+  EXPECT_TRUE(store_->Open(digest).ok()) << "was read";
+  std::filesystem::last_write_time(PathOf(digest), written + std::chrono::seconds(1));
+  EXPECT_TRUE(absl::IsDataLoss(store_->Open(digest).status())) << "was written since";
+}
+
+TEST_F(DirectoryBlobStoreTest, AStreamIsCheckedWhileItIsRead) {
+  const std::shared_ptr<BlobStore> store = std::move(store_);
+  const std::string digest = *store->Put("some bytes");
+  EXPECT_TRUE(Stream(store, digest).ok());
+  Damage(digest);
+  const absl::Status status = Stream(store, digest);
+  EXPECT_TRUE(absl::IsDataLoss(status)) << status;
+  EXPECT_EQ(DetailOf(status).reason, Reason::kBlobDigestMismatch);
+  EXPECT_FALSE(store->Status(digest)->complete) << "was not put aside";
 }
 
 TEST_F(DirectoryBlobStoreTest, ABlobThatIsCutOffWhileItIsReadIsAnError) {

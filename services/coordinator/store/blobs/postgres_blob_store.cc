@@ -242,12 +242,28 @@ absl::StatusOr<int64_t> PostgresBlobStore::Check(const std::string& digest, std:
   });
   session->reset();
   if (!got.ok()) return got.status();
-  if (*got != digest) return Corrupt(digest, *got);
+  if (*got != digest) {
+    checked_.Forget(digest);
+    return Corrupt(digest, *got);
+  }
   return size;
 }
 
 absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::Open(const std::string& digest) {
+  auto reader = OpenUnchecked(digest);
+  if (!reader.ok() || checked_.Holds(digest, {(*reader)->size()})) return reader;
   const auto size = Check(digest, /*bytes=*/nullptr);
+  if (!size.ok()) return size.status();
+  checked_.Add(digest, {*size});
+  return reader;
+}
+
+absl::StatusOr<std::unique_ptr<BlobReader>> PostgresBlobStore::OpenUnchecked(
+    const std::string& digest) {
+  if (absl::Status named = CheckBlobName(digest); !named.ok()) return named;
+  const auto session = database_->Read();
+  if (!session.ok()) return session.status();
+  const auto size = SizeOf(**session, {tenant_, digest});
   if (!size.ok()) return size.status();
   return std::make_unique<PostgresReader>(database_, Key{tenant_, digest}, *size);
 }
@@ -280,6 +296,7 @@ absl::StatusOr<bool> PostgresBlobStore::Delete(const std::string& digest, double
   bool deleted = false;
   while (remove.Next()) deleted = true;
   if (!remove.status().ok()) return remove.status();
+  if (deleted) checked_.Forget(digest);
   return deleted;
 }
 

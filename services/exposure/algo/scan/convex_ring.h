@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/geometry/point.h"
+
 namespace slicefarm::exposure {
 
 /// A place in nm, not rounded yet.
@@ -15,6 +17,7 @@ struct PlaneVector {
 inline double Cross(PlaneVector a, PlaneVector b) { return a.x * b.y - a.y * b.x; }
 inline double Dot(PlaneVector a, PlaneVector b) { return a.x * b.x + a.y * b.y; }
 inline double Norm(PlaneVector a) { return std::sqrt(Dot(a, a)); }
+inline Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.y)}; }
 
 using ConvexRing = std::vector<PlaneVector>;
 

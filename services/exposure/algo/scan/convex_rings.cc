@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
-#include "services/exposure/algo/scan/border_distance.h"
 #include "services/exposure/algo/scan/corner_spurs.h"
 
 namespace slicefarm::exposure {
@@ -14,12 +14,8 @@ namespace {
 
 /// A spine runs along the middle if it is at least as long there, as a share.
 constexpr double kAsLong = 0.95;
-/// Pieces lie this close to the region's border, as it is simplified before it is cut.
-constexpr double kRingTouchNm = 1'000;
 /// Lines closer to parallel than this have no corner.
 constexpr double kParallel = 1e-12;
-
-Point Rounded(PlaneVector p) { return {std::llround(p.x), std::llround(p.y)}; }
 
 /// Rounded to nm, with the first point again at the end. Less than 4 points: no ring.
 Polyline ClosedLine(const ConvexRing& ring) {
@@ -35,8 +31,8 @@ ConvexRing Spurred(const ConvexRing& ring, const ConvexRing& gap, const RingFill
   return fill.corners ? WithSpurs(ring, gap, fill.spurs) : ring;
 }
 ConvexRing OuterSpurred(const ConvexRing& ring, const RingFill& fill) {
-  if (!fill.corners || fill.region == nullptr) return ring;
-  return WithOuterSpurs(ring, fill.first_nm, *fill.region, fill.spurs);
+  if (!fill.corners || fill.border == nullptr) return ring;
+  return WithOuterSpurs(ring, fill.first_nm, *fill.border, fill.spurs);
 }
 
 }  // namespace
@@ -155,21 +151,11 @@ Spine Chord(const ConvexRing& ring, const Base& base, double height) {
 
 double LengthOf(const Spine& spine) { return Norm(spine.to - spine.from); }
 
-/// What of a line keeps `gap_nm` from the region's border.
-Spine Cleared(Spine spine, double gap_nm, const MultiPolygon& region) {
-  const auto is_clear = [&](PlaneVector p) {
-    return DistanceToBorder(p, region) >= gap_nm - kRingTouchNm;
-  };
-  const double length = LengthOf(spine), step = std::max(gap_nm / 4, length / 64);
-  const PlaneVector from = spine.from, way = spine.to - from;
-  const auto place = [&](double at) {
-    return PlaneVector{from.x + at / length * way.x, from.y + at / length * way.y};
-  };
-  double low = 0, high = length;
-  while (low < length && !is_clear(place(low))) low += step;
-  while (high > low && !is_clear(place(high))) high -= step;
-  if (!(low < high) || !is_clear(place((low + high) / 2))) return {from, from, spine.width_nm};
-  return {place(low), place(high), spine.width_nm};
+/// What of a spine keeps far enough from the region's border; nullopt: nothing.
+std::optional<std::pair<Point, Point>> Cleared(const Spine& spine, const RingFill& fill) {
+  const Point from = Rounded(spine.from), to = Rounded(spine.to);
+  if (fill.border == nullptr) return std::pair(from, to);
+  return fill.border->LongestRun(from, to, fill.spine_gap_nm);
 }
 
 }  // namespace
@@ -212,11 +198,12 @@ std::vector<Polyline> ConvexRings(const Polygon& piece, double scale, const Ring
   }
   const ConvexRing rest = insets.At(std::max(0.0, reached));
   if (rest.size() < 3) return rings;
-  Spine spine = SpineOf(rest, fill.pitch_nm);
-  if (rings.empty() && fill.region != nullptr)
-    spine = Cleared(spine, fill.first_nm, *fill.region);  // no ring keeps it off the border
-  const Point from = Rounded(spine.from), to = Rounded(spine.to);
-  if (spine.width_nm >= fill.least_spine * fill.pitch_nm && from != to) rings.push_back({from, to});
+  const Spine spine = SpineOf(rest, fill.pitch_nm);
+  if (spine.width_nm < fill.least_spine * fill.pitch_nm) return rings;
+  // Where there is no ring around it, nothing keeps it off the border.
+  const auto line =
+      rings.empty() ? Cleared(spine, fill) : std::pair(Rounded(spine.from), Rounded(spine.to));
+  if (line && line->first != line->second) rings.push_back({line->first, line->second});
   return rings;
 }
 

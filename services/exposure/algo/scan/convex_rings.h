@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/geometry/polygon.h"
+#include "services/exposure/algo/scan/border_grid.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 #include "services/exposure/algo/scan/corner_spurs.h"
 
@@ -47,7 +48,10 @@ struct RingFill {
   double least_spine = 0.05;
   bool corners = false;  ///< rings reach into corners (corner_spurs.h)
   SpurFill spurs = {};
-  const MultiPolygon* region = nullptr;  ///< that was cut into pieces; null: the piece is all of it
+  /// Of the region that was cut into pieces, with a reach of SpurReach and spine_gap_nm at least;
+  /// null: the piece is all of it.
+  const BorderGrid* border = nullptr;
+  double spine_gap_nm = 0;  ///< from the border to spines without a ring around them
 };
 
 /// Rings of a convex piece from its border inwards, at first + k * pitch, and the spine of what is

@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "services/exposure/algo/scan/border_distance.h"
-
 namespace slicefarm::exposure {
 namespace {
 
@@ -16,13 +14,15 @@ constexpr double kOpenTip = 0.25;
 constexpr double kBluntest = 0.83;
 /// Pieces lie this close to the region's border, as it is simplified before it is cut.
 constexpr double kSpurTouchNm = 3'000;
-/// A spur along the border is as far from it as its ring, but for what rounding does.
+/// A spur along the border is as far from it as its ring, but for what rounding does; its ring may
+/// be nearer by what simplifying has moved.
 constexpr double kRoundingNm = 500;
+constexpr double kSimplifiedNm = 2'000;
 
 struct SharpCorner {
   PlaneVector at;
-  PlaneVector in, out;  ///< directions of its sides, of length 1
-  PlaneVector outward;  ///< of the bisector
+  PlaneVector in, out;          ///< directions of its sides, of length 1
+  PlaneVector outward;          ///< of the bisector
   double sine = 0, cosine = 0;  ///< of half of its angle
 
   /// From a tip of the same angle along the bisector to where it is too wide to stay open.
@@ -105,12 +105,16 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
   });
 }
 
-ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPolygon& region,
+double SpurReach(double gap_nm) { return std::max(gap_nm, kSpurTouchNm); }
+
+ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill) {
   // Whether a side of the piece is the region's border: at the foot of the corner on it.
   const auto is_border = [&](PlaneVector corner, PlaneVector side) {
-    const PlaneVector foot = Along(corner, {side.y, -side.x}, gap_nm);
-    return DistanceToBorder(foot, region) < kSpurTouchNm;
+    return border.IsNear(Rounded(Along(corner, {side.y, -side.x}, gap_nm)), kSpurTouchNm);
+  };
+  const auto keeps = [&](PlaneVector from, PlaneVector to, double less_nm) {
+    return border.Keeps(Rounded(from), Rounded(to), std::max(0.0, gap_nm - less_nm));
   };
   return Spurred(ring, fill, [&](const SharpCorner& corner) {
     const bool in_border = is_border(corner.at, corner.in);
@@ -123,11 +127,13 @@ ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPoly
       const PlaneVector back{-corner.out.x, -corner.out.y};
       spur = {in_border ? corner.in : back, gap_nm / sine - gap_nm / 2 * sine};
     }
-    // It may come near to the border beside the cuts.
+    spur.length = std::min(spur.length, kLongestSpur * gap_nm);
+    // It may come near to the border beside the cuts, on its way too.
     const double least = std::max(fill.least_nm, kSpurTouchNm);
-    for (; spur.length > least; spur.length *= 0.7)
-      if (IsWithin(Along(corner.at, spur.way, spur.length), gap_nm - kRoundingNm, region))
-        return spur;
+    for (; spur.length > least; spur.length *= 0.7) {
+      const PlaneVector tip = Along(corner.at, spur.way, spur.length);
+      if (keeps(tip, tip, kRoundingNm) && keeps(corner.at, tip, kSimplifiedNm)) return spur;
+    }
     return Spur{};
   });
 }

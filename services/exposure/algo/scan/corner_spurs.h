@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/geometry/polygon.h"
+#include "services/exposure/algo/scan/border_grid.h"
 #include "services/exposure/algo/scan/convex_ring.h"
 
 namespace slicefarm::exposure {
@@ -23,10 +23,18 @@ ConvexRing WithSpurs(const ConvexRing& ring, const ConvexRing& around, const Spu
 
 /// The outermost ring of a piece, `gap_nm` inside of it, with spurs into those corners of the piece
 /// that a cut has made: along the region's border, if one of the corner's sides is that, so that
-/// nothing comes nearer to the border; else along the bisector. Their middle stays in the piece.
+/// nothing comes nearer to the border; else along the bisector. Of a spur, all of its way keeps as
+/// far from the border as the ring does; it is no longer than kLongestSpur gaps.
 ///
-/// Cost: O(n), and O(corners of the region) for each sharp corner.
-ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const MultiPolygon& region,
+/// border: of the region; its reach is SpurReach(gap_nm) or more.
+/// Cost: O(n), and the border that is near for each sharp corner.
+ConvexRing WithOuterSpurs(const ConvexRing& ring, double gap_nm, const BorderGrid& border,
                           const SpurFill& fill);
+
+/// In gaps. A corner that asks for more is sharper than 12 degrees: nothing to be seen stays open.
+inline constexpr double kLongestSpur = 10;
+
+/// Which distances from the border WithOuterSpurs asks for.
+double SpurReach(double gap_nm);
 
 }  // namespace slicefarm::exposure

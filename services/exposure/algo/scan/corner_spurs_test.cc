@@ -59,6 +59,8 @@ TEST(WithSpurs, AnEndOfTheGapThatIsNoTipIsReached) {
   EXPECT_NEAR(left, 50, 1);
 }
 
+BorderGrid BorderOf(const MultiPolygon& region) { return {region, SpurReach(1e6)}; }
+
 /// An L, and its lower piece as a cut along y = 10 makes it.
 constexpr char kL[] = "(0 0, 20 0, 20 10, 10 10, 10 20, 0 20)";
 
@@ -66,7 +68,7 @@ TEST(WithOuterSpurs, OnlyIntoCornersThatACutHasMade) {
   const MultiPolygon region = MakePolygonsOrDie(kL);
   const double gap = 1e6;
   const ConvexRing ring = {{1e6, 1e6}, {19e6, 1e6}, {19e6, 9e6}, {1e6, 9e6}};
-  const ConvexRing tips = TipsOf(WithOuterSpurs(ring, gap, region, {.spot_nm = 2e6}));
+  const ConvexRing tips = TipsOf(WithOuterSpurs(ring, gap, BorderOf(region), {.spot_nm = 2e6}));
   // The cut is the left half of the upper side: its left end only is a corner, where the spur runs
   // along the border to half a gap from the cut.
   ASSERT_EQ(tips.size(), 1u);
@@ -79,7 +81,7 @@ TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
   const double gap = 1e6;
   // A piece whose corner at (50, 50) lies deep inside.
   const ConvexRing inner = {{51e6, 51e6}, {60e6, 51e6}, {51e6, 60e6}};
-  const ConvexRing tips = TipsOf(WithOuterSpurs(inner, gap, region, {.spot_nm = 2e6}));
+  const ConvexRing tips = TipsOf(WithOuterSpurs(inner, gap, BorderOf(region), {.spot_nm = 2e6}));
   ASSERT_GE(tips.size(), 1u);
   const auto corner = std::min_element(
       tips.begin(), tips.end(), [](PlaneVector a, PlaneVector b) { return a.x + a.y < b.x + b.y; });
@@ -87,8 +89,29 @@ TEST(WithOuterSpurs, BetweenCutsAlongTheBisectorButNotNearTheBorder) {
   EXPECT_NEAR(corner->y, corner->x, 1);
   // The same with the corner on the border: nothing comes nearer to that than the gap.
   const ConvexRing outer = {{51e6, 1.5e6}, {60e6, 8e6}, {42e6, 8e6}};
-  for (const PlaneVector tip : TipsOf(WithOuterSpurs(outer, gap, region, {.spot_nm = 2e6})))
+  for (const PlaneVector tip :
+       TipsOf(WithOuterSpurs(outer, gap, BorderOf(region), {.spot_nm = 2e6})))
     EXPECT_GE(tip.y, gap);
+}
+
+TEST(WithOuterSpurs, DoNotCrossAGap) {
+  // The spur of a very sharp corner would end in the other island, beyond the gap of 5 mm.
+  const MultiPolygon region =
+      MakePolygonsOrDie("(0 0, 30 0, 30 20, 0 20); (35 0, 90 0, 90 20, 35 20)");
+  const double gap = 1e6;
+  const ConvexRing ring = {{10e6, 9e6}, {28.9e6, 10e6}, {10e6, 11e6}};
+  const BorderGrid border = BorderOf(region);
+  for (const PlaneVector tip : WithOuterSpurs(ring, gap, border, {.spot_nm = 2e6}))
+    EXPECT_LE(tip.x, 29e6 + 1'000);
+}
+
+TEST(WithOuterSpurs, AreNoLongerThanThat) {
+  const MultiPolygon region = MakePolygonsOrDie("(0 0, 900 0, 900 20, 0 20)");
+  const double gap = 1e6;
+  const ConvexRing ring = {{10e6, 9.9e6}, {28e6, 10e6}, {10e6, 10.1e6}};
+  const ConvexRing spurred = WithOuterSpurs(ring, gap, BorderOf(region), {.spot_nm = 2e6});
+  EXPECT_GT(spurred.size(), 3u);
+  for (const PlaneVector tip : spurred) EXPECT_LE(tip.x, 28e6 + kLongestSpur * gap + 1);
 }
 
 }  // namespace

@@ -12,23 +12,31 @@
 namespace slicefarm::exposure {
 namespace {
 
-/// Turns a closed line so that it starts at its corner nearest to `from`.
+/// Turns a closed line so that it starts at its corner nearest to `from`. Not at the tip of a spur:
+/// that lies beyond the piece, and the way there may leave the region.
 void StartNear(Point from, Polyline& ring) {
   ring.pop_back();
-  const auto nearest = std::min_element(ring.begin(), ring.end(), [&](Point a, Point b) {
-    return Distance(a, from) < Distance(b, from);
-  });
-  std::rotate(ring.begin(), nearest, ring.end());
+  const size_t size = ring.size();
+  size_t nearest = 0;
+  for (size_t i = 1; i < size; ++i) {
+    const bool is_tip = ring[i - 1] == ring[(i + 1) % size];
+    if (!is_tip && Distance(ring[i], from) < Distance(ring[nearest], from)) nearest = i;
+  }
+  std::rotate(ring.begin(), ring.begin() + static_cast<ptrdiff_t>(nearest), ring.end());
   ring.push_back(ring.front());
 }
 
 RingFill FillOf(const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
+  const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
+  // The region begins this much outside of where hatch would: as far from the last contour.
+  const double offset = options.contours == 0 ? 0 : static_cast<double>(options.hatch_offset_nm);
   return {.pitch_nm = pitch,
-          .first_nm = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2,
+          .first_nm = first,
           .corners = options.fill_corners,
           .spurs = {.spot_nm = static_cast<double>(options.spot_nm),
-                    .least_nm = static_cast<double>(options.minimum_vector_nm)}};
+                    .least_nm = static_cast<double>(options.minimum_vector_nm)},
+          .spine_gap_nm = std::max(0.0, first - offset)};
 }
 
 /// The lines of one piece, in order.
@@ -62,7 +70,8 @@ absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& opti
   if (!pieces.ok()) return pieces.status();
   counts.Add(pieces->counts);
   RingFill fill = FillOf(options);
-  if (pieces->pieces.size() > region.size()) fill.region = &region;
+  const BorderGrid border(region, std::max(fill.spine_gap_nm, SpurReach(fill.first_nm)));
+  fill.border = &border;
   const double scale = static_cast<double>(pieces->scale);
   std::vector<std::vector<Polyline>> scans;
   std::vector<ScanBlock> blocks;

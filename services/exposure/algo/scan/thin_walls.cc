@@ -10,6 +10,7 @@
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/geometry/offset/offset.h"
+#include "services/exposure/algo/scan/border_grid.h"
 #include "services/exposure/algo/scan/convex_rings.h"
 #include "services/exposure/algo/scan/scan_pieces.h"
 
@@ -17,6 +18,10 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr Coord kRegrownNm = 1'000;
+/// Pieces may reach over the outline by what simplifying moves; their lines end before it, and so
+/// do those that join them.
+constexpr double kKeptNm = 1'000;
+constexpr double kJoinedNm = 500;
 /// A wall is at least this many times as long as the spot's half width.
 constexpr double kLeastLength = 4;
 
@@ -49,8 +54,9 @@ ConvexRing PlaceOf(const Polygon& piece, double scale) {
   return ring;
 }
 
-/// Joins lines whose ends lie within `reach` of each other, nearest first.
-std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
+/// Joins lines whose ends lie within `reach` of each other, nearest first, if the way between stays
+/// in the outline.
+std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const BorderGrid& border) {
   std::vector<Polyline> chains;
   while (!lines.empty()) {
     Polyline chain = std::move(lines.back());
@@ -64,7 +70,9 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach) {
           for (const bool back : {false, true}) {
             const double distance =
                 Distance(chain.back(), back ? lines[i].back() : lines[i].front());
-            if (distance > least) continue;
+            if (distance > least ||
+                !border.Keeps(chain.back(), back ? lines[i].back() : lines[i].front(), kJoinedNm))
+              continue;
             best = i, backwards = back, least = distance;
           }
         }
@@ -89,14 +97,15 @@ absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline,
   if (thin.empty()) return std::vector<Polyline>{};
   const auto pieces = ScanPieces(thin, DecomposeMethod::kBian, cancel);
   if (!pieces.ok()) return pieces.status();
+  const BorderGrid border(outline, kKeptNm);
   std::vector<Polyline> lines;
   for (const Polygon& piece : pieces->pieces) {
     const Spine spine = SpineOf(PlaceOf(piece, static_cast<double>(pieces->scale)));
-    const Point from{std::llround(spine.from.x), std::llround(spine.from.y)};
-    const Point to{std::llround(spine.to.x), std::llround(spine.to.y)};
-    if (Distance(from, to) > spine.width_nm) lines.push_back({from, to});
+    const auto run = border.LongestRun(Rounded(spine.from), Rounded(spine.to), kKeptNm);
+    if (run && Distance(run->first, run->second) > spine.width_nm)
+      lines.push_back({run->first, run->second});
   }
-  std::vector<Polyline> walls = Chained(std::move(lines), static_cast<double>(inset_nm));
+  std::vector<Polyline> walls = Chained(std::move(lines), static_cast<double>(inset_nm), border);
   std::erase_if(walls, [&](const Polyline& wall) {
     return Length(wall) < kLeastLength * static_cast<double>(inset_nm);
   });

@@ -103,9 +103,12 @@ DirectionField::DirectionField(const StressField& stress) : cos2_(stress.xx), si
     double &c = cos2_.values[i], &s = sin2_.values[i];
     if (greatest > 0) c /= greatest, s /= greatest;
     const double length = std::sqrt(c * c + s * s);
+    // The principal stresses are the mean and, drawn and pressed, the shear about it.
+    const double mean = stress.xx.values[i] + stress.yy.values[i];
+    const double turned = greatest > 0 && mean / greatest < -kEqualPull * length ? -1 : 1;
     const bool alike = length < kAlike;
-    c = alike ? 0 : c / length;
-    s = alike ? 0 : s / length;
+    c = alike ? 0 : turned * c / length;
+    s = alike ? 0 : turned * s / length;
   }
   Continue({cos2_, sin2_});
   for (int32_t pass = 0; pass < stress.smoothing; ++pass) Smooth(cos2_), Smooth(sin2_);

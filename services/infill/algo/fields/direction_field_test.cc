@@ -20,10 +20,12 @@ double DegreesOf(Direction direction) {
   return angle < -1e-9 ? angle + 180 : angle;
 }
 
-TEST(DirectionField, IsThatOfTheGreaterPrincipalStress) {
-  const double cases[][4] = {{0, 1, 0, 90},   {1, 2, 1, 58.28253},  {2, 1, 1, 31.71747},
-                             {1, 1, .5, 45}, {1, 1, -.5, 135},     {-3, 1, .2, 87.1447},
-                             {1, 0, 0, 0}};
+TEST(DirectionField, IsThatOfThePrincipalStressOfGreaterMagnitude) {
+  const double cases[][4] = {{0, 1, 0, 90},  {1, 2, 1, 58.28253}, {2, 1, 1, 31.71747},
+                             {1, 1, .5, 45}, {1, 1, -.5, 135},    {-3, 1, .2, 177.1447},
+                             {1, 0, 0, 0},   {-1, 0, 0, 0},       {0, -2, 1, 112.5},
+                             {3, -1, 0, 0},  {1, -3, 0, 90},      {1, -1, 0, 0},
+                             {-1, 1, 0, 90}, {-1.005, 1, 0, 90}};
   for (const auto& c : cases) {
     const auto direction = DirectionField(Constant(c[0], c[1], c[2])).At({0, 0, 0});
     ASSERT_TRUE(direction.has_value());

@@ -10,8 +10,8 @@ namespace {
 constexpr int kEvenRounds = 60;
 /// Passes of 1/4, 1/2, 1/4 over a line's shifts in each round.
 constexpr int kSmoothPasses = 16;
-/// How far shifts may turn lines, root of the mean square: 1.6 degrees.
-constexpr double kMostTurn = 0.028;
+/// How far shifts may turn lines, root of the mean square: 0.7 degrees.
+constexpr double kMostTurn = 0.012;
 /// Of nodes along a line, in separations.
 constexpr double kNodeStep = 0.5;
 /// Farther neighbours are none, in separations.
@@ -218,8 +218,12 @@ void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<Stre
   for (int round = 0; round < kEvenRounds; ++round) {
     std::vector<NodeLine> next = nodes;
     Relax(separation_mm, std::max(closest, kLeastCellMm), next);
-    if (TurnOf(next) > kMostTurn) break;
+    const double turn = TurnOf(next);
     nodes = std::move(next);
+    if (turn <= kMostTurn) continue;
+    for (NodeLine& line : nodes)  // as far along this way as the turn allows
+      for (Node& node : line.nodes) node.shift *= kMostTurn / turn;
+    break;
   }
   for (size_t i = 0; i < lines.size(); ++i)
     if (nodes[i].nodes.size() > 1) Shift(nodes[i], lines[i]);

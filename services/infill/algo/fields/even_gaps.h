@@ -14,7 +14,8 @@ namespace slicefarm::infill {
 /// Shifts are relaxed in up to 60 rounds. In each, a node is drawn to the place where the gaps to
 /// both sides are to each other as `separation_mm` is there, and the shifts of a line are smoothed
 /// along it, some separations far. Nodes with a neighbour on one side only stay with their line.
-/// Rounds end before the shifts turn the lines by more than 1.6 degrees, root of the mean square.
+/// Rounds end where the shifts turn the lines by 0.7 degrees, root of the mean square; those of the
+/// last one are taken in part.
 /// REQUIRES: separation_mm > 0 on all lines. Cost: in each round, a search of a few segments for
 /// each node, of which there are two in a separation.
 void EvenGaps(const std::function<double(Vec2)>& separation_mm, std::vector<StreamLine>& lines);

@@ -52,7 +52,7 @@ TEST(EvenGaps, CloseBehindTheEndOfALine) {
   const auto gap = [&] { return HeightAt(lines[4], 60) - HeightAt(lines[2], 60); };
   ASSERT_NEAR(gap(), 3.2, 1e-9);
   Even(2, lines);
-  EXPECT_LT(gap(), 2.6);
+  EXPECT_LT(gap(), 3.0);
   for (const StreamLine& line : lines) {
     for (size_t i = 1; i < line.points.size(); ++i) {
       const Vec2 along = line.points[i] - line.points[i - 1];

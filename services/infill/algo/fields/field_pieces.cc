@@ -42,10 +42,11 @@ StreamBox BoxAround(const MultiPolygon& region) {
 absl::StatusOr<std::vector<Curve>> StreamCurves(const StreamBox& box, Coord spacing_nm,
                                                 const LayerField& field) {
   const double spacing_mm = ToMm(static_cast<double>(spacing_nm));
-  const StreamOptions options{.z_mm = field.z_mm, .separation_mm = [&](double x_mm, double y_mm) {
-                                const double density = std::min(1.0, field.DensityAt(x_mm, y_mm));
-                                return density < kThinnest ? 0 : spacing_mm / density;
-                              }};
+  const StreamOptions options{
+      .z_mm = field.z_mm, .across = field.across, .separation_mm = [&](double x_mm, double y_mm) {
+        const double density = std::min(1.0, field.DensityAt(x_mm, y_mm));
+        return density < kThinnest ? 0 : spacing_mm / density;
+      }};
   return Streamlines(box, *field.directions, options);
 }
 

@@ -14,6 +14,7 @@ struct LayerField {
   const DensityField* density = nullptr;       ///< none: `plain_density` everywhere
   const DirectionField* directions = nullptr;  ///< none: the pattern goes its own way
   const DistanceMap* to_surface = nullptr;     ///< for densities that depend on it
+  bool across = false;                         ///< the layer follows the other family of them
   StreamMemo* memo = nullptr;                  ///< of fields that are the same at all heights
   double plain_density = 0;
   double z_mm = 0;

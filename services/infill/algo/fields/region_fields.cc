@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,7 @@ absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> r
   for (const InfillOptions& options : regions) {
     Fields& row = fields.rows_.emplace_back();
     row.plain_density = options.density;
+    row.every_layers = std::max(1, options.every_layers);
     if (!options.density_field.empty()) {
       auto density = ParseDensityField(options.density_field);
       if (!density.ok()) return Malformed("density_field", density.status());
@@ -41,7 +43,7 @@ absl::StatusOr<RegionFields> RegionFields::Read(std::span<const InfillOptions> r
       row.directions.emplace(*stress);
       if (row.directions->IsSameAtAllHeights() &&
           (!row.density.has_value() || IsSameAtAllHeights(*row.density)))
-        row.memo.emplace();
+        row.is_same_at_all_heights = true;
     }
   }
   return fields;
@@ -52,8 +54,11 @@ absl::StatusOr<std::optional<LayerField>> RegionFields::Of(int32_t row, int32_t 
   Fields& fields = rows_[static_cast<size_t>(row)];
   if (!fields.density.has_value() && !fields.directions.has_value()) return std::nullopt;
   LayerField field{.plain_density = fields.plain_density, .z_mm = z_mm};
-  if (fields.directions.has_value()) field.directions = &*fields.directions;
-  if (fields.memo.has_value()) field.memo = &*fields.memo;
+  if (fields.directions.has_value()) {
+    field.directions = &*fields.directions;
+    field.across = own_layer / fields.every_layers % 2 != 0;
+    if (fields.is_same_at_all_heights) field.memo = &fields.memos[field.across ? 1 : 0];
+  }
   if (!fields.density.has_value()) return field;
   field.density = &*fields.density;
   if (field.density->kind == DensityField::Kind::kSurfaceDistance) {

@@ -22,7 +22,8 @@ class RegionFields {
                                            std::span<const SlicedLayer> layers);
 
   /// What the fields of a row of settings say about an object's own layer, whose middle is at
-  /// `z_mm`. None: it has no fields. It holds until the next call. Errors: those of
+  /// `z_mm`. Both families of directions are followed in turn, layer by layer, or by as many layers
+  /// as are filled at once. None: it has no fields. It holds until the next call. Errors: those of
   /// SurfaceDistances.
   absl::StatusOr<std::optional<LayerField>> Of(int32_t row, int32_t object, int32_t own_layer,
                                                double z_mm);
@@ -32,7 +33,9 @@ class RegionFields {
     std::optional<DensityField> density;
     std::optional<DirectionField> directions;
     double plain_density = 0;
-    std::optional<StreamMemo> memo;  ///< of fields that are the same at all heights
+    int32_t every_layers = 1;
+    bool is_same_at_all_heights = false;
+    std::array<StreamMemo, 2> memos = {};  ///< by family, if it is
   };
 
   std::vector<Fields> rows_;

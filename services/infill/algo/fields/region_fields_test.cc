@@ -57,6 +57,21 @@ TEST(RegionFields, RememberLinesOfFieldsThatAreTheSameAtAllHeights) {
   EXPECT_NE((*fields->Of(2, 0, 3, 5))->memo, nullptr);
 }
 
+// Layers that are filled at once count as one.
+TEST(RegionFields, FollowBothFamiliesInTurn) {
+  std::vector<InfillOptions> regions(2);
+  for (InfillOptions& options : regions)
+    options.stress_field = R"({"kind":"constant","stress":[1,0,0]})";
+  regions[1].every_layers = 3;
+  auto fields = RegionFields::Read(regions, {});
+  ASSERT_TRUE(fields.ok());
+  for (int layer = 0; layer < 12; ++layer) {
+    EXPECT_EQ((*fields->Of(0, 0, layer, 5))->across, layer % 2 == 1) << layer;
+    EXPECT_EQ((*fields->Of(1, 0, layer, 5))->across, layer / 3 % 2 == 1) << layer;
+  }
+  EXPECT_NE((*fields->Of(0, 0, 2, 5))->memo, (*fields->Of(0, 0, 3, 5))->memo);
+}
+
 TEST(RegionFields, LookForTheSurface) {
   std::vector<InfillOptions> regions(1);
   regions[0].density_field = R"({"kind":"surface_distance","near":0.6,"far":0.2,"length":4})";

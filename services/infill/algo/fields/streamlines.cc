@@ -30,13 +30,22 @@ constexpr double kOwnNear = 2, kOwnStart = 1;
 constexpr double kCosTurn = 0.9945;      // 6 degrees
 constexpr double kCosStraight = 0.9999;  // below 1 degree: the step may grow
 constexpr double kGridStepMm = 0.5;
+constexpr double kSumStepMm = 1;  ///< on which the density that is asked for is summed
+/// How often lines are laid out, and how much nearer or farther than asked for at most.
+constexpr int kMostLayouts = 3;
+constexpr double kMostScale = 1.3;
 constexpr double kTightestMm = 0.05;  ///< nearer lines are not asked for: beads are wider
 constexpr Coord kLineToleranceNm = 10'000;
 constexpr double kMostSteps = 1e6;  ///< of one line
 
-/// A point of a line, and how far along it lies.
+/// Lines that cross at more than 60 degrees do not mind each other: they meet where the field turns
+/// by a right angle, and the one shall be no emptier there for the other.
+constexpr double kCosBeside = 0.5;
+
+/// A point of a line, which way it goes there, and how far along it lies.
 struct Mark {
   Vec2 at;
+  Vec2 way;
   int32_t line = 0;
   double along = 0;
 };
@@ -96,8 +105,14 @@ class MarkGrid {
 
 class Tracer {
  public:
-  Tracer(const StreamBox& box, const DirectionField& directions, const StreamOptions& options)
-      : box_(box), directions_(directions), options_(options), grid_(box, GridCell()) {}
+  /// `scale`: of the separations that are asked for.
+  Tracer(const StreamBox& box, const DirectionField& directions, const StreamOptions& options,
+         double scale)
+      : box_(box),
+        directions_(directions),
+        options_(options),
+        scale_(scale),
+        grid_(box, GridCell()) {}
 
   absl::StatusOr<std::vector<StreamLine>> Run() {
     Start({(box_.min_x_mm + box_.max_x_mm) / 2, (box_.min_y_mm + box_.max_y_mm) / 2}, kStartShare);
@@ -108,14 +123,25 @@ class Tracer {
         if (absl::Status ok = Spread(); !ok.ok()) return ok;
       }
     }
-    EvenGaps([&](Vec2 at) { return Separation(at); }, lines_);
     return std::move(lines_);
+  }
+
+  /// Length of lines that the separations ask for.
+  double LengthAsked() const {
+    double asked = 0;
+    for (double y = box_.min_y_mm + kSumStepMm / 2; y < box_.max_y_mm; y += kSumStepMm) {
+      for (double x = box_.min_x_mm + kSumStepMm / 2; x < box_.max_x_mm; x += kSumStepMm) {
+        const double separation = Separation({x, y});
+        if (separation > 0) asked += kSumStepMm * kSumStepMm / separation;
+      }
+    }
+    return asked;
   }
 
  private:
   double Separation(Vec2 at) const {
     const double asked = options_.separation_mm(at.x, at.y);
-    return asked > 0 ? std::max(asked, kTightestMm) : 0;
+    return asked > 0 ? scale_ * std::max(asked, kTightestMm) : 0;
   }
 
   /// The cells of the grid are as large as lines are apart in the middle.
@@ -134,7 +160,7 @@ class Tracer {
   std::optional<Vec2> DirectionAt(Vec2 at, Vec2 along) const {
     const auto found = directions_.At({at.x, at.y, options_.z_mm});
     if (!found.has_value()) return std::nullopt;
-    const Vec2 direction{found->x, found->y};
+    const Vec2 direction = options_.across ? Vec2{-found->y, found->x} : Vec2{found->x, found->y};
     return Dot(direction, along) < 0 ? direction * -1 : direction;
   }
 
@@ -164,12 +190,16 @@ class Tracer {
     }
   }
 
+  static bool IsBeside(const Mark& mark, Vec2 way) {
+    return std::abs(Dot(mark.way, way)) > kCosBeside;
+  }
+
   /// Whether a line may go on to a place, `along` of it being behind.
-  bool MayStand(Vec2 at, int32_t line, double along) const {
+  bool MayStand(Vec2 at, Vec2 way, int32_t line, double along) const {
     const double separation = Separation(at);
     if (separation <= 0) return false;
     return !grid_.Near(at, kEndShare * separation, [&](const Mark& mark) {
-      if (mark.line != line) return true;
+      if (mark.line != line) return IsBeside(mark, way);
       return std::abs(mark.along - along) > kOwnNear * separation &&
              std::abs(mark.along) > kOwnStart * separation;
     });
@@ -196,10 +226,10 @@ class Tracer {
       if (sign > 0 && length > 2 * separation && Length(home) < 0.75 * next->length &&
           Dot(first, next->direction) > 0.9)
         return true;
-      if (!MayStand(next->to, number, sign * length)) return false;
+      if (!MayStand(next->to, next->direction, number, sign * length)) return false;
       at = next->to, along = next->direction;
       Put(line, at, sign);
-      grid_.Add({at, number, sign * length});
+      grid_.Add({at, along, number, sign * length});
       marked.push_back(at);
     }
     return false;
@@ -219,11 +249,13 @@ class Tracer {
     const double separation = Separation(at);
     const auto direction = DirectionAt(at, {1, 0});
     if (separation <= 0 || !direction.has_value()) return false;
-    if (grid_.Near(at, share * separation, [](const Mark&) { return true; })) return false;
+    if (grid_.Near(at, share * separation,
+                   [&](const Mark& mark) { return IsBeside(mark, *direction); }))
+      return false;
     const auto number = static_cast<int32_t>(lines_.size());
     StreamLine line{{at}};
     std::vector<Vec2> marked = {at};
-    grid_.Add({at, number, 0});
+    grid_.Add({at, *direction, number, 0});
     line.closed = Follow(line, number, at, *direction, 1, marked);
     if (!line.closed) Follow(line, number, at, *direction * -1, -1, marked);
     double length = 0;
@@ -261,11 +293,40 @@ class Tracer {
   const StreamBox box_;
   const DirectionField& directions_;
   const StreamOptions& options_;
+  const double scale_;
   MarkGrid grid_;
   std::vector<StreamLine> lines_;
   size_t spread_ = 0;
   double points_ = 0;  ///< of the lines that were spread from
 };
+
+double LengthOf(const StreamLine& line) {
+  double length = line.closed ? Length(line.points.front() - line.points.back()) : 0;
+  for (size_t i = 1; i < line.points.size(); ++i)
+    length += Length(line.points[i] - line.points[i - 1]);
+  return length;
+}
+
+/// Lines whose length is what the separations ask for: of several layouts, the nearest to it.
+absl::StatusOr<std::vector<StreamLine>> EvenLines(const StreamBox& box,
+                                                  const DirectionField& directions,
+                                                  const StreamOptions& options) {
+  std::vector<StreamLine> best;
+  const double asked = Tracer(box, directions, options, 1).LengthAsked();
+  double scale = 1, least = std::numeric_limits<double>::infinity();
+  for (int layout = 0; layout < kMostLayouts && least > kMostBias; ++layout) {
+    auto lines = Tracer(box, directions, options, scale).Run();
+    if (!lines.ok() || lines->empty()) return lines;
+    double length = 0;
+    for (const StreamLine& line : *lines) length += LengthOf(line);
+    scale = std::clamp(scale * length / asked, 1 / kMostScale, kMostScale);
+    if (const double bias = std::abs(length / asked - 1); bias < least) {
+      least = bias;
+      best = *std::move(lines);
+    }
+  }
+  return best;
+}
 
 std::optional<Curve> CurveOf(const StreamLine& line) {
   Polyline points;
@@ -290,8 +351,10 @@ absl::StatusOr<std::vector<Curve>> Streamlines(const StreamBox& box,
                                                const StreamOptions& options) {
   const double cells = (box.max_x_mm - box.min_x_mm) * (box.max_y_mm - box.min_y_mm);
   if (absl::Status ok = CheckFieldSize(kMaxFieldCells, cells); !ok.ok()) return ok;
-  const auto lines = Tracer(box, directions, options).Run();
+  auto lines = EvenLines(box, directions, options);
   if (!lines.ok()) return lines.status();
+  EvenGaps([&](Vec2 at) { return std::max(options.separation_mm(at.x, at.y), kTightestMm); },
+           *lines);
   std::vector<Curve> curves;
   for (const StreamLine& line : *lines)
     if (auto curve = CurveOf(line)) curves.push_back(*std::move(curve));

@@ -14,20 +14,35 @@ namespace {
 /// Shorter stretches of the edge, in pitches along the lines, are no flat ones: at steeper angles
 /// the round ends of lines leave little, and each fitted end takes some moves more.
 constexpr double kLeastFlatPitches = 1.5;
+/// Steeper edges are not flat.
+constexpr double kSteepSlope = 1 / kLeastFlatPitches;
 /// The round end of a line takes so much of the room beyond it, in pitches.
-constexpr double kEndPitches = 0.5;
+constexpr double kEndPitches = 1.0;
 /// Corners of a strip lie at least so far apart, in pitches.
 constexpr double kLeastStepPitches = 0.25;
 /// The narrowest and the widest strip, in pitches.
-constexpr double kNarrowest = 0.1;
-constexpr double kWidest = 2.0;
+constexpr double kNarrowest = 0.6;
+constexpr double kWidest = 1.5;
 
 }  // namespace
 
+StripPoint Between(const StripPoint& a, const StripPoint& b, double share) {
+  const auto between = [&](Coord from, Coord to) {
+    return from + std::llround(share * static_cast<double>(to - from));
+  };
+  return {{between(a.at.x, b.at.x), between(a.at.y, b.at.y)},
+          a.strip_nm + share * (b.strip_nm - a.strip_nm)};
+}
+
 FittedStrips::FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm)
     : lines_(lines) {
-  for (size_t i = 0; i < lines.crossings.size(); ++i)
-    AddStretch(static_cast<int32_t>(i), linked[i] ? -reach_nm : reach_nm);
+  for (size_t i = 0; i < lines.crossings.size(); ++i) {
+    const auto from = static_cast<int32_t>(i);
+    const auto flat = FlatFrom(from, reach_nm);
+    if (!flat) continue;
+    AddStretch(*flat, from, linked[i]);
+    if (linked[i]) AddLink(*flat, from);
+  }
   std::ranges::sort(rooms_, {}, [](const Room& room) {
     return std::tuple(room.side, room.knots.front().u, room.knots.back().u);
   });
@@ -67,48 +82,84 @@ int32_t FittedStrips::PieceBeside(int32_t line, double from_u, double to_u) cons
   return lines_.crossings[*std::prev(after)].u <= from_u ? place / 2 : -1;
 }
 
-void FittedStrips::AddStretch(int32_t from, double reach_nm) {
+std::optional<FittedStrips::FlatStretch> FittedStrips::FlatFrom(int32_t from,
+                                                                double reach_nm) const {
   const Crossing* start = &lines_.crossings[from];
   const Crossing* end = &lines_.crossings[start->next];
   const double least = kLeastFlatPitches * lines_.pitch;
-  if (std::abs(end->u - start->u) < least) return;
+  if (std::abs(end->u - start->u) < least) return std::nullopt;
 
-  std::vector<FramePoint> way = WayOf(from);
+  FlatStretch flat{.way = WayOf(from)};
+  std::vector<FramePoint>& way = flat.way;
   const int32_t below = LineBelow(from, way);
   // The region lies to the left of its edge.
-  const bool region_above = end->u > start->u;
-  if (!region_above) {
-    std::ranges::reverse(way);
-    std::swap(start, end);
-  }
-  if (!std::ranges::is_sorted(way, {}, &FramePoint::u)) return;
-  const int32_t line = region_above ? below + 1 : below;
-  const int32_t piece = PieceBeside(line, start->u, end->u);
-  if (piece < 0) return;
+  flat.region_above = end->u > start->u;
+  if (!flat.region_above) std::ranges::reverse(way);
+  if (!std::ranges::is_sorted(way, {}, &FramePoint::u)) return std::nullopt;
+  flat.line = flat.region_above ? below + 1 : below;
+  flat.piece = PieceBeside(flat.line, way.front().u, way.back().u);
+  if (flat.piece < 0) return std::nullopt;
 
   // Steep ends are as other ends of lines are: what is flat goes on up to them.
   const auto steep = [](const FramePoint& a, const FramePoint& b) {
-    return std::abs(b.v - a.v) > b.u - a.u;
+    return std::abs(b.v - a.v) > kSteepSlope * (b.u - a.u);
   };
-  size_t first = 0, last = way.size() - 1;
-  while (first < last && steep(way[first], way[first + 1])) ++first;
-  while (first < last && steep(way[last - 1], way[last])) --last;
-  if (way[last].u - way[first].u < least) return;
-
+  flat.last = way.size() - 1;
+  while (flat.first < flat.last && steep(way[flat.first], way[flat.first + 1])) ++flat.first;
+  while (flat.first < flat.last && steep(way[flat.last - 1], way[flat.last])) --flat.last;
+  const double width = way[flat.last].u - way[flat.first].u;
+  if (width < least) return std::nullopt;
   double length = 0;
-  for (size_t i = first; i < last; ++i)
+  for (size_t i = flat.first; i < flat.last; ++i)
     length += Hypot(way[i + 1].u - way[i].u, way[i + 1].v - way[i].v);
-  const double reach = reach_nm * length / (way[last].u - way[first].u);
+  flat.reach_nm = reach_nm * length / width;
+  return flat;
+}
+
+/// From the edge to where the strip of the line beyond the one beside it begins.
+double FittedStrips::RoomAt(const FlatStretch& flat, size_t i) const {
+  return std::abs(flat.way[i].v - lines_.VOf(flat.line)) + flat.reach_nm + lines_.pitch / 2;
+}
+
+void FittedStrips::AddStretch(const FlatStretch& flat, int32_t from, bool linked) {
   std::vector<Knot> edge;
-  for (size_t i = first; i <= last; ++i) {
-    const double room = std::abs(way[i].v - lines_.VOf(line)) + reach;
-    edge.push_back(
-        {way[i].u, std::clamp(room - lines_.pitch / 2, -lines_.pitch / 2, lines_.pitch / 2)});
+  for (size_t i = flat.first; i <= flat.last; ++i) {
+    const double room = RoomAt(flat, i);
+    const double strip = std::clamp(linked ? std::min(room / 2, lines_.pitch) : room,
+                                    kNarrowest * lines_.pitch, kWidest * lines_.pitch);
+    edge.push_back({flat.way[i].u, strip - lines_.pitch});
   }
+  const Crossing* start = &lines_.crossings[from];
+  const Crossing* end = &lines_.crossings[start->next];
+  if (!flat.region_above) std::swap(start, end);
   edge.front().u = start->u;
   edge.back().u = end->u;
-  rooms_.push_back({2 * piece + (region_above ? 0 : 1),
-                    Joined(std::move(edge), start->place / 2 == piece, end->place / 2 == piece)});
+  rooms_.push_back(
+      {2 * flat.piece + (flat.region_above ? 0 : 1),
+       Joined(std::move(edge), start->place / 2 == flat.piece, end->place / 2 == flat.piece)});
+}
+
+/// Half of the room, beside the edge.
+void FittedStrips::AddLink(const FlatStretch& flat, int32_t from) {
+  Link link{from, {}};
+  for (size_t i = 0; i < flat.way.size(); ++i) {
+    const auto [u, v] = flat.way[i];
+    if (i < flat.first || i > flat.last) {
+      link.bead.push_back({lines_.frame.At(u, v), lines_.pitch});
+      continue;
+    }
+    const double strip = std::clamp(RoomAt(flat, i) / 2, kNarrowest * lines_.pitch, lines_.pitch);
+    const double shift = strip / 2 - flat.reach_nm;
+    link.bead.push_back({lines_.frame.At(u, flat.region_above ? v + shift : v - shift), strip});
+  }
+  if (!flat.region_above) std::ranges::reverse(link.bead);
+  links_.push_back(std::move(link));
+}
+
+std::vector<StripPoint> FittedStrips::LinkFrom(int32_t crossing) const {
+  const auto found = std::ranges::lower_bound(links_, crossing, {}, &Link::from);
+  if (found == links_.end() || found->from != crossing) return {};
+  return found->bead;
 }
 
 /// What a strip gets of the room before the edge. At an end of another line it begins with nothing:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "services/infill/algo/lines/scan_lines.h"
@@ -15,27 +16,32 @@ struct StripPoint {
   friend bool operator==(const StripPoint&, const StripPoint&) = default;
 };
 
-/// The strips of a region that solid lines fill, one for each piece of line: half a pitch to each
-/// side of it. But where the region's edge runs at a flat angle to the lines, a strip goes as far
-/// as the edge: it is narrower where the line runs into the edge, and wider, by half a pitch at
-/// most, beside the end of the next line and below the top of a slope that no line reaches. So
-/// lines leave no wedge between their ends, and do not lie over what is beyond the edge.
-///
-/// Where a link runs along the edge, strips end before it, so that it fills its own.
+/// The point at a share of the way from one to the other.
+StripPoint Between(const StripPoint& a, const StripPoint& b, double share);
+
+/// The strips of a region that solid lines and their links fill: half a pitch to each side of a
+/// line. But where the region's edge runs at a flat angle to the lines, beads fill the room up to
+/// the edge. Where a link runs along the edge, it and the line beside it each take half of the
+/// room, and come to their turn narrower; elsewhere the line beside the end of the next one is
+/// wider. So lines leave no wedges between their ends, and lie neither over walls nor over each
+/// other.
 class FittedStrips {
  public:
   /// None reaches farther than half a pitch, or less far.
   explicit FittedStrips(const ScanLines& lines) : lines_(lines) {}
 
   /// `linked`: by crossing, whether a link runs from it to the next one on its ring. `reach_nm`:
-  /// what lies outside of the region of `lines` and is filled too; links fill twice as much, half
-  /// of it inside. `lines` must outlive this. Cost: O(n + k log k), n points of the region, k
-  /// pieces.
+  /// what lies outside of the region of `lines` and is filled too. `lines` must outlive this.
+  /// Cost: O(n + k log k), n points of the region, k pieces.
   FittedStrips(const ScanLines& lines, const std::vector<bool>& linked, double reach_nm);
 
   /// The strip of the piece that begins at `place` (ScanLines::order), to its other end: two points
   /// or more.
   std::vector<StripPoint> From(int32_t place) const;
+
+  /// The bead of the link from a crossing to the next one on its ring; empty where the edge is not
+  /// flat: the link is as wide as lines are, and runs along the edge of the region of `lines`.
+  std::vector<StripPoint> LinkFrom(int32_t crossing) const;
 
  private:
   /// How much farther than half a pitch a strip goes at a place along it.
@@ -51,8 +57,19 @@ class FittedStrips {
   struct FramePoint {
     double u = 0, v = 0;
   };
+  /// A stretch of the edge that is flat from one of its points to another, and the piece beside it.
+  struct FlatStretch {
+    std::vector<FramePoint> way;  ///< u rises
+    size_t first = 0, last = 0;
+    int32_t line = 0, piece = 0;
+    bool region_above = false;
+    double reach_nm = 0;  ///< across the lines
+  };
 
-  void AddStretch(int32_t from, double reach_nm);
+  std::optional<FlatStretch> FlatFrom(int32_t from, double reach_nm) const;
+  void AddStretch(const FlatStretch& flat, int32_t from, bool linked);
+  void AddLink(const FlatStretch& flat, int32_t from);
+  double RoomAt(const FlatStretch& flat, size_t i) const;
   std::vector<FramePoint> WayOf(int32_t from) const;
   int32_t LineBelow(int32_t from, const std::vector<FramePoint>& way) const;
   int32_t PieceBeside(int32_t line, double from_u, double to_u) const;
@@ -60,8 +77,14 @@ class FittedStrips {
   std::vector<Knot> KnotsOf(int32_t side) const;
   static double MoreAt(const std::vector<Knot>& knots, double u);
 
+  struct Link {
+    int32_t from = 0;
+    std::vector<StripPoint> bead;
+  };
+
   const ScanLines& lines_;
   std::vector<Room> rooms_;  ///< by side, then along it
+  std::vector<Link> links_;  ///< by crossing
 };
 
 }  // namespace slicefarm::infill

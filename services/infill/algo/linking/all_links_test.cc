@@ -19,7 +19,7 @@ struct Linked {
 Linked LinkAll(std::string_view text, const LineFamily& family, double max_link_nm) {
   const MultiPolygon region = MakePolygonsOrDie(text);
   const auto pieces = StraightPieces(region, {&family, 1});
-  const EdgeEnds ends(region, *pieces, 450'000);
+  const EdgeEnds ends(region, *pieces);
   const Links links = LinkAllEnds(ends, max_link_nm);
   Linked linked;
   for (int32_t end = 0; end < ends.size(); ++end) {

@@ -5,17 +5,17 @@
 
 namespace slicefarm::infill {
 
-EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm)
-    : pieces_(pieces) {
-  ForEachRing(region, [this](const Polygon& ring) { rings_.push_back(&ring); });
-  MeasureRings();
+EdgeEnds::EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces) : pieces_(pieces) {
+  ForEachRing(region, [this](const Polygon& ring) {
+    rings_.push_back(&ring);
+    corner_at_.push_back(CornerLengths(ring));
+  });
   ends_.reserve(2 * pieces.size());
   for (const Piece& piece : pieces) {
     ends_.push_back({piece.closed ? EdgePlace{} : piece.from});
     ends_.push_back({piece.closed ? EdgePlace{} : piece.to});
   }
   SortAlongRings();
-  FindRoom(region, static_cast<double>(width_nm));
 }
 
 Point EdgeEnds::PlaceOf(int32_t end) const {
@@ -36,15 +36,6 @@ Polyline EdgeEnds::StretchPoints(int32_t end) const {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() == 1) points.push_back(points.front());
   return points;
-}
-
-void EdgeEnds::MeasureRings() {
-  for (const Polygon* ring : rings_) {
-    std::vector<double>& at = corner_at_.emplace_back(1, 0.0);
-    at.reserve(ring->size() + 1);
-    for (size_t i = 0; i < ring->size(); ++i)
-      at.push_back(at.back() + Distance((*ring)[i], (*ring)[i + 1 == ring->size() ? 0 : i + 1]));
-  }
 }
 
 void EdgeEnds::SortAlongRings() {
@@ -80,13 +71,12 @@ void EdgeEnds::SortAlongRings() {
   }
 }
 
-void EdgeEnds::FindRoom(const MultiPolygon& region, double width_nm) {
-  const std::vector<std::vector<TakenSpan>> taken = TakenEdge(region, pieces_, width_nm);
+void EdgeEnds::SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm) {
   for (const int32_t number : order_) {
     End& end = ends_[static_cast<size_t>(number)];
     const auto ring = static_cast<size_t>(end.place.ring);
-    end.room = RoomAlong(taken[ring], corner_at_[ring].back(),
-                         {end.along_nm, end.stretch_nm, number / 2, end.next / 2}, width_nm);
+    end.room = RoomAlong(taken[ring], corner_at_[ring].back(), end.along_nm, end.stretch_nm,
+                         static_cast<double>(width_nm));
   }
 }
 

@@ -17,9 +17,11 @@ inline constexpr int32_t kNoEnd = -1;
 /// of a ring from an end forwards to the next one, and has that end's number.
 class EdgeEnds {
  public:
-  /// `region` and `pieces` must outlive this. Beads are `width_nm` wide. Cost: O(n + k log k), and
-  /// TakenEdge's.
-  EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm);
+  /// `region` and `pieces` must outlive this. All of the edge is free. Cost: O(n + k log k).
+  EdgeEnds(const MultiPolygon& region, std::span<const Piece> pieces);
+
+  /// Says where beads of that width have no room, by ring.
+  void SetTaken(const std::vector<std::vector<TakenSpan>>& taken, Coord width_nm);
 
   int32_t size() const { return static_cast<int32_t>(ends_.size()); }
   int32_t PieceCount() const { return size() / 2; }
@@ -55,9 +57,7 @@ class EdgeEnds {
   };
 
   const End& At(int32_t end) const { return ends_[static_cast<size_t>(end)]; }
-  void MeasureRings();
   void SortAlongRings();
-  void FindRoom(const MultiPolygon& region, double width_nm);
 
   std::span<const Piece> pieces_;
   std::vector<const Polygon*> rings_;

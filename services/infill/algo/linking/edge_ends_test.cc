@@ -24,7 +24,7 @@ std::vector<Piece> Lines(double angle) {
 TEST(EdgeEnds, StretchesPartTheRings) {
   for (const double angle : {0.0, 0.5, 1.2}) {
     const std::vector<Piece> pieces = Lines(angle);
-    const EdgeEnds ends(Region(), pieces, 450'000);
+    const EdgeEnds ends(Region(), pieces);
     ASSERT_EQ(ends.size(), static_cast<int32_t>(2 * pieces.size()));
     ASSERT_EQ(ends.OnEdge().size(), 2 * pieces.size());
     double length = 0, expected = 0;
@@ -46,7 +46,7 @@ TEST(EdgeEnds, ClosedPiecesAndInnerEndsAreNotOnTheEdge) {
   std::vector<Piece> pieces(2);
   pieces[0] = {MakeLineOrDie("(8 4, 9 4, 9 5)"), {}, {}, true};
   pieces[1] = {MakeLineOrDie("(0 4, 1 4)"), {0, 3}, {}};
-  const EdgeEnds ends(Region(), pieces, 450'000);
+  const EdgeEnds ends(Region(), pieces);
   EXPECT_EQ(ends.OnEdge(), std::vector<int32_t>{2});
   EXPECT_EQ(ends.Next(2), 2);
 }
@@ -54,7 +54,7 @@ TEST(EdgeEnds, ClosedPiecesAndInnerEndsAreNotOnTheEdge) {
 TEST(EdgeEnds, AStretchMayGoRoundTheWholeRing) {
   // Both ends on one edge.
   const std::vector<Piece> pieces = {{MakeLineOrDie("(5 0, 5 2, 7 2, 7 0)"), {0, 0}, {0, 0}}};
-  const EdgeEnds ends(Region(), pieces, 450'000);
+  const EdgeEnds ends(Region(), pieces);
   EXPECT_NEAR(ends.StretchLength(0), 2e6, 1);
   EXPECT_NEAR(ends.StretchLength(1), 58e6, 1);
   EXPECT_EQ(ends.StretchPoints(0), MakeLineOrDie("(5 0, 7 0)"));

@@ -73,7 +73,7 @@ TEST(LeastLinks, AreWhatEdmondsAlgorithmFinds) {
       curves.push_back({{{coord(60) - 10'000'000, coord(50) - 10'000'000},
                          {coord(60) - 10'000'000, coord(50) - 10'000'000}}});
     const std::vector<Piece> pieces = ClipCurves(region, curves);
-    const EdgeEnds ends(region, pieces, 450'000);
+    const EdgeEnds ends(region, pieces);
     const double most = static_cast<double>(coord(30));
     const Links links = LeastLinks(ends, most);
     for (const int32_t end : ends.OnEdge()) {

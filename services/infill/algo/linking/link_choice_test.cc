@@ -47,7 +47,7 @@ int32_t CheckedPaths(const EdgeEnds& ends, const Links& links) {
 int32_t PathsOf(const MultiPolygon& region, std::vector<LineFamily> families,
                 double max_link_nm = kFar) {
   const auto pieces = StraightPieces(region, families);
-  const EdgeEnds ends(region, *pieces, 450'000);
+  const EdgeEnds ends(region, *pieces);
   return CheckedPaths(ends, ChooseLinks(ends, max_link_nm));
 }
 
@@ -112,7 +112,7 @@ TEST(LinkChoice, IsNearTheBestChoice) {
     const double a = angle(random);
     const LineFamily families[] = {{a, phase(random), 7e6}, {a + 1.2, phase(random), 9e6}};
     const auto pieces = StraightPieces(region, families);
-    const EdgeEnds ends(region, *pieces, 450'000);
+    const EdgeEnds ends(region, *pieces);
     if (ends.size() > 18) continue;
     found += CheckedPaths(ends, ChooseLinks(ends, kFar));
     fewest += FewestPaths(ends);
@@ -123,7 +123,7 @@ TEST(LinkChoice, IsNearTheBestChoice) {
 
 TEST(LinkChoice, NothingOfNothing) {
   const MultiPolygon none;
-  const EdgeEnds ends(none, {}, 450'000);
+  const EdgeEnds ends(none, {});
   EXPECT_TRUE(ChooseLinks(ends, kFar).empty());
 }
 

@@ -8,6 +8,7 @@
 #include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"
 #include "services/infill/algo/linking/least_links.h"
+#include "services/infill/algo/linking/lifted_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
 #include "services/infill/algo/linking/near_ends.h"
 #include "services/infill/algo/linking/spliced_paths.h"
@@ -19,12 +20,27 @@ namespace {
 /// Shorter anchors hold no more than the end itself, in widths.
 constexpr double kLeastAnchor = 1;
 
-/// How much of a piece may be cut off at each end where its links run beside it.
-constexpr double kMostCut = 0.4;
-
 bool AreStraight(std::span<const Piece> pieces) {
   return std::ranges::all_of(
       pieces, [](const Piece& piece) { return piece.points.size() == 2 && !piece.closed; });
+}
+
+/// Leaves out the longest links, until the others come to the budget.
+Links WithinBudget(const EdgeEnds& ends, Links links, double budget_nm) {
+  std::vector<int32_t> linked;
+  double length = 0;
+  for (const int32_t end : ends.OnEdge()) {
+    if (!links[static_cast<size_t>(end)]) continue;
+    linked.push_back(end);
+    length += ends.StretchLength(end);
+  }
+  if (length <= budget_nm) return links;
+  std::ranges::stable_sort(linked, {}, [&](int32_t end) { return ends.StretchLength(end); });
+  for (; !linked.empty() && length > budget_nm; linked.pop_back()) {
+    length -= ends.StretchLength(linked.back());
+    links[static_cast<size_t>(linked.back())] = false;
+  }
+  return links;
 }
 
 /// Puts paths together from pieces, links and anchors.
@@ -90,40 +106,14 @@ class Assembler {
     while (true) {
       done_[static_cast<size_t>(end / 2)] = true;
       const int32_t out = end ^ 1;
-      Append(PiecePoints(end), path);
+      Polyline piece = ends_.PieceAt(end / 2).points;
+      if (end % 2 != 0) std::reverse(piece.begin(), piece.end());
+      Append(piece, path);
       end = LinkedTo(ends_, links_, out);
       if (end == kNoEnd) return out;
-      Append(LinkFrom(out, end), path);
+      Append(WayFrom(out, links_[static_cast<size_t>(out)] && ends_.Next(out) == end), path);
       if (IsDone(end)) return out;
     }
-  }
-
-  /// How far the link of an end runs beside its piece.
-  double WedgeOf(int32_t end) const {
-    if (!ends_.IsOnEdge(end)) return 0;
-    if (links_[static_cast<size_t>(end)]) return ends_.RoomOf(end).from_wedge_nm;
-    const int32_t before = ends_.Previous(end);
-    return links_[static_cast<size_t>(before)] ? ends_.RoomOf(before).to_wedge_nm : 0;
-  }
-
-  /// A piece from one end to the other, less what its links run beside.
-  Polyline PiecePoints(int32_t from) const {
-    const Polyline& points = ends_.PieceAt(from / 2).points;
-    const double start = WedgeOf(from & ~1), end = WedgeOf(from | 1);
-    Polyline left = points;
-    if (start + end > 0) {
-      const double length = Length(points), most = kMostCut * length;
-      left = Shortened(points, length, std::min(start, most), std::min(end, most));
-    }
-    if (from % 2 != 0) std::reverse(left.begin(), left.end());
-    return left;
-  }
-
-  /// The link between two ends, less what runs beside their pieces.
-  Polyline LinkFrom(int32_t out, int32_t to) const {
-    const Polyline way = WayFrom(out, links_[static_cast<size_t>(out)] && ends_.Next(out) == to);
-    const double start = WedgeOf(out), end = WedgeOf(to);
-    return start + end > 0 ? Shortened(way, Length(way), start, end) : way;
   }
 
   /// The stretch beside an end, from there on.
@@ -171,9 +161,10 @@ class Assembler {
 
 /// Paths with loose ends, which lie near to those of other paths where that costs no path.
 std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
-  const Links links = ChooseLinks(ends, options.max_link_nm);
+  const Links links = WithinBudget(ends, ChooseLinks(ends, options.max_link_nm), options.budget_nm);
   std::vector<Path> paths = Assembler(ends, links, options).Run();
-  const Links near = BringEndsTogether(ends, links, options.max_link_nm);
+  const Links near =
+      WithinBudget(ends, BringEndsTogether(ends, links, options.max_link_nm), options.budget_nm);
   if (near == links) return paths;
   std::vector<Path> nearer = Assembler(ends, near, options).Run();
   return nearer.size() <= paths.size() ? nearer : paths;
@@ -204,7 +195,11 @@ std::vector<Path> FacingPaths(const EdgeEnds& ends, const LinkOptions& options) 
 std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece> pieces,
                               const LinkOptions& options) {
   if (pieces.empty()) return {};
-  const EdgeEnds ends(region, pieces, options.width_nm);
+  const bool is_edge_used = options.max_link_nm > 0 || options.anchor_nm > 0;
+  if (!is_edge_used || !options.lifts_ends) return OpenPaths(EdgeEnds(region, pieces), options);
+  const LiftedPieces lifted = LiftEnds(region, pieces, options.width_nm);
+  EdgeEnds ends(region, lifted.pieces);
+  ends.SetTaken(lifted.taken, options.width_nm);
   std::vector<Path> rings;
   if (options.max_link_nm > 0 && AreStraight(pieces)) {
     const Links links = LinkAllEnds(ends, options.max_link_nm);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,11 @@ struct LinkOptions {
   Coord width_nm = 450'000;  ///< of beads
   double max_link_nm = 0;    ///< ends farther apart along the edge are not linked
   double anchor_nm = 0;      ///< how far a loose end turns along the edge
+  /// What all links together may come to; beyond that the longest are left out.
+  double budget_nm = std::numeric_limits<double>::infinity();
+  /// Whether ends that lie beside the edge make room for links (LiftEnds), and links keep off lines
+  /// there. Where lines fill the region up to its edge, they do not.
+  bool lifts_ends = true;
   double min_length_nm = 0;  ///< shorter paths are left out
   double facing_nm = 0;      ///< closed paths so far apart become one where they face each other
 };

@@ -48,7 +48,7 @@ TEST(WaysBetween, IsTheShortestTreeBetweenEnds) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 10 0, 10 30, 0 30)");
   const LineFamily lines{0, 5e6, 10e6};  // at y = 5, 15 and 25
   const auto pieces = StraightPieces(region, {&lines, 1});
-  const EdgeEnds ends(region, *pieces, 450'000);
+  const EdgeEnds ends(region, *pieces);
   Links links(static_cast<size_t>(ends.size()), false);
   EXPECT_NEAR(*WaysBetween(ends, links), 20e6, 10);
   links = ChooseLinks(ends, kFar);
@@ -59,7 +59,7 @@ TEST(WaysBetween, KnowsNoRings) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 10 0, 10 20, 0 20)");
   const LineFamily lines{0, 5e6, 10e6};
   const auto pieces = StraightPieces(region, {&lines, 1});
-  const EdgeEnds ends(region, *pieces, 450'000);
+  const EdgeEnds ends(region, *pieces);
   Links links(static_cast<size_t>(ends.size()), false);
   links[static_cast<size_t>(ends.OnEdge()[0])] = links[static_cast<size_t>(ends.OnEdge()[2])] =
       true;
@@ -74,7 +74,7 @@ TEST(BringEndsTogether, ShortensTheWaysBetweenAsManyPaths) {
     for (const double max_link_nm : {kFar, 8e6}) {
       const LineFamily lines{c.angle_rad, 0, 2e6};
       const auto pieces = StraightPieces(region, {&lines, 1});
-      const EdgeEnds ends(region, *pieces, 450'000);
+      const EdgeEnds ends(region, *pieces);
       const Links chosen = ChooseLinks(ends, max_link_nm);
       const Links moved = BringEndsTogether(ends, chosen, max_link_nm);
       ExpectLinks(ends, moved, max_link_nm);
@@ -92,7 +92,7 @@ TEST(BringEndsTogether, OnePathStays) {
   const MultiPolygon region = MakePolygonsOrDie("(0 0, 40 0, 40 40, 0 40)");
   const LineFamily lines{0.5, 0, 2e6};
   const auto pieces = StraightPieces(region, {&lines, 1});
-  const EdgeEnds ends(region, *pieces, 450'000);
+  const EdgeEnds ends(region, *pieces);
   const Links chosen = ChooseLinks(ends, kFar);
   EXPECT_EQ(BringEndsTogether(ends, chosen, kFar), chosen);
 }

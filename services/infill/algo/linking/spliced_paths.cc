@@ -13,7 +13,7 @@ namespace {
 /// How many pairs of stretches are looked at.
 constexpr size_t kMostPairs = 4'000'000;
 /// How much of a corner is cut off, of the margin.
-constexpr double kCut = 0.35;
+constexpr double kCut = 0.45;
 
 /// Where stretch i of a path, from its point i on, crosses stretch j of another.
 struct CrossPlace {

@@ -10,8 +10,8 @@ namespace slicefarm::infill::spliced_paths_test {
 namespace {
 
 constexpr double kMargin = 0.5e6;
-/// What two corners lose, square ones, of which 0.35 margins are cut off.
-constexpr double kCutOff = 2 * (2 - std::numbers::sqrt2) * 0.35 * kMargin;
+/// What two corners lose, square ones, of which 0.45 margins are cut off.
+constexpr double kCutOff = 2 * (2 - std::numbers::sqrt2) * 0.45 * kMargin;
 
 Path Make(std::string_view line, bool closed) {
   Path path;
@@ -34,7 +34,7 @@ TEST(SplicedPaths, RingIsTakenInWhereItIsCrossedFirst) {
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_FALSE(paths[0].closed);
   EXPECT_EQ(paths[0].points,
-            MakeLineOrDie("(0 5, 7.825 5, 8 5.175, 8 10, 4 10, 4 0, 8 0, 8 4.825, 8.175 5, 20 5)"));
+            MakeLineOrDie("(0 5, 7.775 5, 8 5.225, 8 10, 4 10, 4 0, 8 0, 8 4.775, 8.225 5, 20 5)"));
   EXPECT_EQ(paths[0].widths_nm.size(), 1u);
   EXPECT_NEAR(PathLength(paths[0]), 48e6 - kCutOff, 1);
 }

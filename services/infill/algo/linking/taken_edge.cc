@@ -14,9 +14,7 @@ namespace {
 /// Sine of the angle at which beads run along each other.
 constexpr double kMostSine = 0.342;
 /// How long a link may lie on another bead, in widths.
-constexpr double kMostTaken = 0.5;
-/// A stretch so short is a turn, whose beads lie on each other anyway, in widths.
-constexpr double kTurn = 2;
+constexpr double kMostTaken = 1;
 /// Squares in which pieces are looked up, in distances that count as near.
 constexpr double kSquares = 8;
 
@@ -92,21 +90,6 @@ void Join(double gap_nm, std::vector<TakenSpan>& spans) {
   std::ranges::stable_sort(spans, {}, &TakenSpan::from_nm);
 }
 
-/// Of a stretch, takes away what a span of it takes.
-void Take(const Part& span, int32_t piece, const EdgeStretch& stretch, double width_nm,
-          StretchRoom& room) {
-  const double touching = width_nm / 2;
-  if (piece == stretch.from_piece && span.from < touching) {
-    room.from_wedge_nm = std::max(room.from_wedge_nm, span.to);
-  } else if (piece == stretch.to_piece && span.to > stretch.length_nm - touching) {
-    room.to_wedge_nm = std::max(room.to_wedge_nm, stretch.length_nm - span.from);
-  } else if (span.to - span.from > kMostTaken * width_nm) {
-    room.links = false;
-  }
-  room.ahead_nm = std::min(room.ahead_nm, span.from);
-  room.behind_nm = std::min(room.behind_nm, stretch.length_nm - span.to);
-}
-
 }  // namespace
 
 std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
@@ -139,22 +122,30 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
   return taken;
 }
 
-StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm,
-                      const EdgeStretch& stretch, double width_nm) {
-  const double length = stretch.length_nm;
-  StretchRoom room{.ahead_nm = length, .behind_nm = length};
+StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
+                      double length_nm, double width_nm) {
+  StretchRoom room{true, length_nm, length_nm};
   for (const double turn : {0.0, ring_nm}) {
-    const double start = stretch.from_nm - turn;
+    const double start = from_nm - turn;
     for (const TakenSpan& span : taken) {
-      if (span.from_nm >= start + length) break;
+      if (span.from_nm >= start + length_nm) break;
       if (span.to_nm <= start) continue;
-      Take({std::max(0.0, span.from_nm - start), std::min(length, span.to_nm - start)}, span.piece,
-           stretch, width_nm, room);
+      const double from = std::max(0.0, span.from_nm - start);
+      const double to = std::min(length_nm, span.to_nm - start);
+      if (to - from > kMostTaken * width_nm) room.links = false;
+      room.ahead_nm = std::min(room.ahead_nm, from);
+      room.behind_nm = std::min(room.behind_nm, length_nm - to);
     }
   }
-  if (length <= kTurn * width_nm) return {.ahead_nm = room.ahead_nm, .behind_nm = room.behind_nm};
-  if (room.from_wedge_nm + room.to_wedge_nm > length - width_nm) room.links = false;
   return room;
+}
+
+std::vector<double> CornerLengths(const Polygon& ring) {
+  std::vector<double> at(1, 0.0);
+  at.reserve(ring.size() + 1);
+  for (size_t i = 0; i < ring.size(); ++i)
+    at.push_back(at.back() + Distance(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]));
+  return at;
 }
 
 }  // namespace slicefarm::infill

@@ -24,26 +24,18 @@ struct TakenSpan {
 std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
                                               std::span<const Piece> pieces, double width_nm);
 
-/// A stretch of a ring, from an end of a piece to that of the next one.
-struct EdgeStretch {
-  double from_nm = 0;  ///< along the ring
-  double length_nm = 0;
-  int32_t from_piece = 0;
-  int32_t to_piece = 0;
-};
-
-/// What beads along a stretch have room for.
+/// What beads along a stretch of a ring have room for.
 struct StretchRoom {
-  bool links = true;         ///< a bead all along it
-  double from_wedge_nm = 0;  ///< so far the piece from which it begins runs beside it
-  double to_wedge_nm = 0;    ///< and that at which it ends
-  double ahead_nm = 0;       ///< a bead from where it begins, so far
-  double behind_nm = 0;      ///< a bead from where it ends, so far back
+  bool links = true;     ///< a bead all along it; it may lie on another one for a width
+  double ahead_nm = 0;   ///< a bead from where it begins, so far
+  double behind_nm = 0;  ///< a bead from where it ends, so far back
 };
 
-/// `taken`: of the ring, which is `ring_nm` long. A link may lie on another bead for half a width;
-/// and in the wedge between its own pieces and the edge only where they can be cut off there.
-StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm,
-                      const EdgeStretch& stretch, double width_nm);
+/// Of the stretch from `from_nm` on. `taken`: of the ring, which is `ring_nm` long.
+StretchRoom RoomAlong(const std::vector<TakenSpan>& taken, double ring_nm, double from_nm,
+                      double length_nm, double width_nm);
+
+/// The length of a ring up to each of its points, and of the whole ring.
+std::vector<double> CornerLengths(const Polygon& ring);
 
 }  // namespace slicefarm::infill

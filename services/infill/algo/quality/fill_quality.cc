@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
-#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
-#include "common/geometry/offset/offset.h"
-#include "common/model/bead_section.h"
+#include "services/infill/algo/quality/bead_cover.h"
 #include "services/infill/algo/quality/fill_plastic.h"
 
 namespace slicefarm::infill {
@@ -18,18 +15,6 @@ template <class Visit>
 void ForEachSegment(const Path& path, const Visit& visit) {
   const size_t count = path.points.size();
   for (size_t i = 1; i < count + (path.closed ? 1 : 0); ++i) visit(i - 1, i % count);
-}
-
-double CoveredMm2(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm) {
-  std::map<Coord, std::vector<Polyline>> lines;  // by width
-  for (const Path& path : paths) {
-    Polyline& line = lines[*std::ranges::max_element(path.widths_nm)].emplace_back(path.points);
-    if (path.closed) line.push_back(line.front());
-  }
-  MultiPolygon covered;
-  for (const auto& [width, of_width] : lines)
-    covered = Union(covered, OffsetLines(of_width, Spacing(width, height_nm) / 2, Cap::kButt));
-  return Area(Intersection(covered, region)) / kNmPerMm / kNmPerMm;
 }
 
 double TravelMm(std::span<const Path> paths) {
@@ -120,7 +105,7 @@ FillQuality QualityOf(const MultiPolygon& region, std::span<const Path> paths, C
   }
   if (area <= 0 || longest == nullptr) return quality;
   quality.got = volume / (area * ToMm(static_cast<double>(height_nm)));
-  quality.covered = CoveredMm2(region, paths, height_nm) / area;
+  quality.covered = CoveredShare(region, paths, height_nm, spacing_nm);
   quality.travel_mm = TravelMm(paths);
   quality.isotropy = Isotropy(paths);
   quality.locality = Locality(*longest, static_cast<double>(spacing_nm));

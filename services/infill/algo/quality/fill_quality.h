@@ -11,7 +11,7 @@ namespace slicefarm::infill {
 /// How good the paths that fill a region are.
 struct FillQuality {
   double got = 0;      ///< plastic / what would fill the region: to be compared with the density
-  double covered = 0;  ///< share of the region that lies under beads
+  double covered = 0;  ///< share of the region that lies under beads (bead_cover.h)
   int64_t paths = 0;
   double length_mm = 0;
   double longest_mm = 0;
@@ -27,7 +27,7 @@ struct FillQuality {
 inline constexpr int kMostLocalityPlaces = 2'000;
 
 /// `spacing_nm`: of beads that lie side by side; it makes the unit of locality.
-/// Cost: O(n log n) for what is covered, O(paths^2) for travel, O(places^2) for locality.
+/// Cost: that of CoveredShare, O(paths^2) for travel, O(places^2) for locality.
 FillQuality QualityOf(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
                       Coord spacing_nm);
 

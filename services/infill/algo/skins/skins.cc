@@ -1,11 +1,13 @@
 #include "services/infill/algo/skins/skins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/geometry/boolean/boolean.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
+#include "common/geometry/offset/offset.h"
 #include "common/geometry/rings/simplify.h"
 #include "services/infill/algo/skins/region_mask.h"
 
@@ -17,12 +19,19 @@ constexpr Coord kAnchorBeads = 2;
 
 /// Edges of layers that lie on each other in the part do so to some tens of nanometres in sections.
 /// What differs by less is noise.
-constexpr Coord kNoiseNm = 200;
+constexpr Coord kNoiseNm = 5'000;
 
 /// Offsets a result of boolean operations, whose edges may have steps and tips of noise where
 /// operands' edges lay on each other: miters would make them as long as the offset.
 MultiPolygon SmoothOffset(const MultiPolygon& region, Coord distance_nm) {
   return FastOffset(Simplify(region, kNoiseNm), distance_nm);
+}
+
+/// The same with round corners, to 2 % of the distance: what miters reach jumps with an angle, at
+/// tips of 60 degrees.
+MultiPolygon RoundOffset(const MultiPolygon& region, Coord distance_nm) {
+  return Offset(Simplify(region, kNoiseNm), distance_nm,
+                {.join = Join::kRound, .arc_tolerance_nm = distance_nm / 50});
 }
 
 /// The part of `region` that is at least `width_nm` wide.
@@ -35,7 +44,7 @@ MultiPolygon WithoutSlivers(const MultiPolygon& region, Coord width_nm) {
 
 /// Drops islands that are smaller than a dot of a bead.
 void EraseSpecks(MultiPolygon& region, Coord width_nm) {
-  const double least = 0.25 * static_cast<double>(width_nm) * static_cast<double>(width_nm);
+  const double least = static_cast<double>(width_nm) * static_cast<double>(width_nm);
   std::erase_if(region, [least](const PolygonWithHoles& island) { return Area(island) < least; });
 }
 
@@ -85,7 +94,8 @@ class SparseRegion {
   const MultiPolygon& region() const { return region_; }
 
  private:
-  void TakeWide(const MultiPolygon& bare, Coord least_nm) {
+  void TakeWide(MultiPolygon bare, Coord least_nm) {
+    EraseSpecks(bare, width_nm_);
     const MultiPolygon core = SmoothOffset(bare, -least_nm / 2);
     if (core.empty()) return;
     Set(Difference(region_, SmoothOffset(core, least_nm / 2 + kAnchorBeads * width_nm_)));
@@ -116,6 +126,14 @@ constexpr Coord kLeastSparseWidths = 4;
 
 /// How wide bare parts must be for ShellThickness::kPartial, in beads.
 constexpr Coord kPartialBeads = 3;
+
+/// Narrower parts than this share of a bead are not bare. What is bare beside walls, or in a place
+/// between walls that is no wider than a bead, goes on under them: it is wider than it looks.
+constexpr double kLeastBareBeads = 0.3;
+
+Coord LeastBare(const SkinOptions& options) {
+  return std::llround(kLeastBareBeads * static_cast<double>(options.width_nm));
+}
 
 /// What no layer of the cover exposes.
 MultiPolygon UnexposedPart(const MultiPolygon& fill_area, const MultiPolygon& outline,
@@ -148,7 +166,8 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
       const MultiPolygon* layer = (*side)[i];
       const bool seen = i + 1 < side->size() && layer == (*side)[i + 1];
       // What lies open itself is a skin, however narrow.
-      const Coord least_nm = partial && i > 0 ? kPartialBeads * options.width_nm : options.width_nm;
+      const Coord least_nm =
+          partial && i > 0 ? kPartialBeads * options.width_nm : LeastBare(options);
       if (!seen && layer != &outline) sparse.TakeBareParts(*layer, least_nm);
     }
   }
@@ -156,13 +175,19 @@ MultiPolygon CoveredPart(const MultiPolygon& fill_area, const MultiPolygon& outl
 }
 
 /// The narrow places of `covered` beside what is `bare`. By widths alone: whatever noise the
-/// operands have, the result moves no more than they do.
+/// operands have, the result moves no more than they do. What lies in a right angle belongs to the
+/// wide place that ends there: to its corner a disc's middle has sqrt(2) of the disc's radius.
 MultiPolygon NarrowBeside(const MultiPolygon& covered, const MultiPolygon& bare, Coord width_nm) {
   const Coord least_nm = kLeastSparseWidths * width_nm;
-  MultiPolygon narrow = Difference(covered, WithoutSlivers(covered, least_nm));
+  const MultiPolygon core = SmoothOffset(covered, -least_nm / 2);
+  const Coord to_corner_nm = least_nm / 2 * 3 / 2;
+  MultiPolygon narrow =
+      core.empty() ? covered : Difference(covered, RoundOffset(core, to_corner_nm));
   EraseSpecks(narrow, width_nm);
   if (narrow.empty()) return {};
-  narrow = Intersection(narrow, SmoothOffset(bare, least_nm));
+  // Hairs that rounding leaves along the fill area's edge are nothing bare.
+  const MultiPolygon without_hairs = SmoothOffset(bare, -2 * kNoiseNm);
+  narrow = Intersection(narrow, SmoothOffset(without_hairs, least_nm + 2 * kNoiseNm));
   EraseSpecks(narrow, width_nm);
   return narrow;
 }

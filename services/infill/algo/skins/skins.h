@@ -40,12 +40,16 @@ struct Skins {
 };
 
 /// Parts a fill area. A point belongs to the skins unless every outline of `cover` covers it; parts
-/// that an outline leaves bare count if they are at least a bead wide, and grow by two beads into
-/// the sparse region, so that their lines end on something. With shells partial, at least three
-/// beads wide; with disabled, only what a nearer outline still covers counts: slopes leave treads
-/// that are narrower than a bead from one layer to the next, and stay sparse. Regions too narrow
-/// for a bead go to their neighbour; sparse places narrower than four beads beside skins become
-/// solid, as their lines would be bits. Narrow places beside walls only stay sparse.
+/// that an outline leaves bare count if they are at least 0.3 of a bead wide (they go on under the
+/// walls) and as large as a dot of a bead, and grow by two beads into the sparse region, so that
+/// their lines end on something. With shells partial, at least three beads wide; with disabled,
+/// only what a nearer outline still covers counts, a bead wide: slopes leave treads that are
+/// narrower than a bead from one layer to the next, and stay sparse. Sparse places narrower than
+/// four beads become solid as far as that from skins, as their lines would be bits. Narrow places
+/// beside walls only stay sparse. What is too narrow for a bead beside a bridge joins it.
+///
+/// All is decided by widths, distances and areas: noise of some tens of nanometres in any operand
+/// moves edges by as much, and dots where a width is just at its limit.
 ///
 /// Invariant: the regions tile fill_area: disjoint, and with no gap, to rounding.
 /// Cost: next to nothing for outlines that are `outline` (that of this layer) or do not come near

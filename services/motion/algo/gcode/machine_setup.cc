@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 #include "common/base/text.h"
 #include "services/motion/algo/firmware/firmware.h"
 
 namespace slicefarm::motion {
+
 void WriteMachineLimits(const MotionOptions& options, GcodeText& out) {
   if (options.limits.emit_to_gcode) FirmwareOf(options.flavor).WriteLimits(options.limits, out);
 }
@@ -17,13 +19,30 @@ void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out)
   out.Integer(celsius) << '\n';
 }
 
+namespace {
+
+/// Chooses the tool, unless start G-code has done so.
+void WriteTool(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
+  const std::string tool = "T" + std::to_string(options.tool);
+  if (options.tool < 0 || Commands(start_gcode, {tool})) return;
+  out << tool << '\n';
+}
+
+}  // namespace
+
 void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out) {
-  const bool sets_bed = Commands(start_gcode, {"M140", "M190"});
-  const bool sets_nozzle = Commands(start_gcode, {"M104", "M109"});
+  const bool leaves = !options.emit_temperatures;
+  const bool sets_bed = leaves || Commands(start_gcode, {"M140", "M190"});
+  const bool sets_nozzle = leaves || Commands(start_gcode, {"M104", "M109"});
+  const bool sets_chamber = leaves || Commands(start_gcode, {"M141", "M191"});
+  if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
   if (!sets_bed) WriteTemperature("M190", options.first_layer_bed_temperature_c, out);
   if (!sets_nozzle) WriteTemperature("M104", options.first_layer_temperature_c, out);
   out.Lines(start_gcode);
   if (!sets_nozzle) WriteTemperature("M109", options.first_layer_temperature_c, out);
+  if (!sets_chamber) WriteTemperature("M191", options.chamber_least_c, out);
+  if (!sets_chamber) WriteTemperature("M141", options.chamber_temperature_c, out);
+  WriteTool(options, start_gcode, out);
 }
 
 MachineLimits LimitsAfterStart(const MotionOptions& options) {

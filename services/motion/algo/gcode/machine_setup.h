@@ -16,7 +16,8 @@ void WriteMachineLimits(const MotionOptions& options, GcodeText& out);
 void WriteTemperature(std::string_view command, int32_t celsius, GcodeText& out);
 
 /// Writes the start G-code, already filled in, and heats up around it: the bed before, the nozzle
-/// begun before and waited for after; but leaves to the start G-code what it does by itself.
+/// and the chamber begun before and waited for after; but leaves to the start G-code what it does by
+/// itself, or all of it (emit_temperatures). Then it chooses the tool, if there are several.
 /// Source: PrusaSlicer.
 void WriteStart(const MotionOptions& options, std::string_view start_gcode, GcodeText& out);
 

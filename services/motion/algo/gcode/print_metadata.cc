@@ -12,7 +12,7 @@
 #include "common/model/filament_use.h"
 #include "services/motion/algo/gcode/comment_text.h"
 #include "services/motion/algo/gcode/gcode_text.h"
-#include "services/motion/algo/macro/settings_text.h"
+#include "common/macro/settings_text.h"
 
 namespace slicefarm::motion {
 namespace {
@@ -97,7 +97,7 @@ std::vector<Setting> KnownSettings(const MotionOptions& options, const ProgramSu
 /// By key: a file whose settings are read back from it names them in the same order.
 void WriteSettings(const MotionOptions& options, const ProgramSummary& summary, GcodeText& out) {
   std::map<std::string, std::string, std::less<>> settings;
-  for (const auto& [key, value] : SettingLines(summary.settings_text))
+  for (const auto& [key, value] : macro::SettingLines(summary.settings_text))
     settings.emplace(CommentLine(key), CommentLine(value));
   for (const auto& [key, value] : KnownSettings(options, summary))
     if (!value.empty()) settings.emplace(key, value);

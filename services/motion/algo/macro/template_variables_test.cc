@@ -3,97 +3,79 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/macro/setting_variables.h"
+#include "common/macro/template_run.h"
+
 namespace slicefarm::motion::template_variables_test {
 namespace {
 
-using ::testing::ElementsAre;
+using macro::ExpandTemplate;
+using macro::TemplateVariables;
 
-TEST(LayerVariables, SettingsAndPlace) {
+std::string Filled(std::string_view code, const TemplateVariables& variables) {
+  return ExpandTemplate("g", code, variables).value_or("error");
+}
+
+// What the stage works with counts, not what is quoted.
+TEST(JobVariables, OptionsThenSettingsThenDefaults) {
   MotionOptions options;
   options.first_layer_temperature_c = 215;
   options.filament_type = "PETG";
-  const TemplateVariables variables = LayerVariables(options, {}, {0, 3, 3, 800'000, 800'000});
-  EXPECT_THAT(variables.at("first_layer_temperature"), ElementsAre(TemplateValue(int64_t{215})));
-  EXPECT_THAT(variables.at("filament_type"), ElementsAre(TemplateValue(std::string("PETG"))));
-  EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{3})));
-  EXPECT_THAT(variables.at("layer_z"), ElementsAre(TemplateValue(0.8)));
-  EXPECT_THAT(variables.at("initial_extruder"), ElementsAre(TemplateValue(int64_t{0})));
+  const TemplateVariables variables =
+      JobVariables(options, "temperature = 999\nperimeters = 3\nbed_shape = 0x0,9x0,9x8\n");
+  EXPECT_EQ(Filled("{temperature[0]} {first_layer_temperature[0]} {filament_type[0]} {perimeters} "
+                   "{print_bed_max[1]} {initial_filament_type} {spiral_vase}",
+                   variables),
+            "200 215 PETG 3 8 PETG false");
 }
 
-TEST(LayerVariables, WhatItsGcodeNames) {
-  MotionOptions options;
-  options.layer_settings = "layer_height = 0.2\nmax_print_height = 210\nbed_shape = 0x0,9x0,9x8\n";
+TEST(LayerVariables, ArePlaces) {
   JobFacts facts;
   facts.layer_count = 40;
-  const TemplateVariables variables = LayerVariables(options, facts, {1, 3, 7, 800'000, 900'000});
-  EXPECT_THAT(variables.at("layer_height"), ElementsAre(TemplateValue(0.2)));
-  EXPECT_THAT(variables.at("max_print_height"), ElementsAre(TemplateValue(int64_t{210})));
-  EXPECT_THAT(variables.at("print_bed_max"), ElementsAre(TemplateValue(9.0), TemplateValue(8.0)));
-  EXPECT_THAT(variables.at("layer_z"), ElementsAre(TemplateValue(0.8)));
-  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.9)));
-  EXPECT_THAT(variables.at("layer_num"), ElementsAre(TemplateValue(int64_t{7})));
-  EXPECT_THAT(variables.at("current_object_idx"), ElementsAre(TemplateValue(int64_t{1})));
-  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{40})));
-  EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{0})));
-  facts.layer_count = 0;
-  EXPECT_FALSE(LayerVariables(options, facts, {}).contains("total_layer_count"));
+  const TemplateVariables variables = LayerVariables({1, 3, 7, 800'000, 900'000}, facts);
+  EXPECT_EQ(Filled("{layer_num} {layer_z} {max_layer_z} {current_object_idx} {total_layer_count}",
+                   variables),
+            "7 0.8 0.9 1 40");
+  EXPECT_FALSE(LayerVariables({}, {}).contains("total_layer_count"));
 }
 
-TEST(ProgramVariables, WholePrintAndAllSettings) {
+TEST(PrintVariables, WholePrint) {
   ProgramSummary summary;
   summary.layers.resize(2);
-  summary.layers[1].frame = {1, 400'000, 200'000};
   summary.total.bounds = {{FromMm(10), FromMm(20)}, {FromMm(40), FromMm(25)}};
   summary.total.features[0].filament_mm = 1'500;
-  summary.copies = {{{"a.b.stl", 0, 0, 2}, {}}, {{"a.b.stl", 0, 1, 2}, {}}};
-  summary.settings_text =
-      "bed_shape = -10x0,200x0,200x180.5,oops,1x,x\n"
-      "fill_density = 20%\nperimeters = 3\ntemperature = 999\nnotes = \"a\\nb\"\n";
-  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary, 3723);
-  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{2})));
-  EXPECT_THAT(variables.at("max_layer_z"), ElementsAre(TemplateValue(0.4)));
-  EXPECT_THAT(variables.at("first_layer_print_min"),
-              ElementsAre(TemplateValue(10.0), TemplateValue(20.0)));
-  EXPECT_THAT(variables.at("first_layer_print_size"),
-              ElementsAre(TemplateValue(30.0), TemplateValue(5.0)));
-  EXPECT_THAT(variables.at("print_bed_max"),
-              ElementsAre(TemplateValue(200.0), TemplateValue(180.5)));
-  EXPECT_THAT(variables.at("used_filament"), ElementsAre(TemplateValue(1.5)));
-  EXPECT_THAT(variables.at("input_filename_base"), ElementsAre(TemplateValue(std::string("a.b"))));
-  EXPECT_THAT(variables.at("num_objects"), ElementsAre(TemplateValue(int64_t{2})));
+  summary.copies = {{{"a.b.stl", 0, 0, 2}, {{0, 0}, {FromMm(2), 0}, {FromMm(2), FromMm(3)}}},
+                    {{"a.b.stl", 0, 1, 2}, {}}};
+  const TemplateVariables variables = PrintVariables(MotionOptions{}, summary, 3723);
+  EXPECT_EQ(Filled("{total_layer_count} {first_layer_print_min[0]} {first_layer_print_size[1]} "
+                   "{used_filament} {input_filename_base} {num_objects} {print_time} "
+                   "{size(first_layer_print_convex_hull)} {first_layer_print_convex_hull[2]}",
+                   variables),
+            "2 10 5 1.5 a.b 2 1h 2m 3s 3 2,3");
   summary.copies[0].name.object_name = "a\nM112.stl";
-  EXPECT_THAT(ProgramVariables(MotionOptions{}, summary, 0).at("input_filename_base"),
-              ElementsAre(TemplateValue(std::string("a M112"))));
-  EXPECT_THAT(variables.at("fill_density"), ElementsAre(TemplateValue(std::string("20%"))));
-  EXPECT_THAT(variables.at("perimeters"), ElementsAre(TemplateValue(int64_t{3})));
-  EXPECT_THAT(variables.at("notes"), ElementsAre(TemplateValue(std::string("a\nb"))));
-  EXPECT_THAT(variables.at("print_time"), ElementsAre(TemplateValue(std::string("1h 2m 3s"))));
-  // What the stage works with counts, not what is quoted.
-  EXPECT_THAT(variables.at("temperature"), ElementsAre(TemplateValue(int64_t{200})));
+  EXPECT_EQ(Filled("[input_filename_base]", PrintVariables(MotionOptions{}, summary, 0)), "a M112");
+  EXPECT_EQ(Filled("{first_layer_print_size[0]}", PrintVariables(MotionOptions{}, {}, 0)), "0");
 }
 
-TEST(ProgramVariables, NothingPrinted) {
-  const TemplateVariables variables = ProgramVariables(MotionOptions{}, {}, 0);
-  EXPECT_THAT(variables.at("first_layer_print_size"),
-              ElementsAre(TemplateValue(0.0), TemplateValue(0.0)));
-  EXPECT_THAT(variables.at("total_layer_count"), ElementsAre(TemplateValue(int64_t{0})));
+TEST(PutUseSoFar, IsVolumeAndMass) {
+  TemplateVariables variables;
+  PutUseSoFar(MotionOptions{}, 1000, variables);
+  EXPECT_EQ(Filled("{extruded_volume_total} {extruded_weight[0]}", variables), "2405.28 2.98255");
 }
 
-// Profiles ask for these without knowing whether the job was given them.
-TEST(ProgramVariables, PrusaSlicersValuesOfWhatWasNotGiven) {
-  ProgramSummary summary;
-  summary.settings_text =
-      "print_settings_id = 0.2mm\nspiral_vase = 1\nfilament_notes = \"a;b\";\"c\"\n";
-  const TemplateVariables variables = ProgramVariables(MotionOptions{}, summary, 0);
-  const auto text = [](const char* value) { return TemplateValue(std::string(value)); };
-  EXPECT_THAT(variables.at("print_preset"), ElementsAre(text("0.2mm")));
-  EXPECT_THAT(variables.at("spiral_vase"), ElementsAre(TemplateValue(int64_t{1})));
-  EXPECT_THAT(variables.at("filament_notes"), ElementsAre(text("a;b"), text("c")));
-  EXPECT_THAT(variables.at("support_material"), ElementsAre(TemplateValue(int64_t{0})));
-  EXPECT_THAT(variables.at("printer_notes"), ElementsAre(text("")));
-  EXPECT_THAT(variables.at("filament_vendor"), ElementsAre(text("(Unknown)")));
-  EXPECT_THAT(variables.at("initial_filament_type"), ElementsAre(text("PLA")));
-  EXPECT_FALSE(variables.contains("timestamp"));
+// What is checked before the print is what the print knows.
+TEST(VariablesOfThePrint, AreThoseThatAreFilledIn) {
+  TemplateVariables filled = PrintVariables(MotionOptions{}, {}, 0);
+  PutUseSoFar(MotionOptions{}, 0, filled);
+  JobFacts facts;
+  facts.layer_count = 1;
+  filled.merge(LayerVariables({}, facts));
+  const TemplateVariables checked = macro::VariablesOfThePrint();
+  for (const auto& [name, variable] : filled) {
+    ASSERT_TRUE(checked.contains(name)) << name;
+    EXPECT_EQ(checked.at(name).is_list, variable.is_list) << name;
+  }
+  for (const auto& [name, variable] : checked) EXPECT_TRUE(filled.contains(name)) << name;
 }
 
 }  // namespace

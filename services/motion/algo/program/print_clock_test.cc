@@ -67,7 +67,7 @@ TEST_P(PrintClockTest, IsTheTimeOfTheWholeProgram) {
   ProgramSummary summary;
   std::vector<LayerProgram> programs;
   for (int32_t i = 0; i < 5; ++i) {
-    auto passes = ProgramLayer(Layer(i), {}, options);
+    auto passes = ProgramLayer(Layer(i), {}, options, *LayerCode::Of(options));
     ASSERT_TRUE(passes.ok()) << passes.status();
     LayerProgram& program = programs.emplace_back(std::move(passes->front()));
     summary.layers.push_back({.frame = program.frame,

@@ -26,7 +26,8 @@ Toolpath Quarter() {
                           .feed_rate = 1'800,
                           .width_um = 450,
                           .height_um = 200,
-                          .kind = MoveKind::kPrint});
+                          .kind = MoveKind::kPrint,
+                          .on_arc = true});
   }
   return path;
 }
@@ -61,6 +62,7 @@ TEST(FindArcs, OfEqualBeadsOnly) {
       {"rest", [](Move& m) { m.rest = 3; }},
       {"rise", [](Move& m) { m.z_um = 10; }},
       {"acceleration", [](Move& m) { m.acceleration_mm_s2 = 500; }},
+      {"simplified", [](Move& m) { m.on_arc = false; }},
       {"travel", [](Move& m) { m.kind = MoveKind::kTravel; }},
   };
   for (const BeadCase& c : cases) {

@@ -18,6 +18,8 @@ namespace slicefarm::motion {
 namespace {
 
 constexpr size_t kMostNodes = 256;
+/// More than beads of real walls stand for.
+constexpr size_t kLastNodes = 16;
 constexpr double kLeastShare = 0.95;
 /// Lengths are of points before they are rounded.
 constexpr double kLengthSlackUm = 2;
@@ -45,8 +47,8 @@ double Length(Vector a) { return std::sqrt(Dot(a, a)); }
 /// A place to which the path leads in the text. What leads there is said of the way from the node
 /// before.
 struct Node {
-  Point point;       ///< of the path
-  Vector place;      ///< whole um
+  Point point;   ///< of the path
+  Vector place;  ///< whole um
   Coord width_nm = 0;
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
@@ -104,10 +106,10 @@ class Cone {
   void Narrow(Vector centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
-    const double squared = Dot(centre, centre);
-    const double s = std::sqrt(radius * radius / squared), c = std::sqrt(1 - s * s);
-    const Vector right = {centre.x * c + centre.y * s, centre.y * c - centre.x * s};
-    const Vector left = {centre.x * c - centre.y * s, centre.y * c + centre.x * s};
+    // Tangents, as long as they come.
+    const double c = std::sqrt(Dot(centre, centre) - radius * radius);
+    const Vector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
+    const Vector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
     least_ = std::max(least_, SlopeOf(right));
     most_ = std::min(most_, SlopeOf(left));
   }
@@ -150,6 +152,8 @@ class Reach {
     narrowest_ = std::min(narrowest_, to.width_nm);
     widest_ = std::max(widest_, to.width_nm);
     length_ = to.along - from_.along;
+    even_ = widest_ == narrowest_;
+    if (even_) return;
     const Coord width = std::llround((to.area - from_.area) / length_);
     even_ = widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm;
   }
@@ -160,7 +164,8 @@ class Reach {
     const Vector way = end - begin_;
     const double squared = Dot(way, way);
     if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
-    if (kLeastShare * length_ > std::sqrt(squared) + kLengthSlackUm) return std::nullopt;
+    const double least = std::max(0.0, kLeastShare * length_ - kLengthSlackUm);
+    if (least * least > squared) return std::nullopt;
     return (way.y * way.y * xx_ - 2 * way.x * way.y * xy_ + way.x * way.x * yy_) / squared;
   }
 
@@ -192,13 +197,11 @@ class Reach {
 /// Where a bead ends: at a node or outside of it.
 struct Stop {
   size_t node = 0;
-  size_t outside = 0;   ///< 1: there
+  bool outside = false;
   bool on_arc = false;  ///< the bead is a piece of an arc
 };
 
-Vector PlaceOf(const Node& node, size_t outside) {
-  return outside == 0 ? node.place : node.outside;
-}
+Vector PlaceOf(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
 /// The best way to a stop that is known.
 struct Way {
@@ -206,29 +209,33 @@ struct Way {
   double deviation = 0;  ///< squared, of all nodes
   Stop before;
 
-  bool IsKnown() const { return beads < std::numeric_limits<size_t>::max(); }
   friend bool operator<(const Way& a, const Way& b) {
     return std::pair(a.beads, a.deviation) < std::pair(b.beads, b.deviation);
   }
 };
 
-/// The fewest beads from the first of some nodes to the last.
+/// The fewest beads from the first of some nodes to the last: the best way to each stop, stop by
+/// stop. Of the nodes that take as many beads, only the farthest lead on, which bounds the cost;
+/// with two of them results differ by 0.1 % of all moves, with 17 by none.
 class FewestBeads {
  public:
   FewestBeads(std::span<const Node> nodes, double tolerance_um)
-      : nodes_(nodes), tolerance_um_(tolerance_um), ways_(nodes.size()) {
+      : nodes_(nodes), tolerance_um_(tolerance_um), ways_(nodes.size()), farthest_(nodes.size()) {
     ways_[0][0].beads = 0;
+    size_t fewest = 0;  // to any node from here on
     for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
-      const bool moved = nodes_[i].outside != nodes_[i].place;
-      if (ways_[i][0].beads <= ways_[i][1].beads) GoOnFrom({i, 0});
-      if (moved && ways_[i][1].beads <= ways_[i][0].beads) GoOnFrom({i, 1});
+      while (farthest_[fewest] < i) ++fewest;
+      if (std::min(ways_[i][0].beads, ways_[i][1].beads) != fewest) continue;
+      if (i + kLastNodes < farthest_[fewest]) continue;
+      for (const bool outside : {false, true})
+        if (ways_[i][outside].beads == fewest) GoOnFrom({i, outside});
     }
   }
 
   /// Where they end, from the first on.
   std::vector<Stop> Stops() const {
     std::vector<Stop> stops;
-    for (Stop at = {nodes_.size() - 1, 0}; at.node != 0; at = WayTo(at).before) stops.push_back(at);
+    for (Stop at = {nodes_.size() - 1}; at.node != 0; at = WayTo(at).before) stops.push_back(at);
     std::ranges::reverse(stops);
     return stops;
   }
@@ -237,15 +244,16 @@ class FewestBeads {
   const Way& WayTo(Stop stop) const { return ways_[stop.node][stop.outside]; }
 
   void GoOnFrom(Stop from) {
-    if (!WayTo(from).IsKnown()) return;
     Reach reach(nodes_[from.node], PlaceOf(nodes_[from.node], from.outside), tolerance_um_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
+    const size_t beads = WayTo(from).beads + 1;
     for (size_t i = from.node + 1; i < end; ++i) {
       reach.Take(nodes_[i]);
-      const bool next = from.outside == 0 && i == from.node + 1;
-      Improve({i, 0}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
-      if (nodes_[i].outside != nodes_[i].place)
-        Improve({i, 1}, from, reach.DeviationTo(nodes_[i].outside));
+      const bool next = !from.outside && i == from.node + 1;
+      if (beads <= ways_[i][0].beads)
+        Improve({i, false}, from, next ? 0 : reach.DeviationTo(nodes_[i].place));
+      if (beads <= ways_[i][1].beads && nodes_[i].outside != nodes_[i].place)
+        Improve({i, true}, from, reach.DeviationTo(nodes_[i].outside));
       if (!reach.Pass(nodes_[i].place)) return;
     }
   }
@@ -258,11 +266,13 @@ class FewestBeads {
     const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
     Way& best = ways_[stop.node][stop.outside];
     if (way < best) best = way;
+    farthest_[way.beads] = std::max(farthest_[way.beads], stop.node);
   }
 
   const std::span<const Node> nodes_;
   const double tolerance_um_;
   std::vector<std::array<Way, 2>> ways_;  ///< by node, and whether outside of it
+  std::vector<size_t> farthest_;          ///< node by number of beads
 };
 
 /// Nodes [first, last] which one arc may stand for.
@@ -304,7 +314,7 @@ std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs
       for (Stop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance_um).Stops())
         stops.push_back({at + stop.node, stop.outside});
     }
-    for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, 0, true});
+    for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, false, true});
     at = arc.last;
   }
   return stops;
@@ -330,9 +340,9 @@ void PutBeads(std::span<const Node> nodes, std::span<const Stop> stops, Simplifi
   Path& path = simple.path;
   const auto put = [&](Stop stop, Coord width_nm) {
     const Node& node = nodes[stop.node];
-    path.points.push_back(stop.outside == 0 ? node.point
-                                            : Point{std::llround(node.outside.x * kNmPerUm),
-                                                    std::llround(node.outside.y * kNmPerUm)});
+    path.points.push_back(stop.outside ? Point{std::llround(node.outside.x * kNmPerUm),
+                                               std::llround(node.outside.y * kNmPerUm)}
+                                       : node.point);
     path.widths_nm.push_back(width_nm);
     simple.on_arc.push_back(stop.on_arc);
   };
@@ -374,8 +384,9 @@ SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   simple.path = {path.feature,    path.settings, path.inset, path.ring, path.closed,
                  path.reversible, path.tool,     {},         {}};
   PutBeads(nodes, stops, simple);
-  simple.flow =
-      Plastic(path, options.bead_height_nm) / Plastic(simple.path, options.bead_height_nm);
+  simple.flow = path.widths_nm.size() == 1 ? nodes.back().along * kNmPerUm / PathLength(simple.path)
+                                           : Plastic(path, options.bead_height_nm) /
+                                                 Plastic(simple.path, options.bead_height_nm);
   return simple;
 }
 

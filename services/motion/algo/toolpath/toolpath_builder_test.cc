@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -103,6 +105,38 @@ TEST(ToolpathBuilder, NothingToPrintHandsTheFilamentOnAsItShould) {
   EXPECT_THAT(kinds(true, true), ElementsAre());
   EXPECT_THAT(kinds(true, false), ElementsAre(MoveKind::kRetract));
   EXPECT_THAT(kinds(false, true), ElementsAre(MoveKind::kLift, MoveKind::kRestart));
+}
+
+// Of many points near to a curve few are printed, with the filament of all; 0 prints all of them.
+TEST(ToolpathBuilder, SimplifiesWithinTheResolution) {
+  Path curve = Line("(0 0)");
+  curve.points.clear();
+  for (int i = 0; i <= 100; ++i) curve.points.push_back({FromMm(0.1 * i), FromMm(0.0005 * i * i)});
+  MotionOptions whole;
+  whole.resolution_nm = 0;
+  const Built all = Build({curve}, whole), few = Build({curve});
+  EXPECT_EQ(std::ranges::count(Kinds(all.path), MoveKind::kPrint), 100);
+  EXPECT_LE(std::ranges::count(Kinds(few.path), MoveKind::kPrint), 20);
+  EXPECT_NEAR(static_cast<double>(Printed(few.path)), static_cast<double>(Printed(all.path)), 1);
+  EXPECT_EQ(few.path.moves.back().x_um, all.path.moves.back().x_um);
+}
+
+// What is printed as an arc is told by its own points.
+TEST(ToolpathBuilder, ArcsKeepTheirPointsIfAskedFor) {
+  Path circle = Line("(0 0)");
+  circle.points.clear();
+  circle.closed = true;
+  for (int i = 0; i < 90; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 90;
+    circle.points.push_back({FromMm(9 + 5 * std::cos(angle)), FromMm(9 + 5 * std::sin(angle))});
+  }
+  MotionOptions arcs;
+  arcs.arc_fitting = ArcFitting::kEmitCenter;
+  const Built with = Build({circle}, arcs);
+  EXPECT_GE(std::ranges::count(with.path.moves, true, &Move::on_arc), 85);
+  const Built without = Build({circle});
+  EXPECT_EQ(std::ranges::count(without.path.moves, true, &Move::on_arc), 0);
+  EXPECT_LE(std::ranges::count(Kinds(without.path), MoveKind::kPrint), 40);
 }
 
 TEST(ToolpathBuilder, FilamentIsTheBeadsVolume) {

@@ -1,0 +1,279 @@
+#include "common/config/setting_reader.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "common/base/error.h"
+#include "common/base/text.h"
+#include "common/config/suggest.h"
+#include "common/config/table/settings_table.h"
+
+namespace slicefarm::config {
+namespace {
+
+/// A value as a report quotes it: start G-codes and ramming tables are long.
+std::string Quoted(std::string_view key, std::string_view value) {
+  constexpr size_t kMax = 40;
+  return fmt::format("{} = {}{}", key, value.substr(0, kMax), value.size() > kMax ? "..." : "");
+}
+
+/// Of a list with an item for each extruder, that of `tool`; other values as they are.
+std::string ItemOf(const SettingSpec& spec, std::string_view value, size_t tool) {
+  if (spec.list != List::kPerExtruder) return std::string(value);
+  if (spec.kind == Kind::kText || spec.kind == Kind::kGcode)
+    return QuoteText(TextOfList(value, tool));
+  const std::vector<std::string_view> items = Split(value, ",;");
+  return std::string(Trim(items[tool < items.size() ? tool : 0]));
+}
+
+/// The process that has the setting; empty: the job's own, or none.
+std::string_view OwnerOf(std::string_view key, Process process) {
+  for (const ProcessInfo& info : kProcesses)
+    if (info.process != process && FindSetting(key, info.process) >= 0) return info.name;
+  // What PrusaSlicer knows is about FDM.
+  const bool of_fdm = process != Process::kFdm && FindKnownKey(key) != nullptr;
+  return of_fdm ? ProcessName(Process::kFdm) : std::string_view();
+}
+
+absl::Status OfOtherProcess(const std::string& key, std::string_view owner, Process process) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOfOtherProcess,
+                   fmt::format("{} is a setting of process {}, and the job is of process {}", key,
+                               owner, ProcessName(process)),
+                   {{"setting", key}, {"process", std::string(owner)}});
+}
+
+/// A person who asks for what changes the print should not get another one.
+absl::Status NotMade(const std::string& key, std::string_view value, const KnownKey& known) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{}: {}", Quoted(key, value), known.why),
+                   {{"setting", key}, {"value", std::string(value)}});
+}
+
+absl::Status UnknownSetting(const std::string& key, Process process) {
+  const std::string nearest = NearestSetting(key, process);
+  std::map<std::string, std::string> metadata = {{"setting", key}};
+  if (!nearest.empty()) metadata["suggestion"] = nearest;
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingUnknown,
+                   fmt::format("there is no setting '{}'{}", key,
+                               nearest.empty() ? "" : fmt::format("; do you mean {}?", nearest)),
+                   std::move(metadata));
+}
+
+std::string_view FirstItem(std::string_view value) {
+  return Trim(value.substr(0, value.find(',')));
+}
+
+bool IsNumber(const SettingSpec& spec) {
+  return spec.kind == Kind::kInteger || spec.kind == Kind::kNumber || spec.kind == Kind::kPercent ||
+         spec.kind == Kind::kNumberOrPercent;
+}
+
+std::string_view NumberAtFront(std::string_view value) {
+  size_t end = value.size();
+  while (end > 0 && !ToNumber(value.substr(0, end)).has_value()) --end;
+  return Trim(value.substr(0, end));
+}
+
+/// A corner without "x" is its number, and 0.
+std::string WithAllCorners(std::string_view value) {
+  std::string corners;
+  for (const std::string_view corner : Split(value, ",")) {
+    const bool whole = corner.find('x') != std::string_view::npos;
+    corners += fmt::format("{}{}{}", corners.empty() ? "" : ",",
+                           whole ? corner : NumberAtFront(corner), whole ? "" : "x0");
+  }
+  return corners;
+}
+
+/// The choice of `spec` that `value` names, if something else is done instead.
+const Choice* StandIn(const SettingSpec& spec, std::string_view value) {
+  for (const Choice& choice : spec.choices) {
+    if (choice.name == value && !choice.note.empty()) return &choice;
+  }
+  return nullptr;
+}
+
+/// Pictures of the same sizes are made, those of other formats as PNG.
+bool WantsOtherFormat(const SettingSpec& spec, std::string_view value) {
+  return spec.kind == Kind::kSizes && !OnlyOurFormats(value);
+}
+
+absl::Status RefuseStandIn(const SettingSpec& spec, std::string_view value) {
+  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+                   fmt::format("{} = {} is not supported yet: it must be {}", spec.key, value,
+                               DescribeRange(spec)),
+                   {{"setting", std::string(spec.key)}, {"value", std::string(value)}});
+}
+
+}  // namespace
+
+SettingReader::SettingReader(Process process, size_t tool)
+    : process_(process), tool_(tool), draft_(process) {}
+
+absl::Status SettingReader::Read(const Setting& setting) {
+  const std::string_view value = Trim(setting.value);
+  NoteOverridden(setting, value);
+  if (const int index = FindSetting(setting.key, process_); index >= 0) {
+    return ReadEffective(SettingsTable(process_)[index], draft_.entries()[index], setting, value);
+  }
+  if (const std::string_view owner = OwnerOf(setting.key, process_); !owner.empty()) {
+    if (setting.source == Source::kRequest) return OfOtherProcess(setting.key, owner, process_);
+    foreign_[setting.key] = {owner, std::string(value)};
+    return absl::OkStatus();
+  }
+  if (const KnownKey* known = FindKnownKey(setting.key)) {
+    const bool asks = setting.source == Source::kRequest && known->changes_print;
+    if (asks && !IsNeutral(*known, value)) return NotMade(setting.key, value, *known);
+    others_[setting.key] = {known, std::string(value)};
+    return absl::OkStatus();
+  }
+  if (setting.source == Source::kRequest) return UnknownSetting(setting.key, process_);
+  others_[setting.key] = {nullptr, std::string(value)};
+  return absl::OkStatus();
+}
+
+/// Says what has no effect, once all settings are read.
+Draft SettingReader::Finish(ResolvedSettings& result) {
+  const auto table = SettingsTable(process_);
+  for (size_t i = 0; i < table.size(); ++i) {
+    if (draft_.entries()[i].given) NoteEffective(table[i], draft_.entries()[i]);
+  }
+  for (const auto& [key, other] : others_) NoteOther(key, other.first, other.second);
+  for (const auto& [key, other] : foreign_)
+    no_effect_.push_back(
+        fmt::format("{}: a setting of process {}", Quoted(key, other.second), other.first));
+  SortNotes();
+  result.no_effect = std::move(no_effect_);
+  result.warnings = std::move(warnings_);
+  return std::move(draft_);
+}
+
+/// What was read and no stage works with.
+ToldSettings SettingReader::Told() const {
+  ToldSettings told;
+  for (const auto& [key, other] : others_) Tell(key, other.second, told);
+  return told;
+}
+
+absl::Status SettingReader::ReadEffective(const SettingSpec& spec, Draft::Entry& entry,
+                                          const Setting& setting, std::string_view all) {
+  const std::string item = ItemOf(spec, all, tool_);
+  const std::string value = setting.source == Source::kRequest ? item : Readable(spec, item);
+  if (value.empty() && setting.source != Source::kRequest && IsNumber(spec)) {
+    Warn(fmt::format("{} has no value: {} is taken", spec.key, spec.standard));
+    return absl::OkStatus();
+  }
+  entry.all = std::string(all);
+  entry.written = value;
+  entry.given = true;
+  entry.requested = setting.source == Source::kRequest;
+  if (spec.standard == kNotSet && FirstItem(value) == kNotSet) {
+    entry.value.reset();
+    return absl::OkStatus();
+  }
+  auto parsed = ParseValue(spec, value);
+  if (!parsed.ok()) return parsed.status();
+  if (setting.source == Source::kRequest) {
+    if (const Choice* choice = StandIn(spec, value)) return RefuseStandIn(spec, choice->name);
+    if (WantsOtherFormat(spec, value)) return RefuseStandIn(spec, value);
+  }
+  entry.value = *std::move(parsed);
+  return absl::OkStatus();
+}
+
+/// What a vendor's file writes after a number, a comment or a percent sign where there is
+/// nothing that it relates to, PrusaSlicer leaves out.
+std::string SettingReader::Readable(const SettingSpec& spec, const std::string& value) {
+  const bool is_bed = spec.kind == Kind::kBedShape;
+  if (!(is_bed || IsNumber(spec)) || ParseValue(spec, value).ok()) return value;
+  const std::string read = is_bed ? WithAllCorners(value) : std::string(NumberAtFront(value));
+  if (read.empty() || read == value) return value;
+  Warn(fmt::format("{}: only {} counts", Quoted(spec.key, value), read));
+  return read;
+}
+
+/// Within one source, a key that comes twice is likely a mistake; a request over a profile is
+/// not.
+void SettingReader::NoteOverridden(const Setting& setting, std::string_view value) {
+  const auto [entry, first] = last_.try_emplace({setting.source, setting.key}, value);
+  std::string& last = entry->second;
+  if (first || last == value) return;
+  no_effect_.push_back(
+      fmt::format("{}: overridden by a later {}", Quoted(setting.key, last), setting.key));
+  last = std::string(value);
+}
+
+void SettingReader::Warn(std::string text) {
+  no_effect_.push_back(text);
+  warnings_.push_back(std::move(text));
+}
+
+void SettingReader::NoteEffective(const SettingSpec& spec, const Draft::Entry& entry) {
+  const std::string_view value = entry.written;
+  if (const Choice* choice = StandIn(spec, value)) {
+    Warn(fmt::format("{}: {}", Quoted(spec.key, value), choice->note));
+  }
+  if (WantsOtherFormat(spec, value)) {
+    Warn(Quoted(spec.key, value) + ": the pictures are made as PNG, in the same sizes");
+  }
+  NoteOtherItems(spec, entry);
+  if (spec.kind == Kind::kPercent && !value.ends_with("%")) NoteMissingPercent(spec, value);
+}
+
+/// Of lists one item counts: the tool's, or that of the machine's normal mode.
+void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry) {
+  const std::string_view separator =
+      spec.kind == Kind::kText || spec.kind == Kind::kGcode ? ";" : ",";
+  const std::string_view all = entry.all;
+  if (spec.list == List::kNone || all.find('"') != std::string_view::npos) return;
+  const std::vector<std::string_view> items = Split(all, separator);
+  if (std::ranges::all_of(items,
+                          [&](std::string_view item) { return Trim(item) == Trim(items[0]); }))
+    return;
+  const std::string text = fmt::format("{}: only {}, {}, has an effect", Quoted(spec.key, all),
+                                       tool_ == 0 || spec.list != List::kPerExtruder
+                                           ? "the first value"
+                                           : fmt::format("that of extruder {}", tool_ + 1),
+                                       entry.written);
+  if (spec.list == List::kPerExtruder) {
+    Warn(text);
+  } else {
+    no_effect_.push_back(text);
+  }
+}
+
+void SettingReader::NoteMissingPercent(const SettingSpec& spec, std::string_view value) {
+  const auto number = ParseNumber(value, false);
+  if (!number.ok() || number->number <= 0 || number->number >= 1) return;
+  warnings_.push_back(fmt::format("{0} = {1} is read as {1}%; for {2}% write the percent sign",
+                                  spec.key, value, PrintNumber(number->number * 100)));
+}
+
+void SettingReader::NoteOther(const std::string& key, const KnownKey* known,
+                              const std::string& value) {
+  if (known == nullptr) {
+    no_effect_.push_back(Quoted(key, value) + ": unknown");
+    return;
+  }
+  if (IsNeutral(*known, value)) return;
+  const std::string text = fmt::format("{}: {}", Quoted(key, value), known->why);
+  if (known->changes_print) {
+    Warn(text);
+  } else {
+    (known->of_print ? no_effect_ : last_notes_).push_back(text);
+  }
+}
+
+/// What changes the print first, what describes profiles last.
+void SettingReader::SortNotes() {
+  std::vector<std::string>& notes = no_effect_;
+  const std::set<std::string> weighty(warnings_.begin(), warnings_.end());
+  std::stable_partition(notes.begin(), notes.end(),
+                        [&](const std::string& note) { return weighty.contains(note); });
+  std::ranges::move(last_notes_, std::back_inserter(notes));
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "common/config/draft.h"
+#include "common/config/resolve.h"
+#include "common/config/table/known_keys.h"
+#include "common/config/table/setting_spec.h"
+#include "common/config/told_settings.h"
+
+namespace slicefarm::config {
+
+/// Reads settings one by one: the last value of each key, and what is to be said about the others.
+class SettingReader {
+ public:
+  /// `tool`: whose items of lists count.
+  SettingReader(Process process, size_t tool);
+
+  /// Errors: those of Resolve that are about one setting.
+  absl::Status Read(const Setting& setting);
+
+  /// What was read and no stage works with.
+  ToldSettings Told() const;
+
+  /// The values, once all are read. Says in `result` what has no effect: what changes the print
+  /// first, what describes profiles last.
+  Draft Finish(ResolvedSettings& result);
+
+ private:
+  absl::Status ReadEffective(const SettingSpec& spec, Draft::Entry& entry, const Setting& setting,
+                             std::string_view all);
+  std::string Readable(const SettingSpec& spec, const std::string& value);
+
+  void NoteOverridden(const Setting& setting, std::string_view value);
+  void NoteEffective(const SettingSpec& spec, const Draft::Entry& entry);
+  void NoteOtherItems(const SettingSpec& spec, const Draft::Entry& entry);
+  void NoteMissingPercent(const SettingSpec& spec, std::string_view value);
+  void NoteOther(const std::string& key, const KnownKey* known, const std::string& value);
+  void Warn(std::string text);
+  void SortNotes();
+
+  const Process process_;
+  const size_t tool_;
+  Draft draft_;
+  std::vector<std::string> no_effect_;
+  std::vector<std::string> warnings_;
+  std::vector<std::string> last_notes_;  ///< those of no_effect_ that matter least
+  std::map<std::string, std::pair<std::string_view, std::string>> foreign_;
+  std::map<std::string, std::pair<const KnownKey*, std::string>> others_;
+  std::map<std::pair<Source, std::string>, std::string> last_;
+};
+
+}  // namespace slicefarm::config

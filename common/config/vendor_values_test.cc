@@ -1,0 +1,128 @@
+// Values as vendors' files have them, and what becomes of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "common/config/resolve.h"
+#include "common/config/setting_pairs_test.h"
+
+namespace slicefarm::config::vendor_values_test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+ResolvedSettings Profile(const Pairs& pairs) {
+  auto resolved = Resolve(Settings(pairs, Source::kProfile));
+  EXPECT_TRUE(resolved.ok()) << resolved.status();
+  return resolved.ok() ? *std::move(resolved) : ResolvedSettings();
+}
+
+struct Case {
+  std::string name;
+  std::string key;
+  std::string value;
+  std::string effective;
+  bool told = true;
+};
+
+class VendorValueTest : public testing::TestWithParam<Case> {};
+
+TEST_P(VendorValueTest, IsReadAsPrusaSlicerDoes) {
+  const Case& c = GetParam();
+  const ResolvedSettings resolved = Profile({{c.key, c.value}});
+  EXPECT_THAT(resolved.effective_text, HasSubstr("\n" + c.key + " = " + c.effective + "\n"));
+  if (c.told)
+    EXPECT_THAT(resolved.warnings, Contains(HasSubstr(c.key)));
+  else
+    EXPECT_THAT(resolved.warnings, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, VendorValueTest,
+    testing::Values(Case{"PercentOfNothing", "ironing_speed", "15%", "15"},
+                    Case{"Comment", "deretract_speed", "40 Setting this to 0 uses the other", "40"},
+                    Case{"CommentInList", "deretract_speed", "40 a,40 a", "40"},
+                    Case{"Empty", "filament_cost", "", "0"},
+                    Case{"EmptyTemperature", "bed_temperature", "", "0"},
+                    Case{"Fast", "machine_max_feedrate_x", "13000", "13000", false},
+                    Case{"Thick", "filament_diameter", "22.66", "22.66", false},
+                    Case{"CornerWithoutX", "bed_shape", "0x0,235-0,235x235,0x235",
+                         "0x0,235x0,235x235,0x235"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(Resolve, APersonMayNotWriteSo) {
+  for (const auto& [key, value] : Pairs{{"ironing_speed", "15%"},
+                                        {"deretract_speed", "40 mm"},
+                                        {"filament_cost", ""},
+                                        {"bed_shape", "0x0,235-0,235x235,0x235"}})
+    EXPECT_EQ(DetailOf(Resolve(Settings({{key, value}})).status()).reason,
+              Reason::kSettingMalformed)
+        << key;
+}
+
+TEST(Resolve, ASequentialSkirtHasOneLayer) {
+  const Pairs profile = {{"complete_objects", "1"}, {"skirts", "1"}, {"skirt_height", "3"}};
+  const ResolvedSettings resolved = Profile(profile);
+  EXPECT_THAT(resolved.effective_text, HasSubstr("\nskirt_height = 1\n"));
+  EXPECT_THAT(resolved.warnings, Contains(HasSubstr("skirt_height = 3")));
+  EXPECT_FALSE(Resolve(Settings(profile)).ok()) << "of a person";
+}
+
+TEST(Resolve, TemplatesAreCheckedBeforeAnyWork) {
+  const auto refusal = [](const char* key, const char* code) {
+    return DetailOf(Resolve(Settings({{key, code}})).status());
+  };
+  EXPECT_EQ(refusal("layer_gcode", "{if layer_num > 9}[oops]{endif}").metadata.at("variable"),
+            "oops");
+  EXPECT_EQ(refusal("end_gcode", "M104 {").metadata.at("setting"), "end_gcode");
+  EXPECT_EQ(refusal("start_filament_gcode", "[oops]").metadata.at("variable"), "oops");
+  EXPECT_TRUE(Resolve(Settings({{"start_gcode", "{if false}[oops]{endif}"}})).ok());
+  EXPECT_TRUE(Resolve(Settings({{"mine", "3"}, {"layer_gcode", "[mine]"}}, Source::kProfile)).ok());
+}
+
+// Equal jobs have equal texts, and so equal bytes, unless they name the time.
+TEST(Resolve, CreationTimeCountsOnlyIfItIsNamed) {
+  const Pairs early = {{"creation_time", "2026-01-02T03:04:05Z"}};
+  EXPECT_EQ(Profile(early).effective_text, Profile({}).effective_text);
+  Pairs named = early;
+  named.push_back({"start_gcode", "; [timestamp]"});
+  EXPECT_THAT(Profile(named).effective_text, HasSubstr("creation_time = 2026-01-02T03:04:05Z"));
+  EXPECT_EQ(DetailOf(Resolve(Settings({{"start_gcode", "; [timestamp]"}})).status())
+                .metadata.at("variable"),
+            "timestamp");
+}
+
+TEST(Resolve, ToldByWeight) {
+  const ResolvedSettings resolved =
+      Profile({{"a_new_key", "1"}, {"notes", "mine"}, {"spiral_vase", "1"}, {"wipe_tower", "1"}});
+  const auto at = [&](const char* key) {
+    const auto& notes = resolved.no_effect;
+    return std::find_if(notes.begin(), notes.end(),
+                        [&](const std::string& note) { return note.starts_with(key); }) -
+           notes.begin();
+  };
+  EXPECT_EQ(at("spiral_vase"), 0);
+  EXPECT_LT(at("wipe_tower"), at("notes"));
+  EXPECT_LT(at("a_new_key"), at("notes"));
+}
+
+TEST(Resolve, InfillIsNoFasterThanItsFilament) {
+  const auto speed = [](Pairs pairs) {
+    pairs.insert(pairs.begin(), {{"infill_speed", "200"}, {"solid_infill_speed", "50%"}});
+    return Profile(pairs).settings.motion.speeds[0];
+  };
+  const auto sparse = [&](const Pairs& pairs) {
+    return speed(pairs).speed_mm_s[static_cast<size_t>(Feature::kInternalInfill)];
+  };
+  EXPECT_EQ(sparse({{"filament_infill_max_speed", "80"}, {"fill_pattern", "gyroid"}}), 80);
+  EXPECT_EQ(sparse({{"filament_infill_max_speed", "80"}, {"fill_pattern", "grid"}}), 200);
+  EXPECT_EQ(sparse({{"filament_infill_max_crossing_speed", "60"}, {"fill_pattern", "grid"}}), 60);
+  EXPECT_EQ(speed({{"filament_infill_max_speed", "80"}, {"fill_pattern", "gyroid"}})
+                .speed_mm_s[static_cast<size_t>(Feature::kSolidInfill)],
+            100);
+}
+
+}  // namespace
+}  // namespace slicefarm::config::vendor_values_test

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "common/macro/template.h"
+#include "common/macro/template_run.h"
+#include "common/macro/template_value.h"
+
+namespace slicefarm::macro {
+
+/// The values of a template's expressions, and the names that they know: local and global
+/// variables, then what the scope has.
+class ExpressionValue {
+ public:
+  /// Both must outlive this.
+  ExpressionValue(const TemplateScope& scope, TemplateMemory& memory)
+      : scope_(scope), memory_(memory) {}
+
+  /// Errors: InvalidArgument, with the variable under kVariableUrl if it is about one;
+  /// ResourceExhausted.
+  absl::StatusOr<TemplateValue> Evaluate(const Expression& expression);
+
+  /// The text of [name], [name_2] or [name[index]].
+  absl::StatusOr<std::string> Written(const Statement& legacy);
+
+  /// A whole number; none: it is unknown.
+  absl::StatusOr<std::optional<int64_t>> IndexOf(const Expression& expression);
+
+  const TemplateVariable* Find(std::string_view name) const;
+  /// A variable that templates may change; nullptr: it is none.
+  TemplateVariable* Writable(const std::string& name);
+  absl::Status NotWritable(const std::string& name) const;
+
+  TemplateVariables& locals() { return locals_; }
+
+  /// Counts what is copied: ResourceExhausted if it is too much for one template.
+  absl::Status Spend(const TemplateVariable& copied);
+  absl::Status Spend(const TemplateValue& copied, int64_t times = 1);
+
+ private:
+  using Result = absl::StatusOr<TemplateValue>;
+
+  Result ValueOf(const Expression& variable);
+  Result Signed(const Expression& expression);
+  Result Not(const Expression& expression);
+  Result Binary(const Expression& expression);
+  Result Logic(const Expression& expression);
+  Result Choice(const Expression& expression);
+  Result Call(const Expression& expression);
+  Result OfVariable(const Expression& expression);
+
+  const TemplateScope& scope_;
+  TemplateMemory& memory_;
+  TemplateVariables locals_;
+  int64_t spent_bytes_ = 0;
+};
+
+}  // namespace slicefarm::macro

@@ -1,0 +1,77 @@
+#include "common/macro/job_code.h"
+
+#include <algorithm>
+#include <set>
+
+#include "common/macro/setting_variables.h"
+
+namespace slicefarm::macro {
+namespace {
+
+constexpr std::string_view kClock[] = {"timestamp", "year",   "month", "day",
+                                       "hour",      "minute", "second"};
+
+template <typename Test>
+bool AnyName(const Template& code, const Test& test) {
+  return std::ranges::any_of(NamesIn(code), test);
+}
+
+bool LayersWait(const JobCode& code) {
+  std::set<std::string> globals;
+  for (const Template* part : {&code.start, &code.before_layer, &code.layer, &code.between_objects})
+    globals.merge(GlobalsOf(*part));
+  const auto waits = [&](const std::string& name) {
+    // How many layers there are is known beforehand.
+    return globals.contains(name) || (WaitsForLayers(name) && name != "total_layer_count");
+  };
+  return AnyName(code.before_layer, waits) || AnyName(code.layer, waits);
+}
+
+}  // namespace
+
+absl::StatusOr<JobCode> ParseJobCode(const MotionOptions& options) {
+  JobCode code;
+  struct Part {
+    std::string_view setting;
+    const std::string& text;
+    Template& parsed;
+  };
+  const Part parts[] = {
+      {"start_gcode", options.start_gcode, code.start},
+      {"before_layer_gcode", options.before_layer_gcode, code.before_layer},
+      {"layer_gcode", options.layer_gcode, code.layer},
+      {"between_objects_gcode", options.between_objects_gcode, code.between_objects},
+      {"end_gcode", options.end_gcode, code.end}};
+  for (const Part& part : parts) {
+    auto parsed = ParseTemplate(part.setting, part.text);
+    if (!parsed.ok()) return parsed.status();
+    part.parsed = *std::move(parsed);
+  }
+  code.layers_wait = LayersWait(code);
+  return code;
+}
+
+absl::Status CheckJobCode(const MotionOptions& options, std::string_view settings_text) {
+  const auto code = ParseJobCode(options);
+  if (!code.ok()) return code.status();
+  TemplateVariables settings;
+  AddSettingVariables(settings_text, settings);
+  const TemplateVariables print = VariablesOfThePrint();
+  const TemplateScope scope = {settings, print};
+  TemplateMemory memory;
+  for (const Template* part :
+       {&code->start, &code->before_layer, &code->layer, &code->between_objects, &code->end})
+    if (absl::Status status = CheckTemplate(*part, scope, memory); !status.ok()) return status;
+  return absl::OkStatus();
+}
+
+bool NamesClock(const JobCode& code) {
+  const auto is_clock = [](const std::string& name) {
+    return std::ranges::find(kClock, name) != std::end(kClock);
+  };
+  return AnyName(code.start, is_clock) || AnyName(code.before_layer, is_clock) ||
+         AnyName(code.layer, is_clock) || AnyName(code.between_objects, is_clock) ||
+         AnyName(code.end, is_clock);
+}
+
+}  // namespace slicefarm::macro

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/macro/template_value.h"
+
+namespace slicefarm::macro {
+
+/// An expression of a template, as a tree.
+struct Expression {
+  enum class Kind {
+    kLiteral,   ///< `value`
+    kVariable,  ///< `text`, with an index if there is a part
+    kSign,      ///< `text` is "-" or "+"
+    kNot,
+    kBinary,  ///< `text` is the operator; of =~ and !~ the second part is the pattern, a literal
+    kAnd,
+    kOr,
+    kChoice,   ///< condition ? yes : no
+    kCall,     ///< `text` is the function
+    kPattern,  ///< of one_of: its part is a regular expression
+  };
+  Kind kind = Kind::kLiteral;
+  std::string text = {};
+  TemplateValue value = {};
+  std::vector<Expression> parts = {};
+};
+
+struct Branch;
+
+/// A piece of a template.
+struct Statement {
+  enum class Kind {
+    kText,    ///< `text` as it is
+    kPrint,   ///< the value of `values[0]`
+    kLegacy,  ///< [name], [name_2], [name[index]]: variable `text`, with an index if there is one
+    kAssign,  ///< variable `text`, or its item `index`
+    kLocal,
+    kGlobal,
+    kIf,  ///< `branches`
+  };
+  /// What is assigned.
+  enum class Right { kValue, kList, kRepeat /* values: count, value */ };
+  Kind kind = Kind::kText;
+  Right right = Right::kValue;
+  int32_t line = 1;
+  std::string text = {};
+  std::vector<Expression> values = {};
+  std::vector<Expression> index = {};  ///< none or one
+  std::vector<Branch> branches = {};
+};
+
+/// {if c}, {elsif c} or {else} with what stands in it.
+struct Branch {
+  std::vector<Expression> condition = {};  ///< none: else
+  int32_t line = 1;
+  std::vector<Statement> body = {};
+};
+
+/// G-code with placeholders, parsed.
+struct Template {
+  std::string setting = {};  ///< that it comes from, for errors
+  std::vector<Statement> body = {};
+};
+
+/// PrusaSlicer's language of G-code templates:
+///
+///   [key]  [key_0]  [key[0]]  [key_[index]]   a setting, or an item of one, as a profile writes it
+///   {expression}
+///   {if c}..{elsif c}..{else}..{endif}, {if c then a; b elsif d then e else f endif}
+///   {local a = 1; global b = (1, 2, 3); b[1] = a; a = 7; c = repeat(3, "x")}
+///
+///   literals    12  0.5  "text"  true  false
+///   operators   ?:  or ||  and &&  == != <> =~ !~  < <= > >=  + -  * / %  not !  - +  ( )
+///   patterns    text =~ /regular expression/ (text_pattern.h)
+///   functions   min(a, b) max(a, b) int(a) round(a) random(a, b) digits(a, width[, decimals])
+///               zdigits(...) is_nil(v) empty(list) size(list)
+///               one_of(text, "a", ~"pattern", /pattern/, ...) interpolate_table(x, (x0, y0), ...)
+///
+/// Errors: InvalidArgument SETTING_MALFORMED with metadata `setting` and `line`. Depth is bounded.
+/// Cost: O(length). Source: PrusaSlicer's documentation, "Macros", and what its parser accepts.
+absl::StatusOr<Template> ParseTemplate(std::string_view setting, std::string_view text);
+
+/// All variables and functions that a template names.
+std::set<std::string> NamesIn(const Template& code);
+
+/// The global variables that it makes.
+std::set<std::string> GlobalsOf(const Template& code);
+
+/// Under it, the variable that an error is about.
+inline constexpr char kVariableUrl[] = "slicefarm/unknown-variable";
+
+/// SETTING_MALFORMED for `setting`, at a line.
+absl::Status TemplateError(std::string_view setting, int32_t line, const absl::Status& fault);
+
+}  // namespace slicefarm::macro

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <prometheus/gauge.h>
+#include <prometheus/registry.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "common/rpc/observe/json_log.h"
+#include "common/rpc/security/file_watch.h"
+
+namespace slicefarm::coordinator {
+
+/// A file of settings, which is read again when it changes. A new content that cannot be used
+/// leaves the last one in force, with an error in the log and the gauge
+/// slicefarm_NAME_file_usable at 0. Thread-safe.
+template <typename Content>
+class ReloadedFile {
+ public:
+  using Parse = std::function<absl::StatusOr<Content>(const std::string& text)>;
+
+  /// `name`: what the file holds, for the log and the gauge. The registry must outlive the file.
+  /// Errors: those of rpc::ReadTextFile and `parse`.
+  static absl::StatusOr<std::unique_ptr<ReloadedFile>> Open(
+      const std::string& path, const std::string& name, Parse parse, prometheus::Registry& registry,
+      rpc::JsonLog log, std::chrono::milliseconds every = std::chrono::seconds(1)) {
+    auto text = rpc::ReadTextFile(path);
+    if (!text.ok()) return text.status();
+    auto content = parse(*text);
+    if (!content.ok()) return content.status();
+    std::unique_ptr<ReloadedFile> file(
+        new ReloadedFile(*std::move(content), name, std::move(parse), registry, std::move(log)));
+    file->watch_.emplace(
+        path, *std::move(text), [&self = *file](const auto& changed) { self.Reload(changed); },
+        every);
+    return file;
+  }
+
+  std::shared_ptr<const Content> Get() const {
+    const std::lock_guard lock(mutex_);
+    return content_;
+  }
+
+ private:
+  ReloadedFile(Content content, const std::string& name, Parse parse,
+               prometheus::Registry& registry, rpc::JsonLog log)
+      : name_(name),
+        parse_(std::move(parse)),
+        log_(std::move(log)),
+        usable_(prometheus::BuildGauge()
+                    .Name("slicefarm_" + name + "_file_usable")
+                    .Help("0: the file of " + name + " cannot be used, an older content holds")
+                    .Register(registry)
+                    .Add({})),
+        content_(std::make_shared<const Content>(std::move(content))) {
+    usable_.Set(1);
+  }
+
+  void Reload(const absl::StatusOr<std::string>& text) {
+    auto content = text.ok() ? parse_(*text) : text.status();
+    usable_.Set(content.ok() ? 1 : 0);
+    if (!content.ok()) {
+      return log_.Error("the last file of " + name_ + " stays in force",
+                        {{"error", std::string(content.status().message())}});
+    }
+    log_.Info("new file of " + name_, {});
+    const std::lock_guard lock(mutex_);
+    content_ = std::make_shared<const Content>(*std::move(content));
+  }
+
+  const std::string name_;
+  const Parse parse_;
+  const rpc::JsonLog log_;
+  prometheus::Gauge& usable_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Content> content_;  // shared: calls that go on have the old one
+  std::optional<rpc::FileWatch> watch_;     ///< the last member: its thread uses the others
+};
+
+}  // namespace slicefarm::coordinator

@@ -1,0 +1,324 @@
+#include "services/exposure/algo/scan/border_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slicefarm::exposure {
+namespace {
+
+constexpr int kLeastBits = 16;  ///< 65 um
+constexpr double kSquaresPerEdge = 2;
+constexpr double kLeastSquares = 256;
+/// What rounding may move.
+constexpr double kRounding = 1;
+
+double SquaredDistance(PlaneVector p, PlaneVector a, PlaneVector b) {
+  const PlaneVector way = b - a, at = p - a;
+  const double length2 = Dot(way, way);
+  const double t = length2 > 0 ? std::clamp(Dot(at, way) / length2, 0.0, 1.0) : 0;
+  const PlaneVector off{at.x - t * way.x, at.y - t * way.y};
+  return Dot(off, off);
+}
+
+bool DoCross(PlaneVector a, PlaneVector b, PlaneVector c, PlaneVector d) {
+  const double ab_c = Cross(b - a, c - a), ab_d = Cross(b - a, d - a);
+  const double cd_a = Cross(d - c, a - c), cd_b = Cross(d - c, b - c);
+  return (ab_c < 0) != (ab_d < 0) && (cd_a < 0) != (cd_b < 0);
+}
+
+/// Whether two segments are at least that far from each other.
+bool AreApart(PlaneVector a, PlaneVector b, PlaneVector c, PlaneVector d, double distance) {
+  const double nearest = std::min({SquaredDistance(a, c, d), SquaredDistance(b, c, d),
+                                   SquaredDistance(c, a, b), SquaredDistance(d, a, b)});
+  return nearest >= distance * distance && !DoCross(a, b, c, d);
+}
+
+using Span = std::pair<double, double>;
+
+/// Grows `span` by where a + t * way is within `distance` of the place c.
+void AddCircle(PlaneVector a, PlaneVector way, PlaneVector c, double distance, Span& span) {
+  const double length2 = Dot(way, way), along = Dot(c - a, way) / length2;
+  const PlaneVector off{a.x + along * way.x - c.x, a.y + along * way.y - c.y};
+  const double half2 = (distance * distance - Dot(off, off)) / length2;
+  if (half2 < 0) return;
+  const double half = std::sqrt(half2);
+  span = {std::min(span.first, along - half), std::max(span.second, along + half)};
+}
+
+/// The same for the rectangle that lies within `distance` on both sides of the segment cd.
+void AddRectangle(PlaneVector a, PlaneVector way, PlaneVector c, PlaneVector d, double distance,
+                  Span& span) {
+  const double length = Norm(d - c);
+  if (!(length > 0)) return;
+  const PlaneVector unit{(d.x - c.x) / length, (d.y - c.y) / length};
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  const auto clip = [&](double at, double speed, double least, double most) {
+    if (speed == 0) {
+      if (at < least || at > most) high = -std::numeric_limits<double>::infinity();
+      return;
+    }
+    const double t = (least - at) / speed, u = (most - at) / speed;
+    low = std::max(low, std::min(t, u));
+    high = std::min(high, std::max(t, u));
+  };
+  clip(Dot(a - c, unit), Dot(way, unit), 0, length);
+  clip(Cross(unit, a - c), Cross(unit, way), -distance, distance);
+  if (low > high) return;
+  span = {std::min(span.first, low), std::max(span.second, high)};
+}
+
+/// Where a + t * way is within `distance` of the segment cd; first > second: nowhere.
+Span NearSpan(PlaneVector a, PlaneVector way, PlaneVector c, PlaneVector d, double distance) {
+  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  AddCircle(a, way, c, distance, span);
+  AddCircle(a, way, d, distance, span);
+  AddRectangle(a, way, c, d, distance, span);
+  return span;
+}
+
+/// The longest part of [0, 1] outside of all spans; sorts them.
+Span LongestGap(std::vector<Span>& spans) {
+  std::sort(spans.begin(), spans.end());
+  Span best{0, 0};
+  double at = 0;
+  for (const Span& span : spans) {
+    if (const double end = std::min(span.first, 1.0); end - at > best.second - best.first)
+      best = {at, end};
+    at = std::max(at, span.second);
+  }
+  if (1 - at > best.second - best.first) best = {at, 1};
+  return best;
+}
+
+}  // namespace
+
+BorderGrid::BorderGrid(const MultiPolygon& region, double reach_nm) : box_(Bounds(region)) {
+  if (box_.Empty()) return;
+  edges_.reserve(PointCount(region));
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const PlaneVector a = Local(ring[i]), b = Local(ring[i + 1 == ring.size() ? 0 : i + 1]);
+      const PlaneVector way = b - a;
+      const double length = Norm(way);
+      if (length > 0) edges_.push_back({a, b, {-way.y / length, way.x / length}});
+    }
+  });
+  ChooseSquares(reach_nm);
+  SortEdges(reach_nm);
+  FindRoom();
+}
+
+void BorderGrid::ChooseSquares(double reach_nm) {
+  const double width = static_cast<double>(box_.max.x - box_.min.x) + 1;
+  const double height = static_cast<double>(box_.max.y - box_.min.y) + 1;
+  const double most = std::max(kLeastSquares, kSquaresPerEdge * static_cast<double>(edges_.size()));
+  square_bits_ = kLeastBits;
+  const auto is_fine = [&] {
+    square_ = std::ldexp(1, square_bits_);
+    return square_ >= reach_nm / 2 && (width / square_ + 1) * (height / square_ + 1) <=
+                                          most + width / square_ + height / square_;
+  };
+  while (!is_fine()) ++square_bits_;
+  columns_ = static_cast<int32_t>((box_.max.x - box_.min.x) >> square_bits_) + 1;
+  rows_ = static_cast<int32_t>((box_.max.y - box_.min.y) >> square_bits_) + 1;
+}
+
+bool BorderGrid::Has(Point p) const {
+  return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
+}
+
+BorderGrid::Square BorderGrid::At(PlaneVector p) const {
+  return {std::clamp(static_cast<int32_t>(p.x / square_), 0, columns_ - 1),
+          std::clamp(static_cast<int32_t>(p.y / square_), 0, rows_ - 1)};
+}
+
+template <typename Visit>
+void BorderGrid::ForEachSquare(const Edge& edge, double reach_nm, Visit visit) const {
+  const double reach = reach_nm + kRounding;
+  const PlaneVector low = edge.a.y < edge.b.y ? edge.a : edge.b;
+  const PlaneVector high = edge.a.y < edge.b.y ? edge.b : edge.a;
+  const int32_t bottom = At({0, low.y - reach}).row, top = At({0, high.y + reach}).row;
+  for (int32_t row = bottom; row <= top; ++row) {
+    // The part of the edge that is within reach of the row.
+    double t0 = 0, t1 = 1;
+    if (high.y > low.y) {
+      t0 = std::clamp((row * square_ - reach - low.y) / (high.y - low.y), 0.0, 1.0);
+      t1 = std::clamp(((row + 1) * square_ + reach - low.y) / (high.y - low.y), 0.0, 1.0);
+    }
+    const double x0 = low.x + t0 * (high.x - low.x), x1 = low.x + t1 * (high.x - low.x);
+    const int32_t left = At({std::min(x0, x1) - reach, 0}).column;
+    const int32_t right = At({std::max(x0, x1) + reach, 0}).column;
+    for (int32_t column = left; column <= right; ++column) visit(IndexOf({column, row}));
+  }
+}
+
+void BorderGrid::SortEdges(double reach_nm) {
+  begin_.assign(static_cast<size_t>(columns_) * rows_ + 1, 0);
+  for (const Edge& edge : edges_)
+    ForEachSquare(edge, reach_nm, [&](size_t square) { ++begin_[square + 1]; });
+  for (size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  items_.resize(static_cast<size_t>(begin_.back()));
+  std::vector<int32_t> next(begin_.begin(), begin_.end() - 1);
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    ForEachSquare(edges_[i], reach_nm, [&](size_t square) {
+      items_[static_cast<size_t>(next[square]++)] = static_cast<int32_t>(i);
+    });
+  }
+}
+
+void BorderGrid::FindRoom() {
+  // Squares without border are inside if a ray to their middle from the left crosses it an odd
+  // number of times.
+  room_.assign(static_cast<size_t>(columns_) * rows_, 0);
+  for (const Edge& edge : edges_) {
+    const double low = std::min(edge.a.y, edge.b.y), high = std::max(edge.a.y, edge.b.y);
+    for (int32_t row = At({0, low}).row; row <= At({0, high}).row; ++row) {
+      const double y = (row + 0.5) * square_;
+      if ((edge.a.y <= y) == (edge.b.y <= y)) continue;
+      const double t = (y - edge.a.y) / (edge.b.y - edge.a.y);
+      room_[IndexOf(At({edge.a.x + t * (edge.b.x - edge.a.x), y}))] ^= 1;
+    }
+  }
+  for (int32_t row = 0; row < rows_; ++row) {
+    uint8_t odd = 0;
+    for (int32_t column = 0; column < columns_; ++column) {
+      const size_t i = IndexOf({column, row});
+      odd ^= room_[i];
+      room_[i] = begin_[i] == begin_[i + 1] ? odd : 0;
+    }
+  }
+  // How many squares of the inside lie around one, from neighbour to neighbour, there and back.
+  const auto relax = [&](int32_t column, int32_t row, int32_t step) {
+    uint8_t& room = room_[IndexOf({column, row})];
+    if (room == 0) return;
+    const auto at = [&](int32_t c, int32_t r) -> int {
+      return c < 0 || r < 0 || c >= columns_ || r >= rows_ ? 0 : room_[IndexOf({c, r})];
+    };
+    const int least = std::min({at(column - step, row), at(column - step, row - step),
+                                at(column, row - step), at(column + step, row - step)});
+    const int most = step > 0 ? 254 : room - 1;
+    room = static_cast<uint8_t>(1 + std::min(least, most));
+  };
+  for (int32_t row = 0; row < rows_; ++row)
+    for (int32_t column = 0; column < columns_; ++column) relax(column, row, 1);
+  for (int32_t row = rows_ - 1; row >= 0; --row)
+    for (int32_t column = columns_ - 1; column >= 0; --column) relax(column, row, -1);
+}
+
+Coord BorderGrid::RoomAt(Point p) const {
+  const Square square{static_cast<int32_t>((p.x - box_.min.x) >> square_bits_),
+                      static_cast<int32_t>((p.y - box_.min.y) >> square_bits_)};
+  return (Coord{room_[IndexOf(square)]} - 1) * (Coord{1} << square_bits_);
+}
+
+bool BorderGrid::Keeps(Point a, Point b, double distance_nm) const {
+  if (!Has(a) || !Has(b)) return false;
+  const Coord span = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+  if (span / 2 < RoomAt({(a.x + b.x) / 2, (a.y + b.y) / 2})) return true;
+  return KeepsAlong(Local(a), Local(b), distance_nm);
+}
+
+/// Calls visit(square) for those that a segment passes, until it says false; passes over what has
+/// no border near. Returns whether visit never did.
+template <typename Visit>
+bool BorderGrid::Follow(PlaneVector a, PlaneVector b, Visit visit) const {
+  const PlaneVector way = b - a;
+  const double span = std::max(std::abs(way.x), std::abs(way.y));
+  Square at = At(a);
+  const auto leaves = [&](double from, double speed, int32_t index) {
+    if (speed == 0) return std::numeric_limits<double>::infinity();
+    return ((index + (speed > 0 ? 1 : 0)) * square_ - from) / speed;
+  };
+  for (;;) {
+    const size_t index = IndexOf(at);
+    if (!visit(index)) return false;
+    const double next_x = leaves(a.x, way.x, at.column), next_y = leaves(a.y, way.y, at.row);
+    const double t = std::min(next_x, next_y);
+    if (!(t < 1)) return true;
+    if (room_[index] > 1) {  // over to where this square knows nothing of
+      const double far = t + (room_[index] - 1) * square_ / span;
+      if (!(far < 1)) return true;
+      at = At({a.x + far * way.x, a.y + far * way.y});
+      continue;
+    }
+    if (next_x <= next_y)
+      at.column += way.x > 0 ? 1 : -1;
+    else
+      at.row += way.y > 0 ? 1 : -1;
+    if (at.column < 0 || at.row < 0 || at.column >= columns_ || at.row >= rows_) return true;
+  }
+}
+
+bool BorderGrid::KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm) const {
+  bool inside = false;
+  const auto is_left = [&](const Edge& edge, PlaneVector p) {
+    return Dot(edge.inward, p - edge.a) >= distance_nm;
+  };
+  const bool apart = Follow(a, b, [&](size_t square) {
+    const int32_t begin = begin_[square], end = begin_[square + 1];
+    if (begin == end) return inside = room_[square] > 0;
+    bool left_of_all = true;
+    for (int32_t i = begin; i < end; ++i) {
+      const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
+      if (is_left(edge, a) && is_left(edge, b)) continue;
+      left_of_all = false;
+      if (!AreApart(a, b, edge.a, edge.b, distance_nm)) return false;
+    }
+    inside = inside || (left_of_all && distance_nm > 0);
+    return true;
+  });
+  return apart && (inside || IsInside({(a.x + b.x) / 2, (a.y + b.y) / 2}));
+}
+
+bool BorderGrid::IsInside(PlaneVector p) const {
+  const int32_t row = At(p).row;
+  bool odd = false;
+  for (int32_t column = At(p).column; column >= 0; --column) {
+    const size_t square = IndexOf({column, row});
+    if (begin_[square] == begin_[square + 1]) return odd != (room_[square] > 0);
+    for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
+      const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
+      if ((edge.a.y <= p.y) == (edge.b.y <= p.y)) continue;
+      const double t = (p.y - edge.a.y) / (edge.b.y - edge.a.y);
+      const PlaneVector at{edge.a.x + t * (edge.b.x - edge.a.x), p.y};
+      if (at.x < p.x && At(at).column == column) odd = !odd;
+    }
+  }
+  return odd;
+}
+
+bool BorderGrid::IsNear(Point p, double distance_nm) const {
+  if (edges_.empty()) return false;
+  const PlaneVector at = Local(p);
+  const size_t square = IndexOf(At(at));
+  return std::any_of(items_.begin() + begin_[square], items_.begin() + begin_[square + 1],
+                     [&](int32_t i) {
+                       const Edge& edge = edges_[static_cast<size_t>(i)];
+                       return SquaredDistance(at, edge.a, edge.b) < distance_nm * distance_nm;
+                     });
+}
+
+std::optional<std::pair<Point, Point>> BorderGrid::LongestRun(Point a, Point b,
+                                                              double distance_nm) const {
+  if (!Has(a) || !Has(b) || a == b) return std::nullopt;
+  const PlaneVector from = Local(a), to = Local(b), way = to - from;
+  std::vector<Span> spans;
+  Follow(from, to, [&](size_t square) {
+    for (int32_t i = begin_[square]; i < begin_[square + 1]; ++i) {
+      const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
+      spans.push_back(NearSpan(from, way, edge.a, edge.b, distance_nm));
+    }
+    return true;
+  });
+  const auto place = [&](double t) {
+    return Point{a.x + std::llround(t * way.x), a.y + std::llround(t * way.y)};
+  };
+  const Span gap = LongestGap(spans);
+  const std::pair run{place(gap.first), place(gap.second)};
+  if (run.first == run.second || !Keeps(run.first, run.second, std::max(0.0, distance_nm - 2)))
+    return std::nullopt;
+  return run;
+}
+
+}  // namespace slicefarm::exposure

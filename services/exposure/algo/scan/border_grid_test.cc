@@ -1,0 +1,115 @@
+#include "services/exposure/algo/scan/border_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "common/geometry/boolean/random_islands_test.h"
+#include "common/geometry/text_format.h"
+
+namespace slicefarm::exposure::border_grid_test {
+namespace {
+
+const char kFrame[] = "(0 0, 30 0, 30 30, 0 30) (10 10, 10 20, 20 20, 20 10)";
+
+TEST(BorderGrid, OfAFrame) {
+  const BorderGrid border(MakePolygonsOrDie(kFrame), 5e6);
+  const auto keeps = [&](Coord x0, Coord y0, Coord x1, Coord y1, double distance) {
+    return border.Keeps({x0 * kNmPerMm, y0 * kNmPerMm}, {x1 * kNmPerMm, y1 * kNmPerMm}, distance);
+  };
+  EXPECT_TRUE(keeps(4, 15, 4, 15, 4e6));
+  EXPECT_FALSE(keeps(4, 15, 4, 15, 4.000001e6));
+  EXPECT_TRUE(keeps(4, 4, 4, 26, 4e6));
+  EXPECT_FALSE(keeps(4, 15, 26, 15, 0));   // over the hole
+  EXPECT_FALSE(keeps(11, 15, 19, 15, 0));  // in it
+  EXPECT_FALSE(keeps(25, 15, 35, 15, 0));  // out
+  EXPECT_FALSE(keeps(-9, 15, -8, 15, 0));  // outside
+  EXPECT_TRUE(keeps(4, 12, 12, 4, 2.828e6));  // past the hole's corner
+  EXPECT_FALSE(keeps(4, 12, 12, 4, 2.829e6));
+}
+
+TEST(BorderGrid, OfNothing) {
+  const BorderGrid border({}, 1e6);
+  EXPECT_FALSE(border.Keeps({0, 0}, {0, 0}, 0));
+  EXPECT_FALSE(border.IsNear({0, 0}, 1e6));
+  EXPECT_EQ(border.LongestRun({0, 0}, {1, 1}, 0), std::nullopt);
+}
+
+TEST(BorderGrid, IsNearInsideAndOutside) {
+  const BorderGrid border(MakePolygonsOrDie(kFrame), 2e6);
+  EXPECT_TRUE(border.IsNear({8'100'000, 15'000'000}, 2e6));
+  EXPECT_FALSE(border.IsNear({7'900'000, 15'000'000}, 2e6));
+  EXPECT_TRUE(border.IsNear({-1'900'000, 15'000'000}, 2e6));
+  EXPECT_FALSE(border.IsNear({-1'500'000, -1'500'000}, 2e6));
+}
+
+TEST(BorderGrid, TheLongestRunBesideACorner) {
+  const BorderGrid border(MakePolygonsOrDie(kFrame), 2e6);
+  const auto run = border.LongestRun({5'000'000, 1'000'000}, {5'000'000, 29'900'000}, 2e6);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->first, (Point{5'000'000, 2'000'000}));
+  EXPECT_EQ(run->second, (Point{5'000'000, 28'000'000}));
+  // Past a hole that is too near: the longer part, which ends where its corner is 2 mm away.
+  const auto part = border.LongestRun({9'000'000, 3'000'000}, {9'000'000, 25'000'000}, 2e6);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->first, (Point{9'000'000, 3'000'000}));
+  EXPECT_NEAR(static_cast<double>(part->second.y), 10e6 - std::sqrt(3e12), 2);
+}
+
+double SegmentDistance(Point a, Point b, const MultiPolygon& region) {
+  double nearest = std::min(DistanceToBoundary(a, region), DistanceToBoundary(b, region));
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (const Point p : ring) nearest = std::min(nearest, DistanceToSegment(p, a, b));
+  });
+  return nearest;
+}
+
+bool Meets(Point a, Point b, const MultiPolygon& region) {
+  bool meets = false;
+  ForEachRing(region, [&](const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point c = ring[i], d = ring[(i + 1) % ring.size()];
+      meets = meets || ((Cross(b - a, c - a) < 0) != (Cross(b - a, d - a) < 0) &&
+                        (Cross(d - c, a - c) < 0) != (Cross(d - c, b - c) < 0));
+    }
+  });
+  return meets;
+}
+
+/// Random segments in random regions, against all edges one by one.
+TEST(BorderGrid, IsWhatAllEdgesSay) {
+  std::mt19937 random(7);
+  int kept = 0, not_kept = 0;
+  for (int i = 0; i < 300; ++i) {
+    const MultiPolygon region = RandomIsland(random, {}, Uniform(random, 0.2, 20));
+    const double reach = Uniform(random, 0, 5e5);
+    const BorderGrid border(region, reach);
+    const Box box = Bounds(region).Grown(200'000);
+    for (int k = 0; k < 200; ++k) {
+      const Point a = RandomPoint(random, box);
+      const double length = k % 3 == 0 ? 1 : Uniform(random, 0, 0.2);
+      const Point far = RandomPoint(random, box);
+      const Point b = a + Point{std::llround(length * static_cast<double>(far.x - a.x)),
+                                std::llround(length * static_cast<double>(far.y - a.y))};
+      const double distance = SegmentDistance(a, b, region);
+      const double asked = k % 2 == 0 ? 0 : Uniform(random, 0, reach);
+      if (std::abs(distance - asked) < 1) continue;
+      const bool expected = Inside(a, region) && distance >= asked && !Meets(a, b, region);
+      ASSERT_EQ(border.Keeps(a, b, asked), expected) << ToText(region) << i << " " << k;
+      ++(expected ? kept : not_kept);
+      ASSERT_EQ(border.IsNear(a, asked), DistanceToBoundary(a, region) < asked);
+      if (const auto run = border.LongestRun(a, b, asked)) {
+        EXPECT_TRUE(Inside(run->first, region));
+        EXPECT_GE(SegmentDistance(run->first, run->second, region), asked - 2);
+      } else {
+        EXPECT_FALSE(expected);
+      }
+    }
+  }
+  EXPECT_GT(kept, 5000);
+  EXPECT_GT(not_kept, 5000);
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure::border_grid_test

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "common/geometry/polygon.h"
+#include "common/model/exposed_layer.h"
+#include "common/model/options/exposure_options.h"
+
+namespace slicefarm::exposure {
+
+/// From the outline to where rings or hatch begin. Rings keep half a distance from their border,
+/// less half of what those beside a cut overlap.
+Coord InsideInset(const ExposureOptions& options);
+
+/// A vector that lies where none may.
+struct StrayVector {
+  ExposureKind kind = ExposureKind::kHatch;
+  Point from, to;
+};
+
+/// The last check of a region's vectors, which knows nothing of how they came about: contours keep
+/// beam_compensation from the outline, what is inside of them as far as the innermost contour at
+/// least, and thin walls lie in the outline. All of each vector is looked at, against the edges of
+/// the outline itself.
+///
+/// Vectors may be kStrayNm nearer: outlines are simplified before they are cut into pieces.
+/// nullopt: all are where they may be. Cost: O(edges), and a look or two a vector; a few per cent
+/// of what scanning costs.
+std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
+                                     const MultiPolygon& outline, const ExposureOptions& options);
+
+inline constexpr Coord kStrayNm = 3'000;
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,107 @@
+#include "services/infill/algo/linking/lifted_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "common/geometry/measure.h"
+#include "services/infill/algo/lines/shortened.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// Shorter ends beside the edge are turns, in widths.
+constexpr double kLeastLift = 0.7;
+/// How much of a piece may be left out at each end.
+constexpr double kMostLift = 0.4;
+
+class Lifter {
+ public:
+  Lifter(const MultiPolygon& region, std::span<const Piece> pieces, double width_nm)
+      : width_nm_(width_nm) {
+    lifted_.pieces.assign(pieces.begin(), pieces.end());
+    lifted_.taken = TakenEdge(region, pieces, width_nm);
+    ForEachRing(region, [this](const Polygon& ring) {
+      rings_.push_back(&ring);
+      corner_at_.push_back(CornerLengths(ring));
+    });
+  }
+
+  LiftedPieces Run() {
+    for (size_t i = 0; i < lifted_.pieces.size(); ++i) {
+      Piece& piece = lifted_.pieces[i];
+      if (piece.closed) continue;
+      const double length = Length(piece.points);
+      const Foot from = Lift(piece.from, piece.points.front(), static_cast<int32_t>(i), length);
+      const Foot to = Lift(piece.to, piece.points.back(), static_cast<int32_t>(i), length);
+      if (from.lifted_nm + to.lifted_nm <= 0) continue;
+      piece.points = Shortened(piece.points, length, from.lifted_nm, to.lifted_nm);
+      if (from.lifted_nm > 0) {
+        piece.points.insert(piece.points.begin(), from.at);
+        piece.from = from.place;
+      }
+      if (to.lifted_nm > 0) {
+        piece.points.push_back(to.at);
+        piece.to = to.place;
+      }
+    }
+    return std::move(lifted_);
+  }
+
+ private:
+  /// Where a piece comes to the edge once it is lifted.
+  struct Foot {
+    double lifted_nm = 0;
+    Point at;
+    EdgePlace place;
+  };
+
+  /// Not where the piece runs beside the edge to both sides of its end, or for too long.
+  Foot Lift(EdgePlace place, Point end, int32_t piece, double length_nm) {
+    if (place.ring < 0) return {};
+    const auto ring = static_cast<size_t>(place.ring);
+    const Polygon& points = *rings_[ring];
+    const double along = corner_at_[ring][static_cast<size_t>(place.edge)] +
+                         Distance(points[static_cast<size_t>(place.edge)], end);
+    std::vector<TakenSpan>& taken = lifted_.taken[ring];
+    const double touching = width_nm_ / 4;
+    const auto span = std::ranges::find_if(taken, [&](const TakenSpan& s) {
+      return s.piece == piece && s.from_nm <= along + touching && s.to_nm >= along - touching;
+    });
+    if (span == taken.end()) return {};
+    const double ahead = span->to_nm - along, behind = along - span->from_nm;
+    const double lift = std::max(ahead, behind);
+    if (lift < kLeastLift * width_nm_ || lift > kMostLift * length_nm ||
+        std::min(ahead, behind) > touching)
+      return {};
+    taken.erase(span);
+    return FootAt(ring, along + (ahead > behind ? ahead : -behind), lift);
+  }
+
+  Foot FootAt(size_t ring, double along_nm, double lifted_nm) const {
+    const std::vector<double>& corners = corner_at_[ring];
+    const Polygon& points = *rings_[ring];
+    const auto next = std::upper_bound(corners.begin() + 1, corners.end() - 1, along_nm);
+    const auto edge = static_cast<size_t>(next - corners.begin()) - 1;
+    const Point a = points[edge], b = points[edge + 1 == points.size() ? 0 : edge + 1];
+    const double length = corners[edge + 1] - corners[edge];
+    const double share = length > 0 ? std::clamp((along_nm - corners[edge]) / length, 0.0, 1.0) : 0;
+    return {lifted_nm,
+            {a.x + std::llround(share * static_cast<double>(b.x - a.x)),
+             a.y + std::llround(share * static_cast<double>(b.y - a.y))},
+            {static_cast<int32_t>(ring), static_cast<int32_t>(edge)}};
+  }
+
+  double width_nm_;
+  LiftedPieces lifted_;
+  std::vector<const Polygon*> rings_;
+  std::vector<std::vector<double>> corner_at_;
+};
+
+}  // namespace
+
+LiftedPieces LiftEnds(const MultiPolygon& region, std::span<const Piece> pieces, Coord width_nm) {
+  return Lifter(region, pieces, static_cast<double>(width_nm)).Run();
+}
+
+}  // namespace slicefarm::infill

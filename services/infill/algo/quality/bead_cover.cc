@@ -1,0 +1,168 @@
+#include "services/infill/algo/quality/bead_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/line_axes.h"
+#include "common/model/bead_section.h"
+
+namespace slicefarm::infill {
+namespace {
+
+/// No usual fill angle, nor one that makes rows and lines meet at a ratio of small numbers.
+constexpr double kRowsAngle = 0.2237;
+
+/// What a row meets of something convex.
+struct Stretch {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -std::numeric_limits<double>::infinity();
+
+  bool IsEmpty() const { return from > to; }
+  void Add(double u) {
+    from = std::min(from, u);
+    to = std::max(to, u);
+  }
+};
+
+struct Place {
+  double u = 0, v = 0;
+};
+
+/// A bead from a to b, half as wide as `ra` there and `rb`.
+struct Bead {
+  Place a, b;
+  double ra = 0, rb = 0;
+};
+
+void AddDisc(Place middle, double radius, double v, Stretch& stretch) {
+  const double away = v - middle.v, square = radius * radius - away * away;
+  if (square < 0) return;
+  stretch.Add(middle.u - std::sqrt(square));
+  stretch.Add(middle.u + std::sqrt(square));
+}
+
+void AddEdge(Place a, Place b, double v, Stretch& stretch) {
+  if ((a.v < v) == (b.v < v)) return;
+  stretch.Add(a.u + (b.u - a.u) * ((v - a.v) / (b.v - a.v)));
+}
+
+/// A disc at either end, and the sides between: all that a row meets hangs together.
+Stretch Across(const Bead& bead, double v) {
+  Stretch stretch;
+  AddDisc(bead.a, bead.ra, v, stretch);
+  AddDisc(bead.b, bead.rb, v, stretch);
+  const double du = bead.b.u - bead.a.u, dv = bead.b.v - bead.a.v;
+  const double length = std::sqrt(du * du + dv * dv);
+  if (length == 0) return stretch;
+  for (const double side : {-1 / length, 1 / length}) {
+    const auto aside = [&](Place p, double radius) {
+      return Place{p.u - side * radius * dv, p.v + side * radius * du};
+    };
+    AddEdge(aside(bead.a, bead.ra), aside(bead.b, bead.rb), v, stretch);
+  }
+  return stretch;
+}
+
+/// Rows over a region, and what each of them meets.
+class Rows {
+ public:
+  Rows(const MultiPolygon& region, double pitch) : frame_(kRowsAngle) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    ForEachRing(region, [&](const Polygon& ring) {
+      for (const Point p : ring) {
+        low = std::min(low, frame_.V(p));
+        high = std::max(high, frame_.V(p));
+      }
+    });
+    pitch_ = std::max({pitch, (high - low) / kMostRows, 1.0});
+    first_ = low + pitch_ / 2;
+    const auto count = static_cast<size_t>(std::max(1.0, std::ceil((high - low) / pitch_)));
+    edges_.resize(count);
+    beads_.resize(count);
+    ForEachRing(region, [&](const Polygon& ring) { AddRing(ring); });
+  }
+
+  Place PlaceOf(Point p) const { return {frame_.U(p), frame_.V(p)}; }
+
+  void Add(const Bead& bead) {
+    ForEachRow(std::min(bead.a.v - bead.ra, bead.b.v - bead.rb),
+               std::max(bead.a.v + bead.ra, bead.b.v + bead.rb), [&](size_t row, double v) {
+                 const Stretch stretch = Across(bead, v);
+                 if (!stretch.IsEmpty()) beads_[row].push_back(stretch);
+               });
+  }
+
+  double CoveredShare() {
+    double inside = 0, covered = 0;
+    for (size_t row = 0; row < edges_.size(); ++row) {
+      std::ranges::sort(edges_[row]);
+      std::ranges::sort(beads_[row], {}, &Stretch::from);
+      for (size_t i = 0; i + 1 < edges_[row].size(); i += 2) {
+        inside += edges_[row][i + 1] - edges_[row][i];
+        covered += CoveredBetween(edges_[row][i], edges_[row][i + 1], beads_[row]);
+      }
+    }
+    return inside > 0 ? covered / inside : 0;
+  }
+
+ private:
+  template <class Visit>
+  void ForEachRow(double from_v, double to_v, const Visit& visit) {
+    const double last = static_cast<double>(edges_.size()) - 1;
+    const double begin = std::max(0.0, std::ceil((from_v - first_) / pitch_));
+    const double end = std::min(last, std::floor((to_v - first_) / pitch_));
+    for (double row = begin; row <= end; ++row)
+      visit(static_cast<size_t>(row), first_ + row * pitch_);
+  }
+
+  void AddRing(const Polygon& ring) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Place a = PlaceOf(ring[i]), b = PlaceOf(ring[i + 1 == ring.size() ? 0 : i + 1]);
+      ForEachRow(std::min(a.v, b.v), std::max(a.v, b.v), [&](size_t row, double v) {
+        if ((a.v < v) != (b.v < v))
+          edges_[row].push_back(a.u + (b.u - a.u) * ((v - a.v) / (b.v - a.v)));
+      });
+    }
+  }
+
+  static double CoveredBetween(double from, double to, const std::vector<Stretch>& beads) {
+    double covered = 0, reached = from;
+    for (const Stretch& bead : beads) {
+      if (bead.from >= to) break;
+      const double begin = std::max(bead.from, reached), end = std::min(bead.to, to);
+      if (end > begin) covered += end - begin;
+      reached = std::max(reached, end);
+    }
+    return covered;
+  }
+
+  LineAxes frame_;
+  double first_ = 0, pitch_ = 1;
+  std::vector<std::vector<double>> edges_;   ///< of the region, by row
+  std::vector<std::vector<Stretch>> beads_;  ///< by row
+};
+
+}  // namespace
+
+double CoveredShare(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
+                    Coord spacing_nm) {
+  if (region.empty()) return 0;
+  Rows rows(region, static_cast<double>(spacing_nm) / kRowsPerBead);
+  for (const Path& path : paths) {
+    const auto half = [&](size_t i) {
+      return static_cast<double>(Spacing(path.WidthAt(i), height_nm)) / 2;
+    };
+    const size_t edges = path.points.size() - (path.closed ? 0 : 1);
+    for (size_t i = 0; i < edges; ++i) {
+      const size_t next = (i + 1) % path.points.size();
+      rows.Add(
+          {rows.PlaceOf(path.points[i]), rows.PlaceOf(path.points[next]), half(i), half(next)});
+    }
+  }
+  return rows.CoveredShare();
+}
+
+}  // namespace slicefarm::infill

@@ -1,0 +1,40 @@
+#include "services/motion/algo/macro/layer_code.h"
+
+#include <utility>
+
+#include "services/motion/algo/macro/template_variables.h"
+
+namespace slicefarm::motion {
+
+absl::StatusOr<LayerCode> LayerCode::Of(const MotionOptions& options) {
+  LayerCode layer;
+  layer.any_ = !options.before_layer_gcode.empty() || !options.layer_gcode.empty();
+  layer.names_layer_change_ =
+      options.before_layer_gcode.find(";BEFORE_LAYER_CHANGE") != std::string::npos;
+  layer.has_after_ = !options.layer_gcode.empty();
+  if (!layer.any_) return layer;
+  auto code = macro::ParseJobCode(options);
+  if (!code.ok()) return code.status();
+  layer.code_ = *std::move(code);
+  if (!layer.code_.layers_wait) layer.job_ = JobVariables(options, options.layer_settings);
+  return layer;
+}
+
+absl::StatusOr<CustomCode> LayerCode::At(const LayerPlace& place, const JobFacts& facts) const {
+  CustomCode code;
+  code.waits = code_.layers_wait;
+  code.names_layer_change = names_layer_change_;
+  code.has_after = has_after_;
+  if (!any_ || code.waits) return code;
+  const macro::TemplateVariables now = LayerVariables(place, facts);
+  macro::TemplateMemory memory;
+  auto before = macro::RunTemplate(code_.before_layer, {job_, now}, memory);
+  if (!before.ok()) return before.status();
+  auto after = macro::RunTemplate(code_.layer, {job_, now}, memory);
+  if (!after.ok()) return after.status();
+  code.before = *std::move(before);
+  code.after = *std::move(after);
+  return code;
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "common/macro/job_code.h"
+#include "common/macro/template_value.h"
+#include "common/model/job_facts.h"
+#include "common/model/options/motion_options.h"
+#include "services/motion/algo/toolpath/layer_place.h"
+
+namespace slicefarm::motion {
+
+/// before_layer_gcode and layer_gcode, filled in.
+struct CustomCode {
+  std::string before;
+  std::string after;
+  /// They are filled in later, by FrameProgram; the layer keeps their places.
+  bool waits = false;
+  bool names_layer_change = false;  ///< before_layer_gcode writes ;BEFORE_LAYER_CHANGE itself
+  bool has_after = false;           ///< layer_gcode is there, filled in or not
+};
+
+/// The templates that stand in layers, parsed once for all of them.
+class LayerCode {
+ public:
+  /// Errors: those of ParseTemplate. `options` must outlive it.
+  static absl::StatusOr<LayerCode> Of(const MotionOptions& options);
+
+  /// Errors: those of RunTemplate.
+  absl::StatusOr<CustomCode> At(const LayerPlace& place, const JobFacts& facts) const;
+
+ private:
+  macro::JobCode code_;
+  macro::TemplateVariables job_;
+  bool any_ = false;
+  bool names_layer_change_ = false;
+  bool has_after_ = false;
+};
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,99 @@
+#include "services/motion/algo/macro/print_code.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "services/motion/algo/macro/template_variables.h"
+
+namespace slicefarm::motion {
+namespace {
+
+/// Goes through the print.
+class CodeWalk {
+ public:
+  CodeWalk(const macro::JobCode& code, const ProgramSummary& summary, const MotionOptions& options,
+           double time_s)
+      : code_(code),
+        summary_(summary),
+        options_(options),
+        job_(JobVariables(options, summary.settings_text)),
+        now_(PrintVariables(options, summary, time_s)) {}
+
+  absl::StatusOr<PrintCode> Run(std::span<const PassChange> changes) {
+    PrintCode filled;
+    // Before the first layer there is none.
+    Put({.number = -1, .print_z_nm = 0, .top_nm = TopOf(summary_)}, 0);
+    if (absl::Status ok = Add(code_.start, filled.start); !ok.ok()) return ok;
+    if (absl::Status ok = AddLayers(changes, filled); !ok.ok()) return ok;
+    Put(Last(), summary_.total.FilamentMm());
+    if (absl::Status ok = Add(code_.end, filled.end); !ok.ok()) return ok;
+    return filled;
+  }
+
+ private:
+  absl::Status AddLayers(std::span<const PassChange> changes, PrintCode& filled) {
+    double filament_mm = 0;
+    auto change = changes.begin();
+    LayerPlace before;
+    for (size_t i = 0; i < summary_.layers.size(); ++i) {
+      const LayerSummary& layer = summary_.layers[i];
+      if (change != changes.end() && change->layer == i) {
+        before.pass = layer.pass;
+        Put(before, filament_mm);
+        if (absl::Status ok = Add(code_.between_objects, filled.between.emplace_back()); !ok.ok())
+          return ok;
+        ++change;
+      }
+      before = {.pass = layer.pass,
+                .number = static_cast<int32_t>(i),
+                .print_z_nm = layer.frame.print_z_nm,
+                .top_nm = std::max(before.top_nm, layer.frame.print_z_nm)};
+      if (code_.layers_wait) {
+        Put(before, filament_mm);
+        for (const macro::Template* part : {&code_.before_layer, &code_.layer})
+          if (absl::Status ok = Add(*part, filled.layers.emplace_back()); !ok.ok()) return ok;
+      }
+      filament_mm += layer.filament_mm;
+    }
+    return absl::OkStatus();
+  }
+
+  LayerPlace Last() const {
+    LayerPlace last;
+    if (summary_.layers.empty()) return last;
+    last.number = static_cast<int32_t>(summary_.layers.size()) - 1;
+    last.print_z_nm = summary_.layers.back().frame.print_z_nm;
+    last.top_nm = TopOf(summary_);
+    return last;
+  }
+
+  /// What the templates name from now on.
+  void Put(const LayerPlace& place, double filament_mm) {
+    for (auto& [name, variable] : LayerVariables(place, {})) now_[name] = std::move(variable);
+    PutUseSoFar(options_, filament_mm, now_);
+  }
+
+  absl::Status Add(const macro::Template& part, std::string& text) {
+    auto filled = macro::RunTemplate(part, {job_, now_}, memory_);
+    if (!filled.ok()) return filled.status();
+    text = *std::move(filled);
+    return absl::OkStatus();
+  }
+
+  const macro::JobCode& code_;
+  const ProgramSummary& summary_;
+  const MotionOptions& options_;
+  const macro::TemplateVariables job_;
+  macro::TemplateVariables now_;
+  macro::TemplateMemory memory_;
+};
+
+}  // namespace
+
+absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
+                                 std::span<const PassChange> changes, const MotionOptions& options,
+                                 double time_s) {
+  return CodeWalk(code, summary, options, time_s).Run(changes);
+}
+
+}  // namespace slicefarm::motion

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/macro/job_code.h"
+#include "common/model/options/motion_options.h"
+#include "common/model/program_summary.h"
+#include "services/motion/algo/pass_change.h"
+
+namespace slicefarm::motion {
+
+/// A job's templates, filled in.
+struct PrintCode {
+  std::string start;
+  std::vector<std::string> between;  ///< between_objects_gcode, by pass change
+  /// before_layer_gcode and layer_gcode of each layer if they wait for the others; or none.
+  std::vector<std::string> layers;
+  std::string end;
+};
+
+/// Fills them in, in the order of the print, so that global variables and sums go on from each to
+/// the next. `time_s`: of the print, as they name it. Errors: those of RunTemplate.
+absl::StatusOr<PrintCode> FillIn(const macro::JobCode& code, const ProgramSummary& summary,
+                                 std::span<const PassChange> changes, const MotionOptions& options,
+                                 double time_s);
+
+}  // namespace slicefarm::motion
