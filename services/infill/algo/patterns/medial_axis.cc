@@ -67,10 +67,6 @@ class AxisLines {
     });
   }
 
-  double Count() const {
-    return most_nm_ / place_.pitch_nm * static_cast<double>(axis_.size() + 1);
-  }
-
   std::vector<Curve> Curves(double pitch_nm, double smoothing_nm) const {
     const AxisPhase phase = PhaseAt(place_, pitch_nm);
     std::vector<Curve> curves = AxisLevels(axis_, phase.first_nm, pitch_nm, most_nm_);
@@ -111,9 +107,10 @@ std::vector<Piece> PiecesInside(const PolygonWithHoles& island, const AxisLines&
 
 absl::StatusOr<std::vector<Piece>> AroundAxis(const PolygonWithHoles& island,
                                               const PatternPlace& place) {
-  const AxisLines lines(island, place);
-  if (absl::Status ok = CheckLineCount(lines.Count()); !ok.ok()) return ok;
-  return PiecesInside(island, lines, place);
+  // Counted in stretches as long as the lines are apart: as the cells of a space-filling curve are.
+  const double stretches = Area(island) / (place.pitch_nm * place.pitch_nm);
+  if (absl::Status ok = CheckLineCount(stretches); !ok.ok()) return ok;
+  return PiecesInside(island, AxisLines(island, place), place);
 }
 
 }  // namespace
