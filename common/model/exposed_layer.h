@@ -59,12 +59,14 @@ struct CutCounts {
   int64_t reflex = 0;         ///< corners over 180 degrees
   int64_t extra_points = 0;   ///< ends of cuts that are no corners
   int64_t sharp_cuts = 0;     ///< cuts with an angle below 30 degrees, where no better one was
+  int64_t replaced = 0;       ///< outlines cut by Bian's method, as the one asked for cannot
 
   void Add(const CutCounts& other) {
     pieces += other.pieces;
     reflex += other.reflex;
     extra_points += other.extra_points;
     sharp_cuts += other.sharp_cuts;
+    replaced += other.replaced;
   }
   friend bool operator==(const CutCounts&, const CutCounts&) = default;
 };

@@ -36,14 +36,17 @@ v1::CutCounts ToProto(const CutCounts& cuts) {
   proto.set_reflex(cuts.reflex);
   proto.set_extra_points(cuts.extra_points);
   proto.set_sharp_cuts(cuts.sharp_cuts);
+  proto.set_replaced(cuts.replaced);
   return proto;
 }
 
 absl::StatusOr<CutCounts> CutsOf(const v1::CutCounts& proto) {
   for (const int64_t count :
-       {proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts()})
+       {proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts(),
+        proto.replaced()})
     if (count < 0) return Malformed("cuts", "a count is negative");
-  return CutCounts{proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts()};
+  return CutCounts{proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts(),
+                   proto.replaced()};
 }
 
 absl::Status CheckSummary(const v1::ExposureFrameRequest& proto) {

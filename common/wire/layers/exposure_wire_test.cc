@@ -36,11 +36,12 @@ ExposureReport DistinctReport() {
   jump_time = 103;
   area = 104;
   volume = 105;
-  auto& [pieces, reflex, extra_points, sharp_cuts] = cuts;
+  auto& [pieces, reflex, extra_points, sharp_cuts, replaced] = cuts;
   pieces = 106;
   reflex = 107;
   extra_points = 108;
   sharp_cuts = 109;
+  replaced = 110;
   bounds = {{-5, -6}, {7, 8}};
   return report;
 }

@@ -72,10 +72,10 @@ ExitCode Decompose(const DecomposeCommandOptions& options) {
   }
   Print(fmt::format(
       "pieces {}\nreflex {}\nmin_angle_deg {:.4f}\nworst_shape {:.4f}\nseconds {:.6f}\n"
-      "extra_points {}\nsharp_cuts {}\nmin_cut_angle_deg {:.4f}\nruled_cuts {}\n"
+      "extra_points {}\nsharp_cuts {}\nreplaced {}\nmin_cut_angle_deg {:.4f}\nruled_cuts {}\n"
       "min_ruled_angle_deg {:.4f}\n",
       result->counts.pieces, result->counts.reflex, least_angle, worst, seconds,
-      result->counts.extra_points, result->counts.sharp_cuts, result->min_cut_angle_deg,
+      result->counts.extra_points, result->counts.sharp_cuts, result->counts.replaced, result->min_cut_angle_deg,
       result->ruled_cuts, result->min_ruled_angle_deg));
   return ExitCode::kOk;
 }
@@ -98,7 +98,8 @@ void AddDecompose(CLI::App& app, CommandContext& context) {
       ->type_name("NAME");
   command->footer(
       "Prints rows: `worst_shape` is the greatest perimeter^2 / (4 pi area) of a piece, 1 for a\n"
-      "disc; `extra_points` are ends of cuts that are no corners. Bian's rule of 30 degrees holds\n"
+      "disc; `extra_points` are ends of cuts that are no corners; `replaced` are outlines that\n"
+      "Bian's method has cut, as the one asked for cannot. Bian's rule of 30 degrees holds\n"
       "where a cut ends in a convex corner: `ruled_cuts` are so many, `min_ruled_angle_deg` is\n"
       "their least angle there. `sharp_cuts` have an angle below 30 degrees at the end where the\n"
       "rule does not hold. Pieces have the file's unit.\n"

@@ -79,7 +79,8 @@ OrderedJson Exposure(const ExposureReport& report) {
           {"pieces", report.cuts.pieces},
           {"reflex_corners", report.cuts.reflex},
           {"extra_points", report.cuts.extra_points},
-          {"sharp_cuts", report.cuts.sharp_cuts}};
+          {"sharp_cuts", report.cuts.sharp_cuts},
+          {"replaced_outlines", report.cuts.replaced}};
 }
 
 /// Sparse infill has a density, all else of it is to cover what it fills.

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <list>
 
-#include "common/base/error.h"
 #include "common/geometry/boolean/predicates.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/rings/ring_cleaning.h"
+#include "common/geometry/rings/simple_rings.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -53,12 +53,11 @@ std::list<CgalPolygon> ConvexPartsOfMonotoneOnes(const CgalPolygon& whole) {
 
 }  // namespace
 
-absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method) {
+std::optional<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method) {
   const bool optimal = method == DecomposeMethod::kOptimal;
-  if (optimal && polygon.size() > kMaxOptimalCorners) {
-    return LimitError(Reason::kRequestTooLarge, "corners of an outline to divide optimally",
-                      kMaxOptimalCorners, std::ssize(polygon));
-  }
+  const Polygon* const ring = &polygon;
+  if ((optimal && polygon.size() > kMaxOptimalCorners) || !AreSimple({&ring, 1}))
+    return std::nullopt;
   CgalPolygon whole;
   for (const Point p : polygon)
     whole.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
@@ -80,11 +79,7 @@ absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, Decom
       piece.push_back({static_cast<Coord>(p.x()), static_cast<Coord>(p.y())});
     pieces.push_back(CleanedRing(piece));
   }
-  if (!AreRight(pieces, polygon)) {
-    return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                     "CGAL's partition of an outline is not convex or does not cover it; method "
-                     "bian has no such faults");
-  }
+  if (!AreRight(pieces, polygon)) return std::nullopt;
   return pieces;
 }
 

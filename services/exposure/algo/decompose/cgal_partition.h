@@ -1,8 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "absl/status/statusor.h"
 #include "common/geometry/polygon.h"
 #include "common/model/options/exposure_options.h"
 
@@ -11,14 +11,14 @@ namespace slicefarm::exposure {
 /// More corners than these take kOptimal minutes.
 inline constexpr size_t kMaxOptimalCorners = 300;
 
-/// The convex partition of a simple counter-clockwise polygon by CGAL, checked: pieces are convex
-/// and have the polygon's area. CGAL 5.5's optimal one is not always.
+/// The convex partition of a counter-clockwise polygon by CGAL, checked: pieces are convex and have
+/// the polygon's area. nullopt where CGAL has none to offer: for polygons that touch or cross
+/// themselves, on which it may crash; for kOptimal with over kMaxOptimalCorners; and where what it
+/// returns is wrong, as CGAL 5.5's optimal one is at times.
 ///
 /// kYMonotone: its y-monotone parts, each cut by its approximate partition.
 ///
 /// REQUIRES: method is not kBian; coordinates within +-2^52.
-/// Errors:   REQUEST_TOO_LARGE for kOptimal with over kMaxOptimalCorners; INTERNAL where CGAL's
-///           pieces are wrong.
-absl::StatusOr<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method);
+std::optional<std::vector<Polygon>> CgalPartition(const Polygon& polygon, DecomposeMethod method);
 
 }  // namespace slicefarm::exposure

@@ -90,6 +90,17 @@ class Cutter {
       : options_(options), cancel_(cancel), result_(result) {}
 
   absl::Status Cut(CutRegion island) {
+    method_ = options_.method;
+    if (absl::Status status = CutAll(std::move(island)); !status.ok()) return status;
+    // What the method could not do is Bian's.
+    method_ = DecomposeMethod::kBian;
+    for (CutRegion& region : std::exchange(left_, {}))
+      if (absl::Status status = CutAll(std::move(region)); !status.ok()) return status;
+    return absl::OkStatus();
+  }
+
+ private:
+  absl::Status CutAll(CutRegion island) {
     std::vector<CutRegion> open;
     open.push_back(std::move(island));
     while (!open.empty()) {
@@ -97,7 +108,7 @@ class Cutter {
       open.pop_back();
       const std::optional<CornerIndex> corner = NextCorner(region);
       if (!corner) {
-        if (absl::Status status = Finish(std::move(region.rings[0])); !status.ok()) return status;
+        Finish(std::move(region));
         continue;
       }
       if (absl::Status status = cancel_.Check(); !status.ok()) return status;
@@ -109,10 +120,9 @@ class Cutter {
     return absl::OkStatus();
   }
 
- private:
   /// Where to cut next; nullopt: the region can be finished.
   std::optional<CornerIndex> NextCorner(const CutRegion& region) const {
-    if (options_.method == DecomposeMethod::kBian) return FirstReflex(region);
+    if (method_ == DecomposeMethod::kBian) return FirstReflex(region);
     if (region.rings.size() > 1) return FirstReflex(region, {1, 0});
     return InsideRepeat(region);
   }
@@ -137,20 +147,23 @@ class Cutter {
     return CutAlong(std::move(region), corner, end);
   }
 
-  absl::Status Finish(Polygon ring) {
-    if (options_.method == DecomposeMethod::kBian) {
+  void Finish(CutRegion region) {
+    Polygon& ring = region.rings[0];
+    if (method_ == DecomposeMethod::kBian) {
       result_.pieces.push_back(std::move(ring));
-      return absl::OkStatus();
+    } else if (auto pieces = CgalPartition(ring, method_)) {
+      std::move(pieces->begin(), pieces->end(), std::back_inserter(result_.pieces));
+    } else {
+      ++result_.counts.replaced;
+      left_.push_back(std::move(region));
     }
-    auto pieces = CgalPartition(ring, options_.method);
-    if (!pieces.ok()) return pieces.status();
-    std::move(pieces->begin(), pieces->end(), std::back_inserter(result_.pieces));
-    return absl::OkStatus();
   }
 
   const DecomposeOptions& options_;
   const CancelToken& cancel_;
   ConvexPieces& result_;
+  DecomposeMethod method_ = DecomposeMethod::kBian;  ///< of the pass
+  std::vector<CutRegion> left_;                      ///< for Bian's
   LinkChoice choice_;
   double greatest_cosine_ = -1;
 };

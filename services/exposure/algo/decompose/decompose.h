@@ -38,11 +38,12 @@ struct ConvexPieces {
 /// another ring is that hole's bridge.
 ///
 /// The others are CGAL's, after the holes were cut open by the same rules; what they return is
-/// checked.
+/// checked. Outlines that they cannot do (cgal_partition.h) are cut by Bian's method instead, and
+/// counted (CutCounts::replaced).
 ///
 /// REQUIRES: coordinates within +-2^52.
 /// Errors:  Cancelled, polled once a cut; REQUEST_MALFORMED for rings that cross themselves or each
-///          other; REQUEST_TOO_LARGE for kOptimal with over 300 corners in one piece.
+///          other, or where islands overlap.
 /// Cost:    kBian: O(n) a reflex corner and the candidates' tests; kOptimal O(n^4) at worst;
 ///          kApproximate and kYMonotone O(n log n).
 absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const DecomposeOptions& options,

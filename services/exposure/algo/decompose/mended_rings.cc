@@ -171,13 +171,41 @@ absl::Status CheckTurns(const MultiPolygon& islands) {
   return absl::OkStatus();
 }
 
+/// Whether a ring that crosses no other lies on an island: in its outer ring, but in none of its
+/// holes.
+bool LiesOn(const Polygon& ring, const PolygonWithHoles& island) {
+  return SideOf(ring, island.outer) == Side::kInside &&
+         std::ranges::none_of(island.holes, [&](const Polygon& hole) {
+           return SideOf(ring, hole).value_or(Side::kInside) == Side::kInside;
+         });
+}
+
+absl::Status CheckApart(const MultiPolygon& islands) {
+  std::vector<std::pair<Box, const PolygonWithHoles*>> boxed;
+  for (const PolygonWithHoles& island : islands) boxed.emplace_back(Bounds(island.outer), &island);
+  std::ranges::stable_sort(boxed, {}, [](const auto& one) { return one.first.min.x; });
+  for (size_t i = 0; i < boxed.size(); ++i) {
+    const auto& [box, island] = boxed[i];
+    for (size_t k = i + 1; k < boxed.size() && boxed[k].first.min.x <= box.max.x; ++k) {
+      const auto& [other_box, other] = boxed[k];
+      if (!box.Intersects(other_box)) continue;
+      if (LiesOn(other->outer, *island)) return Malformed("overlap", other->outer[0]);
+      if (LiesOn(island->outer, *other)) return Malformed("overlap", island->outer[0]);
+    }
+  }
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands) {
   if (absl::Status status = CheckTurns(islands); !status.ok()) return status;
   std::vector<const Polygon*> rings;
   ForEachRing(islands, [&](const Polygon& ring) { rings.push_back(&ring); });
-  if (AreSimple(rings)) return islands;
+  if (AreSimple(rings)) {
+    if (absl::Status status = CheckApart(islands); !status.ok()) return status;
+    return islands;
+  }
   std::vector<Edge> edges;
   for (const Polygon* ring : rings)
     for (size_t i = 0; i < ring->size(); ++i)

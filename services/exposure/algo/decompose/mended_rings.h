@@ -11,7 +11,7 @@ namespace slicefarm::exposure {
 /// touches nothing comes back as it was.
 ///
 /// Errors: REQUEST_MALFORMED, with the place, if edges cross, lie on each other the same way round,
-///         or a ring is turned the wrong way. Exact.
+///         a ring is turned the wrong way, or an island lies in another one. Exact.
 /// Cost:   O(n log n), and the pairs of edges that overlap in x where anything touches.
 absl::StatusOr<MultiPolygon> MendedRings(MultiPolygon islands);
 

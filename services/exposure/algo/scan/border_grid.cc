@@ -8,8 +8,8 @@ namespace slicefarm::exposure {
 namespace {
 
 constexpr int kLeastBits = 16;  ///< 65 um
-constexpr double kSquaresPerEdge = 2;
-constexpr double kLeastSquares = 256;
+constexpr double kSquaresPerEdge = 4;
+constexpr double kLeastSquares = 1024;
 /// What rounding may move.
 constexpr double kRounding = 1;
 
@@ -120,17 +120,9 @@ void BorderGrid::ChooseSquares(double reach_nm) {
                                           most + width / square_ + height / square_;
   };
   while (!is_fine()) ++square_bits_;
+  per_nm_ = 1 / square_;
   columns_ = static_cast<int32_t>((box_.max.x - box_.min.x) >> square_bits_) + 1;
   rows_ = static_cast<int32_t>((box_.max.y - box_.min.y) >> square_bits_) + 1;
-}
-
-bool BorderGrid::Has(Point p) const {
-  return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
-}
-
-BorderGrid::Square BorderGrid::At(PlaneVector p) const {
-  return {std::clamp(static_cast<int32_t>(p.x / square_), 0, columns_ - 1),
-          std::clamp(static_cast<int32_t>(p.y / square_), 0, rows_ - 1)};
 }
 
 template <typename Visit>
@@ -206,17 +198,28 @@ void BorderGrid::FindRoom() {
     for (int32_t column = columns_ - 1; column >= 0; --column) relax(column, row, -1);
 }
 
-Coord BorderGrid::RoomAt(Point p) const {
-  const Square square{static_cast<int32_t>((p.x - box_.min.x) >> square_bits_),
-                      static_cast<int32_t>((p.y - box_.min.y) >> square_bits_)};
-  return (Coord{room_[IndexOf(square)]} - 1) * (Coord{1} << square_bits_);
+bool BorderGrid::IsFarFromBorder(Point a, Point b) const {
+  const Square middle = SquareOf({(a.x + b.x) / 2, (a.y + b.y) / 2});
+  const int32_t room = room_[IndexOf(middle)];
+  const auto is_in_room = [&](Square s) {
+    return std::abs(s.column - middle.column) < room && std::abs(s.row - middle.row) < room;
+  };
+  return is_in_room(SquareOf(a)) && is_in_room(SquareOf(b));
 }
 
 bool BorderGrid::Keeps(Point a, Point b, double distance_nm) const {
   if (!Has(a) || !Has(b)) return false;
-  const Coord span = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
-  if (span / 2 < RoomAt({(a.x + b.x) / 2, (a.y + b.y) / 2})) return true;
-  return KeepsAlong(Local(a), Local(b), distance_nm);
+  if (IsFarFromBorder(a, b)) return true;
+  const PlaneVector from = Local(a), to = Local(b);
+  bool inside = false;
+  return KeepsAlong(from, to, distance_nm, inside) &&
+         (inside || IsInside({(from.x + to.x) / 2, (from.y + to.y) / 2}));
+}
+
+bool BorderGrid::KeepsOn(Point a, Point b, double distance_nm) const {
+  if (!Has(a) || !Has(b)) return false;
+  bool inside = true;
+  return IsFarFromBorder(a, b) || KeepsAlong(Local(a), Local(b), distance_nm, inside);
 }
 
 /// Calls visit(square) for those that a segment passes, until it says false; passes over what has
@@ -224,51 +227,53 @@ bool BorderGrid::Keeps(Point a, Point b, double distance_nm) const {
 template <typename Visit>
 bool BorderGrid::Follow(PlaneVector a, PlaneVector b, Visit visit) const {
   const PlaneVector way = b - a;
-  const double span = std::max(std::abs(way.x), std::abs(way.y));
-  Square at = At(a);
-  const auto leaves = [&](double from, double speed, int32_t index) {
-    if (speed == 0) return std::numeric_limits<double>::infinity();
-    return ((index + (speed > 0 ? 1 : 0)) * square_ - from) / speed;
-  };
-  for (;;) {
+  const PlaneVector per_way{1 / way.x, 1 / way.y};  // infinite across an axis: never left that way
+  const double jump = square_ / std::max(std::abs(way.x), std::abs(way.y));
+  const int32_t ahead_x = way.x >= 0 ? 1 : 0, ahead_y = way.y >= 0 ? 1 : 0;
+  const Square end = At(b);
+  for (Square at = At(a);;) {
     const size_t index = IndexOf(at);
     if (!visit(index)) return false;
-    const double next_x = leaves(a.x, way.x, at.column), next_y = leaves(a.y, way.y, at.row);
-    const double t = std::min(next_x, next_y);
-    if (!(t < 1)) return true;
+    if (at.column == end.column && at.row == end.row) return true;
+    const double next_x = ((at.column + ahead_x) * square_ - a.x) * per_way.x;
+    const double next_y = ((at.row + ahead_y) * square_ - a.y) * per_way.y;
+    const bool leaves_aside = !(next_y <= next_x);
+    const double next = leaves_aside ? next_x : next_y;
+    if (!(next < 1)) return true;
     if (room_[index] > 1) {  // over to where this square knows nothing of
-      const double far = t + (room_[index] - 1) * square_ / span;
+      const double far = next + (room_[index] - 1) * jump;
       if (!(far < 1)) return true;
       at = At({a.x + far * way.x, a.y + far * way.y});
-      continue;
+    } else if (leaves_aside) {
+      at.column += 2 * ahead_x - 1;
+      if (at.column < 0 || at.column >= columns_) return true;
+    } else {
+      at.row += 2 * ahead_y - 1;
+      if (at.row < 0 || at.row >= rows_) return true;
     }
-    if (next_x <= next_y)
-      at.column += way.x > 0 ? 1 : -1;
-    else
-      at.row += way.y > 0 ? 1 : -1;
-    if (at.column < 0 || at.row < 0 || at.column >= columns_ || at.row >= rows_) return true;
   }
 }
 
-bool BorderGrid::KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm) const {
-  bool inside = false;
-  const auto is_left = [&](const Edge& edge, PlaneVector p) {
-    return Dot(edge.inward, p - edge.a) >= distance_nm;
-  };
-  const bool apart = Follow(a, b, [&](size_t square) {
+bool BorderGrid::KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const {
+  const bool touches = distance_nm <= 0;
+  return Follow(a, b, [&](size_t square) {
     const int32_t begin = begin_[square], end = begin_[square + 1];
-    if (begin == end) return inside = room_[square] > 0;
+    if (begin == end) {
+      inside = inside || room_[square] > 0;
+      return room_[square] > 0;
+    }
     bool left_of_all = true;
     for (int32_t i = begin; i < end; ++i) {
       const Edge& edge = edges_[static_cast<size_t>(items_[static_cast<size_t>(i)])];
-      if (is_left(edge, a) && is_left(edge, b)) continue;
+      const double left = std::min(edge.LeftOf(a), edge.LeftOf(b));
+      if (left >= distance_nm) continue;
       left_of_all = false;
+      if (edge.AreBeside(a, b, distance_nm)) continue;
       if (!AreApart(a, b, edge.a, edge.b, distance_nm)) return false;
     }
-    inside = inside || (left_of_all && distance_nm > 0);
+    inside = inside || (left_of_all && !touches);
     return true;
   });
-  return apart && (inside || IsInside({(a.x + b.x) / 2, (a.y + b.y) / 2}));
 }
 
 bool BorderGrid::IsInside(PlaneVector p) const {

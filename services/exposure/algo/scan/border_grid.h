@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -26,6 +27,10 @@ class BorderGrid {
   /// REQUIRES: distance_nm <= reach. Cost: O(1) far from the border.
   bool Keeps(Point a, Point b, double distance_nm) const;
 
+  /// The same where a is known to be inside: of a line, only the first piece need be asked where it
+  /// is.
+  bool KeepsOn(Point a, Point b, double distance_nm) const;
+
   /// Whether the border comes nearer to p than that. REQUIRES: distance_nm <= reach.
   bool IsNear(Point p, double distance_nm) const;
 
@@ -37,21 +42,38 @@ class BorderGrid {
   struct Edge {
     PlaneVector a, b;    ///< from the grid's corner
     PlaneVector inward;  ///< of length 1, at a right angle
+
+    /// How far p lies to the left of the edge's line.
+    double LeftOf(PlaneVector p) const { return Dot(inward, p - a); }
+    /// Whether both places lie that far before the edge, or both behind it: a first look that
+    /// settles most.
+    bool AreBeside(PlaneVector p, PlaneVector q, double distance) const {
+      return std::max(Cross(p - a, inward), Cross(q - a, inward)) <= -distance ||
+             std::min(Cross(p - b, inward), Cross(q - b, inward)) >= distance;
+    }
   };
-  /// From a place to where it may be, in squares along both axes.
   struct Square {
     int32_t column = 0, row = 0;
   };
 
-  bool Has(Point p) const;
-  Square At(PlaneVector p) const;
+  bool Has(Point p) const {
+    return p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
+  }
+  Square At(PlaneVector p) const {
+    return {std::clamp(static_cast<int32_t>(p.x * per_nm_), 0, columns_ - 1),
+            std::clamp(static_cast<int32_t>(p.y * per_nm_), 0, rows_ - 1)};
+  }
+  Square SquareOf(Point p) const {
+    return {static_cast<int32_t>((p.x - box_.min.x) >> square_bits_),
+            static_cast<int32_t>((p.y - box_.min.y) >> square_bits_)};
+  }
   size_t IndexOf(Square s) const { return static_cast<size_t>(s.row) * columns_ + s.column; }
   PlaneVector Local(Point p) const {
     return {static_cast<double>(p.x - box_.min.x), static_cast<double>(p.y - box_.min.y)};
   }
-  /// How far any place in p's square is from squares with border at least; below 0: p is in one.
-  Coord RoomAt(Point p) const;
-  bool KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm) const;
+  bool IsFarFromBorder(Point a, Point b) const;
+  /// Whether a segment keeps away; `inside`: whether it was seen where it is.
+  bool KeepsAlong(PlaneVector a, PlaneVector b, double distance_nm, bool& inside) const;
   bool IsInside(PlaneVector p) const;
 
   template <typename Visit>
@@ -67,6 +89,7 @@ class BorderGrid {
   Box box_;
   int square_bits_ = 0;  ///< a square is 2^bits nm wide
   double square_ = 1;
+  double per_nm_ = 1;  ///< squares; exact, as it is a power of two
   int32_t columns_ = 0, rows_ = 0;
   std::vector<int32_t> begin_;  ///< in items_, by square
   std::vector<int32_t> items_;  ///< edges within reach of the square

@@ -21,10 +21,10 @@ TEST(BorderGrid, OfAFrame) {
   EXPECT_TRUE(keeps(4, 15, 4, 15, 4e6));
   EXPECT_FALSE(keeps(4, 15, 4, 15, 4.000001e6));
   EXPECT_TRUE(keeps(4, 4, 4, 26, 4e6));
-  EXPECT_FALSE(keeps(4, 15, 26, 15, 0));   // over the hole
-  EXPECT_FALSE(keeps(11, 15, 19, 15, 0));  // in it
-  EXPECT_FALSE(keeps(25, 15, 35, 15, 0));  // out
-  EXPECT_FALSE(keeps(-9, 15, -8, 15, 0));  // outside
+  EXPECT_FALSE(keeps(4, 15, 26, 15, 0));      // over the hole
+  EXPECT_FALSE(keeps(11, 15, 19, 15, 0));     // in it
+  EXPECT_FALSE(keeps(25, 15, 35, 15, 0));     // out
+  EXPECT_FALSE(keeps(-9, 15, -8, 15, 0));     // outside
   EXPECT_TRUE(keeps(4, 12, 12, 4, 2.828e6));  // past the hole's corner
   EXPECT_FALSE(keeps(4, 12, 12, 4, 2.829e6));
 }

@@ -19,10 +19,9 @@ struct StrayVector {
   Point from, to;
 };
 
-/// The last check of a region's vectors, which knows nothing of how they came about: contours keep
-/// beam_compensation from the outline, what is inside of them as far as the innermost contour at
-/// least, and thin walls lie in the outline. All of each vector is looked at, against the edges of
-/// the outline itself.
+/// The last check of a region's vectors, which knows nothing of how they came about: thin walls lie
+/// in the outline, all others in it and beam_compensation from it. All of each vector is looked at,
+/// against the edges of the outline itself.
 ///
 /// Vectors may be kStrayNm nearer: outlines are simplified before they are cut into pieces.
 /// nullopt: all are where they may be. Cost: O(edges), and a look or two a vector; a few per cent

@@ -28,13 +28,13 @@ bool Strays(ExposureKind kind, std::vector<Point> line, const ExposureOptions& o
 }
 
 TEST(FindStray, ByKindAndDistance) {
-  // Compensation 0.04, two contours 0.08 apart, hatch 0.08 further in.
-  const std::vector<Point> edge = {At(0.04, 5), At(0.04, 6)};
-  EXPECT_FALSE(Strays(ExposureKind::kContour, edge));
-  EXPECT_TRUE(Strays(ExposureKind::kContour, {At(0.036, 5), At(0.036, 6)}));
-  EXPECT_TRUE(Strays(ExposureKind::kHatch, edge));
-  EXPECT_FALSE(Strays(ExposureKind::kHatch, {At(0.2, 5), At(9.8, 5)}));
-  EXPECT_TRUE(Strays(ExposureKind::kUpskin, {At(0.2, 5), At(9.81, 5)}));
+  for (const ExposureKind kind :
+       {ExposureKind::kContour, ExposureKind::kHatch, ExposureKind::kUpskin}) {
+    EXPECT_FALSE(Strays(kind, {At(0.04, 5), At(0.04, 6)}));
+    EXPECT_TRUE(Strays(kind, {At(0.036, 5), At(0.036, 6)}));
+    EXPECT_FALSE(Strays(kind, {At(0.04, 5), At(9.96, 5)}));
+    EXPECT_TRUE(Strays(kind, {At(0.04, 5), At(9.97, 5)}));
+  }
   EXPECT_FALSE(Strays(ExposureKind::kThinWall, {At(0.001, 5), At(0.001, 6)}));
   EXPECT_TRUE(Strays(ExposureKind::kThinWall, {At(-0.001, 5), At(5, 6)}));
 }
