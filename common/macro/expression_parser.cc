@@ -43,8 +43,14 @@ constexpr std::span<const std::string_view> kLevels[] = {kEqualities, kCompariso
 
 bool StartsName(char c) { return absl::ascii_isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 
-Expression Made(Expression::Kind kind, std::string_view text, std::vector<Expression> parts) {
-  return {.kind = kind, .text = std::string(text), .parts = std::move(parts)};
+Expression Made(Expression::Kind kind, std::string_view text) {
+  return {.kind = kind, .text = std::string(text)};
+}
+
+Expression Made(Expression::Kind kind, std::string_view text, Expression part) {
+  Expression made = Made(kind, text);
+  made.parts.push_back(std::move(part));
+  return made;
 }
 
 Expression LiteralOf(TemplateValue value) {
@@ -66,45 +72,60 @@ class ExpressionParser {
 
  private:
   ParsedExpression ChosenBy(Expression condition) {
-    ParsedExpression yes = Choice();
-    if (!yes.ok()) return yes;
+    Expression choice = Made(Expression::Kind::kChoice, "?");
+    choice.parts.push_back(std::move(condition));
+    if (absl::Status ok = AddPart(choice, Choice()); !ok.ok()) return ok;
     if (!in_.Take(":")) return Malformed("\":\" expected");
-    ParsedExpression no = Choice();
-    if (!no.ok()) return no;
-    return Made(Expression::Kind::kChoice, "?",
-                {std::move(condition), *std::move(yes), *std::move(no)});
+    if (absl::Status ok = AddPart(choice, Choice()); !ok.ok()) return ok;
+    return choice;
   }
 
   ParsedExpression Or() {
-    ParsedExpression left = And();
-    while (left.ok() && (in_.TakeWord("or") || in_.Take("||")))
-      left = Joined(Expression::Kind::kOr, *std::move(left), And());
-    return left;
+    return Logic(Expression::Kind::kOr, "or", "||", [this] { return And(); });
   }
-
   ParsedExpression And() {
-    ParsedExpression left = Binary(0);
-    while (left.ok() && (in_.TakeWord("and") || in_.Take("&&")))
-      left = Joined(Expression::Kind::kAnd, *std::move(left), Binary(0));
-    return left;
+    return Logic(Expression::Kind::kAnd, "and", "&&", [this] { return Chain(0); });
   }
 
-  static ParsedExpression Joined(Expression::Kind kind, Expression left, ParsedExpression right,
-                                 std::string_view text = {}) {
-    if (!right.ok()) return right;
-    return Made(kind, text, {std::move(left), *std::move(right)});
+  template <typename Operand>
+  ParsedExpression Logic(Expression::Kind kind, std::string_view word, std::string_view sign,
+                         const Operand& operand) {
+    ParsedExpression first = operand();
+    if (!first.ok()) return first;
+    Expression logic = Made(kind, word);
+    logic.parts.push_back(*std::move(first));
+    while (in_.TakeWord(word) || in_.Take(sign))
+      if (absl::Status ok = AddPart(logic, operand()); !ok.ok()) return ok;
+    return Single(std::move(logic));
   }
 
-  ParsedExpression Binary(size_t level) {
+  /// A long chain is no deep tree: nobody's template takes the stack.
+  ParsedExpression Chain(size_t level) {
     if (level == std::size(kLevels)) return Unary();
-    ParsedExpression left = Binary(level + 1);
-    while (left.ok()) {
+    ParsedExpression first = Chain(level + 1);
+    if (!first.ok()) return first;
+    Expression chain = Made(Expression::Kind::kChain, {});
+    chain.parts.push_back(*std::move(first));
+    for (;;) {
       const std::string_view op = TakeOneOf(kLevels[level]);
-      if (op.empty()) break;
-      left = Joined(Expression::Kind::kBinary, *std::move(left),
-                    op.back() == '~' ? Pattern() : Binary(level + 1), op);
+      if (op.empty()) return Single(std::move(chain));
+      chain.operators.emplace_back(op);
+      absl::Status ok = AddPart(chain, op.back() == '~' ? Pattern() : Chain(level + 1));
+      if (!ok.ok()) return ok;
     }
-    return left;
+  }
+
+  static absl::Status AddPart(Expression& whole, ParsedExpression part) {
+    if (!part.ok()) return part.status();
+    whole.parts.push_back(*std::move(part));
+    return absl::OkStatus();
+  }
+
+  /// What joins nothing is its only part.
+  static Expression Single(Expression whole) {
+    if (whole.parts.size() > 1) return whole;
+    Expression only = std::move(whole.parts.front());
+    return only;
   }
 
   std::string_view TakeOneOf(std::span<const std::string_view> signs) {
@@ -133,7 +154,7 @@ class ExpressionParser {
   ParsedExpression Around(Expression::Kind kind, std::string_view sign) {
     ParsedExpression inner = Unary();
     if (!inner.ok()) return inner;
-    return Made(kind, sign, {*std::move(inner)});
+    return Made(kind, sign, *std::move(inner));
   }
 
   ParsedExpression Primary() {
@@ -222,7 +243,7 @@ class ExpressionParser {
     const std::string_view name = in_.TakeName();
     if (name.empty()) return in_.Unexpected();
     if (in_.Peek() == '(') return Malformed("unknown function \"" + std::string(name) + "\"");
-    Expression variable = Made(Expression::Kind::kVariable, name, {});
+    Expression variable = Made(Expression::Kind::kVariable, name);
     if (!in_.Take("[")) return variable;
     ParsedExpression index = Choice();
     if (!index.ok()) return index;
@@ -233,7 +254,7 @@ class ExpressionParser {
 
   ParsedExpression Call(const Function& function) {
     if (!in_.Take("(")) return Malformed("\"(\" expected");
-    Expression call = Made(Expression::Kind::kCall, function.name, {});
+    Expression call = Made(Expression::Kind::kCall, function.name);
     do {
       ParsedExpression argument = Choice();
       if (!argument.ok()) return argument;
@@ -250,7 +271,7 @@ class ExpressionParser {
     ParsedExpression variable = Variable();
     if (!variable.ok()) return variable;
     if (!in_.Take(")")) return Malformed("\")\" expected");
-    return Made(Expression::Kind::kCall, name, {*std::move(variable)});
+    return Made(Expression::Kind::kCall, name, *std::move(variable));
   }
 
   /// Its patterns may stand without commas.
@@ -258,14 +279,14 @@ class ExpressionParser {
     if (!in_.Take("(")) return Malformed("\"(\" expected");
     ParsedExpression subject = Unary();
     if (!subject.ok()) return subject;
-    Expression call = Made(Expression::Kind::kCall, "one_of", {*std::move(subject)});
+    Expression call = Made(Expression::Kind::kCall, "one_of", *std::move(subject));
     in_.Take(",");
     while (!in_.Take(")")) {
       const bool slashes = in_.Peek() == '/';
       const bool tilde = !slashes && in_.Take("~");
       ParsedExpression pattern = slashes ? Pattern() : Unary();
       if (!pattern.ok()) return pattern;
-      if (slashes || tilde) pattern = Made(Expression::Kind::kPattern, "~", {*std::move(pattern)});
+      if (slashes || tilde) pattern = Made(Expression::Kind::kPattern, "~", *std::move(pattern));
       call.parts.push_back(*std::move(pattern));
       in_.Take(",");
     }
@@ -277,7 +298,7 @@ class ExpressionParser {
     if (!in_.Take("(")) return Malformed("\"(\" expected");
     ParsedExpression x = Unary();
     if (!x.ok()) return x;
-    Expression call = Made(Expression::Kind::kCall, "interpolate_table", {*std::move(x)});
+    Expression call = Made(Expression::Kind::kCall, "interpolate_table", *std::move(x));
     if (!in_.Take(",")) return Malformed("\",\" expected");
     while (in_.Take("(")) {
       for (const std::string_view after : {",", ")"}) {
@@ -302,8 +323,14 @@ class ExpressionParser {
 absl::Status Malformed(const std::string& what) { return absl::InvalidArgumentError(what); }
 
 int32_t TemplateScanner::Line() const {
-  return 1 + static_cast<int32_t>(
-                 std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(at_), '\n'));
+  const auto breaks = [&](size_t from, size_t to) {
+    const auto begin = text_.begin();
+    return static_cast<int32_t>(
+        std::count(begin + static_cast<ptrdiff_t>(from), begin + static_cast<ptrdiff_t>(to), '\n'));
+  };
+  line_ += at_ >= line_at_ ? breaks(line_at_, at_) : -breaks(at_, line_at_);
+  line_at_ = at_;
+  return line_;
 }
 
 void TemplateScanner::SkipBlanks() {

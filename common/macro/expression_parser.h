@@ -37,6 +37,8 @@ class TemplateScanner {
 
   std::string_view text_;
   size_t at_ = 0;
+  mutable int32_t line_ = 1;  ///< at line_at_: lines are counted once
+  mutable size_t line_at_ = 0;
 };
 
 /// A parsed part, or why it is none.

@@ -96,8 +96,8 @@ absl::StatusOr<TemplateValue> ExpressionValue::Evaluate(const Expression& expres
       return Signed(expression);
     case Expression::Kind::kNot:
       return Not(expression);
-    case Expression::Kind::kBinary:
-      return Binary(expression);
+    case Expression::Kind::kChain:
+      return Chain(expression);
     case Expression::Kind::kAnd:
     case Expression::Kind::kOr:
       return Logic(expression);
@@ -176,31 +176,34 @@ absl::StatusOr<TemplateValue> ExpressionValue::Not(const Expression& expression)
   return TemplateValue(!*truth);
 }
 
-absl::StatusOr<TemplateValue> ExpressionValue::Binary(const Expression& expression) {
-  Result left = Evaluate(expression.parts[0]);
-  if (!left.ok()) return left;
-  const Result right = Evaluate(expression.parts[1]);
-  if (!right.ok()) return right;
-  if (IsUnknown(*left) || IsUnknown(*right)) return TemplateValue(Unknown{});
-  return Apply(expression.text, *std::move(left), *right);
+absl::StatusOr<TemplateValue> ExpressionValue::Chain(const Expression& expression) {
+  Result value = Evaluate(expression.parts[0]);
+  for (size_t i = 1; value.ok() && i < expression.parts.size(); ++i) {
+    const Result right = Evaluate(expression.parts[i]);
+    if (!right.ok()) return right;
+    if (IsUnknown(*value) || IsUnknown(*right)) {
+      value = TemplateValue(Unknown{});
+    } else {
+      value = Apply(expression.operators[i - 1], *std::move(value), *right);
+    }
+  }
+  return value;
 }
 
-/// The operand on the right counts only if the left one does not decide.
+/// What follows the part that decides does not count.
 absl::StatusOr<TemplateValue> ExpressionValue::Logic(const Expression& expression) {
   const bool decisive = expression.kind == Expression::Kind::kOr;
-  const Result left = Evaluate(expression.parts[0]);
-  if (!left.ok()) return left;
-  const bool open = IsUnknown(*left);
-  if (!open) {
-    const auto truth = Truth(*left);
+  bool open = false;
+  for (const Expression& part : expression.parts) {
+    const Result value = Evaluate(part);
+    if (!value.ok()) return value;
+    open = open || IsUnknown(*value);
+    if (IsUnknown(*value)) continue;
+    const auto truth = Truth(*value);
     if (!truth.ok()) return truth.status();
     if (*truth == decisive) return TemplateValue(decisive);
   }
-  const Result right = Evaluate(expression.parts[1]);
-  if (!right.ok() || IsUnknown(*right)) return right;
-  const auto truth = Truth(*right);
-  if (!truth.ok()) return truth.status();
-  return open && *truth != decisive ? TemplateValue(Unknown{}) : TemplateValue(*truth);
+  return open ? TemplateValue(Unknown{}) : TemplateValue(!decisive);
 }
 
 absl::StatusOr<TemplateValue> ExpressionValue::Choice(const Expression& expression) {

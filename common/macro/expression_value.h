@@ -47,7 +47,7 @@ class ExpressionValue {
   Result ValueOf(const Expression& variable);
   Result Signed(const Expression& expression);
   Result Not(const Expression& expression);
-  Result Binary(const Expression& expression);
+  Result Chain(const Expression& expression);
   Result Logic(const Expression& expression);
   Result Choice(const Expression& expression);
   Result Call(const Expression& expression);

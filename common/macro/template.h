@@ -18,8 +18,8 @@ struct Expression {
     kVariable,  ///< `text`, with an index if there is a part
     kSign,      ///< `text` is "-" or "+"
     kNot,
-    kBinary,  ///< `text` is the operator; of =~ and !~ the second part is the pattern, a literal
-    kAnd,
+    kChain,  ///< parts from left to right, `operators` between them; after =~ and !~ a literal
+    kAnd,    ///< of all parts
     kOr,
     kChoice,   ///< condition ? yes : no
     kCall,     ///< `text` is the function
@@ -28,10 +28,9 @@ struct Expression {
   Kind kind = Kind::kLiteral;
   std::string text = {};
   TemplateValue value = {};
+  std::vector<std::string> operators = {};
   std::vector<Expression> parts = {};
 };
-
-struct Branch;
 
 /// A piece of a template.
 struct Statement {
@@ -42,7 +41,8 @@ struct Statement {
     kAssign,  ///< variable `text`, or its item `index`
     kLocal,
     kGlobal,
-    kIf,  ///< `branches`
+    kIf,      ///< each of `body` is a branch
+    kBranch,  ///< {if c}, {elsif c} or, without `values`, {else}, with its `body`
   };
   /// What is assigned.
   enum class Right { kValue, kList, kRepeat /* values: count, value */ };
@@ -52,13 +52,6 @@ struct Statement {
   std::string text = {};
   std::vector<Expression> values = {};
   std::vector<Expression> index = {};  ///< none or one
-  std::vector<Branch> branches = {};
-};
-
-/// {if c}, {elsif c} or {else} with what stands in it.
-struct Branch {
-  std::vector<Expression> condition = {};  ///< none: else
-  int32_t line = 1;
   std::vector<Statement> body = {};
 };
 

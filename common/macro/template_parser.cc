@@ -95,7 +95,9 @@ class TemplateParser {
       if (absl::Status ok = Conditional(statement); !ok.ok()) return ok;
     } while (in_.TakeWord("elsif"));
     if (in_.TakeWord("else")) {
-      if (absl::Status ok = Part(statement, {.line = in_.Line()}); !ok.ok()) return ok;
+      if (absl::Status ok = Part(statement, {.kind = Statement::Kind::kBranch, .line = in_.Line()});
+          !ok.ok())
+        return ok;
     }
     --depth_;
     if (in_.TakeWord("endif")) return statement;
@@ -106,17 +108,17 @@ class TemplateParser {
 
   /// A condition with what it guards.
   absl::Status Conditional(Statement& statement) {
-    Branch branch = {.line = in_.Line()};
+    Statement branch = {.kind = Statement::Kind::kBranch, .line = in_.Line()};
     auto condition = ParseExpression(in_, depth_);
     if (!condition.ok()) return condition.status();
-    branch.condition.push_back(*std::move(condition));
+    branch.values.push_back(*std::move(condition));
     if (in_.Peek() != '}' && !in_.TakeWord("then"))
       return in_.AtEnd() ? Malformed("\"{\" without \"}\"") : in_.Unexpected();
     return Part(statement, std::move(branch));
   }
 
   /// }text{ or statements, up to the word that ends it.
-  absl::Status Part(Statement& statement, Branch branch) {
+  absl::Status Part(Statement& statement, Statement branch) {
     if (in_.Take("}")) {
       ParsedBody body = TextBlock();
       if (!body.ok()) return body.status();
@@ -129,7 +131,7 @@ class TemplateParser {
         if (absl::Status ok = OneOfCode(branch.body, any); !ok.ok()) return ok;
       }
     }
-    statement.branches.push_back(std::move(branch));
+    statement.body.push_back(std::move(branch));
     return absl::OkStatus();
   }
 
@@ -259,17 +261,14 @@ void AddNames(const Body& body, std::set<std::string>& names) {
     }
     AddNames(statement.values, names);
     AddNames(statement.index, names);
-    for (const Branch& branch : statement.branches) {
-      AddNames(branch.condition, names);
-      AddNames(branch.body, names);
-    }
+    AddNames(statement.body, names);
   }
 }
 
 void AddGlobals(const Body& body, std::set<std::string>& names) {
   for (const Statement& statement : body) {
     if (statement.kind == Statement::Kind::kGlobal) names.insert(statement.text);
-    for (const Branch& branch : statement.branches) AddGlobals(branch.body, names);
+    AddGlobals(statement.body, names);
   }
 }
 

@@ -94,10 +94,10 @@ class Runner {
   }
 
   absl::Status RunIf(const Statement& statement) {
-    for (const Branch& branch : statement.branches) {
+    for (const Statement& branch : statement.body) {
       line_ = branch.line;
-      if (branch.condition.empty()) return RunAll(branch.body);
-      const auto condition = names_.Evaluate(branch.condition[0]);
+      if (branch.values.empty()) return RunAll(branch.body);
+      const auto condition = names_.Evaluate(branch.values[0]);
       if (!condition.ok()) return condition.status();
       if (IsUnknown(*condition)) {
         // It may be taken, or one of those after it.

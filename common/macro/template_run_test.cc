@@ -292,6 +292,18 @@ TEST(ExpandTemplate, WhatComesOutIsBounded) {
   EXPECT_TRUE(ExpandTemplate("layer_gcode", "{if false}" + printed + "{endif}", variables).ok());
 }
 
+/// However long, an expression takes no stack.
+TEST(ExpandTemplate, LongExpressionsEnd) {
+  for (const char* joint : {"+1", " and true", " or false", "*1", "==1"}) {
+    std::string text = std::string(joint)[0] == ' ' ? "{true" : "{1";
+    while (text.size() < 60'000) text += joint;
+    (void)ExpandTemplate("g", text + "}", {});
+  }
+  std::string sum = "{0";
+  for (int i = 0; i < 30'000; ++i) sum += "+1";
+  EXPECT_EQ(*ExpandTemplate("g", sum + "}", {}), "30000");
+}
+
 /// Texts that double and lists of millions end soon.
 TEST(ExpandTemplate, WhatItTakesIsBounded) {
   std::string doubling = "{local a = \"xxxxxxxxxxxxxxxx\"";
