@@ -17,12 +17,9 @@ namespace {
 constexpr double kWidthPerNozzle = 1.125;  // of a bead whose width nobody set
 
 constexpr std::string_view kSpeeds[] = {
-    "perimeter_speed",        "external_perimeter_speed",
-    "small_perimeter_speed",  "infill_speed",
-    "solid_infill_speed",     "top_solid_infill_speed",
-    "gap_fill_speed",         "bridge_speed",
-    "support_material_speed", "support_material_interface_speed",
-    "ironing_speed",
+    "perimeter_speed",        "external_perimeter_speed", "small_perimeter_speed", "infill_speed",
+    "solid_infill_speed",     "top_solid_infill_speed",   "gap_fill_speed",        "bridge_speed",
+    "support_material_speed", "support_material_interface_speed", "ironing_speed",
 };
 
 /// Sparse infill whose lines run over each other in one layer.

@@ -24,7 +24,7 @@ constexpr double kLeastShare = 0.95;
 /// Lengths are of points before they are rounded.
 constexpr double kLengthSlackUm = 2;
 /// Places in whole um are so near to others.
-constexpr double kRoundingUm = 0.75;
+constexpr double kWholeUm = 0.75;
 /// A corner turns by more than 30 degrees; it stays where it is.
 constexpr double kCornerCosine = 0.866;
 constexpr double kNmPerUm = 1000;
@@ -32,36 +32,36 @@ constexpr double kNmPerUm = 1000;
 constexpr double kSlackUm = 1e-3;
 
 /// Um.
-struct Vector {
+struct UmVector {
   double x = 0;
   double y = 0;
 
-  friend bool operator==(const Vector&, const Vector&) = default;
+  friend bool operator==(const UmVector&, const UmVector&) = default;
 };
 
-Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-double Cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
-double Dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-double Length(Vector a) { return std::sqrt(Dot(a, a)); }
+UmVector operator-(UmVector a, UmVector b) { return {a.x - b.x, a.y - b.y}; }
+double Cross(UmVector a, UmVector b) { return a.x * b.y - a.y * b.x; }
+double Dot(UmVector a, UmVector b) { return a.x * b.x + a.y * b.y; }
+double Length(UmVector a) { return std::sqrt(Dot(a, a)); }
 
 /// A place to which the path leads in the text. What leads there is said of the way from the node
 /// before.
 struct Node {
-  Point point;   ///< of the path
-  Vector place;  ///< whole um
+  Point point;     ///< of the path
+  UmVector place;  ///< whole um
   Coord width_nm = 0;
   double along = 0;  ///< length from the start, um
   double area = 0;   ///< width times length, from the start
   /// Where a bead may end instead, outside of the curve: beads that run on either side of it are
   /// longer. The same as `place` at corners and ends.
-  Vector outside;
+  UmVector outside;
 };
 
 /// Nodes of a path, its start once more at the end of a closed one.
 std::vector<Node> NodesOf(const Path& path) {
   const auto node_at = [&](size_t i, Coord width_nm, double along, double area) {
     const Point point = path.points[i];
-    const Vector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
+    const UmVector place = {static_cast<double>(ToUm(point.x)), static_cast<double>(ToUm(point.y))};
     return Node{point, place, width_nm, along, area, place};
   };
   const size_t count = path.points.size();
@@ -84,15 +84,15 @@ std::vector<Node> NodesOf(const Path& path) {
 
 /// Says where beads may end outside of curves.
 void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
-  const double away = tolerance_um - kRoundingUm;
+  const double away = tolerance_um - kWholeUm;
   if (away <= 0) return;
   for (size_t i = 1; i + 1 < nodes.size(); ++i) {
-    const Vector in = nodes[i].place - nodes[i - 1].place;
-    const Vector out = nodes[i + 1].place - nodes[i].place;
+    const UmVector in = nodes[i].place - nodes[i - 1].place;
+    const UmVector out = nodes[i + 1].place - nodes[i].place;
     const double in_length = Length(in), out_length = Length(out), turn = Cross(in, out);
     if (turn == 0 || Dot(in, out) < kCornerCosine * in_length * out_length) continue;
-    const Vector mean = {in.x / in_length + out.x / out_length,
-                         in.y / in_length + out.y / out_length};
+    const UmVector mean = {in.x / in_length + out.x / out_length,
+                           in.y / in_length + out.y / out_length};
     const double share = away / Length(mean) * (turn > 0 ? 1 : -1);
     nodes[i].outside.x += std::round(mean.y * share);
     nodes[i].outside.y -= std::round(mean.x * share);
@@ -103,20 +103,20 @@ void FindOutsides(double tolerance_um, std::vector<Node>& nodes) {
 class Cone {
  public:
   /// Leaves those that pass the disc around `centre`, seen from the point, which lies outside.
-  void Narrow(Vector centre, double radius) {
+  void Narrow(UmVector centre, double radius) {
     if (!told_) axis_ = centre;
     told_ = true;
     // Tangents, as long as they come.
     const double c = std::sqrt(Dot(centre, centre) - radius * radius);
-    const Vector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
-    const Vector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
+    const UmVector right = {centre.x * c + centre.y * radius, centre.y * c - centre.x * radius};
+    const UmVector left = {centre.x * c - centre.y * radius, centre.y * c + centre.x * radius};
     least_ = std::max(least_, SlopeOf(right));
     most_ = std::min(most_, SlopeOf(left));
   }
 
   bool Empty() const { return !(least_ < most_); }
 
-  bool Holds(Vector direction) const {
+  bool Holds(UmVector direction) const {
     if (!told_) return true;
     const double ahead = Dot(axis_, direction);
     const double slope = Cross(axis_, direction) / ahead;
@@ -128,14 +128,14 @@ class Cone {
 
   /// Tangent of the angle from the axis, without end where that is a right one or more. So a cone
   /// that lies behind leaves nothing.
-  double SlopeOf(Vector direction) const {
+  double SlopeOf(UmVector direction) const {
     const double ahead = Dot(axis_, direction), aside = Cross(axis_, direction);
     if (ahead > 0) return aside / ahead;
     return aside > 0 ? kInfinity : -kInfinity;
   }
 
   bool told_ = false;
-  Vector axis_;  ///< the first disc's direction, which all others are seen from
+  UmVector axis_;  ///< the first disc's direction, which all others are seen from
   double least_ = -kInfinity;
   double most_ = kInfinity;
 };
@@ -144,7 +144,7 @@ class Cone {
 class Reach {
  public:
   /// `begin`: where they begin.
-  Reach(const Node& from, Vector begin, double tolerance_um)
+  Reach(const Node& from, UmVector begin, double tolerance_um)
       : from_(from), begin_(begin), tolerance_um_(tolerance_um) {}
 
   /// Goes on to the next node.
@@ -160,8 +160,8 @@ class Reach {
 
   /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
   /// last; nothing if it may not stand for them.
-  std::optional<double> DeviationTo(Vector end) const {
-    const Vector way = end - begin_;
+  std::optional<double> DeviationTo(UmVector end) const {
+    const UmVector way = end - begin_;
     const double squared = Dot(way, way);
     if (!even_ || squared == 0 || squared < farthest_ || !cone_.Holds(way)) return std::nullopt;
     const double least = std::max(0.0, kLeastShare * length_ - kLengthSlackUm);
@@ -170,8 +170,8 @@ class Reach {
   }
 
   /// Lets beads pass the node taken last. False if none may.
-  bool Pass(Vector place) {
-    const Vector way = place - begin_;
+  bool Pass(UmVector place) {
+    const UmVector way = place - begin_;
     const double squared = Dot(way, way);
     farthest_ = std::max(farthest_, squared);
     if (squared > tolerance_um_ * tolerance_um_) cone_.Narrow(way, tolerance_um_);
@@ -183,7 +183,7 @@ class Reach {
 
  private:
   const Node& from_;
-  const Vector begin_;
+  const UmVector begin_;
   const double tolerance_um_;
   Cone cone_;
   Coord narrowest_ = std::numeric_limits<Coord>::max();
@@ -201,7 +201,7 @@ struct Stop {
   bool on_arc = false;  ///< the bead is a piece of an arc
 };
 
-Vector PlaceOf(const Node& node, bool outside) { return outside ? node.outside : node.place; }
+UmVector EndAt(const Node& node, bool outside) { return outside ? node.outside : node.place; }
 
 /// The best way to a stop that is known.
 struct Way {
@@ -244,7 +244,7 @@ class FewestBeads {
   const Way& WayTo(Stop stop) const { return ways_[stop.node][stop.outside]; }
 
   void GoOnFrom(Stop from) {
-    Reach reach(nodes_[from.node], PlaceOf(nodes_[from.node], from.outside), tolerance_um_);
+    Reach reach(nodes_[from.node], EndAt(nodes_[from.node], from.outside), tolerance_um_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
     const size_t beads = WayTo(from).beads + 1;
     for (size_t i = from.node + 1; i < end; ++i) {
@@ -261,7 +261,7 @@ class FewestBeads {
   void Improve(Stop stop, Stop from, std::optional<double> deviation) {
     if (!deviation) return;
     const Node& node = nodes_[stop.node];
-    const Vector away = PlaceOf(node, stop.outside) - node.place;
+    const UmVector away = EndAt(node, stop.outside) - node.place;
     const Way& before = WayTo(from);
     const Way way = {before.beads + 1, before.deviation + *deviation + Dot(away, away), from};
     Way& best = ways_[stop.node][stop.outside];

@@ -153,6 +153,7 @@ TEST(Simplified, Lines) {
       {"there and back", "(0 0, 5 0, 0 0)", "(0 0, 5 0, 0 0)"},
       {"spike", "(0 0, 2 0, 2 0.5, 2 0, 5 0)", "(0 0, 2 0, 2 0.5, 2 0, 5 0)"},
       {"spike along the line", "(0 0, 4 0, 3 0, 5 0)", "(0 0, 4 0, 3 0, 5 0)"},
+      {"beyond the end and back", "(0 0, 5 0, 4.94 0)", "(0 0, 5 0, 4.94 0)"},
       {"small spike", "(0 0, 2 0, 2 0.01, 2 0, 5 0)", "(0 0, 5 0)"},
   };
   for (const LineCase& c : cases) {
