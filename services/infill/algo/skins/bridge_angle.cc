@@ -44,6 +44,7 @@ struct Span {
   double counted = 0;  ///< as so long
   double length = 0;
   bool held = false;
+  int tenths_held = 0;  ///< of all lines by length, ends of both sides on something
 };
 
 /// The span that nine tenths of the lines, by length, do not exceed; those that end in air count
@@ -51,7 +52,7 @@ struct Span {
 /// longer ones between. Infinite if no line meets the spans.
 Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
   std::vector<Span> found;
-  double total = 0;
+  double total = 0, total_held = 0;
   for (int32_t line = 0; line < spans.LineCount(); ++line) {
     const double v = spans.first_v + line * spans.pitch;
     const int64_t same = std::llround((v - supports.first_v) / supports.pitch);
@@ -61,14 +62,30 @@ Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
       const bool held = HasNear(borne, ends[i]) && HasNear(borne, ends[i + 1]);
       found.push_back({held ? span : kInAir * span, span, held});
       total += span;
+      if (held) total_held += span;
     }
   }
   std::ranges::sort(found, {}, [](const Span& s) { return std::pair(s.counted, s.length); });
   double length = 0;
-  for (const Span& span : found)
+  for (Span& span : found) {
+    span.tenths_held = static_cast<int>(10 * total_held / total);
     if ((length += span.length) >= kTypical * total) return span;
+  }
   return {.counted = std::numeric_limits<double>::infinity()};
 }
+
+/// The best of directions.
+struct Choice {
+  int tenths_held = 0;
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<BridgeSpan> best = {};
+
+  void Consider(const Span& span, double angle_rad) {
+    if (span.counted >= (1 - kRounding) * least) return;
+    least = span.counted;
+    best = {angle_rad, span.held};
+  }
+};
 
 }  // namespace
 
@@ -81,18 +98,19 @@ std::optional<BridgeSpan> BridgeAngle(const PolygonWithHoles& region, const Mult
   const double size =
       Hypot(static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y));
   const double pitch = std::max(static_cast<double>(width_nm), size / kMaxSamples);
-  std::optional<BridgeSpan> best;
-  double least = std::numeric_limits<double>::infinity();
+  Choice all, most_held;
+  bool any_held = false;
   for (int i = 0; i < kDirections; ++i) {
     const LineFamily family{i * std::numbers::pi / kDirections, pitch / 2, pitch};
     const auto over_air = CutLines(spans, family), borne = CutLines(supports, family);
     if (!over_air.ok() || !borne.ok()) continue;
     const Span span = TypicalSpan(*over_air, *borne);
-    if (span.counted >= (1 - kRounding) * least) continue;
-    least = span.counted;
-    best = {family.angle_rad, span.held};
+    any_held |= span.held;
+    all.Consider(span, family.angle_rad);
+    if (span.tenths_held > most_held.tenths_held) most_held = {.tenths_held = span.tenths_held};
+    if (span.tenths_held == most_held.tenths_held) most_held.Consider(span, family.angle_rad);
   }
-  return best;
+  return any_held ? all.best : most_held.best;
 }
 
 }  // namespace slicefarm::infill

@@ -13,8 +13,9 @@ struct BridgeSpan {
 };
 
 /// The direction in which lines over `region` had best span what `below` does not bear: that with
-/// the least span for nine tenths of the lines, where spans that end in air count tenfold. Nothing
-/// if no part of the region is borne, or all of it: any direction will do.
+/// the least span for nine tenths of the lines, where spans that end in air count tenfold. Where no
+/// direction has nine tenths of the lines on something at both ends, that with the most of them (in
+/// tenths) first. Nothing if no part of the region is borne, or all of it: any direction will do.
 ///
 /// Tries 36 directions. Cost: two boolean operations, and O(n) a direction.
 /// Source: the idea is Slic3r's bridge detector (lines with both ends on an anchor).
