@@ -89,9 +89,10 @@ LinesByLayer LinesOf(FillPattern pattern, const InfillPlanOptions& options,
                      const ObjectStack& stack, const SparsePlaces& places) {
   if (options.density <= 0 || !InfoOf(pattern).planned) return LinesByLayer(stack.size());
   if (pattern != FillPattern::kLightning) return OctreeLines(pattern, options, stack);
-  return LightningLines(
-      stack, places.areas, places.roofs,
-      {.radius_nm = PitchOf(options, stack), .beyond_nm = static_cast<double>(options.width_nm)});
+  const double radius = PitchOf(options, stack);
+  const auto hollow = HollowAreas(stack, places.areas, options.walls_nm, std::llround(radius));
+  return LightningLines(stack, hollow, RoofsOf(hollow),
+                        {.radius_nm = radius, .beyond_nm = static_cast<double>(options.width_nm)});
 }
 
 }  // namespace

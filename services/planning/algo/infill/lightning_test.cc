@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <random>
 
+#include "common/geometry/boolean/boolean.h"
 #include "common/geometry/boolean/random_islands_test.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
@@ -16,6 +19,8 @@ namespace slicefarm::planning::lightning_test {
 namespace {
 
 constexpr double kRadius = 2e6;
+constexpr Coord kWalls = 1'000'000;
+constexpr int kSkins = 3;
 
 double NearestLine(Point p, const std::vector<Polyline>& lines) {
   double nearest = 1e18;
@@ -34,7 +39,8 @@ struct Sample {
 
 Sample SampleOf(ObjectStack stack) {
   Sample sample{std::move(stack), {}, {}, {}};
-  sample.areas = SparseAreas(sample.stack, {1'000'000, 3, 3});
+  sample.areas = HollowAreas(sample.stack, SparseAreas(sample.stack, {kWalls, kSkins, kSkins}),
+                             kWalls, std::llround(kRadius));
   sample.roofs = RoofsOf(sample.areas);
   sample.lines = LightningLines(sample.stack, sample.areas, sample.roofs, {kRadius, 0});
   return sample;
@@ -112,6 +118,101 @@ TEST(LightningLines, LieInsideAndVanishDownwards) {
   for (const Polyline& line : box.lines[10]) bottom += Length(line);
   EXPECT_GT(top, 100e6);
   EXPECT_EQ(bottom, 0);  // 27 mm below a roof of 28 mm
+}
+
+/// Pixels of 0.25 mm over a plate of 32 mm, which share nothing with polygons and their offsets.
+class Raster {
+ public:
+  static constexpr int kSide = 128;
+  static constexpr double kPixel = 0.25e6;
+
+  explicit Raster(const std::function<bool(Point)>& is_set) {
+    for (int k = 0; k < kSide * kSide; ++k) cells_.push_back(is_set(MiddleOf(k)));
+  }
+  static Point MiddleOf(int k) {
+    return {std::llround((k % kSide + 0.5) * kPixel) - 1'000'000,
+            std::llround((k / kSide + 0.5) * kPixel) - 1'000'000};
+  }
+  bool operator[](int k) const { return cells_[static_cast<size_t>(k)] != 0; }
+
+  /// Distance from a pixel to the nearest that is set (or is not), up to `most`.
+  double Away(int k, double most, bool set = true) const {
+    double nearest = most;
+    const int reach = static_cast<int>(most / kPixel) + 1, x = k % kSide, y = k / kSide;
+    for (int j = std::max(0, y - reach); j <= std::min(kSide - 1, y + reach); ++j)
+      for (int i = std::max(0, x - reach); i <= std::min(kSide - 1, x + reach); ++i)
+        if ((*this)[j * kSide + i] == set)
+          nearest = std::min(nearest, kPixel * std::hypot(i - x, j - y));
+    return nearest;
+  }
+  Raster Where(const std::function<bool(int)>& is_set) const {
+    Raster result = *this;
+    for (int k = 0; k < kSide * kSide; ++k) result.cells_[static_cast<size_t>(k)] = is_set(k);
+    return result;
+  }
+  /// What discs of a diameter cover that lie in the set pixels.
+  Raster Opened(double diameter) const {
+    const double radius = diameter / 2;
+    const Raster core =
+        Where([&](int k) { return (*this)[k] && Away(k, radius, false) >= radius; });
+    return Where([&](int k) { return (*this)[k] && core.Away(k, radius + kPixel) < radius; });
+  }
+
+ private:
+  std::vector<char> cells_;
+};
+
+/// Plates of 30 mm whose tops lie open along a slot that widens upwards, by so much a layer; and a
+/// plate with a pit that a ramp leads into.
+std::vector<ObjectStack> Decks() {
+  std::vector<ObjectStack> decks;
+  for (const double widens : {0.3, 0.6, 0.9, 1.4}) {
+    decks.push_back(StackOf(34, [&](int i) {
+      const MultiPolygon plate = MakePolygonsOrDie("(0 0, 30 0, 30 30, 0 30)");
+      if (i < 20) return plate;
+      const Coord from = FromMm(9), to = from + FromMm(widens) * (i - 19);
+      return Difference(
+          plate,
+          {{{{from, FromMm(6)}, {to, FromMm(6)}, {to, FromMm(24)}, {from, FromMm(24)}}, {}}});
+    }));
+  }
+  return decks;
+}
+
+// By pixels: whatever is solid over what is not lies within what the README says of a wall, a line,
+// or solid infill that is as wide as lines are apart; narrower strips may be missing.
+TEST(LightningLines, CarrySkinsOfSlopesByARastersMeasure) {
+  for (const ObjectStack& stack : Decks()) {
+    const Sample sample = SampleOf(stack);
+    const auto inner = [&](size_t i) {
+      const Raster whole([&](Point p) { return Inside(p, stack[i].whole); });
+      return whole.Where([&](int k) {
+        return whole[k] && whole.Away(k, kWalls + Raster::kPixel, false) > kWalls;
+      });
+    };
+    const auto solid = [&](size_t i) {
+      const Raster here = inner(i);
+      return here.Where([&](int k) {
+        if (!here[k]) return false;
+        for (size_t j = i - kSkins; j <= i + kSkins; ++j)
+          if (j >= stack.size() || !Inside(Raster::MiddleOf(k), stack[j].whole)) return true;
+        return false;
+      });
+    };
+    int looked_at = 0;
+    for (size_t i = 14; i + 5 < stack.size(); ++i) {
+      const Raster room = inner(i), wide = solid(i).Opened(kRadius), above = solid(i + 1);
+      const Raster carries = room.Where([&](int k) { return !room[k] || wide[k]; });
+      for (int k = 0; k < Raster::kSide * Raster::kSide; ++k) {
+        if (!above[k] || carries[k]) continue;
+        ++looked_at;
+        const double most = 1.75 * kRadius;
+        if (carries.Away(k, most) < most) continue;
+        EXPECT_LE(NearestLine(Raster::MiddleOf(k), sample.lines[i]), most + Raster::kPixel) << i;
+      }
+    }
+    EXPECT_GT(looked_at, 500);
+  }
 }
 
 TEST(LightningLines, AreTheSameEachTime) {

@@ -8,6 +8,9 @@
 namespace slicefarm::planning {
 namespace {
 
+/// What offsets to and fro may lack of the edge that they came from.
+constexpr Coord kRoundedNm = 10'000;
+
 using Outlines = MultiPolygon StackLayer::*;
 
 /// What is left of `area` below (or above) `count` layers' `outlines`. In a prism all are equal.
@@ -36,6 +39,23 @@ std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, const SkinRules&
     areas.push_back(Covered(std::move(area), stack, outlines, i, -1, rules.bottom_solid_layers));
   }
   return areas;
+}
+
+std::vector<MultiPolygon> HollowAreas(const ObjectStack& stack,
+                                      const std::vector<MultiPolygon>& areas, Coord walls_nm,
+                                      Coord least_nm) {
+  std::vector<MultiPolygon> hollow;
+  hollow.reserve(areas.size());
+  for (size_t i = 0; i < areas.size(); ++i) {
+    const MultiPolygon inner = FastOffset(stack[i].region, -walls_nm);
+    const MultiPolygon solid = areas[i] == inner ? MultiPolygon{} : Difference(inner, areas[i]);
+    const MultiPolygon core = FastOffset(solid, -least_nm / 2);
+    hollow.push_back(solid.empty() ? areas[i]
+                     : core.empty()
+                         ? inner
+                         : Difference(inner, FastOffset(core, least_nm / 2 + kRoundedNm)));
+  }
+  return hollow;
 }
 
 std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas) {

@@ -25,4 +25,12 @@ std::vector<MultiPolygon> SparseAreas(const ObjectStack& stack, const SkinRules&
 /// `areas`: as SparseAreas gives them.
 std::vector<MultiPolygon> RoofsOf(const std::vector<MultiPolygon>& areas);
 
+/// Where nothing but walls and sparse infill is sure to carry what lies above: `areas`, and beside
+/// them solid infill narrower than `least_nm`. On slopes that is a strip of each layer's, which
+/// rests on the strip below or is none of the infill stage's.
+/// `areas`: as SparseAreas gives them. Cost: O(n log n) for each layer that has both.
+std::vector<MultiPolygon> HollowAreas(const ObjectStack& stack,
+                                      const std::vector<MultiPolygon>& areas, Coord walls_nm,
+                                      Coord least_nm);
+
 }  // namespace slicefarm::planning

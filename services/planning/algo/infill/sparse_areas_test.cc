@@ -45,5 +45,23 @@ TEST(SparseAreas, WithoutSkinsAllInsideOfTheWalls) {
   EXPECT_TRUE(SparseAreas({}, {}).empty());
 }
 
+// Strips of a slope are none that carry, until they are as wide as asked for.
+TEST(HollowAreas, TakeInNarrowSolidInfill) {
+  const ObjectStack stack = StackOf(30, [](int i) {
+    const MultiPolygon plate = MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20)");
+    return i < 20 ? plate : MakePolygonsOrDie("(0 0, 20 0, 20 20, 0 20) (8 8, 8 12, 10 12, 10 8)");
+  });
+  const auto areas = SparseAreas(stack, {FromMm(1), 3, 3});
+  for (const double least_mm : {1.5, 3.0}) {
+    const auto hollow = HollowAreas(stack, areas, FromMm(1), FromMm(least_mm));
+    ASSERT_EQ(hollow.size(), areas.size());
+    // Under the opening, which is 2 mm wide.
+    EXPECT_NEAR(Area(areas[18]) / 1e12, 18 * 18 - 8, 1e-3);
+    EXPECT_NEAR(Area(hollow[18]) / 1e12, 18 * 18 - (least_mm < 2 ? 8 : 0), 0.5) << least_mm;
+    EXPECT_EQ(hollow[10], areas[10]);
+    EXPECT_TRUE(hollow[0].empty());
+  }
+}
+
 }  // namespace
 }  // namespace slicefarm::planning::sparse_areas_test
