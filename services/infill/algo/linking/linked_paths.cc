@@ -1,8 +1,10 @@
 #include "services/infill/algo/linking/linked_paths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "services/infill/algo/lines/shortened.h"
 #include "services/infill/algo/linking/all_links.h"
@@ -170,8 +172,25 @@ std::vector<Path> OpenPaths(const EdgeEnds& ends, const LinkOptions& options) {
   return nearer.size() <= paths.size() ? nearer : paths;
 }
 
+/// What a link across a region must not meet: its edge, and lines there and back.
+EdgeIndex Fences(const MultiPolygon& region, std::span<const Path> lines, Coord square_nm) {
+  MultiPolygon fences = region;
+  for (const Path& line : lines) {
+    Polygon& ring = fences.emplace_back().outer;
+    ring = line.points;
+    ring.insert(ring.end(), line.points.rbegin() + 1, line.points.rend() - 1);
+  }
+  return EdgeIndex(fences, square_nm);
+}
+
+bool IsInside(const MultiPolygon& region, Point p) {
+  return std::ranges::any_of(
+      region, [p](const PolygonWithHoles& island) { return Locate(p, island) != Side::kOutside; });
+}
+
 /// A few paths of what lies at even distances: rings, and what has loose ends.
-std::vector<Path> FacingPaths(const EdgeEnds& ends, const LinkOptions& options) {
+std::vector<Path> FacingPaths(const MultiPolygon& region, const EdgeEnds& ends,
+                              const LinkOptions& options) {
   const Links links = LeastLinks(ends, options.max_link_nm);
   std::vector<Path> paths = Assembler(ends, links, options).Run();
   const auto closed = std::stable_partition(paths.begin(), paths.end(),
@@ -180,7 +199,13 @@ std::vector<Path> FacingPaths(const EdgeEnds& ends, const LinkOptions& options) 
   for (auto path = closed; path != paths.end(); ++path)
     rings.push_back({std::move(path->points), 0});
   paths.erase(closed, paths.end());
-  for (Polyline& line : LinkRings(rings, options.facing_nm)) {
+  const EdgeIndex fences =
+      Fences(region, paths, std::max<Coord>(1, std::llround(options.facing_nm)));
+  // From edge to edge across a bay a link would meet nothing.
+  const auto may_link = [&](Point a, Point b) {
+    return !fences.Meets(a, b) && IsInside(region, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+  };
+  for (Polyline& line : LinkRings(rings, options.facing_nm, may_link)) {
     Path& path = paths.emplace_back();
     path.closed = line.size() > 3 && line.front() == line.back();
     if (path.closed) line.pop_back();
@@ -207,7 +232,7 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
         SplicedPaths(Assembler(ends, links, options).Run(), static_cast<double>(options.width_nm));
     if (rings.size() == 1) return rings;
   } else if (options.facing_nm > 0) {
-    rings = FacingPaths(ends, options);
+    rings = FacingPaths(region, ends, options);
     if (rings.size() == 1) return rings;
   }
   std::vector<Path> lines = OpenPaths(ends, options);

@@ -14,9 +14,9 @@ namespace slicefarm::infill {
 /// pair merges on the axis. While its two lines would overlap (closer than a spacing) and as long
 /// after they met, the axis itself is one line in their place: that is the same length.
 ///
-/// Source: {d(x, axis) = k pitch} is the family of ../shared/seeds, chapter 10.2.4. With one phase
-/// it has a density that jumps by whole lines, which the phase puts right. Lines at equal distances
-/// from the boundary are `concentric` and `fermat`: these run along walls, and touch none.
+/// Source: the family {d(x, axis) = k pitch} of offsets from the medial axis; its one phase has a
+/// density that jumps by whole lines, which moving it puts right. Lines at equal distances from the
+/// boundary are `concentric` and `fermat`: these run along walls, and have no ends there.
 /// Not tied to the origin: lines follow the region. `angle_rad` does not matter.
 MakePattern MedialAxis;
 

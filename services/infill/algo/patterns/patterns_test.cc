@@ -126,7 +126,10 @@ TEST_P(PatternsWithALaw, DensityIsAsAsked) {
       MultiPolygon box = P("(-40 -40, 40 -40, 40 40, -40 40)");
       for (Point& p : box[0].outer) p = p + Point{aside(0.6180339887 * i), aside(0.7548776662 * i)};
       fill.layer = i;
-      fill.z_nm = std::llround(i * pitch / std::numbers::phi);
+      // Of all heights, evenly: no simple part of a pattern's period.
+      const double step =
+          GetParam() == FillPattern::kMedialAxis ? std::numbers::phi : std::numbers::sqrt2;
+      fill.z_nm = std::llround(i * pitch / step);
       const auto paths = FillSparse(box, fill);
       ASSERT_TRUE(paths.ok()) << paths.status();
       // Loops keep their distance from the edge: counted is a whole number of them.

@@ -73,9 +73,11 @@ bool Cross(Point a, Point b, Point c, Point d) {
 
 class Linker {
  public:
-  Linker(std::span<const StepRing> rings, double spacing)
+  Linker(std::span<const StepRing> rings, double spacing,
+         const std::function<bool(Point, Point)>& may_link)
       : rings_(rings),
         spacing_(spacing),
+        may_link_(may_link),
         places_(Points(rings), 1.5 * spacing),
         links_(places_.Extent(), 1.5 * spacing),
         bridges_at_(rings.size()),
@@ -270,7 +272,7 @@ class Linker {
                    a.y + std::llround(at / length * static_cast<double>(b.y - a.y))};
     };
     const Point from = part(kShorter), to = part(length - kShorter);
-    bool clear = true;
+    bool clear = !may_link_ || may_link_(from, to);
     places_.ForEachEdgeNear(from, to, [&](const RingPlaces::Edge& edge) {
       if (!clear || !Cross(from, to, edge.from, edge.to)) return;
       clear = IsCutAway(edge, from, to, bridge);
@@ -387,6 +389,7 @@ class Linker {
 
   std::span<const StepRing> rings_;
   double spacing_;
+  const std::function<bool(Point, Point)>& may_link_;
   RingPlaces places_;
   SegmentGrid links_;  ///< by the end on the first ring
   std::vector<Bridge> bridges_;
@@ -397,9 +400,10 @@ class Linker {
 
 }  // namespace
 
-std::vector<Polyline> LinkRings(std::span<const StepRing> rings, double spacing_nm) {
+std::vector<Polyline> LinkRings(std::span<const StepRing> rings, double spacing_nm,
+                                const std::function<bool(Point, Point)>& may_link) {
   if (rings.empty()) return {};
-  return Linker(rings, spacing_nm).Link();
+  return Linker(rings, spacing_nm, may_link).Link();
 }
 
 }  // namespace slicefarm::infill

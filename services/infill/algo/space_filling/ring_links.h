@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct StepRing {
 /// is closed (its last point is its first). Links cross nothing. Points are rounded to nm.
 /// REQUIRES: rings are simple and do not cross. Cost: O(n log n) for n points and length / spacing,
 /// where rings are cut often, more.
-std::vector<Polyline> LinkRings(std::span<const StepRing> rings, double spacing_nm);
+/// `may_link`: whether a link may run from one point to another, as far as other things than the
+/// rings are in its way; it is asked for links less 20 nm at their ends. Empty: always.
+std::vector<Polyline> LinkRings(std::span<const StepRing> rings, double spacing_nm,
+                                const std::function<bool(Point, Point)>& may_link = {});
 
 }  // namespace slicefarm::infill
