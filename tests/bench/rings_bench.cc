@@ -56,7 +56,7 @@ struct Coverage {
 
 /// All cuts' lengths.
 double CutLength(const MultiPolygon& region, const ExposureOptions& options) {
-  const auto pieces = exposure::ScanPieces(region, options.decompose, {});
+  const auto pieces = exposure::ScanPieces(region, options.decompose, 0, {});
   if (!pieces.ok()) return 0;
   double length = 0;
   for (const Polygon& piece : pieces->pieces)
@@ -68,7 +68,7 @@ double CutLength(const MultiPolygon& region, const ExposureOptions& options) {
 absl::StatusOr<Coverage> Covered(const MultiPolygon& region, const ExposureOptions& options) {
   ExposureGroup group;
   CutCounts counts;
-  const absl::Status status = exposure::ScanByRings(region, options, {}, {}, group, counts);
+  const absl::Status status = exposure::ScanByRings(region, options, 0, {}, {}, group, counts);
   if (!status.ok()) return status;
   const Coord reach = options.spot_nm / 2;
   const MultiPolygon reachable =

@@ -102,6 +102,10 @@ struct ExposureOptions {
   bool link_rings = true;             ///< rings of a piece without switching off between them
   bool fill_corners = true;           ///< rings reach into corners that a round spot leaves open
 
+  // Seams elsewhere in each layer:
+  bool shift_grids = true;  ///< the lines and cells of hatch, stripes and islands move
+  bool turn_rings = true;   ///< rings begin, and outlines are cut into pieces, at other places
+
   Coord spot_nm = 80'000;               ///< width of what a line melts
   Coord beam_compensation_nm = 40'000;  ///< from the outline to the first contour
   int32_t contours = 2;

@@ -83,7 +83,7 @@ ExposureOptions DistinctOptions() {
   ExposureOptions options;
   auto& [strategy, decompose, jump_order, hatch_distance, hatch_angle, rotation, alternate,
          minimum_vector, stripe_width, island_width, overlap, ring_overlap, link_rings,
-         fill_corners, spot, compensation, contours, contour_distance, hatch_offset, contours_first,
+         fill_corners, shift_grids, turn_rings, spot, compensation, contours, contour_distance, hatch_offset, contours_first,
          thin_walls, upskin_layers, downskin_layers, skin_overlap, skywriting, styles, jump] =
       options;
   strategy = ScanStrategy::kIslands;
@@ -100,6 +100,8 @@ ExposureOptions DistinctOptions() {
   ring_overlap = 9;
   link_rings = false;
   fill_corners = false;
+  shift_grids = false;
+  turn_rings = false;
   spot = 11;
   compensation = 12;
   contours = 13;

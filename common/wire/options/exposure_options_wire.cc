@@ -138,6 +138,8 @@ v1::ExposureOptions ToProto(const ExposureOptions& options) {
   proto.set_ring_overlap_nm(options.ring_overlap_nm);
   proto.set_link_rings(options.link_rings);
   proto.set_fill_corners(options.fill_corners);
+  proto.set_shift_grids(options.shift_grids);
+  proto.set_turn_rings(options.turn_rings);
   proto.set_spot_nm(options.spot_nm);
   proto.set_beam_compensation_nm(options.beam_compensation_nm);
   proto.set_contours(options.contours);
@@ -170,6 +172,8 @@ ExposureOptions OptionsOf(const v1::ExposureOptions& proto) {
   options.ring_overlap_nm = proto.ring_overlap_nm();
   options.link_rings = proto.link_rings();
   options.fill_corners = proto.fill_corners();
+  options.shift_grids = proto.shift_grids();
+  options.turn_rings = proto.turn_rings();
   options.spot_nm = proto.spot_nm();
   options.beam_compensation_nm = proto.beam_compensation_nm();
   options.contours = proto.contours();

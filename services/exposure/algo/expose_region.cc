@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/geometry/moved.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/hatch.h"
+#include "services/exposure/algo/scan/layer_shift.h"
 #include "services/exposure/algo/scan/outline_check.h"
 #include "services/exposure/algo/scan/ring_scan.h"
 #include "services/exposure/algo/scan/thin_walls.h"
@@ -123,12 +125,16 @@ class RegionScan {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
     if (IsRings(options_.strategy)) {
-      if (absl::Status status = ScanByRings(area, options_, at_, cancel_, group, counts_);
+      if (absl::Status status =
+              ScanByRings(area, options_, region_.layer, at_, cancel_, group, counts_);
           !status.ok())
         return status;
     } else {
-      auto points = Hatch(area, AngleOf(options_, region_.layer), options_, at_);
+      const double angle = AngleOf(options_, region_.layer);
+      const Point shift = GridShift(region_.layer, angle, options_);
+      auto points = Hatch(Moved(area, Point{} - shift), angle, options_, at_ - shift);
       if (!points.ok()) return points.status();
+      for (Point& p : *points) p = p + shift;
       group.points = *std::move(points);
       group.run_nm = options_.skywriting_nm;
     }

@@ -112,7 +112,7 @@ class Cutter {
         continue;
       }
       if (absl::Status status = cancel_.Check(); !status.ok()) return status;
-      const std::optional<Link> link = choice_.Choose(region, *corner);
+      const std::optional<Link> link = choice_.Choose(region, *corner, options_.variant);
       if (!link) return CannotCut(region.rings[corner->ring][corner->point], result_.scale);
       std::vector<CutRegion> parts = Apply(std::move(region), *corner, *link);
       std::move(parts.rbegin(), parts.rend(), std::back_inserter(open));
@@ -168,6 +168,18 @@ class Cutter {
   double greatest_cosine_ = -1;
 };
 
+/// Other corners come first, by about the golden share of each ring.
+void TurnRings(MultiPolygon& islands, int32_t variant) {
+  const auto turn = [variant](Polygon& ring) {
+    const auto size = static_cast<int64_t>(ring.size());
+    std::rotate(ring.begin(), ring.begin() + (variant * (size * 5 / 13 + 1)) % size, ring.end());
+  };
+  for (PolygonWithHoles& island : islands) {
+    turn(island.outer);
+    for (Polygon& hole : island.holes) turn(hole);
+  }
+}
+
 int64_t ReflexCount(const MultiPolygon& islands) {
   int64_t count = 0;
   ForEachRing(islands, [&](const Polygon& ring) {
@@ -187,9 +199,10 @@ absl::StatusOr<ConvexPieces> Decompose(const MultiPolygon& islands, const Decomp
   result.scale = ScaleFor(islands);
   const double scale = static_cast<double>(result.scale);
   const double area = Area(islands) * scale * scale;
-  const MultiPolygon merged =
+  MultiPolygon merged =
       MergeCorners(Scaled(*std::move(mended), result.scale),
                    {.sagitta = options.merge_nm * scale, .area = kKeptArea * area});
+  if (options.variant > 0) TurnRings(merged, options.variant);
   result.counts.reflex = ReflexCount(merged);
   Cutter cutter(options, cancel, result);
   for (const PolygonWithHoles& island : merged) {

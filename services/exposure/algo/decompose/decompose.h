@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -15,6 +16,9 @@ struct DecomposeOptions {
   /// Corners are left out where that moves the border by less than this, and all of them change the
   /// area by at most 2e-10 of it.
   double merge_nm = 1'000;
+  /// Another choice of cuts of nearly the same quality: other corners come first, and of the ends
+  /// that the rules prefer the next ones are taken. 0: the paper's.
+  int32_t variant = 0;
 };
 
 /// Convex pieces that cover the islands once.

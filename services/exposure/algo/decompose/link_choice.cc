@@ -18,6 +18,8 @@ enum Rank { kBothReflex, kReflex, kConvex, kSharp };
 /// The share of A, from its first side to its other one, at which a cut without a corner to go to
 /// is tried: the bisector first.
 constexpr std::array kShares = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875, 0.0625, 0.9375};
+/// Cuts of this much more weight do nearly as well.
+constexpr double kNearlyAsGood = 0.3;
 /// How far beside it such a cut may end, as a share of A, for the sake of a rounder place.
 constexpr double kShareTolerance = 0.04;
 
@@ -173,28 +175,42 @@ std::optional<Link> LinkChoice::LinkAlong(const CutRegion& region, double share)
   return Link{.end = index, .extra = place.point, .cosine = cosine};
 }
 
-std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region) {
+std::optional<Link> LinkChoice::BisectorLink(const CutRegion& region, int32_t variant) {
+  // The first three are the bisector and one to either side of it.
+  const auto first = static_cast<size_t>(variant % 3);
+  if (const std::optional<Link> link = LinkAlong(region, kShares[first])) return link;
   for (const double share : kShares)
     if (const std::optional<Link> link = LinkAlong(region, share)) return link;
   return std::nullopt;
 }
 
-std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from) {
+Link LinkChoice::LinkTo(const Candidate& candidate) const {
+  Link link{.end = candidate.index, .cosine = candidate.cosine};
+  if (candidate.rank == kConvex) link.ruled_cosine = candidate.end_cosine;
+  return link;
+}
+
+std::optional<Link> LinkChoice::Choose(const CutRegion& region, CornerIndex from, int32_t variant) {
   Collect(region, from);
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.Key() < b.Key(); });
   bool tried_bisector = false;
+  const Candidate* best = nullptr;
   for (const Candidate& candidate : candidates_) {
+    if (best != nullptr && candidate.rank != best->rank) break;
+    if (best != nullptr &&
+        (candidate.cosine > kCosine30 || candidate.weight > best->weight + kNearlyAsGood))
+      continue;
     if (candidate.rank == kSharp && !tried_bisector) {
-      if (const std::optional<Link> link = BisectorLink(region)) return link;
+      if (const std::optional<Link> link = BisectorLink(region, variant)) return link;
       tried_bisector = true;
     }
     if (!Sees(candidate.at)) continue;
-    Link link{.end = candidate.index, .cosine = candidate.cosine};
-    if (candidate.rank == kConvex) link.ruled_cosine = candidate.end_cosine;
-    return link;
+    best = &candidate;
+    if (variant-- % 3 == 0) break;
   }
-  return tried_bisector ? std::nullopt : BisectorLink(region);
+  if (best != nullptr) return LinkTo(*best);
+  return tried_bisector ? std::nullopt : BisectorLink(region, variant);
 }
 
 }  // namespace slicefarm::exposure

@@ -42,7 +42,10 @@ class LinkChoice {
  public:
   /// nullopt: the corner sees no place to go to, which does not happen in regions whose rings do
   /// not cross.
-  std::optional<Link> Choose(const CutRegion& region, CornerIndex from);
+  ///
+  /// variant: 0 for the best one; 1, 2 for the next ones of the same rank, as long as they make no
+  /// angle below 30 degrees, and for cuts beside the bisector.
+  std::optional<Link> Choose(const CutRegion& region, CornerIndex from, int32_t variant = 0);
 
  private:
   struct Edge {
@@ -52,8 +55,8 @@ class LinkChoice {
   };
   struct Candidate {
     int rank = 0;
-    bool turns = true;  ///< is not on the extension of an edge at P
-    double weight = 0;  ///< of those that turn
+    bool turns = true;      ///< is not on the extension of an edge at P
+    double weight = 0;      ///< of those that turn
     double cosine = 0;      ///< of the least angle, at either end
     double end_cosine = 0;  ///< at its end
     ExactVector at;
@@ -67,7 +70,8 @@ class LinkChoice {
   void Collect(const CutRegion& region, CornerIndex from);
   void AddCandidate(const Polygon& ring, CornerIndex index, ExactVector at, bool turns);
   bool Sees(ExactVector at);
-  std::optional<Link> BisectorLink(const CutRegion& region);
+  Link LinkTo(const Candidate& candidate) const;
+  std::optional<Link> BisectorLink(const CutRegion& region, int32_t variant);
   std::optional<Link> LinkAlong(const CutRegion& region, double share);
 
   Point origin_;             ///< P

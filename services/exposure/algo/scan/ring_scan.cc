@@ -7,6 +7,8 @@
 #include "common/geometry/measure.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/convex_rings.h"
+#include "services/exposure/algo/scan/layer_shift.h"
+#include "services/exposure/algo/scan/ring_starts.h"
 #include "services/exposure/algo/scan/scan_pieces.h"
 
 namespace slicefarm::exposure {
@@ -39,22 +41,34 @@ RingFill FillOf(const ExposureOptions& options) {
           .spine_gap_nm = std::max(0.0, first - offset)};
 }
 
+/// Makes the lines of a piece begin near where the one before ended.
+void StartOneAfterAnother(std::vector<Polyline>& rings) {
+  for (size_t i = 1; i < rings.size(); ++i)
+    if (rings[i].size() > 2) StartNear(rings[i - 1].back(), rings[i]);
+}
+
+/// Turns open lines to where the way goes on.
+void TurnSpines(std::vector<Polyline>& rings) {
+  if (rings.size() < 2) return;
+  for (size_t i = 0; i < rings.size(); ++i) {
+    if (rings[i].size() > 2) continue;
+    const Point near = i == 0 ? rings[1].front() : rings[i - 1].back();
+    const bool front_is_nearer = Distance(near, rings[i][0]) < Distance(near, rings[i][1]);
+    if (front_is_nearer == (i == 0)) std::swap(rings[i][0], rings[i][1]);
+  }
+}
+
 /// The lines of one piece, in order.
 std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const RingFill& fill,
-                                 const ExposureOptions& options) {
+                                 const ExposureOptions& options, int32_t layer) {
   std::vector<Polyline> rings = ConvexRings(piece, scale, fill);
-  if (options.strategy == ScanStrategy::kRings) std::reverse(rings.begin(), rings.end());
   std::erase_if(rings, [&](const Polyline& ring) {
     return Length(ring) < static_cast<double>(options.minimum_vector_nm);
   });
-  for (size_t i = 1; i < rings.size(); ++i) {
-    if (rings[i].size() > 2) {
-      StartNear(rings[i - 1].back(), rings[i]);
-    } else if (Distance(rings[i - 1].back(), rings[i][1]) <
-               Distance(rings[i - 1].back(), rings[i][0])) {
-      std::swap(rings[i][0], rings[i][1]);
-    }
-  }
+  if (options.turn_rings) StartAtShare(rings, RingStart(layer));
+  if (options.strategy == ScanStrategy::kRings) std::reverse(rings.begin(), rings.end());
+  if (!options.turn_rings) StartOneAfterAnother(rings);
+  TurnSpines(rings);
   if (!options.link_rings || rings.size() < 2) return rings;
   Polyline linked;
   for (const Polyline& ring : rings) linked.insert(linked.end(), ring.begin(), ring.end());
@@ -63,10 +77,11 @@ std::vector<Polyline> PieceLines(const Polygon& piece, double scale, const RingF
 
 }  // namespace
 
-absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, Point from,
-                         const CancelToken& cancel, ExposureGroup& group, CutCounts& counts) {
+absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, int32_t layer,
+                         Point from, const CancelToken& cancel, ExposureGroup& group,
+                         CutCounts& counts) {
   if (region.empty()) return absl::OkStatus();
-  const auto pieces = ScanPieces(region, options.decompose, cancel);
+  const auto pieces = ScanPieces(region, options.decompose, CutVariant(layer, options), cancel);
   if (!pieces.ok()) return pieces.status();
   counts.Add(pieces->counts);
   RingFill fill = FillOf(options);
@@ -76,7 +91,7 @@ absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& opti
   std::vector<std::vector<Polyline>> scans;
   std::vector<ScanBlock> blocks;
   for (const Polygon& piece : pieces->pieces) {
-    std::vector<Polyline> lines = PieceLines(piece, scale, fill, options);
+    std::vector<Polyline> lines = PieceLines(piece, scale, fill, options, layer);
     if (lines.empty()) continue;
     blocks.push_back({.start = lines.front().front(),
                       .end = lines.back().back(),

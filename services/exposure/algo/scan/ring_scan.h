@@ -15,8 +15,10 @@ namespace slicefarm::exposure {
 /// the nearest corner of the next.
 ///
 /// Appends lines to `group`, in an order that begins near `from`, and the cuts to `counts`.
+/// With turn_rings, cuts and the places where rings begin are those of the layer (layer_shift.h).
 /// REQUIRES: options.strategy is one of the two. Errors: those of Decompose.
-absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, Point from,
-                         const CancelToken& cancel, ExposureGroup& group, CutCounts& counts);
+absl::Status ScanByRings(const MultiPolygon& region, const ExposureOptions& options, int32_t layer,
+                         Point from, const CancelToken& cancel, ExposureGroup& group,
+                         CutCounts& counts);
 
 }  // namespace slicefarm::exposure

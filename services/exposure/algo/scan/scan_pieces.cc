@@ -14,8 +14,8 @@ bool IsCrossing(const absl::Status& status) { return absl::IsInvalidArgument(sta
 }  // namespace
 
 absl::StatusOr<ConvexPieces> ScanPieces(const MultiPolygon& region, DecomposeMethod method,
-                                        const CancelToken& cancel) {
-  const DecomposeOptions how = {.method = method, .merge_nm = kMergeNm};
+                                        int32_t variant, const CancelToken& cancel) {
+  const DecomposeOptions how = {.method = method, .merge_nm = kMergeNm, .variant = variant};
   auto pieces = Decompose(Simplify(region, kMergeNm), how, cancel);
   // Narrow places may close when they are simplified.
   if (IsCrossing(pieces.status())) pieces = Decompose(region, how, cancel);

@@ -24,7 +24,7 @@ TEST(ScanPieces, CutsRingsThatCross) {
       "(0 0, 10 0, 10 5, 9 5, 9 4.9995, 10 4.9995, 10 10, 0 10)"};
   for (const char* text : kCases) {
     const MultiPolygon crossed = MakePolygonsOrDie(text);
-    const auto pieces = ScanPieces(crossed, DecomposeMethod::kBian, {});
+    const auto pieces = ScanPieces(crossed, DecomposeMethod::kBian, 0, {});
     ASSERT_TRUE(pieces.ok()) << text << pieces.status();
     EXPECT_NEAR(AreaMm2(*pieces), Area(Union(crossed, {})) * 1e-12, 0.05) << text;
   }
@@ -32,7 +32,7 @@ TEST(ScanPieces, CutsRingsThatCross) {
 
 TEST(ScanPieces, LeavesWhatIsSoundAsItIs) {
   const MultiPolygon block = MakePolygonsOrDie("(0 0, 10 0, 10 10, 5 10, 5 5, 0 5)");
-  const auto pieces = ScanPieces(block, DecomposeMethod::kBian, {});
+  const auto pieces = ScanPieces(block, DecomposeMethod::kBian, 0, {});
   ASSERT_TRUE(pieces.ok()) << pieces.status();
   EXPECT_EQ(pieces->pieces.size(), 2u);
   EXPECT_DOUBLE_EQ(AreaMm2(*pieces), 75);
@@ -41,7 +41,7 @@ TEST(ScanPieces, LeavesWhatIsSoundAsItIs) {
 TEST(ScanPieces, IsCancelled) {
   const CancelToken cancel([] { return true; });
   const auto pieces = ScanPieces(MakePolygonsOrDie("(0 0, 10 0, 10 10, 5 10, 5 5, 0 5)"),
-                                 DecomposeMethod::kBian, cancel);
+                                 DecomposeMethod::kBian, 0, cancel);
   EXPECT_TRUE(absl::IsCancelled(pieces.status()));
 }
 

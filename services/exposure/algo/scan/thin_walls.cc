@@ -95,7 +95,7 @@ absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline,
                                                     const CancelToken& cancel) {
   const MultiPolygon thin = ThinParts(Doubtful(outline, inset_nm), inset_nm);
   if (thin.empty()) return std::vector<Polyline>{};
-  const auto pieces = ScanPieces(thin, DecomposeMethod::kBian, cancel);
+  const auto pieces = ScanPieces(thin, DecomposeMethod::kBian, 0, cancel);
   if (!pieces.ok()) return pieces.status();
   const BorderGrid border(outline, kKeptNm);
   std::vector<Polyline> lines;

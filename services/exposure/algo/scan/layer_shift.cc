@@ -1,0 +1,48 @@
+#include "services/exposure/algo/scan/layer_shift.h"
+
+#include <cmath>
+
+#include "common/geometry/line_axes.h"
+
+namespace slicefarm::exposure {
+namespace {
+
+/// The golden ratio's fraction for one dimension; for two, 1 / g and 1 / g^2 of the plastic number
+/// g = 1.3247..., which do the same in the plane.
+constexpr double kGolden = 0.61803398874989485;
+constexpr double kPlastic1 = 0.75487766624669276, kPlastic2 = 0.56984029099805327;
+constexpr int32_t kVariants = 3;
+
+double Turn(int32_t layer, double step) {
+  const double at = layer * step;
+  return at - std::floor(at);
+}
+
+/// Cells alternate, so their grid comes back after two.
+double Period(const ExposureOptions& options) {
+  switch (options.strategy) {
+    case ScanStrategy::kStripes:
+      return 2 * static_cast<double>(options.stripe_width_nm);
+    case ScanStrategy::kIslands:
+      return 2 * static_cast<double>(options.island_width_nm);
+    default:
+      return static_cast<double>(options.hatch_distance_nm);
+  }
+}
+
+}  // namespace
+
+Point GridShift(int32_t layer, double angle_deg, const ExposureOptions& options) {
+  if (!options.shift_grids) return {};
+  const double period = Period(options);
+  return LineAxes::OfDegrees(angle_deg).At(Turn(layer, kPlastic1) * period,
+                                           Turn(layer, kPlastic2) * period);
+}
+
+double RingStart(int32_t layer) { return Turn(layer, kGolden); }
+
+int32_t CutVariant(int32_t layer, const ExposureOptions& options) {
+  return options.turn_rings ? layer % kVariants : 0;
+}
+
+}  // namespace slicefarm::exposure

@@ -1,0 +1,59 @@
+#include "services/exposure/algo/scan/layer_shift.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace slicefarm::exposure::layer_shift_test {
+namespace {
+
+TEST(GridShift, AllPlacesOfAPeriodComeInTurn) {
+  ExposureOptions options;
+  options.strategy = ScanStrategy::kIslands;
+  const Coord period = 2 * options.island_width_nm;
+  std::array<int, 25> seen{};
+  for (int32_t layer = 0; layer < 100; ++layer) {
+    const Point shift = GridShift(layer, 0, options);
+    ASSERT_TRUE(shift.x >= 0 && shift.x <= period && shift.y >= 0 && shift.y <= period);
+    const auto fifth = [&](Coord at) {
+      return static_cast<size_t>(std::min<Coord>(4, 5 * at / period));
+    };
+    ++seen[5 * fifth(shift.y) + fifth(shift.x)];
+  }
+  // Four each, if they were perfectly even.
+  EXPECT_GE(*std::ranges::min_element(seen), 2);
+  EXPECT_LE(*std::ranges::max_element(seen), 6);
+}
+
+TEST(GridShift, TurnsWithTheLines) {
+  const ExposureOptions options;
+  const Point along = GridShift(7, 0, options), turned = GridShift(7, 90, options);
+  EXPECT_EQ(turned, (Point{-along.y, along.x}));
+}
+
+TEST(GridShift, NoneIfNotAskedFor) {
+  ExposureOptions options;
+  EXPECT_EQ(GridShift(0, 45, options), Point{});
+  EXPECT_NE(GridShift(1, 45, options), Point{});
+  options.shift_grids = false;
+  EXPECT_EQ(GridShift(1, 45, options), Point{});
+}
+
+TEST(RingStart, AllSharesComeInTurn) {
+  std::array<int, 10> seen{};
+  for (int32_t layer = 0; layer < 100; ++layer) ++seen[static_cast<size_t>(10 * RingStart(layer))];
+  EXPECT_GE(*std::ranges::min_element(seen), 9);
+}
+
+TEST(CutVariant, OfLayersAboveEachOtherDiffer) {
+  ExposureOptions options;
+  EXPECT_EQ(CutVariant(0, options), 0);
+  for (int32_t layer = 0; layer < 9; ++layer)
+    EXPECT_NE(CutVariant(layer, options), CutVariant(layer + 1, options));
+  options.turn_rings = false;
+  EXPECT_EQ(CutVariant(1, options), 0);
+}
+
+}  // namespace
+}  // namespace slicefarm::exposure::layer_shift_test
