@@ -126,11 +126,13 @@ constexpr Need kLaserNeeds[] = {
        const ScanStrategy strategy = s.exposure.regions[0].strategy;
        return strategy == ScanStrategy::kStripes || strategy == ScanStrategy::kIslands;
      }},
-    {"contours_first hatch_offset contour_power contour_speed contour_focus contour_frequency "
+    {"hatch_offset", "scan_strategy = stripes, islands or hatch, and contours of more than 0",
+     [](const JobSettings& s) { return HasContours(s) && !IsRings(s); }},
+    {"contours_first contour_power contour_speed contour_focus contour_frequency "
      "contour_point_distance contour_point_time contour_point_delay",
      "contours of more than 0", HasContours},
-    {"contour_distance", "contours of more than 1",
-     [](const JobSettings& s) { return s.exposure.regions[0].contours > 1; }},
+    {"contour_distance", "contours of more than 1, or of 1 and rings",
+     [](const JobSettings& s) { return s.exposure.regions[0].contours > (IsRings(s) ? 0 : 1); }},
     {"skin_overlap", "upskin_layers or downskin_layers of more than 0",
      [](const JobSettings& s) { return s.exposure.regions[0].Halo() > 0; }},
     {"upskin_power upskin_speed upskin_focus upskin_frequency upskin_point_distance "

@@ -109,8 +109,8 @@ struct ExposureOptions {
   Coord spot_nm = 80'000;               ///< width of what a line melts
   Coord beam_compensation_nm = 40'000;  ///< from the outline to the first contour
   int32_t contours = 2;
-  Coord contour_distance_nm = 80'000;  ///< between contours
-  Coord hatch_offset_nm = 80'000;      ///< from the last contour to the ends of hatch lines
+  Coord contour_distance_nm = 80'000;  ///< between contours, and from the last one to rings
+  Coord hatch_offset_nm = 40'000;      ///< from the last contour to the ends of hatch lines
   bool contours_first = true;
   bool thin_walls = true;  ///< what is too thin for a contour is exposed once along its middle
 

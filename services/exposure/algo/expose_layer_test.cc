@@ -88,7 +88,6 @@ TEST(ExposeLayer, TheRegionIsCovered) {
   for (const ScanStrategy strategy : kStrategies) {
     ExposureOptions options;
     options.strategy = strategy;
-    options.hatch_offset_nm = 60'000;
     MeltedRaster raster(Offset(part, -1'000), 17'000);
     const ExposedLayer layer = ExposeOrDie(part, options);
     for (const ExposureGroup& group : layer.groups)

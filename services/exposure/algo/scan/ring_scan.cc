@@ -32,7 +32,7 @@ RingFill FillOf(const ExposureOptions& options) {
   const double pitch = static_cast<double>(options.hatch_distance_nm);
   const double first = (pitch - static_cast<double>(options.ring_overlap_nm)) / 2;
   // The region begins this much outside of where hatch would: as far from the last contour.
-  const double offset = options.contours == 0 ? 0 : static_cast<double>(options.hatch_offset_nm);
+  const double offset = options.contours == 0 ? 0 : static_cast<double>(options.contour_distance_nm);
   return {.pitch_nm = pitch,
           .first_nm = first,
           .corners = options.fill_corners,
