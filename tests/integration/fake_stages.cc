@@ -180,7 +180,7 @@ Sample MakeSample() {
   PrintTimes times;
   times.travel_s = 12.5;
   times.layer_s = {5};
-  sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", times, 30};
+  sample.frame = {"start\n", {"", "M73 P50\n"}, "end\n", times, 30, {"", "; code\n"}};
   sample.settings = SettingsWithAll();
   sample.times = {0, 0, 1, 2, 3, 4};
   return sample;

@@ -17,6 +17,10 @@ enum class ScanStrategy : uint8_t {
   kHatch,        ///< lines right through
 };
 
+constexpr bool IsRings(ScanStrategy strategy) {
+  return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
+}
+
 /// How an outline is cut into convex pieces.
 enum class DecomposeMethod : uint8_t {
   kBian,         ///< Bian et al. 2005: good shapes, by visibility and angles

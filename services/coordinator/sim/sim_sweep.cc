@@ -71,6 +71,9 @@ class WaitingBlobs : public BlobStore {
   absl::StatusOr<BlobStatus> Finish(const std::string&, int64_t) override { return Unused(); }
   absl::StatusOr<std::string> Put(std::string_view) override { return Unused(); }
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string&) override { return Unused(); }
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string&) override {
+    return Unused();
+  }
   absl::StatusOr<std::string> Get(const std::string&) override { return Unused(); }
 
  private:

@@ -20,10 +20,6 @@
 namespace slicefarm::exposure {
 namespace {
 
-bool IsRings(ScanStrategy strategy) {
-  return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
-}
-
 /// Of layer `layer`, in [0, 360).
 double AngleOf(const ExposureOptions& options, int32_t layer) {
   const double angle = options.hatch_angle_deg + options.layer_rotation_deg * layer;

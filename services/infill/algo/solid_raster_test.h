@@ -15,7 +15,7 @@ namespace slicefarm::infill {
 
 /// What beads cover of a region, as shares of its area, counted on pixels: shares no code with what
 /// makes the beads.
-struct Cover {
+struct RasterCover {
   double empty = 0;    ///< that no bead's outer width covers
   double twice = 0;    ///< plastic, less the area of the union of the beads' strips
   double outside = 0;  ///< covered outside of the region by more than `margin_nm`
@@ -35,7 +35,7 @@ class CoverRaster {
     for (int row = 0; row < rows_; ++row) MarkRegion(region, row);
   }
 
-  Cover Of(const std::vector<Path>& paths, Coord height_nm, double area_nm2) {
+  RasterCover Of(const std::vector<Path>& paths, Coord height_nm, double area_nm2) {
     double plastic_mm3 = 0;
     for (const Path& path : paths) {
       plastic_mm3 += PlasticMm3(path, height_nm);
@@ -97,7 +97,7 @@ class CoverRaster {
           Cell(r, c) |= bit;
   }
 
-  Cover Count(double plastic_nm2, double area_nm2) const {
+  RasterCover Count(double plastic_nm2, double area_nm2) const {
     double empty = 0, strips = 0, outside = 0;
     for (const uint8_t cell : cells_) {
       empty += (cell & (kRegion | kCovered)) == kRegion;
@@ -115,7 +115,7 @@ class CoverRaster {
 };
 
 /// Of a group of paths in a region.
-inline Cover CoverOf(const std::vector<Path>& paths, const MultiPolygon& region, Coord height_nm,
+inline RasterCover CoverOf(const std::vector<Path>& paths, const MultiPolygon& region, Coord height_nm,
                      Coord pixel_nm = 20'000, Coord margin_nm = 180'000) {
   CoverRaster raster(region, pixel_nm, margin_nm);
   return raster.Of(paths, height_nm, Area(region));

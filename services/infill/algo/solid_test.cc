@@ -52,7 +52,7 @@ TEST_P(Solid, CoversTheRegionOnce) {
   SolidFill fill{.angle_rad = GetParam().angle_deg * std::numbers::pi / 180};
   const auto group = FillSolid(region, fill);
   ASSERT_TRUE(group.ok());
-  const Cover cover = CoverOf(group->paths, {region}, fill.height_nm);
+  const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm);
   EXPECT_NEAR(cover.plastic, 1, 0.0125);
   EXPECT_LT(cover.empty, 0.006);
   EXPECT_LT(cover.twice, 0.017);
@@ -83,7 +83,7 @@ TEST(SolidOnParts, CoversThemByAnEvenFlow) {
       const SolidFill fill{.pattern = pattern, .angle_rad = 0.8, .overlap_nm = 157'500};
       const auto group = FillSolid(region, fill);
       ASSERT_TRUE(group.ok());
-      const Cover cover = CoverOf(group->paths, {region}, fill.height_nm, 25'000, 200'000);
+      const RasterCover cover = CoverOf(group->paths, {region}, fill.height_nm, 25'000, 200'000);
       const double size = Area(region);
       area += size, empty += cover.empty * size, twice += cover.twice * size;
       outside += cover.outside * size, plastic += cover.plastic * size;

@@ -8,10 +8,6 @@
 namespace slicefarm::exposure {
 namespace {
 
-bool IsRings(ScanStrategy strategy) {
-  return strategy == ScanStrategy::kRings || strategy == ScanStrategy::kRingsInward;
-}
-
 std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderGrid& border,
                                        double distance_nm) {
   std::optional<StrayVector> stray;

@@ -54,13 +54,13 @@ TEST(ClipCurves, CutsAtTheEdge) {
       {"LoopInside", "(0 0, 10 0, 10 10, 0 10)", "(4 4, 6 4, 6 6, 4 6)", true, 1, 8},
       {"LoopBeginsInside", "(0 0, 10 0, 10 10, 0 10)", "(8 4, 12 4, 12 6, 8 6)", true, 1, 6},
       {"LoopBeginsOutside", "(0 0, 10 0, 10 10, 0 10)", "(12 4, 12 6, 8 6, 8 4)", true, 1, 6},
-      {"LoopInAHole", "(0 0, 10 0, 10 10, 0 10) (3 3, 3 7, 7 7, 7 3)", "(4 4, 6 4, 6 6, 4 6)",
-       true, 0, 0},
+      {"LoopInAHole", "(0 0, 10 0, 10 10, 0 10) (3 3, 3 7, 7 7, 7 3)", "(4 4, 6 4, 6 6, 4 6)", true,
+       0, 0},
       {"ThroughTwoCorners", "(0 0, 10 0, 10 10, 0 10)", "(-5 -5, 15 15)", false, 1, 14.1421356},
       {"ACornerOfItsOwnOnACorner", "(0 0, 10 0, 10 10, 0 10)", "(-5 -5, 0 0, 5 5)", false, 1,
        7.0710678},
-      {"TwoIslands", "(0 0, 10 0, 10 10, 0 10) ; (20 0, 30 0, 30 10, 20 10)", "(-5 5, 35 5)",
-       false, 2, 20},
+      {"TwoIslands", "(0 0, 10 0, 10 10, 0 10) ; (20 0, 30 0, 30 10, 20 10)", "(-5 5, 35 5)", false,
+       2, 20},
   };
   for (const Case& c : cases) {
     const MultiPolygon region = P(c.region);
@@ -82,7 +82,8 @@ TEST(ClipCurves, AgreesWithScanLines) {
     const LineAxes frame(angle);
     std::vector<Curve> curves;
     for (int i = -60; i <= 60; ++i)
-      curves.push_back({{frame.At(-90e6, i * 1e6), frame.At(3e6, i * 1e6), frame.At(90e6, i * 1e6)}});
+      curves.push_back(
+          {{frame.At(-90e6, i * 1e6), frame.At(3e6, i * 1e6), frame.At(90e6, i * 1e6)}});
     const auto pieces = ClipCurves(region, curves);
     EXPECT_NEAR(TotalLength(pieces), lines->TotalLength(), 1000) << angle;
     ExpectEndsOnEdges(pieces, region);
@@ -93,8 +94,8 @@ TEST(ClipCurves, AgreesWithScanLines) {
 TEST(ClipCurves, NeverLeavesTheRegion) {
   std::mt19937 random(3);
   std::uniform_int_distribution<Coord> grid(-3, 13);
-  const MultiPolygon region = P(
-      "(0 0, 10 0, 10 10, 5 5, 0 10) (2 1, 2 3, 4 3, 4 1) (6 2, 7 4, 8 2)");
+  const MultiPolygon region =
+      P("(0 0, 10 0, 10 10, 5 5, 0 10) (2 1, 2 3, 4 3, 4 1) (6 2, 7 4, 8 2)");
   const MultiPolygon grown = FastOffset(region, 10);
   for (int i = 0; i < 2000; ++i) {
     Curve curve;

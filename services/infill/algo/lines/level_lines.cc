@@ -80,9 +80,9 @@ class Marcher {
   }
 
   void Join(Place from, Place to) {
-    next_[static_cast<size_t>(from.edge)] = {
-        to.edge, static_cast<int8_t>(to.period_u - from.period_u),
-        static_cast<int8_t>(to.period_v - from.period_v)};
+    next_[static_cast<size_t>(from.edge)] = {to.edge,
+                                             static_cast<int8_t>(to.period_u - from.period_u),
+                                             static_cast<int8_t>(to.period_v - from.period_v)};
   }
 
   LevelLine Follow(int start) {

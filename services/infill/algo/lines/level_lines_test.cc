@@ -33,8 +33,7 @@ TEST(LevelLines, PlusLiesToTheLeft) {
 }
 
 TEST(LevelLines, SlantedLinesStepBothWays) {
-  const auto lines =
-      LevelLines([](Vec p) { return std::sin(kTurn * (p.v - 2 * p.u - 0.07)); }, 40);
+  const auto lines = LevelLines([](Vec p) { return std::sin(kTurn * (p.v - 2 * p.u - 0.07)); }, 40);
   ASSERT_EQ(lines.size(), 2u);
   for (const LevelLine& line : lines) {
     EXPECT_EQ(std::abs(line.step_u), 1);
@@ -60,9 +59,7 @@ TEST(LevelLines, ALoopIsClosedAndLiesOnTheCircle) {
 // At saddles: lines must not cross, so the sign in the middle of a square decides.
 TEST(LevelLines, SaddlesAreTakenByTheirMiddle) {
   for (const double level : {-0.05, 0.05}) {
-    const auto f = [level](Vec p) {
-      return std::sin(kTurn * p.u) * std::sin(kTurn * p.v) + level;
-    };
+    const auto f = [level](Vec p) { return std::sin(kTurn * p.u) * std::sin(kTurn * p.v) + level; };
     const auto lines = LevelLines(f, 10);
     EXPECT_EQ(lines.size(), 2u) << level;  // round the two maxima, or the two minima
     for (const LevelLine& line : lines) EXPECT_TRUE(line.IsClosed());

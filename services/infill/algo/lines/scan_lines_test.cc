@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
-#include "common/base/error.h"
 
 namespace slicefarm::infill::scan_lines_test {
 namespace {

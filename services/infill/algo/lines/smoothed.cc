@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kStepsPerLength = 2;
 /// Farther than that the Green's function is below 1e-5 of its peak.
-constexpr int kReach = 28;
+constexpr int kKernelReach = 28;
 constexpr int kPeriod = 256;  ///< of the lattice on which it is computed
 constexpr Coord kSmoothToleranceNm = 5'000;
 
-using Kernel = std::array<double, kReach + 1>;
+using Kernel = std::array<double, kKernelReach + 1>;
 
 /// The Green's function of 1 - l^2 D2 + l^4 D4 on points l / 2 apart, by its Fourier series.
 Kernel GreensFunction() {
@@ -30,11 +30,11 @@ Kernel GreensFunction() {
     const double d2 = 2 - 2 * Cos(turn);
     const double share =
         1 / (1 + kLength * kLength * d2 + kLength * kLength * kLength * kLength * d2 * d2);
-    for (int step = 0; step <= kReach; ++step)
+    for (int step = 0; step <= kKernelReach; ++step)
       kernel[static_cast<size_t>(step)] += share * Cos(turn * step) / kPeriod;
   }
   double sum = kernel[0];
-  for (int step = 1; step <= kReach; ++step) sum += 2 * kernel[static_cast<size_t>(step)];
+  for (int step = 1; step <= kKernelReach; ++step) sum += 2 * kernel[static_cast<size_t>(step)];
   for (double& weight : kernel) weight /= sum;
   return kernel;
 }
@@ -95,7 +95,7 @@ Curve Smoothed(const Curve& curve, double length_nm) {
   for (int64_t i = 0; i < static_cast<int64_t>(points.size()); ++i) {
     const FinePoint own = PointAt(points, i, curve.closed);
     double x = kKernel[0] * own.x, y = kKernel[0] * own.y;
-    for (int64_t step = 1; step <= kReach; ++step) {
+    for (int64_t step = 1; step <= kKernelReach; ++step) {
       const FinePoint before = PointAt(points, i - step, curve.closed);
       const FinePoint after = PointAt(points, i + step, curve.closed);
       x += kKernel[static_cast<size_t>(step)] * (before.x + after.x);

@@ -14,7 +14,7 @@ constexpr double kRampStep = 0.2;
 constexpr double kRampPitches = 0.25;
 
 /// No ramp is longer than so many of these steps.
-constexpr int kMostSteps = 5;
+constexpr int kRampSteps = 5;
 
 /// The bead with points wherever its strip changes or may have to, by how far they lie apart.
 std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, double step_nm) {
@@ -24,8 +24,8 @@ std::vector<StripPoint> WithRampPoints(const std::vector<StripPoint>& bead, doub
     const double steps = Distance(a.at, b.at) / step_nm;
     const bool even = a.strip_nm == b.strip_nm;
     for (int k = 1; k < steps; ++k) {
-      if (even && k > kMostSteps && k < steps - kMostSteps)
-        k = static_cast<int>(steps) - kMostSteps;
+      if (even && k > kRampSteps && k < steps - kRampSteps)
+        k = static_cast<int>(steps) - kRampSteps;
       fine.push_back(Between(a, b, k / steps));
     }
     if (b != a) fine.push_back(b);

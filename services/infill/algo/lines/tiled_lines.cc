@@ -132,8 +132,10 @@ class Tiler {
       const double u = by_u ? along : across, v = by_u ? across : along;
       const bool near = u + reach.max_u >= box_.min_u && u + reach.min_u <= box_.max_u &&
                         v + reach.max_v >= box_.min_v && v + reach.min_v <= box_.max_v;
-      if (near) places.push_back({u, v});
-      else flush();
+      if (near)
+        places.push_back({u, v});
+      else
+        flush();
     }
     flush();
   }
@@ -169,10 +171,10 @@ LevelLine WithLongSegments(const LevelLine& line, double tolerance) {
   out.step_v = line.step_v;
   for (size_t c = 0; c < chords; ++c) {
     const size_t b = (c + chords - 1) % chords;
-    const Vec before = c > 0 ? points[corners[b]]
-                             : Shifted(points[corners[b]], -line.step_u, -line.step_v);
-    out.points.push_back(Moved(points[corners[c]], before, points[corners[c + 1]],
-                               (rise[b] + rise[c]) / 6));
+    const Vec before =
+        c > 0 ? points[corners[b]] : Shifted(points[corners[b]], -line.step_u, -line.step_v);
+    out.points.push_back(
+        Moved(points[corners[c]], before, points[corners[c + 1]], (rise[b] + rise[c]) / 6));
   }
   if (!line.IsClosed()) out.points.push_back(Shifted(out.points[0], line.step_u, line.step_v));
   return out;

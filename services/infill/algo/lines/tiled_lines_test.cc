@@ -50,7 +50,8 @@ TEST(LongSegments, KeepLengthAndTolerance) {
 
 TEST(LongSegments, OpenLinesGoOn) {
   LevelLine wave{{}, 1, 0};
-  for (int i = 0; i <= 200; ++i) wave.points.push_back({i / 200.0, 0.2 * std::sin(kTurn * i / 200)});
+  for (int i = 0; i <= 200; ++i)
+    wave.points.push_back({i / 200.0, 0.2 * std::sin(kTurn * i / 200)});
   const LevelLine line = WithLongSegments(wave, 0.01);
   EXPECT_LT(line.points.size(), 12u);
   EXPECT_NEAR(LengthOf(line) / LengthOf(wave), 1, 0.004);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kRowsAngle = 0.2237;
 
 /// What a row meets of something convex.
-struct Stretch {
+struct CoveredStretch {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
 
@@ -37,21 +37,21 @@ struct Bead {
   double ra = 0, rb = 0;
 };
 
-void AddDisc(Place middle, double radius, double v, Stretch& stretch) {
+void AddDisc(Place middle, double radius, double v, CoveredStretch& stretch) {
   const double away = v - middle.v, square = radius * radius - away * away;
   if (square < 0) return;
   stretch.Add(middle.u - std::sqrt(square));
   stretch.Add(middle.u + std::sqrt(square));
 }
 
-void AddEdge(Place a, Place b, double v, Stretch& stretch) {
+void AddEdge(Place a, Place b, double v, CoveredStretch& stretch) {
   if ((a.v < v) == (b.v < v)) return;
   stretch.Add(a.u + (b.u - a.u) * ((v - a.v) / (b.v - a.v)));
 }
 
 /// A disc at either end, and the sides between: all that a row meets hangs together.
-Stretch Across(const Bead& bead, double v) {
-  Stretch stretch;
+CoveredStretch Across(const Bead& bead, double v) {
+  CoveredStretch stretch;
   AddDisc(bead.a, bead.ra, v, stretch);
   AddDisc(bead.b, bead.rb, v, stretch);
   const double du = bead.b.u - bead.a.u, dv = bead.b.v - bead.a.v;
@@ -66,10 +66,10 @@ Stretch Across(const Bead& bead, double v) {
   return stretch;
 }
 
-/// Rows over a region, and what each of them meets.
-class Rows {
+/// CoverRows over a region, and what each of them meets.
+class CoverRows {
  public:
-  Rows(const MultiPolygon& region, double pitch) : frame_(kRowsAngle) {
+  CoverRows(const MultiPolygon& region, double pitch) : frame_(kRowsAngle) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     ForEachRing(region, [&](const Polygon& ring) {
       for (const Point p : ring) {
@@ -90,7 +90,7 @@ class Rows {
   void Add(const Bead& bead) {
     ForEachRow(std::min(bead.a.v - bead.ra, bead.b.v - bead.rb),
                std::max(bead.a.v + bead.ra, bead.b.v + bead.rb), [&](size_t row, double v) {
-                 const Stretch stretch = Across(bead, v);
+                 const CoveredStretch stretch = Across(bead, v);
                  if (!stretch.IsEmpty()) beads_[row].push_back(stretch);
                });
   }
@@ -99,7 +99,7 @@ class Rows {
     double inside = 0, covered = 0;
     for (size_t row = 0; row < edges_.size(); ++row) {
       std::ranges::sort(edges_[row]);
-      std::ranges::sort(beads_[row], {}, &Stretch::from);
+      std::ranges::sort(beads_[row], {}, &CoveredStretch::from);
       for (size_t i = 0; i + 1 < edges_[row].size(); i += 2) {
         inside += edges_[row][i + 1] - edges_[row][i];
         covered += CoveredBetween(edges_[row][i], edges_[row][i + 1], beads_[row]);
@@ -128,9 +128,9 @@ class Rows {
     }
   }
 
-  static double CoveredBetween(double from, double to, const std::vector<Stretch>& beads) {
+  static double CoveredBetween(double from, double to, const std::vector<CoveredStretch>& beads) {
     double covered = 0, reached = from;
-    for (const Stretch& bead : beads) {
+    for (const CoveredStretch& bead : beads) {
       if (bead.from >= to) break;
       const double begin = std::max(bead.from, reached), end = std::min(bead.to, to);
       if (end > begin) covered += end - begin;
@@ -141,8 +141,8 @@ class Rows {
 
   LineAxes frame_;
   double first_ = 0, pitch_ = 1;
-  std::vector<std::vector<double>> edges_;   ///< of the region, by row
-  std::vector<std::vector<Stretch>> beads_;  ///< by row
+  std::vector<std::vector<double>> edges_;          ///< of the region, by row
+  std::vector<std::vector<CoveredStretch>> beads_;  ///< by row
 };
 
 }  // namespace
@@ -150,7 +150,7 @@ class Rows {
 double CoveredShare(const MultiPolygon& region, std::span<const Path> paths, Coord height_nm,
                     Coord spacing_nm) {
   if (region.empty()) return 0;
-  Rows rows(region, static_cast<double>(spacing_nm) / kRowsPerBead);
+  CoverRows rows(region, static_cast<double>(spacing_nm) / kRowsPerBead);
   for (const Path& path : paths) {
     const auto half = [&](size_t i) {
       return static_cast<double>(Spacing(path.WidthAt(i), height_nm)) / 2;

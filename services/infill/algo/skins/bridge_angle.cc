@@ -75,7 +75,7 @@ Span TypicalSpan(const ScanLines& spans, const ScanLines& supports) {
 }
 
 /// The best of directions.
-struct Choice {
+struct SpanChoice {
   int tenths_held = 0;
   double least = std::numeric_limits<double>::infinity();
   std::optional<BridgeSpan> best = {};
@@ -98,7 +98,7 @@ std::optional<BridgeSpan> BridgeAngle(const PolygonWithHoles& region, const Mult
   const double size =
       Hypot(static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y));
   const double pitch = std::max(static_cast<double>(width_nm), size / kMaxSamples);
-  Choice all, most_held;
+  SpanChoice all, most_held;
   bool any_held = false;
   for (int i = 0; i < kDirections; ++i) {
     const LineFamily family{i * std::numbers::pi / kDirections, pitch / 2, pitch};
