@@ -90,6 +90,13 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
     ASSERT_EQ(end.state(), v1::JOB_STATE_SUCCEEDED) << end.error().message();
   }
 
+  /// A file of webhooks that allows none.
+  std::string WebhooksFile() const {
+    const std::string path = state_.path() + "/webhooks.json";
+    std::ofstream(path) << R"({"": {"allow": [], "secret": "0123456789abcdef"}})";
+    return path;
+  }
+
   TempDirectory state_;
   ShownProcess slicing_{"slicefarm-slicing"};
   ShownProcess planning_{"slicefarm-planning"};
@@ -99,7 +106,7 @@ class ObservabilityTest : public testing::Test, protected coordinator::Coordinat
       "slicefarm-coordinator",
       {"--state-dir", state_.path(), "--slicing", slicing_.address(), "--planning",
        planning_.address(), "--motion", motion_.address(), "--workers", worker_.address(), "--name",
-       "c1"}};
+       "c1", "--webhooks", WebhooksFile()}};
   std::string id_;
 };
 

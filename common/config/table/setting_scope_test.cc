@@ -29,7 +29,7 @@ TEST(ScopeOf, FindsAllThatTheTableSays) {
     regions += spec.scope == Scope::kRegion;
     objects += spec.scope == Scope::kObject;
   }
-  EXPECT_EQ(regions, 70);
+  EXPECT_GE(regions, 70);
   EXPECT_GE(objects, 16);
 }
 
