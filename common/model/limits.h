@@ -9,6 +9,7 @@ namespace slicefarm::limits {
 
 /// Every bound on what a stranger may send stands here, and errors quote it (`limit`, `got`).
 
+/// Of a file, and of all parts of a job: a mesh counts for each part that is made of it.
 inline constexpr int64_t kMaxTriangles = 20'000'000;
 inline constexpr int64_t kMaxMeshBytes = 2'000'000'000;
 inline constexpr int64_t kMaxAsciiLineBytes = 1024;
@@ -29,16 +30,16 @@ inline constexpr int64_t kMaxHeightRanges = 1'000;     ///< of one object
 inline constexpr int64_t kMaxPartRanges = 100'000;     ///< each part in each range of its object
 inline constexpr int64_t kMaxProjectPlates = 1'000;
 inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< names and settings together
-inline constexpr double kMaxTransformEntry = 1e6;  ///< a scale, or mm: plates lie side by side
+inline constexpr double kMaxTransformEntry = 1e6;      ///< a scale, or mm: plates lie side by side
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
 inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
 inline constexpr int64_t kMaxLayers = 20'000;
 /// Of all objects that are printed one after the other: each layer is a program of its own.
 inline constexpr int64_t kMaxLayerPrograms = 200'000;
 inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
-inline constexpr int64_t kMaxPointsPerMesh =
-    200'000'000;                               ///< over all layers, before simplification
-inline constexpr int64_t kMaxObjects = 1'000;  ///< copies included
+/// Over all layers and parts of a job, before simplification; copies count once.
+inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
+inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;

@@ -61,8 +61,7 @@ class SlicingRun {
       const ObjectSlicingOptions& slicing = options_.objects[i];
       const Coord first_nm =
           slicing.raft.layers > 0 ? slicing.layer_height_nm : options_.first_layer_height_nm;
-      auto planes =
-          LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges});
+      auto planes = LayerPlanes(object.top_nm, {first_nm, slicing.layer_height_nm, object.ranges});
       if (!planes.ok()) return planes.status();
       absl::StatusOr<SweptObject> swept = Swept(object, *std::move(planes));
       if (!swept.ok()) return swept.status();
@@ -72,14 +71,14 @@ class SlicingRun {
     return absl::OkStatus();
   }
 
-  static absl::StatusOr<SweptObject> Swept(const PreparedObject& object,
-                                           std::vector<LayerPlane> planes) {
+  absl::StatusOr<SweptObject> Swept(const PreparedObject& object, std::vector<LayerPlane> planes) {
     SweptObject swept{std::move(planes), {}};
     std::vector<Coord> heights;
     for (const LayerPlane& plane : swept.planes) heights.push_back(plane.z_nm);
     for (const PreparedPart& part : object.parts) {
-      absl::StatusOr<Sweep> sweep = Sweep::Prepare(part.connected, heights);
+      absl::StatusOr<Sweep> sweep = Sweep::Prepare(part.connected, heights, points_);
       if (!sweep.ok()) return sweep.status();
+      points_ += sweep->segments();
       swept.parts.push_back({&part, *std::move(sweep), std::vector<GapCounts>(heights.size())});
     }
     return swept;
@@ -188,9 +187,8 @@ class SlicingRun {
                                                 : Outlines(swept, section, scratch)});
     }
     const ObjectSlicingOptions& slicing = SlicingOf(section);
-    PartitionedSection partition =
-        Partition(std::move(parts), EditsFor(section.layer, manifold, slicing),
-                  options_.resolution_nm);
+    PartitionedSection partition = Partition(
+        std::move(parts), EditsFor(section.layer, manifold, slicing), options_.resolution_nm);
     section.regions = std::move(partition.regions);
     section.whole = std::move(partition.whole);
     section.seam_enforcers = std::move(partition.seam_enforcers);
@@ -271,6 +269,7 @@ class SlicingRun {
   bool advise_orientations_ = false;
   SlicedJob job_;
   std::vector<PreparedObject> objects_;
+  int64_t points_ = 0;              ///< of the parts that are swept
   std::vector<SweptObject> swept_;  ///< by object
 };
 

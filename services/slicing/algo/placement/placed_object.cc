@@ -54,7 +54,10 @@ absl::Status Malformed(std::string_view message) {
 
 PartMeshes::PartMeshes(std::vector<MeshFile> files, const std::vector<ObjectInput>& objects,
                        const MeshSource& source, const CancelToken& cancel)
-    : files_(std::move(files)), meshes_(files_.size()), uses_(files_.size(), 0), source_(source),
+    : files_(std::move(files)),
+      meshes_(files_.size()),
+      uses_(files_.size(), 0),
+      source_(source),
       cancel_(cancel) {
   for (const ObjectInput& object : objects)
     for (const PartInput& part : object.parts)
@@ -77,6 +80,11 @@ absl::StatusOr<RawMesh> PartMeshes::Take(const MeshRef& ref) {
     return Malformed("a part refers to a mesh that is not in its file");
   absl::StatusOr<RawMesh> part = MeshPart((*meshes_[file])[static_cast<size_t>(mesh)], ref);
   if (--uses_[file] == 0) meshes_[file].reset();
+  if (!part.ok()) return part;
+  taken_ += std::ssize(part->triangles);
+  if (taken_ > limits::kMaxTriangles)
+    return LimitError(Reason::kMeshTooLarge, "triangles of all parts", limits::kMaxTriangles,
+                      taken_);
   return part;
 }
 

@@ -23,7 +23,8 @@ class PartMeshes {
              const MeshSource& source, const CancelToken& cancel);
 
   /// Errors: those of the source; REQUEST_MALFORMED for a mesh that is not there, and for a project
-  /// that is taken for a single mesh.
+  /// that is taken for a single mesh; MESH_TOO_LARGE if all that was taken has more triangles than
+  /// a job may have.
   absl::StatusOr<RawMesh> Take(const MeshRef& ref);
 
  private:
@@ -32,6 +33,7 @@ class PartMeshes {
   std::vector<MeshFile> files_;
   std::vector<std::optional<std::vector<RawMesh>>> meshes_;
   std::vector<int> uses_;  ///< to come, by file
+  int64_t taken_ = 0;      ///< triangles
   const MeshSource& source_;
   const CancelToken& cancel_;
 };

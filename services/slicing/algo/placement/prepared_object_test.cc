@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/model/scene/placement.h"
+#include "services/slicing/algo/placement/placed_object.h"
 #include "services/slicing/algo/sample_meshes_test.h"
 
 namespace slicefarm::slicing::prepared_object_test {
@@ -135,9 +136,8 @@ TEST(PrepareObjects, ObjectsWithoutPlacesStandApart) {
 }
 
 TEST(PrepareObjects, WhatIsTooLargeByItselfIsToldWithItsSize) {
-  const auto status = Prepare({ToBinaryStl(BoxMesh({0, 0, 0}, {400, 50, 9}))},
-                              {ObjectOf(0), ObjectOf(0)})
-                          .status();
+  const auto status =
+      Prepare({ToBinaryStl(BoxMesh({0, 0, 0}, {400, 50, 9}))}, {ObjectOf(0), ObjectOf(0)}).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kOutOfBuildVolume);
   EXPECT_TRUE(DetailOf(status).metadata.contains("excess_mm"));
 }
@@ -168,6 +168,32 @@ TEST(PrepareObjects, RefusesWhatIsNoObject) {
   bad = ObjectOf(0);
   bad.copies.clear();
   EXPECT_EQ(reason(bad), Reason::kRequestMalformed) << "no copy";
+}
+
+/// Files of a million triangles, which take next to no time to read.
+class MillionTriangles : public MeshSource {
+ public:
+  absl::StatusOr<MeshFileContents> Read(std::string, MeshFormat, double, ReadDepth,
+                                        const CancelToken&) const override {
+    MeshFileContents contents;
+    RawMesh& mesh = contents.meshes.emplace_back();
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}};
+    mesh.triangles.assign(1'000'000, {0, 1, 2});
+    return contents;
+  }
+};
+
+// A thousand objects of one file would want a thousand times its memory.
+TEST(PrepareObjects, PartsOfOneFileCountEachForThemselves) {
+  const MillionTriangles source;
+  const CancelToken cancel;
+  const std::vector<ObjectInput> objects(21, ObjectOf(0));
+  PartMeshes meshes({{"file", MeshFormat::kStl, "bytes"}}, objects, source, cancel);
+  for (int64_t i = 0; i < limits::kMaxTriangles / 1'000'000; ++i)
+    ASSERT_TRUE(meshes.Take({.file = 0}).ok());
+  const ErrorDetail refused = DetailOf(meshes.Take({.file = 0}).status());
+  EXPECT_EQ(refused.reason, Reason::kMeshTooLarge);
+  EXPECT_EQ(refused.metadata.at("got"), std::to_string(limits::kMaxTriangles + 1'000'000));
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ void AppendDistinct(std::vector<Point>& line, Point p) {
 
 }  // namespace
 
-absl::StatusOr<Sweep> Sweep::Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm) {
+absl::StatusOr<Sweep> Sweep::Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm,
+                                     int64_t other_points) {
   Sweep sweep(mesh, planes_nm);
-  if (absl::Status status = sweep.SortFacesIntoLayers(); !status.ok()) return status;
+  if (absl::Status status = sweep.SortFacesIntoLayers(other_points); !status.ok()) return status;
   return sweep;
 }
 
@@ -52,7 +53,7 @@ Sweep::Sweep(const ConnectedMesh& mesh, std::span<const Coord> planes_nm)
   }
 }
 
-absl::Status Sweep::SortFacesIntoLayers() {
+absl::Status Sweep::SortFacesIntoLayers(int64_t other_points) {
   const std::vector<Triangle>& triangles = mesh_->mesh.triangles;
   const auto span_of = [this](const Triangle& t) {
     return std::minmax({vertices_[t[0]].level, vertices_[t[1]].level, vertices_[t[2]].level});
@@ -70,9 +71,9 @@ absl::Status Sweep::SortFacesIntoLayers() {
     if (in_layer > limits::kMaxPointsPerLayer)
       return LimitError(Reason::kMeshTooLarge, "points in a layer", limits::kMaxPointsPerLayer,
                         in_layer);
-    if (total > limits::kMaxPointsPerMesh)
-      return LimitError(Reason::kMeshTooLarge, "points in the layers of a mesh",
-                        limits::kMaxPointsPerMesh, total);
+    if (other_points + total > limits::kMaxPointsPerJob)
+      return LimitError(Reason::kMeshTooLarge, "points in the layers of all parts",
+                        limits::kMaxPointsPerJob, other_points + total);
     layer_starts_.push_back(static_cast<uint32_t>(total));
   }
   faces_.resize(static_cast<size_t>(total));

@@ -44,8 +44,10 @@ struct SweepScratch {
 /// Cost: O(faces + segments), 4 bytes a segment.
 class Sweep {
  public:
-  /// Errors: MESH_TOO_LARGE if a layer, or all together, have more segments than limits.h allows.
-  static absl::StatusOr<Sweep> Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm);
+  /// `other_points`: the segments of the job's parts that were prepared before. Errors:
+  /// MESH_TOO_LARGE if a layer, or all together, have more segments than limits.h allows.
+  static absl::StatusOr<Sweep> Prepare(const ConnectedMesh& mesh, std::span<const Coord> planes_nm,
+                                       int64_t other_points = 0);
 
   /// The section in plane `layer`. Repeated points are left out, loops of less than three points
   /// too. Which loop comes first and where it starts follows the order of the triangles. Safe to
@@ -67,7 +69,7 @@ class Sweep {
   };
 
   Sweep(const ConnectedMesh& mesh, std::span<const Coord> planes_nm);
-  absl::Status SortFacesIntoLayers();
+  absl::Status SortFacesIntoLayers(int64_t other_points);
   Point Crossing(uint32_t half_edge, Coord z_nm) const;
   void PrefetchFace(uint32_t face, SweepScratch& scratch) const;
   void PrefetchCorners(uint32_t face) const;

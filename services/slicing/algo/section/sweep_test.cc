@@ -242,14 +242,14 @@ TEST(Sweep, StaysExactAtTheLimits) {
 }
 
 /// One tall needle, repeated: every face is in every layer.
-absl::Status StatusOfNeedles(size_t faces, size_t layers) {
+absl::Status StatusOfNeedles(size_t faces, size_t layers, int64_t other_points = 0) {
   ConnectedMesh connected;
   connected.mesh.vertices = {{0, 0, 0}, {1'000, 0, 0}, {0, 0, 100'000}};
   connected.mesh.triangles.assign(faces, {0, 1, 2});
   connected.twins.assign(3 * faces, kNoTwin);
   std::vector<Coord> planes(layers);
   for (size_t k = 0; k < layers; ++k) planes[k] = static_cast<Coord>(k + 1);
-  return Sweep::Prepare(connected, planes).status();
+  return Sweep::Prepare(connected, planes, other_points).status();
 }
 
 TEST(Sweep, RefusesMoreThanALayerMayHold) {
@@ -258,10 +258,14 @@ TEST(Sweep, RefusesMoreThanALayerMayHold) {
   EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxPointsPerLayer));
 }
 
-TEST(Sweep, RefusesMoreThanAMeshMayHold) {
+TEST(Sweep, RefusesMoreThanAJobMayHold) {
   const absl::Status status = StatusOfNeedles(20'000, 20'000);
   EXPECT_EQ(DetailOf(status).reason, Reason::kMeshTooLarge);
-  EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxPointsPerMesh));
+  EXPECT_EQ(DetailOf(status).metadata.at("limit"), std::to_string(limits::kMaxPointsPerJob));
+  EXPECT_TRUE(StatusOfNeedles(10, 10, limits::kMaxPointsPerJob - 100).ok());
+  EXPECT_EQ(DetailOf(StatusOfNeedles(10, 10, limits::kMaxPointsPerJob - 99)).reason,
+            Reason::kMeshTooLarge)
+      << "other parts have the room";
 }
 
 }  // namespace
