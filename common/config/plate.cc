@@ -12,6 +12,7 @@
 #include "absl/strings/escaping.h"
 #include "common/base/error.h"
 #include "common/config/plate_tool.h"
+#include "common/config/resolved_bytes.h"
 #include "common/config/table/adhesion_rows.h"
 #include "common/config/table/known_keys.h"
 #include "common/config/table/region_table.h"
@@ -73,6 +74,7 @@ class Resolver {
     if (const auto known = known_.find(own); known != known_.end()) return known->second;
     Settings all = job_;
     all.insert(all.end(), own.begin(), own.end());
+    if (absl::Status ok = bytes_.Add(BytesOf(all)); !ok.ok()) return OfObject(object, ok);
     absl::StatusOr<ResolvedSettings> resolved = Resolve(all, process_);
     if (!resolved.ok()) return OfObject(object, resolved.status());
     DropMetNeeds(own, resolved->no_effect);
@@ -143,6 +145,7 @@ class Resolver {
   ResolvedPlate& plate_;
   std::set<std::string> told_, warned_;
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
+  ResolvedBytes bytes_;                          ///< of those that are known
 };
 
 Settings Joined(Settings first, const Settings& second) {
@@ -338,6 +341,7 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   std::vector<SceneObject> objects(given_objects.begin(), given_objects.end());
   if (process == Process::kFdm)
     if (absl::Status ok = TakeTool(job, objects); !ok.ok()) return ok;
+  if (absl::Status ok = CheckResolvedBytes(job, objects); !ok.ok()) return ok;
   ResolvedPlate plate;
   Resolver resolver(job, process, plate);
   if (absl::Status ok = resolver.ResolveJob(); !ok.ok()) return ok;

@@ -31,7 +31,8 @@ struct ResolvedPlate {
 ///
 /// Errors: those of Resolve, with the object's name in front; SETTING_MISPLACED for a kRequest key
 /// that the place cannot have (metadata `object`, `setting`); REQUEST_TOO_LARGE for more than
-/// limits::kMaxRegionSettings different sets of settings; REQUEST_MALFORMED for ranges that are
+/// limits::kMaxRegionSettings different sets of settings, or for sets that take too much room
+/// (CheckResolvedBytes, before any is resolved); REQUEST_MALFORMED for ranges that are
 /// none, NOTHING_TO_PRINT if no copy is printable.
 absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> job,
                                            std::span<const SceneObject> objects,

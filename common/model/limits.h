@@ -41,6 +41,9 @@ inline constexpr int64_t kMaxPointsPerLayer = 5'000'000;
 inline constexpr int64_t kMaxPointsPerJob = 200'000'000;
 inline constexpr int64_t kMaxObjects = 1'000;         ///< copies included
 inline constexpr int64_t kMaxRegionSettings = 1'000;  ///< rows of a job's tables of settings
+/// Texts of all sets of settings of a job: each range of heights, part or object with some of its
+/// own has all of the job's as well, and so has each message to a worker.
+inline constexpr int64_t kMaxResolvedBytes = 48 << 20;
 inline constexpr int32_t kMaxPerimeters = 10'000;
 inline constexpr int32_t kMaxSkirtLoops = 500;
 inline constexpr int32_t kMaxRaftLayers = 100;

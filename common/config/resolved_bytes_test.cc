@@ -1,0 +1,71 @@
+#include "common/config/resolved_bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "common/base/error.h"
+#include "common/config/plate.h"
+#include "common/model/limits.h"
+
+namespace slicefarm::config::resolved_bytes_test {
+namespace {
+
+/// A job of which each set of settings takes about half a megabyte.
+std::vector<Setting> LongJob() { return {{"notes", std::string(500'000, 'x')}}; }
+
+SceneObject ObjectWith(int ranges, int parts) {
+  SceneObject object;
+  object.name = "box";
+  object.parts.resize(1);
+  object.instances.resize(1);
+  for (int i = 0; i < ranges; ++i)
+    object.ranges.push_back({i * 0.5, i * 0.5 + 0.5, {{"perimeters", std::to_string(i % 97)}}});
+  for (int i = 0; i < parts; ++i) {
+    Part modifier;
+    modifier.role = PartRole::kModifier;
+    modifier.settings = {{"fill_density", std::to_string(i) + "%"}};
+    object.parts.push_back(modifier);
+  }
+  return object;
+}
+
+Reason RefusalOf(const std::vector<Setting>& job, const std::vector<SceneObject>& objects) {
+  return DetailOf(CheckResolvedBytes(job, objects)).reason;
+}
+
+TEST(CheckResolvedBytes, CountsEachDifferentSetOnce) {
+  const auto fits = [](const std::vector<Setting>& job, const std::vector<SceneObject>& objects) {
+    return CheckResolvedBytes(job, objects).ok();
+  };
+  EXPECT_TRUE(fits(LongJob(), {}));
+  EXPECT_TRUE(fits(LongJob(), {ObjectWith(0, 0)}));
+  EXPECT_TRUE(fits(LongJob(), std::vector(1'000, ObjectWith(20, 2)))) << "equal objects";
+  EXPECT_TRUE(fits({{"notes", "short"}}, {ObjectWith(97, 90)}));
+}
+
+TEST(CheckResolvedBytes, RefusesWhatWouldTakeTooMuch) {
+  EXPECT_EQ(RefusalOf(LongJob(), {ObjectWith(97, 90)}), Reason::kRequestTooLarge);
+  const ErrorDetail detail =
+      DetailOf(CheckResolvedBytes(LongJob(), std::vector{ObjectWith(200, 1)}));
+  EXPECT_EQ(detail.metadata.at("limit"), std::to_string(limits::kMaxResolvedBytes));
+  EXPECT_GT(std::stoll(detail.metadata.at("got")), limits::kMaxResolvedBytes);
+  EXPECT_LT(std::stoll(detail.metadata.at("got")), limits::kMaxResolvedBytes + 1'000'000)
+      << "it goes on counting";
+}
+
+// Modifiers make rows of rows: two to the power of how many there are.
+TEST(CheckResolvedBytes, WhatModifiersMakeIsCountedWhenItIsMade) {
+  const std::string field =
+      R"({"kind":"constant",)" + std::string(400'000, ' ') + R"("density":0.3})";
+  const std::vector<Setting> job = {{"density_field", field}};
+  std::vector<SceneObject> objects = {ObjectWith(0, 8)};
+  const char* keys[] = {"fill_density", "perimeters",      "fill_angle",   "top_solid_layers",
+                        "infill_speed", "perimeter_speed", "bridge_speed", "bottom_solid_layers"};
+  for (size_t i = 0; i < std::size(keys); ++i) objects[0].parts[i + 1].settings = {{keys[i], "7"}};
+  ASSERT_TRUE(CheckResolvedBytes(job, objects).ok());
+  EXPECT_EQ(DetailOf(ResolvePlate(job, objects).status()).reason, Reason::kRequestTooLarge);
+}
+
+}  // namespace
+}  // namespace slicefarm::config::resolved_bytes_test
