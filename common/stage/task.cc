@@ -17,6 +17,18 @@ void StageTimes::Add(const StageTimes& other) {
   exposure_s += other.exposure_s;
 }
 
+int64_t FdmResult::ProgramBytes() const {
+  int64_t bytes = 0;
+  for (const LayerProgram& program : programs) bytes += std::ssize(program.gcode);
+  return bytes;
+}
+
+int64_t LaserResult::ProgramBytes() const {
+  int64_t bytes = 0;
+  for (const ExposedProgram& program : programs) bytes += std::ssize(program.text);
+  return bytes;
+}
+
 bool SameOutput(const TaskResult& a, const TaskResult& b) {
   return std::visit(
       [&](const auto& first) {

@@ -51,6 +51,7 @@ struct FdmResult {
   StageTimes times;
 
   bool SameOutput(const FdmResult& other) const { return programs == other.programs; }
+  int64_t ProgramBytes() const;
 };
 
 /// A range of layers to scan, with everything they depend on.
@@ -68,6 +69,7 @@ struct LaserResult {
   StageTimes times;
 
   bool SameOutput(const LaserResult& other) const { return programs == other.programs; }
+  int64_t ProgramBytes() const;
 };
 
 /// A piece of a job's work: what one call of a runner makes, whole or not at all. One alternative a
@@ -93,6 +95,11 @@ inline const StageTimes& TimesOf(const TaskResult& result) {
 
 /// Whether two runs of a task came out the same; times may differ.
 bool SameOutput(const TaskResult& a, const TaskResult& b);
+
+/// What a result adds to the job's program.
+inline int64_t ProgramBytesOf(const TaskResult& result) {
+  return std::visit([](const auto& of) { return of.ProgramBytes(); }, result);
+}
 
 /// Makes tasks: a chain of stages (LayerChain), or a worker that runs one elsewhere.
 class TaskRunner {

@@ -50,6 +50,7 @@ struct Dispatcher::Job {
   std::vector<TaskResult> results = std::vector<TaskResult>(tasks.size());
   std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
   int32_t layers_done = 0;
+  int64_t program_bytes = 0;
   bool over = false;
   absl::Status status = absl::OkStatus();
 };
@@ -260,6 +261,10 @@ void Dispatcher::Accept(Job& job, const Assignment& assignment, TaskResult resul
       call->second->store(true);
   }
   const int32_t range = assignment.grant.range;
+  job.program_bytes += ProgramBytesOf(result);
+  if (job.program_bytes > options_.most_program_bytes)
+    return End(job, LimitError(Reason::kRequestTooLarge, "bytes of the job's program",
+                               options_.most_program_bytes, job.program_bytes));
   job.results[range] = std::move(result);
   job.layers_done += LayersOf(job.tasks[range]).size();
 }

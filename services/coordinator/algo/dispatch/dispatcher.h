@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/base/stopwatch.h"
+#include "common/model/limits.h"
 #include "services/coordinator/algo/dispatch/fan_out.h"
 #include "services/coordinator/algo/dispatch/task_executor.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
@@ -20,6 +21,8 @@ struct DispatcherOptions {
   /// A slot whose call failed rests this long, twice as long each further time, up to the maximum.
   std::chrono::milliseconds min_rest{20};
   std::chrono::milliseconds max_rest{1000};
+  /// A job whose results come to more ends: they are held until all are there.
+  int64_t most_program_bytes = limits::kMaxProgramBytes;
 };
 
 /// Runs the ranges of any number of jobs over the runners there are, as FanOut decides. One thread
@@ -28,7 +31,8 @@ struct DispatcherOptions {
 /// A runner gets tasks of its processes only.
 ///
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
-/// RANGE_POISONED naming the layers where a range failed too often; CANCELLED. BUILD_MISMATCH is
+/// RANGE_POISONED naming the layers where a range failed too often; REQUEST_TOO_LARGE where the
+/// results come to more bytes than a program may have; CANCELLED. BUILD_MISMATCH is
 /// the runner's fault and no try of the range. With no runner for their process, Execute waits for one to
 /// join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
 class Dispatcher : public TaskExecutor, public RunnerSet {

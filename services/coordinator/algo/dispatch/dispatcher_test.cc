@@ -131,6 +131,18 @@ TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
   EXPECT_EQ(calls, 1);
 }
 
+// Texts of layers, a thousand times what the request has, would take the coordinator's memory.
+TEST(Dispatcher, AProgramHasABound) {
+  DispatcherOptions options = Quick();
+  options.most_program_bytes = 1'000;
+  Dispatcher dispatcher(options);
+  dispatcher.Join(RunnerOf("a", Good, 2, "ten bytes!"));
+  EXPECT_TRUE(dispatcher.Execute({}, Tasks(10), nullptr).ok());
+  const absl::Status status = dispatcher.Execute({}, Tasks(11), nullptr).status();
+  EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
+  EXPECT_EQ(DetailOf(status).metadata.at("limit"), "1000");
+}
+
 TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   Dispatcher dispatcher(Quick());
   const auto body = [](const StageCall&, const FdmTask& task) {
