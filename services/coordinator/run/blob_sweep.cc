@@ -32,7 +32,8 @@ absl::Status SweepJobs(JobStore& jobs, int64_t ended_before_us, const CancelToke
   return first_error;
 }
 
-/// Those of `idle` that no job of the tenant refers to.
+/// Those of `idle` that no job of the tenant refers to. What cannot be deleted stays, and keeps
+/// nothing of the others; the first error is returned in the end.
 absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blobs,
                        const std::vector<BlobEntry>& idle, double idle_s, const CancelToken& cancel,
                        Swept& swept) {
@@ -40,16 +41,18 @@ absl::Status SweepIdle(JobStore& jobs, const std::string& tenant, BlobStore& blo
   for (const BlobEntry& blob : idle) digests.insert(blob.digest);
   const auto referenced = jobs.Referenced(tenant, digests);
   if (!referenced.ok()) return referenced.status();
+  absl::Status first_error;
   for (const BlobEntry& blob : idle) {
     if (referenced->contains(blob.digest)) continue;
     if (absl::Status go_on = cancel.Check(); !go_on.ok()) return go_on;
     const auto deleted = blobs.Delete(blob.digest, idle_s);
-    if (!deleted.ok()) return deleted.status();
-    if (!*deleted) continue;
+    if (absl::IsUnavailable(deleted.status())) return deleted.status();
+    first_error.Update(deleted.status());
+    if (!deleted.ok() || !*deleted) continue;
     ++swept.blobs;
     swept.bytes += blob.size;
   }
-  return absl::OkStatus();
+  return first_error;
 }
 
 absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& blobs, double idle_s,
@@ -58,11 +61,14 @@ absl::Status SweepTenant(JobStore& jobs, const std::string& tenant, BlobStore& b
   absl::Status status = blobs.ForEach([&](const BlobEntry& blob) {
     if (blob.idle_s >= idle_s) idle.push_back(blob);
   });
-  for (size_t first = 0; status.ok() && first < idle.size(); first += kBlobsAtOnce) {
+  for (size_t first = 0; first < idle.size(); first += kBlobsAtOnce) {
     const auto begin = idle.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(kBlobsAtOnce, idle.size() - first);
-    status = SweepIdle(jobs, tenant, blobs, {begin, begin + static_cast<std::ptrdiff_t>(count)},
-                       idle_s, cancel, swept);
+    const absl::Status swept_these =
+        SweepIdle(jobs, tenant, blobs, {begin, begin + static_cast<std::ptrdiff_t>(count)}, idle_s,
+                  cancel, swept);
+    if (absl::IsUnavailable(swept_these) || absl::IsCancelled(swept_these)) return swept_these;
+    status.Update(swept_these);
   }
   return status;
 }

@@ -24,8 +24,8 @@ struct Swept {
 
 /// Removes what nobody needs any more: jobs that ended long ago; blobs that are no input and no
 /// result of a job; uploads that were given up. Safe beside other coordinators, which may use a
-/// blob at any moment: using it comes before referring to it, and keeps it. Errors: the stores';
-/// CANCELLED.
+/// blob at any moment: using it comes before referring to it, and keeps it. What cannot be removed
+/// keeps nothing else. Errors: the stores', the first one; CANCELLED.
 absl::StatusOr<Swept> Sweep(JobStore& jobs, BlobStores& blobs, const SweepOptions& options,
                             int64_t now_us, const CancelToken& cancel = {});
 

@@ -127,5 +127,62 @@ TEST_F(BlobSweepTest, UploadsThatWereGivenUpGo) {
   EXPECT_EQ(blobs_->Status(digest)->committed_size, 0);
 }
 
+/// A store one of whose blobs cannot be deleted.
+class StuckStore : public BlobStore {
+ public:
+  StuckStore(std::shared_ptr<BlobStore> store, std::string stuck)
+      : store_(std::move(store)), stuck_(std::move(stuck)) {}
+
+  absl::StatusOr<bool> Delete(const std::string& digest, double idle_s) override {
+    if (digest == stuck_) return absl::InternalError("it is stuck");
+    return store_->Delete(digest, idle_s);
+  }
+  absl::Status ForEach(const std::function<void(const BlobEntry&)>& visit) override {
+    return store_->ForEach(visit);
+  }
+  absl::StatusOr<BlobStatus> Status(const std::string& digest) override {
+    return store_->Status(digest);
+  }
+  absl::StatusOr<BlobStatus> Keep(const std::string&) override { return Unused(); }
+  absl::StatusOr<BlobStatus> Append(const std::string&, int64_t, std::string_view) override {
+    return Unused();
+  }
+  absl::StatusOr<BlobStatus> Finish(const std::string&, int64_t) override { return Unused(); }
+  absl::StatusOr<std::string> Put(std::string_view) override { return Unused(); }
+  absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string&) override { return Unused(); }
+  absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string&) override {
+    return Unused();
+  }
+  absl::StatusOr<std::string> Get(const std::string&) override { return Unused(); }
+
+ private:
+  static absl::Status Unused() { return absl::UnimplementedError("a sweep has no use for it"); }
+
+  const std::shared_ptr<BlobStore> store_;
+  const std::string stuck_;
+};
+
+class StuckStores : public BlobStores {
+ public:
+  explicit StuckStores(std::shared_ptr<BlobStore> store) : store_(std::move(store)) {}
+  absl::StatusOr<std::shared_ptr<BlobStore>> Of(const std::string&) override { return store_; }
+  absl::StatusOr<std::vector<std::string>> Tenants() override { return std::vector{std::string()}; }
+
+ private:
+  const std::shared_ptr<BlobStore> store_;
+};
+
+TEST_F(BlobSweepTest, WhatCannotBeDeletedKeepsNothingElse) {
+  std::string stuck;
+  for (int i = 0; i < 250; ++i) stuck = *blobs_->Put(std::to_string(i));
+  StuckStores stores(std::make_shared<StuckStore>(blobs_, stuck));
+  const auto swept =
+      coordinator::Sweep(*jobs_, stores, {.keep_jobs_s = 0, .keep_blobs_s = 0}, now_us_);
+  EXPECT_EQ(swept.status().message(), "it is stuck");
+  int left = 0;
+  ASSERT_TRUE(blobs_->ForEach([&](const BlobEntry&) { ++left; }).ok());
+  EXPECT_EQ(left, 1);
+}
+
 }  // namespace
 }  // namespace slicefarm::coordinator::blob_sweep_test
