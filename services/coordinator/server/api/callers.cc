@@ -23,13 +23,17 @@ absl::Status Denied(std::string_view message, std::map<std::string, std::string>
 
 }  // namespace
 
-absl::StatusOr<Caller> Callers::Find(const grpc::ServerContextBase& context,
-                                     const Scopes& one_of) const {
+absl::StatusOr<PlacedCaller> Callers::Find(const grpc::ServerContextBase& context,
+                                           const Scopes& one_of) const {
   auto caller = Known(context);
-  if (!caller.ok()) return caller;
-  if (std::ranges::any_of(one_of, [&](Scope scope) { return caller->may(scope); })) return caller;
-  const std::string scope(ScopeName(*one_of.begin()));
-  return Denied(absl::StrCat("this needs the scope '", scope, "'"), {{"scope", scope}});
+  if (!caller.ok()) return caller.status();
+  if (std::ranges::none_of(one_of, [&](Scope scope) { return caller->may(scope); })) {
+    const std::string scope(ScopeName(*one_of.begin()));
+    return Denied(absl::StrCat("this needs the scope '", scope, "'"), {{"scope", scope}});
+  }
+  auto place = places_.Enter(caller->tenant, CancelToken());
+  if (!place.ok()) return place.status();
+  return PlacedCaller{*std::move(caller), *std::move(place)};
 }
 
 absl::StatusOr<Caller> Callers::Known(const grpc::ServerContextBase& context) const {

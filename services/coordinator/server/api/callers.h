@@ -8,30 +8,46 @@
 
 #include "absl/status/statusor.h"
 #include "services/coordinator/algo/tenants.h"
+#include "services/coordinator/server/api/tenant_places.h"
 
 namespace slicefarm::coordinator {
 
 /// The tenants at the moment. None: there is one only, without a name, and each caller is it.
 using TenantsNow = std::function<std::shared_ptr<const Tenants>()>;
 
+/// How many calls may be under way at once: each holds a thread of the server.
+struct CallLimits {
+  int calls = 480;           ///< of a farm without tenants
+  int calls_a_tenant = 160;  ///< uploads and downloads among them
+};
+
+/// Who calls, and his place among the calls that are under way, given back when this goes.
+struct PlacedCaller : Caller {
+  rpc::Admission::Ticket place;
+};
+
 /// Finds out who calls: the first thing that each method of the public services does. Not gRPC's
 /// AuthMetadataProcessor, which there is with TLS only, and whose errors have no details.
 /// Thread-safe.
 class Callers {
  public:
-  Callers(TenantsNow tenants, std::function<int64_t()> now_us)
-      : tenants_(std::move(tenants)), now_us_(std::move(now_us)) {}
+  Callers(TenantsNow tenants, const CallLimits& limits, std::function<int64_t()> now_us)
+      : tenants_(std::move(tenants)),
+        now_us_(std::move(now_us)),
+        places_(limits.calls, limits.calls_a_tenant) {}
 
   /// The caller, by his token, or else by his certificate (with both, they must be of one tenant).
   /// He has at least one of the scopes. Errors: UNAUTHENTICATED; PERMISSION_DENIED, with metadata
-  /// `scope` if it is one that he lacks.
-  absl::StatusOr<Caller> Find(const grpc::ServerContextBase& context, const Scopes& one_of) const;
+  /// `scope` if it is one that he lacks; OVERLOADED if too many calls of his tenant are under way.
+  absl::StatusOr<PlacedCaller> Find(const grpc::ServerContextBase& context,
+                                    const Scopes& one_of) const;
 
  private:
   absl::StatusOr<Caller> Known(const grpc::ServerContextBase& context) const;
 
   const TenantsNow tenants_;
   const std::function<int64_t()> now_us_;
+  mutable TenantPlaces places_;
 };
 
 }  // namespace slicefarm::coordinator

@@ -50,7 +50,7 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       results_(runs_, blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),
-      callers_(options_.tenants, NowUs),
+      callers_(options_.tenants, options_.calls, NowUs),
       intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs,
               pipeline_.processes()),
       runner_(RunEnvironment{runs_, blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,

@@ -31,6 +31,7 @@ struct CoordinatorOptions {
   std::string build_id;
   TransferOptions transfers = {};
   WatchOptions watches = {};
+  CallLimits calls = {};
   Maintenance::Options maintenance = {};
   TenantsNow tenants = {};  ///< none: one tenant without a name
   ResultSharing sharing = ResultSharing::kOff;

@@ -24,6 +24,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
     CoordinatorOptions options = Options();
     options.runner.jobs = jobs_at_once_;
     options.transfers = transfers_;
+    options.calls = calls_;
     options.rates = rates_;
     options.webhooks = [this] { return webhooks_; };
     options.webhook_sender.poll = std::chrono::milliseconds(20);
@@ -89,6 +90,7 @@ class CoordinatorTest : public ServedCoordinatorTest, protected CoordinatorClien
   }
 
   TransferOptions transfers_;
+  CallLimits calls_;
   Rates rates_;
   std::shared_ptr<const WebhookPolicy> webhooks_ = std::make_shared<const WebhookPolicy>();
   int64_t min_free_bytes_ = 0;

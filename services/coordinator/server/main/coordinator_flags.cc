@@ -9,16 +9,20 @@
 #include "common/model/limits.h"
 #include "common/rpc/server/listen_address.h"
 #include "services/coordinator/remote/address_watch.h"
+#include "services/coordinator/server/api/callers.h"
 #include "services/coordinator/server/api/transfers.h"
 
 namespace slicefarm::coordinator {
 namespace {
 
-/// Uploads and downloads hold a thread each: TransferOptions bounds them, and leaves enough for the
-/// other calls.
-constexpr int kThreads = 256;
+/// Each call holds a thread. Uploads and downloads do for long: TransferOptions bounds them, and
+/// leaves enough for the other calls; CallLimits leaves some for the other tenants.
+constexpr int kThreads = 512;
 constexpr TransferOptions kTransfers;
+constexpr CallLimits kCalls;
 static_assert(2 * (kTransfers.slots + kTransfers.queue) <= kThreads * 2 / 3);
+static_assert(2 * kTransfers.slots_a_tenant + 32 <= kCalls.calls_a_tenant);
+static_assert(3 * kCalls.calls_a_tenant < kThreads && kCalls.calls < kThreads);
 
 /// Whatever one connection has open, it does not take all threads.
 constexpr int kStreamsPerConnection = 128;

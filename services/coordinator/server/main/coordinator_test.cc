@@ -158,6 +158,44 @@ TEST_F(CoordinatorTest, UploadsBeyondTheCapAreRefusedAndTheRestGoesOn) {
   open.back()->stream->Finish();
 }
 
+// Each holds a thread of the server, of which some are to be left for other tenants.
+TEST_F(CoordinatorTest, CallsBeyondTheCapAreRefusedWhateverTheyAskFor) {
+  Close();
+  calls_.calls = 2;
+  Open();
+  const auto one = BeginUpload("one");
+  const auto refusal_of = [this] {
+    grpc::ClientContext context;
+    v1::Upload upload;
+    v1::GetUploadRequest request;
+    request.set_sha256(Sha256Hex("one"));
+    return DetailOf(rpc::FromGrpc(meshes_->GetUpload(&context, request, &upload)));
+  };
+  ErrorDetail refusal;
+  v1::UploadMeshRequest request;
+  request.set_sha256(Sha256Hex("two"));
+  request.set_size(1'000'000);
+  request.set_data("t");
+  while (refusal.reason != Reason::kOverloaded) {  // the second upload may have been refused itself
+    grpc::ClientContext context;
+    Bound(context);
+    v1::Upload upload;
+    const auto two = meshes_->UploadMesh(&context, &upload);
+    for (bool open = two->Write(request); open && refusal.reason != Reason::kOverloaded;) {
+      refusal = refusal_of();
+      v1::UploadMeshRequest more;
+      more.set_data("t");
+      open = two->Write(more);
+    }
+    context.TryCancel();
+    two->Finish();
+  }
+  EXPECT_EQ(refusal.metadata.count(rpc::kRetryAfterMs), 1u);
+  while (refusal_of().reason == Reason::kOverloaded) std::this_thread::yield();
+  one->context.TryCancel();
+  one->stream->Finish();
+}
+
 TEST_F(CoordinatorTest, RequestsAreCheckedBeforeAnythingIsKept) {
   const auto reason = [&](const std::function<void(v1::CreateJobRequest&)>& change) {
     v1::CreateJobRequest request = RequestFor("xxx");
@@ -514,9 +552,8 @@ TEST_F(CoordinatorTest, AStopHandsJobsBackAndTheNextLifeGoesOn) {
 TEST_F(CoordinatorTest, TheStateBelongsToOneCoordinator) {
   CoordinatorOptions options;
   options.stores.state_dir = directory_.path();
-  const auto second =
-      Coordinator::Open(options, {slicing_, arranging_, planning_, motion_}, dispatcher_,
-                        rpc::JsonLog("test"));
+  const auto second = Coordinator::Open(options, {slicing_, arranging_, planning_, motion_},
+                                        dispatcher_, rpc::JsonLog("test"));
   EXPECT_TRUE(absl::IsUnavailable(second.status())) << second.status();
 }
 
