@@ -33,6 +33,8 @@ inline constexpr int64_t kMaxProjectBytes = 16 << 20;  ///< names and settings t
 inline constexpr double kMaxTransformEntry = 1e6;      ///< a scale, or mm: plates lie side by side
 inline constexpr double kMaxMeshCoordinateMm = 10'000;
 inline constexpr Coord kMaxCoord = 2'100'000'000;  ///< a placed part fits in 32-bit nanometres
+/// Of a machine, as profiles have it; what stands on it is within kMaxCoord.
+inline constexpr Coord kMaxPrintHeight = 10'000'000'000;
 inline constexpr int64_t kMaxLayers = 20'000;
 /// Of all objects that are printed one after the other: each layer is a program of its own.
 inline constexpr int64_t kMaxLayerPrograms = 200'000;

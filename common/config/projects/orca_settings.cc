@@ -1,6 +1,7 @@
 #include "common/config/projects/orca_settings.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "common/base/text.h"
+#include "common/config/projects/orca_mesh.h"
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_table.h"
 #include "common/config/table/settings_table.h"
@@ -121,8 +123,10 @@ class OrcaReader {
       case OrcaValue::kChoice:
         return Choice(row.to, *first);
       case OrcaValue::kGcode:
-        return {Escape(ReplacePlaceholders(
-            Unescape(*first), [this](std::string_view name) { return MeaningOf(name); }))};
+        return {Escape(WithBedMesh(
+            ReplacePlaceholders(Unescape(*first),
+                                [this](std::string_view name) { return MeaningOf(name); }),
+            MeshOfBed()))};
       case OrcaValue::kSame:
       case OrcaValue::kPoints:
       case OrcaValue::kPairs:
@@ -131,9 +135,43 @@ class OrcaReader {
     return {first};
   }
 
+  /// `x,y`, as OrcaSlicer writes points.
+  void TakePoint(std::string_view key, std::array<double, 2>& point) const {
+    const auto found = by_key_.find(key);
+    if (found == by_key_.end()) return;
+    const std::string text = FirstOf(found->second->value).value_or("");
+    const size_t comma = std::min(text.find_first_of(",x"), text.size());
+    const auto x = ToNumber(Trim(std::string_view(text).substr(0, comma)));
+    const auto y = ToNumber(Trim(std::string_view(text).substr(std::min(comma + 1, text.size()))));
+    if (x && y) point = {*x, *y};
+  }
+
+  BedMesh MeshOfBed() const {
+    BedMesh mesh;
+    TakePoint("bed_mesh_min", mesh.min);
+    TakePoint("bed_mesh_max", mesh.max);
+    TakePoint("bed_mesh_probe_distance", mesh.probe_distance);
+    mesh.margin = NumberOf("adaptive_bed_mesh_margin").value_or(0);
+    const auto flavor = by_key_.find("gcode_flavor");
+    mesh.klipper = flavor != by_key_.end() && flavor->second->value == "klipper";
+    return mesh;
+  }
+
+  /// Bambu Studio's lists of what flushes: the first of these settings that says so.
+  std::optional<Placeholder> FlushOf(std::string_view own, std::string_view otherwise) const {
+    for (const std::string_view key : {own, otherwise})
+      if (const auto number = NumberOf(key); number && *number > 0)
+        return ValuePlaceholder(PrintNumber(*number));
+    return std::nullopt;
+  }
+
   /// A setting that has an effect here goes by its name, as somebody may set it otherwise.
   std::optional<Placeholder> MeaningOf(std::string_view name) const {
     if (name == "outer_wall_volumetric_speed") return OuterWallFlow();
+    if (name == "flush_volumetric_speeds")
+      return FlushOf("filament_flush_volumetric_speed", "filament_max_volumetric_speed");
+    if (name == "flush_temperatures")
+      return FlushOf("filament_flush_temp", "nozzle_temperature_range_high");
     for (const OrcaVariable& variable : OrcaVariables()) {
       if (variable.from != name) continue;
       return MeaningOf(variable.to).value_or(Placeholder{std::string(variable.to)});

@@ -223,7 +223,7 @@ std::vector<SettingSpec> InfillSettings() {
        .kind = Kind::kNumberOrPercent,
        .unit = "mm",
        .min = 0,
-       .max = 5,
+       .max = 10,
        .standard = "100%",
        .doc = "Highest bead that automatic_infill_combination makes; never higher than the "
               "nozzle is wide",

@@ -89,7 +89,7 @@ absl::Status CheckRanges(const v1::MotionOptions& proto) {
     if (!(scarf.max_segment_mm() > 0))
       return Malformed("speeds.scarf.max_segment_mm", "is not positive");
   }
-  if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxCoord)
+  if (proto.max_print_height_nm() < 0 || proto.max_print_height_nm() > limits::kMaxPrintHeight)
     return Malformed("max_print_height_nm", "is out of range");
   if (proto.resolution_nm() < 0 || proto.resolution_nm() > limits::kMaxCoord)
     return Malformed("resolution_nm", "is out of range");

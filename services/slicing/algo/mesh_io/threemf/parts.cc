@@ -103,7 +103,8 @@ bool HasVolumes(const ObjectResource& object, const ObjectSettings* settings) {
 absl::StatusOr<std::vector<Part>> PartsOf(const PartsSource& source, const ObjectKey& key,
                                           std::string_view name, Notes& notes) {
   const ObjectResource& object = source.package.At(key);
-  const ObjectSettings* settings = key.file == 0 ? source.settings.Of(object.id) : nullptr;
+  const ObjectSettings* settings =
+      source.package.IsNamedByNumber(key) ? source.settings.Of(object.id) : nullptr;
   if (HasVolumes(object, settings)) {
     NotePaint(object, name, notes);
     absl::StatusOr<std::vector<Part>> volumes = Volumes(source, object, *settings);

@@ -57,16 +57,21 @@ class ProjectBuilder {
     const absl::StatusOr<size_t> object = IndexOf(*key, item.line);
     if (!object.ok()) return object.status();
     std::vector<Instance>& instances = project_.objects[*object].instances;
-    if (item.path == package_.files.front().part)
+    if (package_.IsNamedByNumber(*key))
       items_[item.object].push_back(
           {static_cast<int32_t>(*object), static_cast<int32_t>(instances.size())});
     instances.push_back({item.transform, item.printable, metadata_.has_printer});
     return absl::OkStatus();
   }
 
+  /// nullptr: the object has none.
+  const ObjectSettings* SettingsOf(const ObjectKey& key) const {
+    return package_.IsNamedByNumber(key) ? metadata_.model.Of(package_.At(key).id) : nullptr;
+  }
+
   std::string NameOf(const ObjectKey& key) const {
     const ObjectResource& resource = package_.At(key);
-    const ObjectSettings* settings = key.file == 0 ? metadata_.model.Of(resource.id) : nullptr;
+    const ObjectSettings* settings = SettingsOf(key);
     if (settings != nullptr && !settings->name.empty()) return settings->name;
     return resource.name.empty() ? fmt::format("object {}", resource.id) : resource.name;
   }
@@ -83,8 +88,7 @@ class ProjectBuilder {
     absl::Status status = Count(*parts, object.name);
     if (!status.ok()) return PlacedAt({package_.files.front().part, line}, status);
     object.parts = *std::move(parts);
-    if (const ObjectSettings* settings = metadata_.model.Of(package_.At(key).id);
-        settings != nullptr && key.file == 0)
+    if (const ObjectSettings* settings = SettingsOf(key); settings != nullptr)
       object.settings = settings->settings;
     const auto ranges = metadata_.ranges.find(static_cast<int64_t>(project_.objects.size()) + 1);
     if (ranges != metadata_.ranges.end()) object.ranges = std::move(ranges->second);

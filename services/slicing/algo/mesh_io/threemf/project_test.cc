@@ -48,6 +48,37 @@ TEST(MakeProject, NamesAndOrdersObjects) {
   EXPECT_FALSE(project->objects[1].instances[0].placed) << "no printer, no place";
 }
 
+/// Bambu Studio's first projects: each object in a file of its own, and numbers over all of them.
+TEST(MakeProject, ObjectsOfOtherFilesHaveSettingsAndPlates) {
+  Package package = PackageOf(1);
+  ModelFile& other = package.files.emplace_back();
+  std::swap(other.objects, package.files[0].objects);
+  std::swap(other.by_id, package.files[0].by_id);
+  other.part = package.files[0].items[0].path = "other.model";
+  Metadata metadata;
+  ObjectSettings& lid = metadata.model.objects.emplace_back();
+  lid.object = 1;
+  lid.name = "Lid";
+  lid.settings.push_back({"wall_loops", "5"});
+  PlateSettings& plate = metadata.model.plates.emplace_back();
+  plate.number = 1;
+  plate.members.push_back({1, 0});
+  auto project = MakeProject(package, metadata);
+  ASSERT_TRUE(project.ok()) << project.status();
+  EXPECT_EQ(project->objects[0].name, "Lid");
+  ASSERT_EQ(project->objects[0].settings.size(), 1u);
+  EXPECT_EQ(project->objects[0].settings[0].value, "5");
+  ASSERT_EQ(project->plates.size(), 1u);
+  EXPECT_EQ(project->plates[0].members.size(), 1u);
+
+  // A number that the first file uses as well means the first file's.
+  package.files[0].by_id[1] = 0;
+  package.files[0].objects.push_back(package.files[1].objects[0]);
+  project = MakeProject(package, metadata);
+  ASSERT_TRUE(project.ok()) << project.status();
+  EXPECT_EQ(project->objects[0].name, "object 1");
+}
+
 TEST(MakeProject, NotesWhatIsNoModel) {
   Package package = PackageOf(2);
   package.files[0].objects[1].type = "support";

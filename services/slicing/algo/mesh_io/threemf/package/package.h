@@ -30,6 +30,11 @@ struct Package {
   const ObjectResource& At(const ObjectKey& key) const {
     return files[key.file].objects[key.object];
   }
+  /// Whether settings that name an object by its number alone mean this one: one of the first file,
+  /// or, as Bambu Studio's first projects are, of another that is built without being in the first.
+  bool IsNamedByNumber(const ObjectKey& key) const {
+    return key.file == 0 || !files.front().by_id.contains(At(key).id);
+  }
   /// The object that `use` names in files[file]. Errors: MESH_MALFORMED with a place.
   absl::StatusOr<ObjectKey> Resolve(const ObjectUse& use, size_t file) const;
 };
