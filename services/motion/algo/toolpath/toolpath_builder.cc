@@ -18,9 +18,9 @@ namespace {
 /// Of one move, in 1e-5 mm: more than any printer can do.
 constexpr int64_t kMostFilament = 1'000'000'000;
 
-/// How far widths of solid infill may lie from the path's: what such a bead changes by lies inside
-/// of the part, between others; more than this is a step of the flow that shows.
-constexpr double kSolidWidthShare = 0.1;
+/// How far widths of solid infill may lie from the path's: those beads lie inside of the part,
+/// between others. With more, more than ten changes of the flow a metre are above 30 %.
+constexpr double kSolidWidthShare = 0.095;
 
 /// A wipe that ends a little early, as steps do, pulls everything back, a little faster.
 constexpr double kWholeWipe = 0.9;
