@@ -252,7 +252,7 @@ TEST(FillSection, UsesSayWhatEachRowsLinesComeTo) {
   EXPECT_EQ(solid.feature, Feature::kSolidInfill);
   EXPECT_EQ(solid.pattern, FillPattern::kRectilinear);
   EXPECT_NEAR(solid.asked_mm3, solid.room_mm3, 1e-9);
-  EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.01);
+  EXPECT_NEAR(solid.plastic_mm3 / solid.room_mm3, 1, 0.0125);
 
   const std::vector<Path> paths = PathsIn(*filled);
   for (const FillUse& use : filled->uses) {

@@ -28,7 +28,7 @@ constexpr double kMinLengthWidths = 1.0;
 /// overlap leaves: gaps where a line meets the edge at a flat angle are smaller.
 constexpr double kFreeShare = 0.5;
 /// Links come nearer to the edge by so much of the overlap.
-constexpr double kLinkOverlap = 0.06;
+constexpr double kLinkOverlap = 0.05;
 /// What links between curves may add to their length.
 constexpr double kMostLinkShare = 0.01;
 constexpr double kDepthPrecision = 0.001;  // of a spacing

@@ -25,8 +25,8 @@ bool IsAligned(FillPattern pattern);
 
 /// Covers one connected region with beads side by side. For lines and loops the spacing is the
 /// nearest to that of `width_nm` that fits a whole number of beads across the region, within 15 %
-/// less and 20 % more; the beads' width follows, and the volume is the region's within 1 %, but for
-/// regions of a few lines. No bead of straight lines beside walls changes its section by more than
+/// less and 20 % more; the beads' width follows, and the volume is the region's within 1.25 %, but
+/// for regions of a few lines. No bead of straight lines beside walls changes its section by more than
 /// 30 % from edge to edge of its path, or is narrower than 0.6 spacings.
 ///
 /// Monotonic: each piece of line after those of the line before that it lies beside; the group

@@ -13,7 +13,7 @@ namespace {
 
 /// Shorter stretches of the edge, in pitches along the lines, are no flat ones: at steeper angles
 /// the round ends of lines leave little, and each fitted end takes some moves more.
-constexpr double kLeastFlatPitches = 1.5;
+constexpr double kLeastFlatPitches = 2.0;
 /// Steeper edges are not flat.
 constexpr double kSteepSlope = 1 / kLeastFlatPitches;
 /// The round end of a line takes so much of the room beyond it, in pitches.

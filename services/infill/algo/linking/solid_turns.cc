@@ -10,21 +10,22 @@ namespace slicefarm::infill {
 namespace {
 
 /// What the optimum comes to, in pitches, by the cotangent of the angle between lines and edge.
-constexpr double kInShift = 0.22, kInSlope = 0.45, kInBack = 0.5;
-constexpr double kOutShift = 0.1, kOutSlope = 0.63, kOutBack = 0.7, kOutBackSlope = 0.1;
+constexpr double kShiftSlope = 0.45, kBack = 0.7, kBackSlope = 0.15;
+/// Of ends that would move by less, in pitches, the points cost more than the wedge.
+constexpr double kLeastShift = 0.05;
 /// Flatter edges count as one of 30 degrees.
 constexpr double kMostCotangent = 1.73;
-/// Of a link, of the way to the next end along the edge, and of a line: no end takes more.
+/// Of the way to the next end along the edge, and of a line: no end takes more.
 constexpr double kMostShare = 0.45;
 
-/// How an end of a link lies, in pitches.
+/// How an end of a link lies beyond its crossing, in pitches.
 struct Bend {
-  bool outwards = false;  ///< beyond the crossing, not before it
-  double shift = 0;       ///< along the edge
-  double back = 0;        ///< along the line
+  double shift = 0;  ///< along the edge
+  double back = 0;   ///< along the line
 };
 
-/// `forward`: the link goes forwards along the ring from the crossing.
+/// None where the line leans over the link. `forward`: the link goes forwards along the ring from
+/// the crossing.
 Bend BendAt(const ScanLines& lines, const Crossing& crossing, bool forward) {
   const Polygon& ring = *lines.rings[crossing.ring];
   const Point a = ring[crossing.edge], b = ring[(crossing.edge + 1) % ring.size()];
@@ -32,8 +33,9 @@ Bend BendAt(const ScanLines& lines, const Crossing& crossing, bool forward) {
   const double along = crossing.place % 2 == 0 ? u : -u;  // into the region
   const double cotangent =
       std::abs(u) < kMostCotangent * std::abs(v) ? std::abs(u / v) : kMostCotangent;
-  if ((along > 0) == forward) return {false, std::min(kInShift, kInSlope * cotangent), kInBack};
-  return {true, kOutShift + kOutSlope * cotangent, kOutBack + kOutBackSlope * cotangent};
+  const double shift = kShiftSlope * cotangent;
+  if ((along > 0) == forward || shift < kLeastShift) return {};
+  return {shift, kBack + kBackSlope * cotangent};
 }
 
 /// From a crossing to the next or the previous one on its ring, both with it.
@@ -66,23 +68,19 @@ Polyline Without(const Polyline& way, double length) {
 }
 
 /// Bends one end of a link's way, its first point; returns how far back its line ends.
-double BendStart(const ScanLines& lines, int32_t from, bool forward, double length, Polyline& way) {
+double BendStart(const ScanLines& lines, int32_t from, bool forward, Polyline& way) {
   const Crossing& crossing = lines.crossings[from];
   const Bend bend = BendAt(lines, crossing, forward);
   if (bend.shift <= 0) return 0;
-  const Polyline beyond = bend.outwards ? WayFrom(lines, from, !forward) : Polyline{};
-  const double most_shift = kMostShare * (bend.outwards ? Length(beyond) : length);
+  const Polyline beyond = WayFrom(lines, from, !forward);
+  const double most_shift = kMostShare * Length(beyond);
   const double most_back = kMostShare * lines.PieceLength(crossing.place / 2);
   const double share = std::min(
       {1.0, most_shift / (bend.shift * lines.pitch), most_back / (bend.back * lines.pitch)});
   const double shift = share * bend.shift * lines.pitch;
-  if (bend.outwards) {
-    Polyline back(beyond.rbegin(), beyond.rend());
-    back = Without(back, Length(beyond) - shift);
-    way.insert(way.begin(), back.begin(), back.end() - 1);
-  } else {
-    way = Without(way, shift);
-  }
+  Polyline back(beyond.rbegin(), beyond.rend());
+  back = Without(back, Length(beyond) - shift);
+  way.insert(way.begin(), back.begin(), back.end() - 1);
   return share * bend.back * lines.pitch;
 }
 
@@ -90,10 +88,9 @@ double BendStart(const ScanLines& lines, int32_t from, bool forward, double leng
 
 SolidTurn TurnBetween(const ScanLines& lines, int32_t from, int32_t to, bool forward) {
   SolidTurn turn{.way = WayFrom(lines, from, forward)};
-  const double length = Length(turn.way);
-  turn.from_back_nm = BendStart(lines, from, forward, length, turn.way);
+  turn.from_back_nm = BendStart(lines, from, forward, turn.way);
   std::ranges::reverse(turn.way);
-  turn.to_back_nm = BendStart(lines, to, !forward, length, turn.way);
+  turn.to_back_nm = BendStart(lines, to, !forward, turn.way);
   std::ranges::reverse(turn.way);
   return turn;
 }

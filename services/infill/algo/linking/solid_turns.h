@@ -17,12 +17,11 @@ struct SolidTurn {
 ///
 /// A link along the edge fills the room before the edge between its own lines; every other such
 /// room is without a link, and the two lines beside it leave a wedge there wherever the edge is not
-/// square to them. So lines end upright: over their last pitch they bend towards the edge's normal,
-/// one into the wedge, the other one away from where its link and line would lie double. The ends
-/// of a link move along the edge, both to the same side. By how much, follows from the angle: found
-/// by minimising what lies double and eight times what stays empty, of lines on a straight edge at
-/// 26 to 88 degrees. Half of the pitch from the edge a turn holds what its room takes, and up to a
-/// tenth of a pitch more for each length of edge where that is flat.
+/// square to them. So the line that leans away from its link bends over its last pitch into the
+/// wedge, and that end of the link goes on along the edge. By how much, follows from the angle:
+/// found by minimising what lies double and eight times what stays empty, of lines on a straight
+/// edge at 26 to 88 degrees, and a little less, after real parts. A bend of the other end too would
+/// be a fourth move for each line and 0 to 9 % less that lies double.
 ///
 /// `from` and `to`: crossings next to each other on their ring, `forward`: to is behind from. Cost:
 /// O(corners passed).

@@ -57,18 +57,32 @@ TEST(SolidTurn, HoldsThePlasticOfItsRoom) {
   EXPECT_LT(MoreThanTheRoom(35), 0.06);
 }
 
-// Lines that lean to the right: both ends of a link move to the right, into the wedge that the line
-// after the link would leave.
-TEST(SolidTurn, EndsOfALinkMoveTheSameWay) {
+// Lines that lean to the right: the right end of a link moves to the right, into the wedge that its
+// line would leave; the left one, over which its line leans, stays.
+TEST(SolidTurn, TheEndBeforeAWedgeMovesIntoIt) {
   const MultiPolygon square = MakePolygonsOrDie("(0 0, 40 0, 40 40, 0 40)");
   const ScanLines lines = LinesAt(square, 50);
   const std::vector<int32_t> at = LowerCrossings(lines);
   const Point left = lines.PlaceOf(lines.crossings[at[0]]);
   const Point right = lines.PlaceOf(lines.crossings[at[1]]);
   const SolidTurn turn = TurnBetween(lines, at[0], at[1], true);
-  EXPECT_GT(turn.way.front().x, left.x + 50'000);
-  EXPECT_GT(turn.way.back().x, right.x + 150'000);
+  EXPECT_EQ(turn.way.front(), left);
+  EXPECT_EQ(turn.from_back_nm, 0);
+  EXPECT_GT(turn.way.back().x, right.x + 130'000);
+  EXPECT_GT(turn.to_back_nm, kPitch / 2);
   for (const Point p : turn.way) EXPECT_NEAR(p.y, 0, 2);
+}
+
+// Where a bend would save next to nothing, it is no point of the path.
+TEST(SolidTurn, NearlySquareEdgesHavePlainTurns) {
+  const MultiPolygon square = MakePolygonsOrDie("(0 0, 40 0, 40 40, 0 40)");
+  for (const double degrees : {85.0, 90.0, 95.0}) {
+    const ScanLines lines = LinesAt(square, degrees);
+    const std::vector<int32_t> at = LowerCrossings(lines);
+    const SolidTurn turn = TurnBetween(lines, at[0], at[1], true);
+    EXPECT_EQ(turn.way.size(), 2u) << degrees;
+    EXPECT_EQ(turn.from_back_nm + turn.to_back_nm, 0) << degrees;
+  }
 }
 
 TEST(SolidTurn, BackwardsIsTheSame) {

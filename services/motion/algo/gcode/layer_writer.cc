@@ -11,8 +11,9 @@
 namespace slicefarm::motion {
 namespace {
 
-/// Along a path of varying width, changes below this are not worth a line.
-constexpr int32_t kWidthStepUm = 10;
+/// Along a path of varying width, changes below this are not worth a line. PrusaSlicer's beads of
+/// varying width change in steps of 0.05 mm.
+constexpr int32_t kWidthStepUm = 25;
 
 bool NeedsBridgeFan(Feature feature) {
   return feature == Feature::kBridgeInfill || feature == Feature::kOverhangPerimeter;

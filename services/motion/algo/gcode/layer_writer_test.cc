@@ -47,9 +47,9 @@ TEST(LayerWriter, TellsWhatChanges) {
   Move wide = Print(3'000, Feature::kPerimeter);
   wide.width_um = 600;
   Move wider = Print(4'000, Feature::kPerimeter);
-  wider.width_um = 605;
+  wider.width_um = 620;
   Move thick = Print(5'000, Feature::kPerimeter);
-  thick.width_um = 605;
+  thick.width_um = 620;
   thick.height_um = 300;
   EXPECT_EQ(Written({Print(1'000, Feature::kExternalPerimeter), Print(2'000, Feature::kPerimeter),
                      wide, wider, thick}),

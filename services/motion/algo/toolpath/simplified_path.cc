@@ -140,12 +140,23 @@ class Cone {
   double most_ = kInfinity;
 };
 
+/// How far beads may lie from the path's.
+struct Tolerance {
+  double place_um = 0;
+  double width_share = 0;
+
+  Coord OfWidth(Coord width_nm) const {
+    return std::max<Coord>(kWidthToleranceNm,
+                           std::llround(width_share * static_cast<double>(width_nm)));
+  }
+};
+
 /// The beads that may stand for what begins at one node, grown node by node.
 class Reach {
  public:
   /// `begin`: where they begin.
-  Reach(const Node& from, UmVector begin, double tolerance_um)
-      : from_(from), begin_(begin), tolerance_um_(tolerance_um) {}
+  Reach(const Node& from, UmVector begin, const Tolerance& tolerance)
+      : from_(from), begin_(begin), tolerance_(tolerance) {}
 
   /// Goes on to the next node.
   void Take(const Node& to) {
@@ -155,7 +166,8 @@ class Reach {
     even_ = widest_ == narrowest_;
     if (even_) return;
     const Coord width = std::llround((to.area - from_.area) / length_);
-    even_ = widest_ - width <= kWidthToleranceNm && width - narrowest_ <= kWidthToleranceNm;
+    even_ = widest_ - width <= tolerance_.OfWidth(widest_) &&
+            width - narrowest_ <= tolerance_.OfWidth(narrowest_);
   }
 
   /// The squared deviations of the nodes passed from a bead to `end`, at or beside the node taken
@@ -174,17 +186,19 @@ class Reach {
     const UmVector way = place - begin_;
     const double squared = Dot(way, way);
     farthest_ = std::max(farthest_, squared);
-    if (squared > tolerance_um_ * tolerance_um_) cone_.Narrow(way, tolerance_um_);
+    const double away = tolerance_.place_um;
+    if (squared > away * away) cone_.Narrow(way, away);
     xx_ += way.x * way.x;
     xy_ += way.x * way.y;
     yy_ += way.y * way.y;
-    return !cone_.Empty() && widest_ - narrowest_ <= 2 * kWidthToleranceNm;
+    return !cone_.Empty() &&
+           widest_ - narrowest_ <= tolerance_.OfWidth(widest_) + tolerance_.OfWidth(narrowest_);
   }
 
  private:
   const Node& from_;
   const UmVector begin_;
-  const double tolerance_um_;
+  const Tolerance tolerance_;
   Cone cone_;
   Coord narrowest_ = std::numeric_limits<Coord>::max();
   Coord widest_ = 0;
@@ -219,8 +233,8 @@ struct Way {
 /// with two of them results differ by 0.1 % of all moves, with 17 by none.
 class FewestBeads {
  public:
-  FewestBeads(std::span<const Node> nodes, double tolerance_um)
-      : nodes_(nodes), tolerance_um_(tolerance_um), ways_(nodes.size()), farthest_(nodes.size()) {
+  FewestBeads(std::span<const Node> nodes, const Tolerance& tolerance)
+      : nodes_(nodes), tolerance_(tolerance), ways_(nodes.size()), farthest_(nodes.size()) {
     ways_[0][0].beads = 0;
     size_t fewest = 0;  // to any node from here on
     for (size_t i = 0; i + 1 < nodes_.size(); ++i) {
@@ -244,7 +258,7 @@ class FewestBeads {
   const Way& WayTo(Stop stop) const { return ways_[stop.node][stop.outside]; }
 
   void GoOnFrom(Stop from) {
-    Reach reach(nodes_[from.node], EndAt(nodes_[from.node], from.outside), tolerance_um_);
+    Reach reach(nodes_[from.node], EndAt(nodes_[from.node], from.outside), tolerance_);
     const size_t end = std::min(nodes_.size(), from.node + 1 + kMostNodes);
     const size_t beads = WayTo(from).beads + 1;
     for (size_t i = from.node + 1; i < end; ++i) {
@@ -270,7 +284,7 @@ class FewestBeads {
   }
 
   const std::span<const Node> nodes_;
-  const double tolerance_um_;
+  const Tolerance tolerance_;
   std::vector<std::array<Way, 2>> ways_;  ///< by node, and whether outside of it
   std::vector<size_t> farthest_;          ///< node by number of beads
 };
@@ -305,13 +319,13 @@ std::vector<NodeArc> ArcsOf(std::span<const Node> nodes) {
 
 /// The last nodes of the beads that stand for all: as few as can be between arcs.
 std::vector<Stop> StopsOf(std::span<const Node> nodes, std::vector<NodeArc> arcs,
-                          double tolerance_um) {
+                          const Tolerance& tolerance) {
   std::vector<Stop> stops;
   size_t at = 0;
   arcs.push_back({nodes.size() - 1, nodes.size() - 1});
   for (const NodeArc& arc : arcs) {
     if (at < arc.first) {
-      for (Stop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance_um).Stops())
+      for (Stop stop : FewestBeads(nodes.subspan(at, arc.first - at + 1), tolerance).Stops())
         stops.push_back({at + stop.node, stop.outside});
     }
     for (size_t i = arc.first + 1; i <= arc.last; ++i) stops.push_back({i, false, true});
@@ -374,11 +388,12 @@ SimplifiedPath Whole(const Path& path, bool keep_arcs) {
 
 SimplifiedPath Simplified(const Path& path, const SimplifyOptions& options) {
   std::vector<Node> nodes = NodesOf(path);
-  const double tolerance_um = static_cast<double>(options.tolerance_nm) / kNmPerUm - kSlackUm;
-  if (nodes.size() < 3 || tolerance_um <= 0) return Whole(path, options.keep_arcs);
-  FindOutsides(tolerance_um, nodes);
+  const Tolerance tolerance{static_cast<double>(options.tolerance_nm) / kNmPerUm - kSlackUm,
+                            options.width_share};
+  if (nodes.size() < 3 || tolerance.place_um <= 0) return Whole(path, options.keep_arcs);
+  FindOutsides(tolerance.place_um, nodes);
   const std::vector<Stop> stops =
-      StopsOf(nodes, options.keep_arcs ? ArcsOf(nodes) : std::vector<NodeArc>{}, tolerance_um);
+      StopsOf(nodes, options.keep_arcs ? ArcsOf(nodes) : std::vector<NodeArc>{}, tolerance);
   if (path.closed && stops.size() < 3) return Whole(path, options.keep_arcs);
   SimplifiedPath simple;
   simple.path = {path.feature,    path.settings, path.inset, path.ring, path.closed,

@@ -253,6 +253,29 @@ TEST(Simplified, WidthsStayWithinTheirTolerance) {
   }
 }
 
+// A share of the width counts where it is more: wide beads that change slowly become fewer.
+TEST(Simplified, WideBeadsMayHaveAShareOfTheirWidth) {
+  Path path = OpenPath({{0, 0}}, {300'000});
+  while (path.points.size() < 31) {
+    path.points.push_back(path.points.back() + Point{100'000, 0});
+    path.widths_nm.push_back(path.widths_nm.back() + 20'000);
+  }
+  const auto with_share = [&](double share) {
+    return Simplified(path, {kTolerance, kHeight, false, share}).path;
+  };
+  const Path shared = with_share(0.1);
+  EXPECT_EQ(BeadCount(with_share(0.01)), BeadCount(Simple(path).path));
+  EXPECT_LT(BeadCount(shared), 0.8 * BeadCount(Simple(path).path));
+  size_t bead = 1;
+  for (size_t i = 1; i < path.points.size(); ++i) {
+    const Coord middle = (path.points[i - 1].x + path.points[i].x) / 2;
+    while (shared.points[bead].x < middle) ++bead;
+    const double width = static_cast<double>(path.widths_nm[i - 1] + path.widths_nm[i]) / 2;
+    EXPECT_NEAR(static_cast<double>(shared.widths_nm[bead]), width,
+                std::max<double>(kWidthToleranceNm, 0.1 * width) + 1);
+  }
+}
+
 // A width that steps at a point stays a step there.
 TEST(Simplified, StepsOfWidthStay) {
   const Path path =
