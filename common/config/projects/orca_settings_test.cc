@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "common/config/projects/orca_table.h"
@@ -133,12 +134,33 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {{"hot_plate_temp", R"(["50"])"}, {"cool_plate_temp", R"(["35"])"}},
        {"bed_temperature = 50"}},
       {"Unknown", {{"z_foo", "1"}, {"a_bar", "2"}}, {}, {"z_foo", "a_bar"}},
+      {"WeightyFirst",
+       {{"z_foo", "1"}, {"print_flow_ratio", "0.9"}, {"hole_to_polyhole", "0"}},
+       {},
+       {"print_flow_ratio = 0.9", "z_foo"}},
+      // On a machine whose head is wider than its nozzle's radius says, copies would be hit.
+      {"WidestClearance",
+       {{"extruder_clearance_radius", "57"}, {"extruder_clearance_max_radius", "68"}},
+       {"extruder_clearance_radius = 68"}},
+      {"PressureAdvanceOff",
+       {{"enable_pressure_advance", R"(["0"])"}, {"pressure_advance", R"(["0.04"])"}},
+       {}},
+      {"PressureAdvanceOn",
+       {{"enable_pressure_advance", R"(["1"])"}, {"pressure_advance", R"(["0.04"])"}},
+       {"pressure_advance = 0.04"}},
+      {"ExcludeObject",
+       {{"gcode_label_objects", "1"}, {"exclude_object", "1"}},
+       {"gcode_label_objects = firmware"}},
+      {"NothingExcluded",
+       {{"gcode_label_objects", "1"}, {"exclude_object", "0"}},
+       {"gcode_label_objects = octoprint"}},
       {"LastOfTwo", {{"wall_loops", "3"}, {"wall_loops", "4"}}, {"perimeters = 4"}},
   };
   for (const Case& c : cases) {
-    std::vector<std::string> unknown;
-    EXPECT_EQ(Lines(FromOrca(c.from, &unknown)), c.to) << c.name;
-    EXPECT_EQ(unknown, c.unknown) << c.name;
+    OrcaUnused unused;
+    EXPECT_EQ(Lines(FromOrca(c.from, &unused)), c.to) << c.name;
+    std::ranges::move(unused.others, std::back_inserter(unused.of_print));
+    EXPECT_EQ(unused.of_print, c.unknown) << c.name;
   }
 }
 
