@@ -154,6 +154,8 @@ class OrcaReader {
         return {first->empty() || first->ends_with('%') ? *first : *first + "%"};
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
+      case OrcaValue::kRest:
+        return {RestOf(*first)};
       case OrcaValue::kNot:
         return {*first == "0" ? "1" : "0"};
       case OrcaValue::kChoice:
@@ -252,6 +254,14 @@ class OrcaReader {
     const std::optional<double> number = of ? ToNumber(*of) : std::nullopt;
     if (!number) return std::nullopt;
     return PrintNumber(Quantise(*percent / 100 * *number));
+  }
+
+  /// 0.5% of 99.5%, or of 99.5.
+  static std::optional<std::string> RestOf(std::string_view text) {
+    if (text.ends_with('%')) text.remove_suffix(1);
+    const std::optional<double> percent = ToNumber(Trim(text));
+    if (!percent) return std::nullopt;
+    return PrintNumber(Quantise(100 - *percent)) + "%";
   }
 
   static Converted Choice(std::string_view row, std::string_view text) {

@@ -197,6 +197,8 @@ constexpr OrcaRow kRows[] = {
     {"filament_diameter", "filament_diameter"},
     {"filament_density", "filament_density"},
     {"filament_cost", "filament_cost"},
+    {"filament_shrink", "filament_shrinkage_compensation_xy", OrcaValue::kRest},
+    {"filament_shrinkage_compensation_z", "filament_shrinkage_compensation_z", OrcaValue::kRest},
     {"filament_type", "filament_type"},
     {"filament_colour", "filament_colour"},
     {"filament_vendor", "filament_vendor"},

@@ -17,8 +17,6 @@ constexpr Weighty kWeighty[] = {
     {"print_flow_ratio", "1"},
     {"top_solid_infill_flow_ratio", "1"},
     {"bottom_solid_infill_flow_ratio", "1"},
-    {"filament_shrink", "100%|100"},
-    {"filament_shrinkage_compensation_z", "100%|100"},
     {"hole_to_polyhole", "0"},
     {"counterbore_hole_bridging", "none"},
     {"make_overhang_printable", "0"},

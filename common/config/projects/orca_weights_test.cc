@@ -15,8 +15,8 @@ TEST(WeightOf, DependsOnTheValue) {
   };
   for (const Case& c : {Case{"print_flow_ratio", "1", OrcaWeight::kNothing},
                         Case{"print_flow_ratio", "0.95", OrcaWeight::kPrint},
-                        Case{"filament_shrink", R"(["100%", "100%"])", OrcaWeight::kNothing},
-                        Case{"filament_shrink", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
+                        Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
+                        Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
                         Case{"printing_by_object_gcode", "", OrcaWeight::kNothing},
                         Case{"printing_by_object_gcode", R"(["G28"])", OrcaWeight::kPrint},
                         Case{"bed_exclude_area", "[]", OrcaWeight::kNothing},
