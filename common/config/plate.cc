@@ -66,8 +66,11 @@ class Resolver {
     told_.insert(base->no_effect.begin(), base->no_effect.end());
     warned_.insert(base->warnings.begin(), base->warnings.end());
     known_[Settings{}] = base->settings;
+    growth_ = base->growth;
     return absl::OkStatus();
   }
+
+  const Growth& growth() const { return growth_; }
 
   /// The job's settings with `own` over them.
   absl::StatusOr<JobSettings> With(const std::string& object, const Settings& own) {
@@ -143,6 +146,7 @@ class Resolver {
   const Settings job_;
   const Process process_;
   ResolvedPlate& plate_;
+  Growth growth_;
   std::set<std::string> told_, warned_;
   std::map<Settings, JobSettings, Less> known_;  ///< by own settings
   ResolvedBytes bytes_;                          ///< of those that are known
@@ -313,6 +317,14 @@ std::string ObjectsText(std::span<const SceneObject> objects) {
          all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// Copies grow where they stand, and upwards from the bed.
+void Grow(const Growth& growth, std::vector<Instance>& copies) {
+  for (Instance& copy : copies) {
+    copy.to_plate.topRows<2>().leftCols<3>() *= growth.xy;
+    copy.to_plate.row(2) *= growth.z;
+  }
+}
+
 /// Adds the object, or its copies to an equal one.
 void Add(ObjectResolver::Result object, ResolvedPlate& plate) {
   JobSettings& settings = plate.settings;
@@ -349,7 +361,8 @@ absl::StatusOr<ResolvedPlate> ResolvePlate(std::span<const Setting> given_job,
   plate.settings.slicing.objects.clear();
   plate.settings.planning.objects.clear();
   RegionTable table;
-  for (const SceneObject& object : objects) {
+  for (SceneObject& object : objects) {
+    Grow(resolver.growth(), object.instances);
     absl::StatusOr<ObjectResolver::Result> resolved =
         ObjectResolver(object, resolver, table).Resolve();
     if (!resolved.ok()) return resolved.status();

@@ -59,6 +59,31 @@ absl::Status PlateRefusal(const Pairs& job, const std::vector<SceneObject>& obje
   return ResolvePlate(Settings(job), objects).status();
 }
 
+TEST(ResolvePlate, PartsAreLargerByWhatTheirFilamentShrinks) {
+  SceneObject object = ObjectNamed("part");
+  object.instances = {StandingAt(20, 30)};
+  object.instances[0].to_plate(2, 3) = 5;
+  const Pairs shrinking = {{"filament_shrinkage_compensation_xy", "1%,5%"},
+                           {"filament_shrinkage_compensation_z", "-10"}};
+  const ResolvedPlate grown = PlateOrDie(shrinking, {object});
+  const Transform& to_plate = grown.objects[0].to_plate;
+  EXPECT_DOUBLE_EQ(to_plate(0, 0), 100. / 99);
+  EXPECT_DOUBLE_EQ(to_plate(1, 1), 100. / 99);
+  EXPECT_DOUBLE_EQ(to_plate(2, 2), 100. / 110);
+  EXPECT_DOUBLE_EQ(to_plate(2, 3), 500. / 110);
+  EXPECT_EQ(grown.objects[0].copies, PlateOrDie({}, {object}).objects[0].copies) << "moved";
+  EXPECT_THAT(grown.effective_text, HasSubstr("filament_shrinkage_compensation_xy = 1%"));
+
+  // Of the tool in use, whatever the way the object is turned.
+  object.settings = Settings({{"extruder", "2"}});
+  object.instances = {StandingAt(20, 30, 90)};
+  const ResolvedPlate second = PlateOrDie(shrinking, {object});
+  EXPECT_NEAR(second.objects[0].to_plate(0, 1), -100. / 95, 1e-12);
+
+  EXPECT_EQ(DetailOf(PlateRefusal({{"filament_shrinkage_compensation_z", "50%"}}, {object})).reason,
+            Reason::kSettingOutOfRange);
+}
+
 double Density(const ResolvedPlate& plate, int32_t row) {
   return plate.settings.infill[static_cast<size_t>(row)].density;
 }

@@ -162,6 +162,12 @@ std::optional<std::string> TakeSequentialSkirt(Draft& draft) {
   return note;
 }
 
+Growth GrowthOf(const Draft& draft) {
+  const auto growth = [&](std::string_view key) { return 100 / (100 - draft.Number(key)); };
+  return {growth("filament_shrinkage_compensation_xy"),
+          growth("filament_shrinkage_compensation_z")};
+}
+
 /// Beads are not higher than the nozzle is wide. Returns what to say of it.
 std::optional<std::string> TakeEveryLayers(JobSettings& settings) {
   int32_t& every = settings.infill[0].every_layers;
@@ -202,6 +208,7 @@ absl::StatusOr<ResolvedSettings> Resolve(std::span<const Setting> given, Process
     }
   }
   if (process == Process::kFdm) {
+    result.growth = GrowthOf(draft);
     TakeFootWidth(result.settings);
     if (ToolCount(given) > 1) {
       result.settings.motion.tool = static_cast<int32_t>(tool);

@@ -14,8 +14,15 @@ namespace slicefarm::config {
 using slicefarm::Setting;
 using slicefarm::Source;
 
+/// What parts are multiplied by, as their filament shrinks.
+struct Growth {
+  double xy = 1;
+  double z = 1;
+};
+
 struct ResolvedSettings {
   JobSettings settings;
+  Growth growth;
   /// EffectiveText(settings, what was given besides). Resolve of its lines gives `settings` and the
   /// same text back.
   std::string effective_text;

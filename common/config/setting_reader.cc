@@ -238,7 +238,8 @@ void SettingReader::NoteOtherItems(const SettingSpec& spec, const Draft::Entry& 
                                            ? "the first value"
                                            : fmt::format("that of extruder {}", tool_ + 1),
                                        entry.written);
-  if (spec.list == List::kPerExtruder) {
+  // A profile has values for all extruders, and which of them prints is known.
+  if (spec.list == List::kPerExtruder && entry.requested) {
     Warn(text);
   } else {
     no_effect_.push_back(text);

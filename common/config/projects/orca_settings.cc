@@ -13,6 +13,7 @@
 #include "common/config/projects/orca_mesh.h"
 #include "common/config/projects/orca_placeholders.h"
 #include "common/config/projects/orca_table.h"
+#include "common/config/projects/orca_weights.h"
 #include "common/config/table/settings_table.h"
 #include "common/config/value.h"
 
@@ -68,6 +69,8 @@ class OrcaReader {
     known_.emplace(row.from);
     const Converted value = ConvertAll(row, setting.value);
     if (!value.exact || !value.text) inexact_.emplace(row.from);
+    const bool chosen = row.value == OrcaValue::kChoice && !row.to.starts_with("support_material");
+    if (chosen && (!value.exact || !value.text)) stand_ins_.emplace(row.from);
     if (value.text && !value.text->empty()) Set(row.to, *value.text, setting.source);
     // An empty text is one for G-code and the like; a choice without a value says nothing.
     if (value.text && value.text->empty() &&
@@ -77,18 +80,51 @@ class OrcaReader {
 
   std::vector<Setting> Take() && { return std::move(settings_); }
 
-  std::vector<std::string> Unknown(std::span<const Setting> settings) const {
-    std::vector<std::string> unknown;
+  OrcaUnused Unused(std::span<const Setting> settings) const {
+    OrcaUnused unused;
     for (const Setting& setting : settings) {
-      if (!known_.contains(setting.key))
-        unknown.push_back(setting.key);
+      if (by_key_.find(setting.key)->second != &setting) continue;  // a later one wins
+      const bool known = known_.contains(setting.key);
+      const OrcaWeight weight = known ? OrcaWeight::kDetail : WeightOf(setting.key, setting.value);
+      if (stand_ins_.contains(setting.key) || weight == OrcaWeight::kPrint)
+        unused.of_print.push_back(setting.key + " = " + ShortValue(setting.value));
       else if (inexact_.contains(setting.key))
-        unknown.push_back(setting.key + " = " + FirstOf(setting.value).value_or(""));
+        unused.others.push_back(setting.key + " = " + ShortValue(setting.value));
+      else if (!known && weight == OrcaWeight::kDetail)
+        unused.others.push_back(setting.key);
     }
-    return unknown;
+    return unused;
+  }
+
+  /// What depends on a second setting: whether it is used at all, or how.
+  void TakePairs() {
+    if (IsOn("exclude_object")) {
+      known_.insert("exclude_object");
+      Set("gcode_label_objects", "firmware", by_key_.find("exclude_object")->second->source);
+    } else if (by_key_.contains("exclude_object")) {
+      known_.insert("exclude_object");
+    }
+    for (const std::string_view key : {"pressure_advance", "enable_pressure_advance"})
+      if (by_key_.contains(key)) known_.emplace(key);
+    const auto advance = by_key_.find("pressure_advance");
+    if (advance != by_key_.end() && IsOn("enable_pressure_advance"))
+      if (const auto first = FirstOf(advance->second->value); first && !first->empty())
+        Set("pressure_advance", *first, advance->second->source);
   }
 
  private:
+  bool IsOn(std::string_view key) const {
+    const auto found = by_key_.find(key);
+    return found != by_key_.end() && FirstOf(found->second->value) == "1";
+  }
+
+  /// For a line of the report.
+  static std::string ShortValue(std::string_view value) {
+    constexpr size_t kMost = 60;
+    const std::string text = Joined(value, ",");
+    return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+  }
+
   /// Of a list with an item for each extruder, all of them, as PrusaSlicer writes lists.
   Converted ConvertAll(const OrcaRow& row, std::string_view text) const {
     const int to = FindSetting(row.to);
@@ -118,6 +154,8 @@ class OrcaReader {
         return {first->empty() || first->ends_with('%') ? *first : *first + "%"};
       case OrcaValue::kPercentOf:
         return {PercentOf(*first, row.detail)};
+      case OrcaValue::kRest:
+        return {RestOf(*first)};
       case OrcaValue::kNot:
         return {*first == "0" ? "1" : "0"};
       case OrcaValue::kChoice:
@@ -218,6 +256,14 @@ class OrcaReader {
     return PrintNumber(Quantise(*percent / 100 * *number));
   }
 
+  /// 0.5% of 99.5%, or of 99.5.
+  static std::optional<std::string> RestOf(std::string_view text) {
+    if (text.ends_with('%')) text.remove_suffix(1);
+    const std::optional<double> percent = ToNumber(Trim(text));
+    if (!percent) return std::nullopt;
+    return PrintNumber(Quantise(100 - *percent)) + "%";
+  }
+
   static Converted Choice(std::string_view row, std::string_view text) {
     const std::span<const OrcaChoice> all = OrcaChoices();
     const auto found = std::find_if(all.begin(), all.end(), [&](const OrcaChoice& choice) {
@@ -271,15 +317,16 @@ class OrcaReader {
   std::vector<Setting> settings_;
   std::map<std::string, size_t, std::less<>> index_;  ///< into settings_
   std::set<std::string, std::less<>> known_, inexact_;
+  std::set<std::string, std::less<>> stand_ins_;  ///< for which something else is printed
 };
 
 }  // namespace
 
-std::vector<Setting> FromOrca(std::span<const Setting> settings,
-                              std::vector<std::string>* unknown) {
+std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused) {
   OrcaReader reader(settings);
   for (const OrcaRow& row : OrcaRows()) reader.Apply(row);
-  if (unknown != nullptr) *unknown = reader.Unknown(settings);
+  reader.TakePairs();
+  if (unused != nullptr) *unused = reader.Unused(settings);
   return std::move(reader).Take();
 }
 

@@ -8,6 +8,12 @@
 
 namespace slicefarm::config {
 
+/// Settings that PrusaSlicer has nothing for, or not with that value; in their order.
+struct OrcaUnused {
+  std::vector<std::string> of_print;  ///< `key = value` of what makes another print
+  std::vector<std::string> others;    ///< `key`; `key = value` where only the value is unknown
+};
+
 /// Settings of OrcaSlicer or Bambu Studio under PrusaSlicer's names and with its values, in the
 /// order of our table, each once; what they were given for stays (`source`).
 ///
@@ -16,8 +22,7 @@ namespace slicefarm::config {
 /// they are percentages of must be among `settings`. Of the temperatures of several beds that of
 /// `curr_bed_type` counts. Placeholders in G-code become PrusaSlicer's, or, where it has none, the
 /// value that `settings` have; others stay, and are an error when the G-code is made.
-/// `unknown`: takes, in their order, the keys that PrusaSlicer has nothing for, and `key = value`
-/// where it has the setting and not the value. Cost: O(n log n).
-std::vector<Setting> FromOrca(std::span<const Setting> settings, std::vector<std::string>* unknown);
+/// `unused`: takes what has no effect. Cost: O(n log n).
+std::vector<Setting> FromOrca(std::span<const Setting> settings, OrcaUnused* unused);
 
 }  // namespace slicefarm::config

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "common/config/projects/orca_table.h"
@@ -52,6 +53,10 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {{"filament_start_gcode", R"(["; PLA\nM900 K0.02 ; pressure \"PA\"","; PETG"])"}},
        {R"(start_filament_gcode = "; PLA\nM900 K0.02 ; pressure \"PA\"";"; PETG")"}},
       {"PartOfTheNozzle", {{"min_bead_width", "85"}}, {"min_bead_width = 85%"}},
+      {"Shrinkage",
+       {{"filament_shrink", R"(["99.5%","100"])"}, {"filament_shrinkage_compensation_z", "100.2%"}},
+       {"filament_shrinkage_compensation_xy = 0.5%,0%",
+        "filament_shrinkage_compensation_z = -0.2%"}},
       {"Flushing",
        {{"filament_max_volumetric_speed", R"(["12"])"},
         {"filament_flush_volumetric_speed", R"(["0"])"},
@@ -133,12 +138,33 @@ TEST(FromOrca, GivesNamesAndValuesOfPrusaSlicer) {
        {{"hot_plate_temp", R"(["50"])"}, {"cool_plate_temp", R"(["35"])"}},
        {"bed_temperature = 50"}},
       {"Unknown", {{"z_foo", "1"}, {"a_bar", "2"}}, {}, {"z_foo", "a_bar"}},
+      {"WeightyFirst",
+       {{"z_foo", "1"}, {"print_flow_ratio", "0.9"}, {"hole_to_polyhole", "0"}},
+       {},
+       {"print_flow_ratio = 0.9", "z_foo"}},
+      // On a machine whose head is wider than its nozzle's radius says, copies would be hit.
+      {"WidestClearance",
+       {{"extruder_clearance_radius", "57"}, {"extruder_clearance_max_radius", "68"}},
+       {"extruder_clearance_radius = 68"}},
+      {"PressureAdvanceOff",
+       {{"enable_pressure_advance", R"(["0"])"}, {"pressure_advance", R"(["0.04"])"}},
+       {}},
+      {"PressureAdvanceOn",
+       {{"enable_pressure_advance", R"(["1"])"}, {"pressure_advance", R"(["0.04"])"}},
+       {"pressure_advance = 0.04"}},
+      {"ExcludeObject",
+       {{"gcode_label_objects", "1"}, {"exclude_object", "1"}},
+       {"gcode_label_objects = firmware"}},
+      {"NothingExcluded",
+       {{"gcode_label_objects", "1"}, {"exclude_object", "0"}},
+       {"gcode_label_objects = octoprint"}},
       {"LastOfTwo", {{"wall_loops", "3"}, {"wall_loops", "4"}}, {"perimeters = 4"}},
   };
   for (const Case& c : cases) {
-    std::vector<std::string> unknown;
-    EXPECT_EQ(Lines(FromOrca(c.from, &unknown)), c.to) << c.name;
-    EXPECT_EQ(unknown, c.unknown) << c.name;
+    OrcaUnused unused;
+    EXPECT_EQ(Lines(FromOrca(c.from, &unused)), c.to) << c.name;
+    std::ranges::move(unused.others, std::back_inserter(unused.of_print));
+    EXPECT_EQ(unused.of_print, c.unknown) << c.name;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -26,7 +27,9 @@ class Translator {
     SetSource(Source::kProfile, project_settings_);
   }
 
-  void Run() {
+  /// Returns what makes another print than the project asks for; it comes first of all that has no
+  /// effect.
+  std::vector<std::string> Run() {
     project_.settings = OfProject();
     for (ProjectPlate& plate : project_.plates) Translate(plate.name, plate.settings);
     for (SceneObject& object : project_.objects) {
@@ -36,14 +39,19 @@ class Translator {
         Translate(fmt::format("{}, {} mm to {} mm", object.name, range.from_mm, range.to_mm),
                   range.settings);
     }
+    project_.without_effect.insert(project_.without_effect.end(), of_print_.begin(),
+                                   of_print_.end());
+    std::ranges::move(others_, std::back_inserter(project_.without_effect));
+    return std::move(of_print_);
   }
 
  private:
   Settings OfProject() {
-    std::vector<std::string> unknown;
-    Settings settings = FromOrca(project_settings_, &unknown);
-    Tell("", unknown);
-    told_.insert(unknown.begin(), unknown.end());
+    OrcaUnused unused;
+    Settings settings = FromOrca(project_settings_, &unused);
+    Tell("", unused);
+    for (const auto* texts : {&unused.of_print, &unused.others})
+      told_.insert(texts->begin(), texts->end());
     return settings;
   }
 
@@ -54,18 +62,23 @@ class Translator {
     SetSource(Source::kRequest, own);
     Settings all = project_settings_;
     all.insert(all.end(), own.begin(), own.end());
-    std::vector<std::string> unknown;
-    own = FromOrca(all, &unknown);
-    std::erase_if(unknown, [this](const std::string& text) { return told_.contains(text); });
-    Tell(place, unknown);
+    OrcaUnused unused;
+    own = FromOrca(all, &unused);
+    for (auto* texts : {&unused.of_print, &unused.others})
+      std::erase_if(*texts, [this](const std::string& text) { return told_.contains(text); });
+    Tell(place, unused);
     std::erase_if(own, [](const Setting& setting) { return setting.source != Source::kRequest; });
   }
 
-  void Tell(const std::string& place, const std::vector<std::string>& unknown) {
-    for (const std::string& text : unknown)
-      project_.without_effect.push_back(place.empty() ? text : place + ": " + text);
+  void Tell(const std::string& place, const OrcaUnused& unused) {
+    const auto add = [&](const std::string& text, std::vector<std::string>& lines) {
+      lines.push_back(place.empty() ? text : place + ": " + text);
+    };
+    for (const std::string& text : unused.of_print) add(text, of_print_);
+    for (const std::string& text : unused.others) add(text, others_);
   }
 
+  std::vector<std::string> of_print_, others_;  ///< without effect
   Project& project_;
   Settings project_settings_;
   std::set<std::string> told_;  ///< of the project
@@ -139,19 +152,27 @@ std::vector<SceneObject> ObjectsOn(const Project& project, size_t plate) {
   return objects;
 }
 
+/// Returns what makes another print.
+std::vector<std::string> TakePrusaNames(Project& project) {
+  std::vector<std::string> of_print;
+  if (project.dialect == SettingsDialect::kOrca) of_print = Translator(project).Run();
+  project.dialect = SettingsDialect::kPrusa;
+  MakeProfiles(project);
+  return of_print;
+}
+
 }  // namespace
 
 Project InPrusaNames(Project project) {
-  if (project.dialect == SettingsDialect::kOrca) Translator(project).Run();
-  project.dialect = SettingsDialect::kPrusa;
-  MakeProfiles(project);
+  TakePrusaNames(project);
   return project;
 }
 
 absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   const absl::StatusOr<size_t> chosen = ChosenPlate(given, plate);
   if (!chosen.ok()) return chosen.status();
-  Project project = InPrusaNames(given);
+  Project project = given;
+  const std::vector<std::string> of_print = TakePrusaNames(project);
   ProjectJob job;
   job.objects = ObjectsOn(project, *chosen);
   if (job.objects.empty()) {
@@ -164,6 +185,8 @@ absl::StatusOr<ProjectJob> JobOfProject(const Project& given, int plate) {
   job.without_effect = std::move(project.without_effect);
   for (const std::string& part : given.without_effect)
     job.warnings.push_back(part + ": without effect");
+  for (const std::string& setting : of_print)
+    job.warnings.push_back(setting + ": not supported yet");
   return job;
 }
 

@@ -14,7 +14,8 @@ struct ProjectJob {
   std::vector<SceneObject> objects;  ///< with their printable copies; those without are left out
   /// What else the project has that no stage uses, as lines for the report.
   std::vector<std::string> without_effect;
-  /// Those of them that are no settings: what was painted, pauses at heights, parts left out.
+  /// Those of them that are no settings (what was painted, pauses at heights, parts left out) or
+  /// make another print.
   std::vector<std::string> warnings;
 
   friend bool operator==(const ProjectJob&, const ProjectJob&) = default;

@@ -21,7 +21,7 @@ constexpr KnownKey kSwitches[] = {
     {"gcode_substitutions", "not supported: the G-code is not rewritten", "", true, true, true},
     {"post_process", "scripts are never run", "", true, true, true},
     {"printer_technology", kResin, "FFF", true, true, true},
-    {"single_extruder_multi_material", kNotYet, "0", true, true, true},
+    {"single_extruder_multi_material", kNotYet, "0", true},
     {"spiral_vase", kNotYet, "0", true, true, true},
     {"support_material", kNotYet, "0", true, true, true},
     {"use_firmware_retraction", kNotYet, "0", true, true, true},
@@ -33,8 +33,6 @@ constexpr KnownKey kSwitches[] = {
     {"extra_perimeters", kNotYet, "0", true},
     {"extruder_offset", kNotYet, "0x0", true},
     {"extrusion_axis", kNotYet, "E", true},
-    {"filament_shrinkage_compensation_xy", kNotYet, "0", true, true, true},
-    {"filament_shrinkage_compensation_z", kNotYet, "0", true, true, true},
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},
@@ -111,7 +109,13 @@ bool Matches(std::string_view pattern, std::string_view key) {
   return key.starts_with(pattern.substr(0, pattern.size() - 1));
 }
 
+/// 0 is 0%.
+std::string_view WithoutPercent(std::string_view text) {
+  return text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+}
+
 bool SameValue(std::string_view a, std::string_view b) {
+  if (ToNumber(WithoutPercent(a)) == 0 && ToNumber(WithoutPercent(b)) == 0) return true;
   const auto x = ToNumber(a);
   const auto y = ToNumber(b);
   return x.has_value() && y.has_value() ? *x == *y : a == b;

@@ -8,6 +8,17 @@ SettingSpec PerExtruder(SettingSpec spec) {
   return spec;
 }
 
+/// ResolvePlate scales objects by it: no stage sees it.
+SettingSpec Shrinkage(std::string_view key, std::string_view doc) {
+  return PerExtruder({.key = key,
+                      .kind = Kind::kPercent,
+                      .unit = "%",
+                      .min = -10,
+                      .max = 10,
+                      .standard = "0%",
+                      .doc = doc});
+}
+
 std::vector<SettingSpec> Temperatures() {
   const auto temperature = [](std::string_view key, std::string_view standard, double max,
                               std::string_view doc, Field field) {
@@ -154,6 +165,12 @@ std::vector<SettingSpec> Material() {
                    .standard = "1",
                    .doc = "Times the filament that a bead's volume asks for",
                    .field = Bind([](auto& s) -> auto& { return s.motion.extrusion_multiplier; })}),
+      Shrinkage(
+          "filament_shrinkage_compensation_xy",
+          "How much the filament shrinks as it cools, in x and y: parts are printed larger by "
+          "it; 1% for 99 mm that should be 100 mm"),
+      Shrinkage("filament_shrinkage_compensation_z",
+                "How much the filament shrinks as it cools, in height: parts are printed higher"),
       PerExtruder(
           {.key = "filament_density",
            .unit = "g/cm3",

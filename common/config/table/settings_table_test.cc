@@ -66,7 +66,8 @@ std::vector<std::string> Samples(const SettingSpec& spec) {
     case Kind::kFlowTable:
       return {"0,0.5;2,1", "0,1.25;0.5,0.75;1,1"};
     case Kind::kPercent:
-      return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%", "33.3%"};
+      return {PrintNumber(spec.min) + "%", PrintNumber(spec.max) + "%",
+              PrintNumber(Quantise(spec.min + (spec.max - spec.min) / 3)) + "%"};
     default: {
       double middle = Quantise((spec.min + spec.max) / 2);
       if (spec.kind == Kind::kInteger) middle = std::floor(middle);

@@ -1,0 +1,75 @@
+#include "common/config/projects/orca_weights.h"
+
+#include <algorithm>
+
+#include "common/base/text.h"
+
+namespace slicefarm::config {
+namespace {
+
+struct Weighty {
+  std::string_view key;
+  std::string_view neutral;  ///< values that ask for nothing, by `|`; an empty one always does
+};
+
+constexpr Weighty kWeighty[] = {
+    // Other material, or other sizes.
+    {"print_flow_ratio", "1"},
+    {"top_solid_infill_flow_ratio", "1"},
+    {"bottom_solid_infill_flow_ratio", "1"},
+    {"hole_to_polyhole", "0"},
+    {"counterbore_hole_bridging", "none"},
+    {"make_overhang_printable", "0"},
+    {"zaa_enabled", "0"},
+    {"precise_z_height", "0"},
+    {"elefant_foot_compensation_layers", "1|0"},
+    {"interlocking_beam", "0"},
+    // Other walls and fill.
+    {"alternate_extra_wall", "0"},
+    {"extra_solid_infills", ""},
+    {"fill_multiline", "1"},
+    {"top_surface_density", "100%|100"},
+    {"bottom_surface_density", "100%|100"},
+    {"bridge_density", "100%|100"},
+    {"internal_bridge_density", "100%|100"},
+    {"fuzzy_skin_first_layer", "0"},
+    {"fuzzy_skin_noise_type", "classic"},
+    {"overhang_reverse", "0"},
+    {"skirt_type", "combined"},
+    {"spiral_mode_smooth", "0"},
+    {"print_order", "default"},
+    // Temperatures, fans, the machine.
+    {"activate_chamber_temp_control", "0"},
+    {"activate_air_filtration", "0"},
+    {"additional_cooling_fan_speed", "0"},
+    {"slow_down_layers", "0"},
+    {"resonance_avoidance", "0"},
+    {"bed_exclude_area", "0x0|0,0"},
+    {"printing_by_object_gcode", ""},
+    {"change_extrusion_role_gcode", ""},
+    {"process_change_extrusion_role_gcode", ""},
+    {"filament_change_extrusion_role_gcode", ""},
+    {"template_custom_gcode", ""},
+    {"file_start_gcode", ""},
+    {"post_process", ""},
+};
+
+/// Of `value`, which may be a list: each of its items.
+bool AllNeutral(std::string_view value, std::string_view neutral) {
+  const std::vector<std::string_view> accepted = Split(neutral, "|");
+  const std::vector<std::string_view> items = Split(value, "[]\", \n");
+  return std::all_of(items.begin(), items.end(), [&](std::string_view item) {
+    return item.empty() || std::find(accepted.begin(), accepted.end(), item) != accepted.end();
+  });
+}
+
+}  // namespace
+
+OrcaWeight WeightOf(std::string_view key, std::string_view value) {
+  const auto* const found = std::find_if(std::begin(kWeighty), std::end(kWeighty),
+                                         [&](const Weighty& each) { return each.key == key; });
+  if (found == std::end(kWeighty)) return OrcaWeight::kDetail;
+  return AllNeutral(value, found->neutral) ? OrcaWeight::kNothing : OrcaWeight::kPrint;
+}
+
+}  // namespace slicefarm::config

@@ -1,0 +1,34 @@
+#include "common/config/projects/orca_weights.h"
+
+#include <gtest/gtest.h>
+
+#include "common/config/projects/orca_table.h"
+
+namespace slicefarm::config::orca_weights_test {
+namespace {
+
+TEST(WeightOf, DependsOnTheValue) {
+  struct Case {
+    const char* key;
+    const char* value;
+    OrcaWeight weight;
+  };
+  for (const Case& c : {Case{"print_flow_ratio", "1", OrcaWeight::kNothing},
+                        Case{"print_flow_ratio", "0.95", OrcaWeight::kPrint},
+                        Case{"top_surface_density", R"(["100%", "100%"])", OrcaWeight::kNothing},
+                        Case{"top_surface_density", R"(["100%", "99.2%"])", OrcaWeight::kPrint},
+                        Case{"printing_by_object_gcode", "", OrcaWeight::kNothing},
+                        Case{"printing_by_object_gcode", R"(["G28"])", OrcaWeight::kPrint},
+                        Case{"bed_exclude_area", "[]", OrcaWeight::kNothing},
+                        Case{"bed_exclude_area", R"(["0x0","18x0","18x28"])", OrcaWeight::kPrint},
+                        Case{"nozzle_volume", "92", OrcaWeight::kDetail}})
+    EXPECT_EQ(WeightOf(c.key, c.value), c.weight) << c.key << " = " << c.value;
+}
+
+TEST(WeightOf, KnowsNoSettingThatHasACounterpart) {
+  for (const OrcaRow& row : OrcaRows())
+    EXPECT_EQ(WeightOf(row.from, "?"), OrcaWeight::kDetail) << row.from;
+}
+
+}  // namespace
+}  // namespace slicefarm::config::orca_weights_test
