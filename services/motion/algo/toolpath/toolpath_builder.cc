@@ -20,7 +20,7 @@ constexpr int64_t kMostFilament = 1'000'000'000;
 
 /// How far widths of solid infill may lie from the path's: those beads lie inside of the part,
 /// between others. With more, more than ten changes of the flow a metre are above 30 %.
-constexpr double kSolidWidthShare = 0.095;
+constexpr double kSolidWidthShare = 0.085;
 
 /// A wipe that ends a little early, as steps do, pulls everything back, a little faster.
 constexpr double kWholeWipe = 0.9;
