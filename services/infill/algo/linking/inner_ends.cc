@@ -35,6 +35,7 @@ struct Joint {
   int32_t b = 0;
   double cut_nm = 0;  ///< off both pieces
   int64_t rank = 0;   ///< the lower, the sooner
+  Point from, to;
 
   int32_t Other(int32_t end) const { return end == a ? b : a; }
 };
@@ -46,6 +47,12 @@ struct Line {
 };
 
 size_t U(int32_t number) { return static_cast<size_t>(number); }
+
+/// Whether beads lie on each other for more than their width.
+bool LieTogether(Point a, Point b, Point c, Point d, double width_nm) {
+  const auto part = PartBeside(a, b, c, d, kLeastApart * width_nm);
+  return part && part->to_nm - part->from_nm > width_nm;
+}
 
 /// Pieces by their ends, and what lies where.
 class Ends {
@@ -93,8 +100,9 @@ class Ends {
     }
     const auto order = [](const Joint& joint) { return std::tuple(joint.rank, joint.a, joint.b); };
     std::ranges::sort(joints, {}, order);
-    const auto again = std::ranges::unique(joints, {}, order);
-    joints.erase(again.begin(), again.end());
+    joints.erase(std::unique(joints.begin(), joints.end(),
+                             [&](const Joint& a, const Joint& b) { return order(a) == order(b); }),
+                 joints.end());
     return joints;
   }
 
@@ -128,19 +136,17 @@ class Ends {
     }
     const Point from = Before(a, cut), to = Before(b, cut);
     if (edges_.Meets(from, to) || LiesOnOthers(from, to, a / 2, b / 2)) return std::nullopt;
-    return Joint{a, b, cut,
-                 std::llround((apart + kAddedCost * least) / (kAlike * options_.reach_nm))};
+    const double rank = (apart + kAddedCost * least) / (kAlike * options_.reach_nm);
+    return Joint{a, b, cut, std::llround(rank), from, to};
   }
 
   /// Whether a bead between two pieces would lie on another one for more than its width.
   bool LiesOnOthers(Point from, Point to, int32_t piece, int32_t other) const {
-    const double near = kLeastApart * options_.width_nm;
     bool lies = false;
-    lines_.ForEachNear(from, to, near, [&](int32_t number) {
+    lines_.ForEachNear(from, to, options_.width_nm, [&](int32_t number) {
       const Line& line = segments_[U(number)];
       if (line.piece == piece || line.piece == other) return;
-      const auto part = PartBeside(from, to, line.a, line.b, near);
-      lies = lies || (part && part->to_nm - part->from_nm > options_.width_nm);
+      lies = lies || LieTogether(from, to, line.a, line.b, options_.width_nm);
     });
     return lies;
   }
@@ -174,8 +180,10 @@ class Ends {
 /// Which of the possible joints are made.
 class Matching {
  public:
-  Matching(const Ends& ends, const std::vector<Joint>& joints)
+  Matching(const Ends& ends, const std::vector<Joint>& joints, const InnerJoints& options)
       : joints_(joints),
+        width_nm_(options.width_nm),
+        lines_(BoxOf(joints), std::max(options.reach_nm, options.width_nm)),
         made_(U(ends.size()), kNone),
         of_(U(ends.size())),
         root_(U(ends.size() / 2)) {
@@ -199,23 +207,42 @@ class Matching {
  private:
   bool CanMake(const Joint& joint, bool may_close) {
     return made_[U(joint.a)] == kNone && made_[U(joint.b)] == kNone &&
-           (may_close || RootOf(joint.a / 2) != RootOf(joint.b / 2));
+           (may_close || RootOf(joint.a / 2) != RootOf(joint.b / 2)) && IsFree(joint);
+  }
+
+  static Box BoxOf(const std::vector<Joint>& joints) {
+    Box box;
+    for (const Joint& joint : joints) box.Add(joint.from), box.Add(joint.to);
+    return box;
+  }
+
+  /// Whether no joint that was made lies where this one would.
+  bool IsFree(const Joint& joint) const {
+    bool is_free = true;
+    lines_.ForEachNear(joint.from, joint.to, width_nm_, [&](int32_t number) {
+      const Joint& other = joints_[U(number)];
+      is_free = is_free && !LieTogether(joint.from, joint.to, other.from, other.to, width_nm_);
+    });
+    return is_free;
   }
 
   void Make(int32_t number) {
     const Joint& joint = joints_[U(number)];
     made_[U(joint.a)] = made_[U(joint.b)] = number;
     root_[U(RootOf(joint.a / 2))] = RootOf(joint.b / 2);
+    lines_.Add(joint.from, joint.to, number);
   }
 
   /// Takes the partner of another end, if that one finds a new one.
   void MakeRoomFor(int32_t end) {
     for (const int32_t wanted : of_[U(end)]) {
       const int32_t partner = joints_[U(wanted)].Other(end);
+      if (made_[U(partner)] == kNone) continue;  // the joint would lie on another
       const int32_t left = joints_[U(made_[U(partner)])].Other(partner);
       for (const int32_t other : of_[U(left)]) {
         const int32_t last = joints_[U(other)].Other(left);
         if (made_[U(last)] != kNone || last == end) continue;
+        if (!IsFree(joints_[U(wanted)]) || !IsFree(joints_[U(other)])) continue;
         Make(wanted);
         Make(other);
         return;
@@ -230,6 +257,8 @@ class Matching {
   }
 
   const std::vector<Joint>& joints_;
+  double width_nm_;
+  SegmentGrid lines_;                     ///< joints that were made
   std::vector<int32_t> made_;             ///< by end
   std::vector<std::vector<int32_t>> of_;  ///< possible ones, by end
   std::vector<int32_t> root_;             ///< by piece
@@ -295,7 +324,8 @@ std::vector<Piece> JoinInnerEnds(const MultiPolygon& region, std::span<const Pie
   if (pieces.empty()) return {};
   const Ends ends(region, pieces, joints);
   const std::vector<Joint> possible = ends.Joints();
-  return Chains(ends, Matching(ends, possible)).Run();
+  if (possible.empty()) return {pieces.begin(), pieces.end()};
+  return Chains(ends, Matching(ends, possible, joints)).Run();
 }
 
 }  // namespace slicefarm::infill

@@ -88,6 +88,15 @@ TEST(InnerEnds, JointsCrossNoEdgeAndLieOnNoLine) {
   EXPECT_EQ(JoinInnerEnds(Square(), beside, kJoints).size(), 3u);
 }
 
+// Two joints that would lie on each other: one is made, and both ends of the other stay.
+TEST(InnerEnds, JointsLieOnNoJoint) {
+  std::vector<Piece> lines = {Line(0, 20, 30, 20), Line(0, 23, 30, 23), Line(60, 20.1, 26.9, 20.1),
+                              Line(60, 23.1, 26.9, 23.1)};
+  for (size_t i : {2, 3}) lines[i].from = {0, 1};
+  const InnerJoints wide{.reach_nm = 3.05e6, .most_added = 0.1};
+  EXPECT_EQ(JoinInnerEnds(Square(), lines, wide).size(), 3u);
+}
+
 TEST(InnerEnds, PiecesWithTwoInnerEndsMayBecomeARing) {
   const std::vector<Piece> lines = {Line(10, 20, 40, 20, false), Line(10, 23, 40, 23, false)};
   const auto joined = JoinInnerEnds(Square(), lines, kJoints);
