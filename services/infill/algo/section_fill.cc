@@ -33,11 +33,6 @@ namespace {
 /// Round threads of thick bridges lie so far apart, edge to edge: they sag, and would touch.
 constexpr double kThreadGapNm = 50'000;
 
-/// By how much beads are thinned or thickened where the cells of a dithered field come to another
-/// density than it asks for. Smooth surfaces have up to 15 % more lines in some layers than in
-/// others; more than that is a region of a few cells, each there or not.
-constexpr double kMostSettled = 0.15;
-
 /// A section as all its fill areas see it.
 struct SectionView {
   int32_t object = 0;
@@ -379,24 +374,10 @@ class RegionFill {
       const auto share = MeanDensity(region, *fill.field);
       if (!share.ok()) return share.status();
       asked.share = *share;
-      if (fill.field->directions != nullptr) {
-        asked.pattern = std::nullopt;
-      } else if (fill.field->density->dither != Dither::kNone) {
-        SettlePlastic(asked, *paths);
-      }
+      if (fill.field->directions != nullptr) asked.pattern = std::nullopt;
     }
     Append({false, *std::move(paths)}, asked, fills);
     return absl::OkStatus();
-  }
-
-  /// What whole cells are too many or too few, and what their edges leave out of their lines, is
-  /// made good by all beads alike.
-  void SettlePlastic(const AskedFill& asked, std::vector<Path>& paths) const {
-    const FillUse use = UseOf(asked, paths, view_.height_nm);
-    if (use.plastic_mm3 <= 0) return;
-    const double share =
-        std::clamp(use.asked_mm3 / use.plastic_mm3, 1 - kMostSettled, 1 + kMostSettled);
-    ScaleSections(share, view_.height_nm, view_.height_nm, paths);
   }
 
   static bool IsPlain(const DensityField& density, const LayerField& field) {

@@ -1,16 +1,14 @@
 #include "services/infill/algo/sparse.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "common/geometry/between.h"
-#include "common/geometry/boolean/boolean.h"
-#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/offset/clean_offset.h"
 #include "common/model/bead_section.h"
 #include "services/infill/algo/fields/field_pieces.h"
+#include "services/infill/algo/fields/mean_density.h"
+#include "services/infill/algo/lines/line_flow.h"
 #include "services/infill/algo/linking/linked_paths.h"
 #include "services/infill/algo/linking/taken_edge.h"
 #include "services/infill/algo/patterns/registry.h"
@@ -18,15 +16,21 @@
 namespace slicefarm::infill {
 namespace {
 
-/// Of a part of a field, lines are no fewer than this share of what it asks for.
-constexpr double kLeastLines = 0.3;
-/// Parts are cut out of their region with an error of some nanometres.
-constexpr Coord kOnEdgeNm = 1'000;
+/// How far apart ends inside a region may be to be joined, in pitches, and what a joint may add.
+/// Ends at greater planes of an octree lie along these; where parts of a field meet, ends face each
+/// other, and each place counts.
+constexpr double kReachInOctree = 8, kAddedInOctree = 0.9;
+constexpr double kReachInField = 4, kAddedInField = 0.25;
 /// Pieces shorter than this many widths hold nothing.
 constexpr double kMinPieceWidths = 1;
 /// A lone path of a pattern by law is worth a travel from this many widths on: it would be a dot
 /// in a corner, of 0.1 mm3 at most, which no wall and no line needs.
 constexpr double kMinLoneWidths = 2.5;
+
+/// By how much beads are thinned or thickened where the cells of a dithered field come to another
+/// density than it asks for. Smooth surfaces have up to 15 % more lines in some layers than in
+/// others; more than that is a region of a few cells, each there or not.
+constexpr double kMostSettled = 0.15;
 
 absl::StatusOr<std::vector<Piece>> PiecesOf(const SparseFill& fill, const MultiPolygon& area,
                                             const PatternPlace& place) {
@@ -38,63 +42,35 @@ bool IsByLaw(const SparseFill& fill) {
   return fill.field == nullptr && !InfoOf(fill.pattern).planned;
 }
 
-/// Which share of a part's edge lies inside the region.
-double InnerShare(const EdgeIndex& edges, const MultiPolygon& part) {
-  double inner = 0, all = 0;
-  ForEachRing(part, [&](const Polygon& ring) {
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      const Point middle = PointBetween(a, b, 0.5);
-      bool on_edge = false;
-      edges.ForEachNear(Box{middle, middle}.Grown(kOnEdgeNm), [&](int32_t number) {
-        const EdgeIndex::Edge& edge = edges.At(number);
-        on_edge = on_edge || DistanceToSegment(middle, edge.a, edge.b) <= kOnEdgeNm;
-      });
-      all += Distance(a, b);
-      if (!on_edge) inner += Distance(a, b);
-    }
-  });
-  return all > 0 ? inner / all : 0;
+/// How dense the lines are, on average. Errors: those of MeanDensity.
+absl::StatusOr<double> DensityOf(const SparseFill& fill, const MultiPolygon& area) {
+  return fill.field == nullptr ? fill.density : MeanDensity(area, *fill.field);
 }
 
-/// A part less a strip along the others, so that beads on both sides of the edge lie side by side.
-MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, Coord strip_nm) {
-  const MultiPolygon others = Difference(region, part);
-  if (others.empty() || strip_nm <= 0) return part;
-  return Difference(part, FastOffset(others, strip_nm));
+/// Lines end inside a region so that others go on where parts of a field meet, and at greater
+/// planes of an octree.
+InnerJoints JointsOf(const SparseFill& fill, double pitch_nm) {
+  const auto width = static_cast<double>(fill.width_nm);
+  if (fill.field != nullptr && IsInParts(fill.pattern, *fill.field))
+    return {kReachInField * pitch_nm, kAddedInField, width};
+  if (fill.field == nullptr &&
+      (fill.pattern == FillPattern::kAdaptiveCubic || fill.pattern == FillPattern::kSupportCubic))
+    return {kReachInOctree * pitch_nm, kAddedInOctree, width};
+  return {};
 }
 
-/// Fills one part as dense as it is. What runs along its inner edges holds to no wall, so it
-/// counts: lines are so much fewer.
-absl::StatusOr<std::vector<Path>> FillPart(const DensityPart& part, const MultiPolygon& own,
-                                           double inner_share, SparseFill fill) {
-  fill.field = nullptr;
-  fill.density = part.density;
-  auto paths = FillSparse(own, fill);
-  if (!paths.ok() || inner_share <= 0) return paths;
+/// What whole cells of a dithered field are too many or too few, and what their edges leave out of
+/// the lines, is made good by all beads alike: the share of their plastic that they have.
+double SettledShare(const SparseFill& fill, std::span<const Piece> pieces, double asked_nm) {
+  if (fill.field == nullptr || fill.field->directions != nullptr ||
+      fill.field->density->dither == Dither::kNone)
+    return 1;
   double length = 0;
-  for (const Path& path : *paths) length += PathLength(path);
-  const auto spacing = static_cast<double>(Spacing(fill.width_nm, fill.height_nm));
-  const double excess = length * spacing / Area(part.area) - part.density;
-  fill.density = std::clamp(part.density - inner_share * excess, kLeastLines * part.density, 1.0);
-  return FillSparse(own, fill);
-}
-
-/// Each part by itself.
-absl::StatusOr<std::vector<Path>> FillParts(const MultiPolygon& region, const SparseFill& fill) {
-  const auto parts = PartsOfField(region, *fill.field);
-  if (!parts.ok()) return parts.status();
-  const EdgeIndex edges(region, kNmPerMm);
-  const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
-  std::vector<Path> all;
-  for (const DensityPart& part : *parts) {
-    const MultiPolygon own =
-        BesideOthers(region, part.area, std::min(fill.overlap_nm, spacing / 2));
-    auto paths = FillPart(part, own, InnerShare(edges, part.area), fill);
-    if (!paths.ok()) return paths.status();
-    std::ranges::move(*paths, std::back_inserter(all));
+  for (const Piece& piece : pieces) {
+    length += Length(piece.points);
+    if (piece.closed) length += Distance(piece.points.back(), piece.points.front());
   }
-  return all;
+  return length > 0 ? std::clamp(asked_nm / length, 1 - kMostSettled, 1 + kMostSettled) : 1;
 }
 
 }  // namespace
@@ -102,13 +78,16 @@ absl::StatusOr<std::vector<Path>> FillParts(const MultiPolygon& region, const Sp
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill) {
   std::vector<Path> paths;
   if (region.empty() || (fill.field == nullptr && fill.density <= 0)) return paths;
-  if (fill.field != nullptr && IsInParts(fill.pattern, *fill.field)) return FillParts(region, fill);
   const Coord spacing = Spacing(fill.width_nm, fill.height_nm);
   const Coord inset = std::max<Coord>(0, spacing / 2 - fill.overlap_nm);
   // Where beads along both sides would lie on each other, the walls do without.
   const auto half = static_cast<Coord>(kLeastApart / 2 * static_cast<double>(fill.width_nm));
   const MultiPolygon area = FastOffset(FastOffset(region, -(inset + half)), half);
-  const double pitch = static_cast<double>(spacing) / std::min(1.0, fill.density);
+  if (area.empty()) return paths;
+  const auto density = DensityOf(fill, area);
+  if (!density.ok()) return density.status();
+  if (*density <= 0) return paths;
+  const double pitch = static_cast<double>(spacing) / std::min(1.0, *density);
   const auto pieces = PiecesOf(
       fill, area,
       {fill.z_nm, fill.layer, pitch, fill.angle_rad, spacing, 0, fill.planned, fill.smoothing_nm});
@@ -120,8 +99,15 @@ absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const S
                    .max_link_nm = static_cast<double>(fill.anchor_max_nm),
                    .anchor_nm = static_cast<double>(std::min(fill.anchor_nm, fill.anchor_max_nm)),
                    .min_length_nm = (IsByLaw(fill) ? kMinLoneWidths : kMinPieceWidths) * width,
+                   .inner = JointsOf(fill, pitch),
                    .facing_nm = fill.pattern == FillPattern::kMedialAxis ? pitch : 0});
-  for (Path& path : paths) path.feature = Feature::kInternalInfill;
+  const double share = SettledShare(fill, *pieces, Area(area) / pitch);
+  const Coord settled =
+      share == 1 ? fill.width_nm : WidthFor(share, fill.width_nm, fill.height_nm, fill.height_nm);
+  for (Path& path : paths) {
+    path.feature = Feature::kInternalInfill;
+    path.widths_nm = {settled};
+  }
   return paths;
 }
 

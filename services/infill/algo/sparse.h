@@ -33,8 +33,8 @@ struct SparseFill {
 /// both sides would lie on each other stay empty, and lone paths shorter than two and a half widths
 /// of patterns with a law.
 ///
-/// With a field the same holds at each place, as PiecesOfField says. In parts of one density each,
-/// what runs along edges between parts counts: lines there are so much fewer.
+/// With a field the same holds at each place, as PiecesOfField says. Lines of a dithered one have up
+/// to 15 % more or less plastic, so that the lines of a layer are what the field asks for in all.
 ///
 /// Errors: as MakePattern. Cost: O(n log n) for the inset, and the pattern's and LinkedPaths' own.
 absl::StatusOr<std::vector<Path>> FillSparse(const MultiPolygon& region, const SparseFill& fill);

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "common/geometry/boolean/boolean.h"
+#include "common/geometry/edge_index.h"
 #include "common/geometry/measure.h"
+#include "common/geometry/offset/clean_offset.h"
 #include "services/infill/algo/fields/dither.h"
 #include "services/infill/algo/fields/graded_lines.h"
 #include "services/infill/algo/fields/streamlines.h"
 #include "services/infill/algo/patterns/line_families.h"
+#include "services/infill/algo/patterns/registry.h"
 
 namespace slicefarm::infill {
 namespace {
@@ -19,6 +24,10 @@ constexpr double kShortest = 4;
 constexpr double kThinnest = 0.01;
 /// Streamlines are laid out in boxes of this grid, so that layers of like extent have the same.
 constexpr double kBoxMm = 8;
+/// Parts are cut out of their region with an error of some nanometres.
+constexpr Coord kOnEdgeNm = 1'000;
+/// Squares in which a region's edges are looked up.
+constexpr Coord kSquareNm = kNmPerMm;
 
 /// Lines move aside with the height, at 45 degrees, to one side and the other in turn: each stands
 /// on the one below, and over a few pitches of height all places have seen all ranks.
@@ -63,6 +72,49 @@ absl::StatusOr<std::vector<Piece>> StreamPieces(const MultiPolygon& region, Coor
   return ClipCurves(region, memo.curves);
 }
 
+/// The place on a region's edge that a point lies on, or inside.
+EdgePlace PlaceOn(const EdgeIndex& edges, Point p) {
+  EdgePlace place;
+  double nearest = kOnEdgeNm;
+  edges.ForEachNear(Box{p, p}.Grown(kOnEdgeNm), [&](int32_t number) {
+    const EdgeIndex::Edge& edge = edges.At(number);
+    const double distance = DistanceToSegment(p, edge.a, edge.b);
+    if (distance > nearest) return;
+    if (distance == nearest && place.ring >= 0) return;
+    nearest = distance;
+    place = {edge.ring, edge.edge};
+  });
+  return place;
+}
+
+/// A part less what curves along its edge leave free of where it meets others.
+MultiPolygon BesideOthers(const MultiPolygon& region, const MultiPolygon& part, double free_nm) {
+  const MultiPolygon others = Difference(region, part);
+  return others.empty() ? part : Difference(part, FastOffset(others, std::llround(free_nm)));
+}
+
+absl::StatusOr<std::vector<Piece>> PiecesInParts(const MultiPolygon& region, FillPattern pattern,
+                                                 PatternPlace place, const LayerField& field) {
+  const auto parts = PartsOfField(region, field);
+  if (!parts.ok()) return parts.status();
+  const EdgeIndex edges(region, kSquareNm);
+  std::vector<Piece> all;
+  for (const DensityPart& part : *parts) {
+    place.pitch_nm = static_cast<double>(place.spacing_nm) / std::min(1.0, part.density);
+    const bool is_along_edge = InfoOf(pattern).solid == SolidWay::kAlongEdge;
+    auto pieces = PatternOf(pattern)(
+        is_along_edge ? BesideOthers(region, part.area, place.pitch_nm / 2) : part.area, place);
+    if (!pieces.ok()) return pieces.status();
+    for (Piece& piece : *pieces) {
+      if (piece.closed) continue;
+      if (piece.from.ring >= 0) piece.from = PlaceOn(edges, piece.points.front());
+      if (piece.to.ring >= 0) piece.to = PlaceOn(edges, piece.points.back());
+    }
+    std::ranges::move(*pieces, std::back_inserter(all));
+  }
+  return all;
+}
+
 }  // namespace
 
 bool IsInParts(FillPattern pattern, const LayerField& field) {
@@ -86,6 +138,7 @@ absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, Fil
                                                  const LayerField& field) {
   if (region.empty()) return std::vector<Piece>{};
   if (field.directions != nullptr) return StreamPieces(region, place.spacing_nm, field);
+  if (IsInParts(pattern, field)) return PiecesInParts(region, pattern, place, field);
   const double greatest = field.density->Greatest();
   if (greatest <= 0) return std::vector<Piece>{};
   const auto spacing = static_cast<double>(place.spacing_nm);

@@ -20,8 +20,9 @@ absl::StatusOr<std::vector<DensityPart>> PartsOfField(const MultiPolygon& region
                                                       const LayerField& field);
 
 /// Fills a region as a field asks for: with streamlines, if it has directions; else with the lines
-/// of `pattern`, graded (GradedPieces). `place`: its pitch is not looked at.
-/// REQUIRES: not IsInParts. Errors: those of CutLines and Streamlines.
+/// of `pattern`, graded (GradedPieces), or in parts: lines end where their part does, and curves
+/// along the edge keep half a pitch from other parts. `place`: its pitch is not looked at.
+/// Errors: those of PartsOfField, of CutLines, Streamlines and MakePattern.
 absl::StatusOr<std::vector<Piece>> PiecesOfField(const MultiPolygon& region, FillPattern pattern,
                                                  const PatternPlace& place,
                                                  const LayerField& field);

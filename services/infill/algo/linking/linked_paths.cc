@@ -9,6 +9,7 @@
 #include "services/infill/algo/lines/shortened.h"
 #include "services/infill/algo/linking/all_links.h"
 #include "services/infill/algo/linking/edge_ends.h"
+#include "services/infill/algo/linking/inner_ends.h"
 #include "services/infill/algo/linking/least_links.h"
 #include "services/infill/algo/linking/lifted_ends.h"
 #include "services/infill/algo/linking/link_choice.h"
@@ -222,20 +223,25 @@ std::vector<Path> LinkedPaths(const MultiPolygon& region, std::span<const Piece>
   if (pieces.empty()) return {};
   const bool is_edge_used = options.max_link_nm > 0 || options.anchor_nm > 0;
   if (!is_edge_used || !options.lifts_ends) return OpenPaths(EdgeEnds(region, pieces), options);
-  const LiftedPieces lifted = LiftEnds(region, pieces, options.width_nm);
+  std::vector<Piece> joined;
+  if (options.inner.reach_nm > 0) joined = JoinInnerEnds(region, pieces, options.inner);
+  const LiftedPieces lifted =
+      LiftEnds(region, joined.empty() ? pieces : std::span<const Piece>(joined), options.width_nm);
   EdgeEnds ends(region, lifted.pieces);
   ends.SetTaken(lifted.taken, options.width_nm);
   std::vector<Path> rings;
-  if (options.max_link_nm > 0 && AreStraight(pieces)) {
+  const auto margin = static_cast<double>(options.width_nm);
+  const bool are_straight = options.max_link_nm > 0 && AreStraight(pieces);
+  if (are_straight) {
     const Links links = LinkAllEnds(ends, options.max_link_nm);
-    rings =
-        SplicedPaths(Assembler(ends, links, options).Run(), static_cast<double>(options.width_nm));
+    rings = SplicedPaths(Assembler(ends, links, options).Run(), margin);
     if (rings.size() == 1) return rings;
   } else if (options.facing_nm > 0) {
     rings = FacingPaths(region, ends, options);
     if (rings.size() == 1) return rings;
   }
   std::vector<Path> lines = OpenPaths(ends, options);
+  if (are_straight && !joined.empty()) lines = SplicedPaths(std::move(lines), margin);
   return !rings.empty() && rings.size() <= lines.size() ? rings : lines;
 }
 

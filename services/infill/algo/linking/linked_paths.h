@@ -6,6 +6,7 @@
 
 #include "common/model/path.h"
 #include "services/infill/algo/lines/piece.h"
+#include "services/infill/algo/linking/inner_ends.h"
 
 namespace slicefarm::infill {
 
@@ -19,11 +20,13 @@ struct LinkOptions {
   /// there. Where lines fill the region up to its edge, they do not.
   bool lifts_ends = true;
   double min_length_nm = 0;  ///< shorter paths are left out
+  InnerJoints inner = {};    ///< of ends inside the region; reach 0: none
   double facing_nm = 0;      ///< closed paths so far apart become one where they face each other
 };
 
 /// Joins pieces of any pattern to long paths of one width, by links along the region's edge. Ends
-/// that stay loose turn along the edge, as far as nothing else is there (anchors).
+/// that stay loose turn along the edge, as far as nothing else is there (anchors). Ends inside the
+/// region are joined to each other first.
 ///
 /// Straight pieces are linked to rings (LinkAllEnds), and rings that cross taken into one another
 /// (SplicedPaths): lines in several directions are one closed path then in most regions, which may

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 #include "common/geometry/measure.h"
+#include "services/infill/algo/linking/part_beside.h"
 #include "services/infill/algo/space_filling/segment_grid.h"
 
 namespace slicefarm::infill {
 namespace {
 
-/// Sine of the angle at which beads run along each other.
-constexpr double kMostSine = 0.342;
 /// How long a link may lie on another bead, in widths.
 constexpr double kMostTaken = 1;
 /// Squares in which pieces are looked up, in distances that count as near.
@@ -21,12 +19,6 @@ constexpr double kSquares = 8;
 struct Segment {
   Point a, b;
   int32_t piece = 0;
-};
-
-/// A part of something from 0 on.
-struct Part {
-  double from = 0;
-  double to = 1;
 };
 
 std::vector<Segment> SegmentsOf(std::span<const Piece> pieces) {
@@ -39,38 +31,6 @@ std::vector<Segment> SegmentsOf(std::span<const Piece> pieces) {
     ++number;
   }
   return segments;
-}
-
-/// The part of [from, to] where a linear function, `at_from` and `at_to` at 0 and 1, lies between
-/// two values.
-void Narrow(double at_from, double at_to, double low, double high, Part& part) {
-  const double rise = at_to - at_from;
-  if (rise == 0) {
-    if (at_from < low || at_from > high) part.to = part.from - 1;
-    return;
-  }
-  const auto [first, last] = std::minmax({(low - at_from) / rise, (high - at_from) / rise});
-  part.from = std::max(part.from, first);
-  part.to = std::min(part.to, last);
-}
-
-/// The part of an edge beside which a segment runs.
-std::optional<Part> BesideEdge(Point a, Point b, double length_nm, const Segment& segment,
-                               double near_nm) {
-  const Point way = b - a, run = segment.b - segment.a;
-  const double run_nm = Distance(segment.a, segment.b);
-  if (run_nm == 0 || std::abs(Cross(way, run)) > kMostSine * length_nm * run_nm)
-    return std::nullopt;
-  const double along0 = Dot(way, segment.a - a) / length_nm;
-  const double along1 = Dot(way, segment.b - a) / length_nm;
-  Part part;  // of the segment
-  Narrow(Cross(way, segment.a - a) / length_nm, Cross(way, segment.b - a) / length_nm, -near_nm,
-         near_nm, part);
-  Narrow(along0, along1, 0, length_nm, part);
-  if (part.from >= part.to) return std::nullopt;
-  const auto [from, to] =
-      std::minmax({along0 + part.from * (along1 - along0), along0 + part.to * (along1 - along0)});
-  return Part{from, to};
 }
 
 /// Sorts spans by where they begin, those of one piece that meet joined.
@@ -111,8 +71,8 @@ std::vector<std::vector<TakenSpan>> TakenEdge(const MultiPolygon& region,
       if (length > 0) {
         grid.ForEachNear(a, b, near_nm, [&](int32_t number) {
           const Segment& segment = segments[static_cast<size_t>(number)];
-          const auto part = BesideEdge(a, b, length, segment, near_nm);
-          if (part) spans.push_back({at + part->from, at + part->to, segment.piece});
+          if (const auto part = PartBeside(a, b, segment.a, segment.b, near_nm))
+            spans.push_back({at + part->from_nm, at + part->to_nm, segment.piece});
         });
       }
       at += length;

@@ -1,0 +1,331 @@
+#include "services/infill/algo/linking/inner_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "common/geometry/edge_index.h"
+#include "common/geometry/measure.h"
+#include "services/infill/algo/lines/shortened.h"
+#include "services/infill/algo/linking/part_beside.h"
+#include "services/infill/algo/linking/taken_edge.h"
+#include "services/infill/algo/space_filling/segment_grid.h"
+
+namespace slicefarm::infill {
+namespace {
+
+constexpr int32_t kNone = -1;
+/// How much of a piece may be cut off at each end.
+constexpr double kMostCut = 0.48;
+/// Ends that face each other are cut back so many times their distance.
+constexpr double kFacingCut = 2;
+/// What added length counts beside the distance.
+constexpr double kAddedCost = 4;
+/// Distances that differ by less than this share of the reach are alike: lines at even distances
+/// are joined in their order.
+constexpr double kAlike = 1.0 / 64;
+constexpr int kHalvings = 24;
+
+/// A joint of two ends, 2i and 2i + 1 being those of piece i.
+struct Joint {
+  int32_t a = 0;
+  int32_t b = 0;
+  double cut_nm = 0;  ///< off both pieces
+  int64_t rank = 0;   ///< the lower, the sooner
+  Point from, to;
+
+  int32_t Other(int32_t end) const { return end == a ? b : a; }
+};
+
+/// A stretch of a piece.
+struct Line {
+  Point a, b;
+  int32_t piece = 0;
+};
+
+size_t U(int32_t number) { return static_cast<size_t>(number); }
+
+/// Whether beads lie on each other for more than their width.
+bool LieTogether(Point a, Point b, Point c, Point d, double width_nm) {
+  const auto part = PartBeside(a, b, c, d, kLeastApart * width_nm);
+  return part && part->to_nm - part->from_nm > width_nm;
+}
+
+/// Pieces by their ends, and what lies where.
+class Ends {
+ public:
+  Ends(const MultiPolygon& region, std::span<const Piece> pieces, const InnerJoints& options)
+      : pieces_(pieces),
+        options_(options),
+        edges_(region, std::max<Coord>(1, std::llround(options.reach_nm))),
+        lines_(BoxOf(pieces), std::max(options.reach_nm, options.width_nm)) {
+    for (const Piece& piece : pieces) {
+      lengths_.push_back(Length(piece.points));
+      for (size_t i = 1; i < piece.points.size(); ++i) {
+        lines_.Add(piece.points[i - 1], piece.points[i], static_cast<int32_t>(segments_.size()));
+        segments_.push_back(
+            {piece.points[i - 1], piece.points[i], static_cast<int32_t>(lengths_.size()) - 1});
+      }
+    }
+  }
+
+  int32_t size() const { return static_cast<int32_t>(2 * pieces_.size()); }
+  const Piece& PieceOf(int32_t end) const { return pieces_[U(end / 2)]; }
+  double LengthOf(int32_t end) const { return lengths_[U(end / 2)]; }
+  EdgePlace PlaceOf(int32_t end) const {
+    return end % 2 == 0 ? PieceOf(end).from : PieceOf(end).to;
+  }
+
+  /// All that are possible, the best first.
+  std::vector<Joint> Joints() const {
+    std::vector<int32_t> inner;
+    Box box;
+    for (int32_t end = 0; end < size(); ++end) {
+      if (PieceOf(end).closed || PlaceOf(end).ring >= 0) continue;
+      inner.push_back(end);
+      box.Add(PointOf(end));
+    }
+    std::vector<Joint> joints;
+    if (inner.size() < 2) return joints;
+    SegmentGrid grid(box, options_.reach_nm);
+    for (const int32_t end : inner) grid.Add(PointOf(end), PointOf(end), end);
+    for (const int32_t a : inner) {
+      grid.ForEachNear(PointOf(a), PointOf(a), options_.reach_nm, [&](int32_t b) {
+        if (b <= a || Distance(PointOf(a), PointOf(b)) > options_.reach_nm) return;
+        if (const auto joint = JointOf(a, b)) joints.push_back(*joint);
+      });
+    }
+    const auto order = [](const Joint& joint) { return std::tuple(joint.rank, joint.a, joint.b); };
+    std::ranges::sort(joints, {}, order);
+    joints.erase(std::unique(joints.begin(), joints.end(),
+                             [&](const Joint& a, const Joint& b) { return order(a) == order(b); }),
+                 joints.end());
+    return joints;
+  }
+
+ private:
+  static Box BoxOf(std::span<const Piece> pieces) {
+    Box box;
+    for (const Piece& piece : pieces)
+      for (const Point p : piece.points) box.Add(p);
+    return box;
+  }
+
+  Point PointOf(int32_t end) const {
+    return end % 2 == 0 ? PieceOf(end).points.front() : PieceOf(end).points.back();
+  }
+
+  /// None: there is no room for it.
+  std::optional<Joint> JointOf(int32_t a, int32_t b) const {
+    const double apart = Distance(PointOf(a), PointOf(b));
+    const auto added = [&](double cut) {
+      return Distance(Before(a, cut), Before(b, cut)) - 2 * cut;
+    };
+    double cut = std::min({kMostCut * LengthOf(a), kMostCut * LengthOf(b), kFacingCut * apart});
+    const double least = std::max(0.0, added(cut));
+    if (least > options_.most_added * apart) return std::nullopt;
+    if (least == 0) {
+      double low = 0;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (low + cut) / 2;
+        (added(middle) > 0 ? low : cut) = middle;
+      }
+    }
+    const Point from = Before(a, cut), to = Before(b, cut);
+    if (edges_.Meets(from, to) || LiesOnOthers(from, to, a / 2, b / 2)) return std::nullopt;
+    const double rank = (apart + kAddedCost * least) / (kAlike * options_.reach_nm);
+    return Joint{a, b, cut, std::llround(rank), from, to};
+  }
+
+  /// Whether a bead between two pieces would lie on another one for more than its width.
+  bool LiesOnOthers(Point from, Point to, int32_t piece, int32_t other) const {
+    bool lies = false;
+    lines_.ForEachNear(from, to, options_.width_nm, [&](int32_t number) {
+      const Line& line = segments_[U(number)];
+      if (line.piece == piece || line.piece == other) return;
+      lies = lies || LieTogether(from, to, line.a, line.b, options_.width_nm);
+    });
+    return lies;
+  }
+
+  /// The point of a piece so far before its end.
+  Point Before(int32_t end, double distance_nm) const {
+    const Polyline& points = PieceOf(end).points;
+    const size_t count = points.size();
+    const auto at = [&](size_t i) { return end % 2 == 0 ? points[i] : points[count - 1 - i]; };
+    for (size_t i = 0; i + 1 < count; ++i) {
+      const Point from = at(i), to = at(i + 1);
+      const double length = Distance(from, to);
+      if (distance_nm < length) {
+        const double share = distance_nm / length;
+        return {from.x + std::llround(share * static_cast<double>(to.x - from.x)),
+                from.y + std::llround(share * static_cast<double>(to.y - from.y))};
+      }
+      distance_nm -= length;
+    }
+    return at(count - 1);
+  }
+
+  std::span<const Piece> pieces_;
+  const InnerJoints& options_;
+  EdgeIndex edges_;
+  SegmentGrid lines_;
+  std::vector<double> lengths_;  ///< by piece
+  std::vector<Line> segments_;   ///< of all pieces
+};
+
+/// Which of the possible joints are made.
+class Matching {
+ public:
+  Matching(const Ends& ends, const std::vector<Joint>& joints, const InnerJoints& options)
+      : joints_(joints),
+        width_nm_(options.width_nm),
+        lines_(BoxOf(joints), std::max(options.reach_nm, options.width_nm)),
+        made_(U(ends.size()), kNone),
+        of_(U(ends.size())),
+        root_(U(ends.size() / 2)) {
+    std::iota(root_.begin(), root_.end(), 0);
+    for (size_t i = 0; i < joints.size(); ++i) {
+      of_[U(joints[i].a)].push_back(static_cast<int32_t>(i));
+      of_[U(joints[i].b)].push_back(static_cast<int32_t>(i));
+    }
+    for (const bool rings : {false, true})  // rings are no fewer paths, but others may take them in
+      for (size_t i = 0; i < joints.size(); ++i)
+        if (CanMake(joints[i], rings)) Make(static_cast<int32_t>(i));
+    for (int32_t end = 0; end < ends.size(); ++end)
+      if (made_[U(end)] == kNone) MakeRoomFor(end);
+  }
+
+  /// The joint of an end; null: none.
+  const Joint* Of(int32_t end) const {
+    return made_[U(end)] == kNone ? nullptr : &joints_[U(made_[U(end)])];
+  }
+
+ private:
+  bool CanMake(const Joint& joint, bool may_close) {
+    return made_[U(joint.a)] == kNone && made_[U(joint.b)] == kNone &&
+           (may_close || RootOf(joint.a / 2) != RootOf(joint.b / 2)) && IsFree(joint);
+  }
+
+  static Box BoxOf(const std::vector<Joint>& joints) {
+    Box box;
+    for (const Joint& joint : joints) box.Add(joint.from), box.Add(joint.to);
+    return box;
+  }
+
+  /// Whether no joint that was made lies where this one would.
+  bool IsFree(const Joint& joint) const {
+    bool is_free = true;
+    lines_.ForEachNear(joint.from, joint.to, width_nm_, [&](int32_t number) {
+      const Joint& other = joints_[U(number)];
+      is_free = is_free && !LieTogether(joint.from, joint.to, other.from, other.to, width_nm_);
+    });
+    return is_free;
+  }
+
+  void Make(int32_t number) {
+    const Joint& joint = joints_[U(number)];
+    made_[U(joint.a)] = made_[U(joint.b)] = number;
+    root_[U(RootOf(joint.a / 2))] = RootOf(joint.b / 2);
+    lines_.Add(joint.from, joint.to, number);
+  }
+
+  /// Takes the partner of another end, if that one finds a new one.
+  void MakeRoomFor(int32_t end) {
+    for (const int32_t wanted : of_[U(end)]) {
+      const int32_t partner = joints_[U(wanted)].Other(end);
+      if (made_[U(partner)] == kNone) continue;  // the joint would lie on another
+      const int32_t left = joints_[U(made_[U(partner)])].Other(partner);
+      for (const int32_t other : of_[U(left)]) {
+        const int32_t last = joints_[U(other)].Other(left);
+        if (made_[U(last)] != kNone || last == end) continue;
+        if (!IsFree(joints_[U(wanted)]) || !IsFree(joints_[U(other)])) continue;
+        Make(wanted);
+        Make(other);
+        return;
+      }
+    }
+  }
+
+  /// One piece of those that are joined to a piece.
+  int32_t RootOf(int32_t piece) {
+    while (root_[U(piece)] != piece) piece = root_[U(piece)] = root_[U(root_[U(piece)])];
+    return piece;
+  }
+
+  const std::vector<Joint>& joints_;
+  double width_nm_;
+  SegmentGrid lines_;                     ///< joints that were made
+  std::vector<int32_t> made_;             ///< by end
+  std::vector<std::vector<int32_t>> of_;  ///< possible ones, by end
+  std::vector<int32_t> root_;             ///< by piece
+};
+
+/// Puts pieces together as they are joined.
+class Chains {
+ public:
+  Chains(const Ends& ends, const Matching& matching)
+      : ends_(ends), matching_(matching), done_(U(ends.size() / 2), false) {}
+
+  std::vector<Piece> Run() {
+    std::vector<Piece> chains;
+    for (const bool rings : {false, true})
+      for (int32_t end = 0; end < ends_.size(); ++end)
+        if (!done_[U(end / 2)] && (rings || matching_.Of(end) == nullptr))
+          chains.push_back(ends_.PieceOf(end).closed ? Keep(end) : Follow(end));
+    return chains;
+  }
+
+ private:
+  Piece Keep(int32_t end) {
+    done_[U(end / 2)] = true;
+    return ends_.PieceOf(end);
+  }
+
+  double CutAt(int32_t end) const {
+    const Joint* joint = matching_.Of(end);
+    return joint == nullptr ? 0 : joint->cut_nm;
+  }
+
+  /// From an end on.
+  Piece Follow(int32_t first) {
+    Piece chain;
+    chain.from = ends_.PlaceOf(first);
+    int32_t end = first;
+    while (end != kNone && !done_[U(end / 2)]) {
+      done_[U(end / 2)] = true;
+      Polyline run = Shortened(ends_.PieceOf(end).points, ends_.LengthOf(end), CutAt(end & ~1),
+                               CutAt(end | 1));
+      if (end % 2 != 0) std::ranges::reverse(run);
+      for (const Point p : run)
+        if (chain.points.empty() || chain.points.back() != p) chain.points.push_back(p);
+      const int32_t out = end ^ 1;
+      chain.to = ends_.PlaceOf(out);
+      const Joint* joint = matching_.Of(out);
+      end = joint == nullptr ? kNone : joint->Other(out);
+    }
+    chain.closed = end != kNone;
+    if (chain.closed && chain.points.front() == chain.points.back()) chain.points.pop_back();
+    return chain;
+  }
+
+  const Ends& ends_;
+  const Matching& matching_;
+  std::vector<bool> done_;  ///< by piece
+};
+
+}  // namespace
+
+std::vector<Piece> JoinInnerEnds(const MultiPolygon& region, std::span<const Piece> pieces,
+                                 const InnerJoints& joints) {
+  if (pieces.empty()) return {};
+  const Ends ends(region, pieces, joints);
+  const std::vector<Joint> possible = ends.Joints();
+  if (possible.empty()) return {pieces.begin(), pieces.end()};
+  return Chains(ends, Matching(ends, possible, joints)).Run();
+}
+
+}  // namespace slicefarm::infill
