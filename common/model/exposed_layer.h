@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -71,12 +72,42 @@ struct CutCounts {
   friend bool operator==(const CutCounts&, const CutCounts&) = default;
 };
 
+/// What a few lines across each layer meet: a sample of what is melted, and how much.
+struct MeltedSample {
+  double length_mm = 0;    ///< of the lines, inside of the outlines
+  double melted_mm = 0;    ///< of it, no farther than half a spot from a vector
+  double energy_j_mm = 0;  ///< energy by area, added up along the lines
+  int64_t pieces = 0;      ///< of about a millimetre
+  double least_j_mm2 = 0;  ///< of a piece
+  double most_j_mm2 = 0;
+
+  /// Of 1; 1 of nothing.
+  double Melted() const { return length_mm > 0 ? melted_mm / length_mm : 1; }
+  double MeanJmm2() const { return length_mm > 0 ? energy_j_mm / length_mm : 0; }
+  void AddPiece(double j_mm2) {
+    least_j_mm2 = pieces == 0 ? j_mm2 : std::min(least_j_mm2, j_mm2);
+    most_j_mm2 = std::max(most_j_mm2, j_mm2);
+    ++pieces;
+  }
+  void Add(const MeltedSample& other) {
+    length_mm += other.length_mm;
+    melted_mm += other.melted_mm;
+    energy_j_mm += other.energy_j_mm;
+    if (other.pieces > 0)
+      least_j_mm2 = pieces == 0 ? other.least_j_mm2 : std::min(least_j_mm2, other.least_j_mm2);
+    most_j_mm2 = std::max(most_j_mm2, other.most_j_mm2);
+    pieces += other.pieces;
+  }
+  friend bool operator==(const MeltedSample&, const MeltedSample&) = default;
+};
+
 struct ExposedLayer {
   LayerFrame frame;
   std::vector<ExposureGroup> groups;  ///< by object; of each in the order of scanning
   std::vector<ExposureVisit> visits;  ///< in the order of scanning
   double area_mm2 = 0;                ///< of the outlines of all visits
   CutCounts cuts;
+  MeltedSample melted;  ///< of one copy of each object
 
   friend bool operator==(const ExposedLayer&, const ExposedLayer&) = default;
 };
@@ -108,6 +139,7 @@ struct ExposureReport {
   double area_mm2 = 0;     ///< of outlines
   double volume_mm3 = 0;   ///< of outlines by their layers' heights
   CutCounts cuts;
+  MeltedSample melted;
   Box bounds;  ///< of what is exposed, on the plate
 
   KindExposure Total() const {
@@ -126,6 +158,7 @@ struct ExposureReport {
     area_mm2 += other.area_mm2;
     volume_mm3 += other.volume_mm3;
     cuts.Add(other.cuts);
+    melted.Add(other.melted);
     bounds.Add(other.bounds);
   }
   friend bool operator==(const ExposureReport&, const ExposureReport&) = default;

@@ -130,6 +130,7 @@ v1::MeshReport ToProto(const MeshReport& report) {
   proto.set_non_manifold_edges(report.non_manifold_edges);
   proto.set_flipped_faces(report.flipped_faces);
   proto.set_degenerate_faces(report.degenerate_faces);
+  proto.set_repeated_faces(report.repeated_faces);
   proto.set_volume_mm3(report.volume_mm3);
   proto.mutable_min_mm()->Assign(report.min_mm.begin(), report.min_mm.end());
   proto.mutable_max_mm()->Assign(report.max_mm.begin(), report.max_mm.end());
@@ -153,6 +154,7 @@ absl::StatusOr<MeshReport> FromProto(const v1::MeshReport& proto) {
   report.non_manifold_edges = proto.non_manifold_edges();
   report.flipped_faces = proto.flipped_faces();
   report.degenerate_faces = proto.degenerate_faces();
+  report.repeated_faces = proto.repeated_faces();
   report.volume_mm3 = proto.volume_mm3();
   report.min_mm = Triple(proto.min_mm());
   report.max_mm = Triple(proto.max_mm());

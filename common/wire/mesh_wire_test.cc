@@ -33,8 +33,8 @@ Placement DistinctPlacement() {
 MeshReport DistinctReport() {
   MeshReport report;
   auto& [name, triangles, vertices, bodies, open_edges, non_manifold_edges, flipped_faces,
-         degenerate_faces, volume, min, max, closed, dropped, gap, length, overlapping, cracks] =
-      report;
+         degenerate_faces, repeated_faces, volume, min, max, closed, dropped, gap, length,
+         overlapping, cracks] = report;
   name = "part";
   triangles = 1;
   vertices = 2;
@@ -43,6 +43,7 @@ MeshReport DistinctReport() {
   non_manifold_edges = 5;
   flipped_faces = 6;
   degenerate_faces = 7;
+  repeated_faces = 21;
   volume = -8;
   min = {-9, -10, -11};
   max = {12, 13, 14};
@@ -100,6 +101,7 @@ TEST(MeshWire, ReportReturns) {
   EXPECT_EQ(proto.non_manifold_edges(), 5);
   EXPECT_EQ(proto.flipped_faces(), 6);
   EXPECT_EQ(proto.degenerate_faces(), 7);
+  EXPECT_EQ(proto.repeated_faces(), 21);
   EXPECT_EQ(proto.open_loops_closed(), 15);
   EXPECT_EQ(proto.open_loops_dropped(), 16);
   ForEachChangedField(proto, [](const std::string& path, const Message& m) {

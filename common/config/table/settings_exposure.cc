@@ -154,12 +154,16 @@ std::vector<SettingSpec> ScanSettings() {
        .standard = "0.08",
        .doc = "Distance of neighbouring contours, and of rings from the innermost one",
        .field = Bind([](auto& s) -> auto& { return s.exposure.regions[0].contour_distance_nm; })},
-      Length("hatch_offset", 10, "0.04", "From the innermost contour to the ends of hatch lines",
-             Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_offset_nm; })),
+      Length(
+          "hatch_offset", 10, "0.04",
+          "From the innermost contour to the ends of hatch lines; lines along the contour may lie "
+          "half a spot nearer to it",
+          Bind([](auto& s) -> auto& { return s.exposure.regions[0].hatch_offset_nm; })),
       Flag("contours_first", "1", "Contours before the inside; 0: after it",
            Bind([](auto& s) -> auto& { return s.exposure.regions[0].contours_first; })),
       Flag("thin_wall_exposure", "1",
-           "What is too thin for a contour is exposed once along its middle",
+           "What is too thin for a contour, or for one more line between contours, is exposed once "
+           "along its middle",
            Bind([](auto& s) -> auto& { return s.exposure.regions[0].thin_walls; })),
       Count("upskin_layers", 100, "0",
             "Where no part lies this many layers above, the style of upskin holds; 0: nowhere",

@@ -42,6 +42,7 @@ struct MeshReport {
   int64_t non_manifold_edges = 0;  ///< edges with more than two faces, in the file
   int64_t flipped_faces = 0;     ///< faces that run against the majority around them; sliced turned
   int64_t degenerate_faces = 0;  ///< no area, or none left in nanometres
+  int64_t repeated_faces = 0;    ///< the same as another one, corner by corner; left out
   double volume_mm3 = 0;         ///< signed; as placed; one copy
   std::array<double, 3> min_mm = {0, 0, 0};  ///< as placed; first copy
   std::array<double, 3> max_mm = {0, 0, 0};

@@ -42,11 +42,30 @@ v1::CutCounts ToProto(const CutCounts& cuts) {
 
 absl::StatusOr<CutCounts> CutsOf(const v1::CutCounts& proto) {
   for (const int64_t count :
-       {proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts(),
-        proto.replaced()})
+       {proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts(), proto.replaced()})
     if (count < 0) return Malformed("cuts", "a count is negative");
   return CutCounts{proto.pieces(), proto.reflex(), proto.extra_points(), proto.sharp_cuts(),
                    proto.replaced()};
+}
+
+v1::MeltedSample ToProto(const MeltedSample& melted) {
+  v1::MeltedSample proto;
+  proto.set_length_mm(melted.length_mm);
+  proto.set_melted_mm(melted.melted_mm);
+  proto.set_energy_j_mm(melted.energy_j_mm);
+  proto.set_pieces(melted.pieces);
+  proto.set_least_j_mm2(melted.least_j_mm2);
+  proto.set_most_j_mm2(melted.most_j_mm2);
+  return proto;
+}
+
+absl::StatusOr<MeltedSample> MeltedOf(const v1::MeltedSample& proto) {
+  for (const double amount : {proto.length_mm(), proto.melted_mm(), proto.energy_j_mm(),
+                              proto.least_j_mm2(), proto.most_j_mm2()})
+    if (!IsAmount(amount)) return Malformed("melted", "not all are amounts");
+  if (proto.pieces() < 0) return Malformed("melted", "a count is negative");
+  return MeltedSample{proto.length_mm(), proto.melted_mm(),   proto.energy_j_mm(),
+                      proto.pieces(),    proto.least_j_mm2(), proto.most_j_mm2()};
 }
 
 absl::Status CheckSummary(const v1::ExposureFrameRequest& proto) {
@@ -68,6 +87,7 @@ absl::Status ToProto(const ExposureReport& report, v1::ExposureReport* proto) {
   proto->set_area_mm2(report.area_mm2);
   proto->set_volume_mm3(report.volume_mm3);
   *proto->mutable_cuts() = ToProto(report.cuts);
+  *proto->mutable_melted() = ToProto(report.melted);
   return BoxToProto(report.bounds, proto);
 }
 
@@ -91,6 +111,9 @@ absl::StatusOr<ExposureReport> FromProto(const v1::ExposureReport& proto) {
   const absl::StatusOr<CutCounts> cuts = CutsOf(proto.cuts());
   if (!cuts.ok()) return cuts.status();
   report.cuts = *cuts;
+  const absl::StatusOr<MeltedSample> melted = MeltedOf(proto.melted());
+  if (!melted.ok()) return melted.status();
+  report.melted = *melted;
   const absl::StatusOr<Box> bounds = BoxFromProto(proto);
   if (!bounds.ok()) return bounds.status();
   report.bounds = *bounds;

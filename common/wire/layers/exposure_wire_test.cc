@@ -29,7 +29,7 @@ KindExposure DistinctKind(int n) {
 
 ExposureReport DistinctReport() {
   ExposureReport report;
-  auto& [kinds, jumps, jump, jump_time, area, volume, cuts, bounds] = report;
+  auto& [kinds, jumps, jump, jump_time, area, volume, cuts, melted, bounds] = report;
   for (int i = 0; i < kExposureKindCount; ++i) kinds[static_cast<size_t>(i)] = DistinctKind(i);
   jumps = 101;
   jump = 102;
@@ -42,6 +42,7 @@ ExposureReport DistinctReport() {
   extra_points = 108;
   sharp_cuts = 109;
   replaced = 110;
+  melted = {111, 112, 113, 114, 115, 116};
   bounds = {{-5, -6}, {7, 8}};
   return report;
 }

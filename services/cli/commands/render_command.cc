@@ -77,11 +77,10 @@ ExitCode Render(const RenderOptions& options) {
   const auto layer = IsCliFile(*gcode) ? ReadCliLayer(*gcode, options.layer, options.spot_mm)
                                        : ReadLayer(options, *gcode);
   if (!layer.ok()) return Fail(layer.status());
-  const auto image = DrawLayer(
-      *layer, {.format = *format,
-               .colour_by = options.colour_by,
-               .size_px = options.size_px,
-               .travels = options.travels});
+  const auto image = DrawLayer(*layer, {.format = *format,
+                                        .colour_by = options.colour_by,
+                                        .size_px = options.size_px,
+                                        .travels = options.travels});
   if (!image.ok()) return Fail(image.status());
   if (absl::Status status = WriteFile(options.output, *image); !status.ok()) return Fail(status);
   return ExitCode::kOk;
@@ -97,6 +96,7 @@ void AddRender(CLI::App& app, CommandContext& context) {
       ->required();
   command->add_option("-l,--layer", options->layer, "Which layer; 0 is the first")
       ->required()
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Where the picture goes; -: to stdout")
       ->required()

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,26 @@ constexpr std::string_view kHeaderEnd = "$$HEADEREND";
 absl::Status NotCli(const std::string& what) {
   return MakeError(absl::StatusCode::kInvalidArgument, Reason::kRequestMalformed,
                    "not a CLI file as the format says: " + what);
+}
+
+/// A text with each `// comment //` as a blank. One that does not end is no comment.
+std::string WithoutComments(std::string_view text) {
+  std::string rest;
+  for (;;) {
+    const size_t begin = text.find("//");
+    const size_t end = begin == std::string_view::npos ? begin : text.find("//", begin + 2);
+    rest += text.substr(0, end == std::string_view::npos ? end : begin);
+    if (end == std::string_view::npos) return rest;
+    rest += ' ';
+    text.remove_prefix(end + 2);
+  }
+}
+
+/// Colours tell apart what slicefarm's labels say; of others, contours and hatch.
+std::string FeatureOf(const LineStyle& style, const char* command) {
+  for (const char* kind : {"contour", "hatch", "upskin", "downskin", "thin wall"})
+    if (style.kind == kind) return kind;
+  return command;
 }
 
 /// Takes what a file says, and keeps the layer that is wanted.
@@ -64,6 +85,7 @@ class LayerKeeper {
     run.feature = feature;
     run.width_mm = width_mm_;
     if (const auto style = styles_.find(id); style != styles_.end()) {
+      run.feature = FeatureOf(style->second, feature);
       run.speed_mm_s = style->second.speed_mm_s;
       run.energy_j_mm = style->second.EnergyJPerMm();
     }
@@ -89,8 +111,7 @@ std::optional<std::vector<double>> NumbersOf(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view item : Split(text, ",")) {
     double value = 0;
-    if (!absl::SimpleAtod(absl::string_view(item.data(), item.size()), &value))
-      return std::nullopt;
+    if (!absl::SimpleAtod(absl::string_view(item.data(), item.size()), &value)) return std::nullopt;
     numbers.push_back(value);
   }
   return numbers;
@@ -205,26 +226,28 @@ absl::Status ReadBinary(std::string_view body, LayerKeeper& keeper) {
 }  // namespace
 
 bool IsCliFile(std::string_view bytes) {
-  return Trim(bytes.substr(0, 100)).starts_with(kHeaderStart);
+  constexpr size_t kProbeBytes = 4096;
+  return Trim(WithoutComments(bytes.substr(0, kProbeBytes))).starts_with(kHeaderStart);
 }
 
 absl::StatusOr<GcodeLayer> ReadCliLayer(std::string_view bytes, int index, double width_mm) {
   const size_t end = bytes.find(kHeaderEnd);
   if (!IsCliFile(bytes) || end == std::string_view::npos) return NotCli("it has no whole header");
-  const std::string_view header = bytes.substr(0, end);
+  const std::string header = WithoutComments(bytes.substr(0, end));
   constexpr std::string_view kUnits = "$$UNITS/";
   double unit_mm = 0;
   const size_t units = header.find(kUnits);
   if (units != std::string_view::npos) {
-    const std::string_view rest = header.substr(units + kUnits.size());
+    const std::string_view rest = std::string_view(header).substr(units + kUnits.size());
     const std::string_view number = Trim(rest.substr(0, rest.find_first_of("\r\n$/")));
     if (!absl::SimpleAtod(absl::string_view(number.data(), number.size()), &unit_mm)) unit_mm = 0;
   }
   if (!(unit_mm > 0)) return NotCli("its header has no $$UNITS");
   LayerKeeper keeper(index, unit_mm, width_mm, StylesOf(header));
   const std::string_view body = bytes.substr(end + kHeaderEnd.size());
-  const bool binary = header.find("$$BINARY") != std::string_view::npos;
-  const absl::Status read = binary ? ReadBinary(body, keeper) : ReadAscii(body, keeper);
+  const bool binary = header.find("$$BINARY") != std::string::npos;
+  const absl::Status read =
+      binary ? ReadBinary(body, keeper) : ReadAscii(WithoutComments(body), keeper);
   if (!read.ok()) return read;
   return std::move(keeper).Take();
 }

@@ -57,6 +57,31 @@ TEST(ReadCliLayer, LabelsTellSpeedAndEnergy) {
   EXPECT_EQ(layer->beads[2].energy_j_mm, 0);  // no label
 }
 
+TEST(ReadCliLayer, LabelsOfSlicefarmTellKindsApart) {
+  const std::string file =
+      "$$HEADERSTART\n$$ASCII\n$$UNITS/0.01\n$$LABEL/1,contour 100 W 400 mm/s\n"
+      "$$LABEL/2,upskin 300 W 600 mm/s\n$$LABEL/3,thin wall 300 W 600 mm/s\n"
+      "$$LABEL/4,bracket\n$$HEADEREND\n$$LAYER/10\n$$POLYLINE/1,2,2,0,0,100,0\n"
+      "$$HATCHES/2,1,0,1,100,1\n$$POLYLINE/3,2,2,0,1,9,1\n$$HATCHES/4,1,0,1,9,1\n";
+  const auto layer = ReadCliLayer(file, 0, 0.1);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  std::vector<std::string> kinds;
+  for (const BeadRun& run : layer->beads) kinds.push_back(run.feature);
+  EXPECT_EQ(kinds, (std::vector<std::string>{"contour", "upskin", "thin wall", "hatch"}));
+}
+
+TEST(ReadCliLayer, PassesOverComments) {
+  const std::string file =
+      "// made by hand // $$HEADERSTART // $$UNITS/7 //\n$$ASCII $$UNITS/0.01 // mm //\n"
+      "$$HEADEREND $$GEOMETRYSTART\n// first // $$LAYER/10.0 // z //\n"
+      "$$POLYLINE/1,2,2,0,0, // to // 100,0\n$$GEOMETRYEND";
+  EXPECT_TRUE(IsCliFile(file));
+  const auto layer = ReadCliLayer(file, 0, 0.1);
+  ASSERT_TRUE(layer.ok()) << layer.status();
+  EXPECT_DOUBLE_EQ(layer->z_mm, 0.1);
+  EXPECT_EQ(layer->beads.at(0).points, (std::vector<PointMm>{{0, 0}, {1, 0}}));
+}
+
 TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
   const std::string header = "$$HEADERSTART$$BINARY$$UNITS/0.5\n$$HEADEREND";
   std::string body = Bytes<uint16_t>(127) + Bytes(2.F);
@@ -80,12 +105,16 @@ TEST(ReadCliLayer, ReadsBinaryLongAndShort) {
 }
 
 TEST(ReadCliLayer, RefusesWhatTheFormatDoesNotHave) {
-  const std::string cases[] = {
-      "", "G1 X1", "$$HEADERSTART\n$$UNITS/1\n", "$$HEADERSTART\n$$ASCII\n$$HEADEREND\n",
-      "$$HEADERSTART\n$$UNITS/x\n$$HEADEREND\n", Ascii("$$LAYER/\n"),
-      Ascii("$$LAYER/1\n$$POLYLINE/1,1,3,0,0\n"), Ascii("$$LAYER/1\n$$HATCHES/1,-1,0\n"),
-      Ascii("$$LAYER/1\n$$POLYLINE/1,1,a,0,0\n"),
-      "$$HEADERSTART$$BINARY$$UNITS/1\n$$HEADEREND" + Bytes<uint16_t>(7)};
+  const std::string cases[] = {"",
+                               "G1 X1",
+                               "$$HEADERSTART\n$$UNITS/1\n",
+                               "$$HEADERSTART\n$$ASCII\n$$HEADEREND\n",
+                               "$$HEADERSTART\n$$UNITS/x\n$$HEADEREND\n",
+                               Ascii("$$LAYER/\n"),
+                               Ascii("$$LAYER/1\n$$POLYLINE/1,1,3,0,0\n"),
+                               Ascii("$$LAYER/1\n$$HATCHES/1,-1,0\n"),
+                               Ascii("$$LAYER/1\n$$POLYLINE/1,1,a,0,0\n"),
+                               "$$HEADERSTART$$BINARY$$UNITS/1\n$$HEADEREND" + Bytes<uint16_t>(7)};
   for (const std::string& bytes : cases) {
     EXPECT_EQ(DetailOf(ReadCliLayer(bytes, 0, 0.1).status()).reason, Reason::kRequestMalformed)
         << bytes;

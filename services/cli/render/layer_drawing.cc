@@ -24,17 +24,32 @@ constexpr double kRim = 0.6;    // how dark the rim of a bead is, against its mi
 constexpr double kCore = 0.86;  // how much of a bead's width the middle takes
 
 constexpr std::pair<std::string_view, Colour> kFeatureColours[] = {
-    {"External perimeter", {1.00, 0.49, 0.22}}, {"Perimeter", {1.00, 0.90, 0.30}},
-    {"Overhang perimeter", {0.12, 0.12, 1.00}}, {"Gap fill", {0.80, 0.80, 0.80}},
-    {"Internal infill", {0.69, 0.19, 0.16}},    {"Solid infill", {0.59, 0.33, 0.80}},
-    {"Top solid infill", {0.94, 0.25, 0.25}},   {"Bridge infill", {0.30, 0.50, 0.73}},
-    {"Skirt/Brim", {0.00, 0.53, 0.43}},         {"Skirt", {0.00, 0.53, 0.43}},
-    {"Support material", {0.20, 0.75, 0.20}},   {"Ironing", {1.00, 0.55, 0.41}},
-    {"Outer wall", {1.00, 0.49, 0.22}},         {"Inner wall", {1.00, 0.90, 0.30}},
-    {"Overhang wall", {0.12, 0.12, 1.00}},      {"Gap infill", {0.80, 0.80, 0.80}},
-    {"Sparse infill", {0.69, 0.19, 0.16}},      {"Internal solid infill", {0.59, 0.33, 0.80}},
-    {"Top surface", {0.94, 0.25, 0.25}},        {"Bridge", {0.30, 0.50, 0.73}},
+    {"External perimeter", {1.00, 0.49, 0.22}},
+    {"Perimeter", {1.00, 0.90, 0.30}},
+    {"Overhang perimeter", {0.12, 0.12, 1.00}},
+    {"Gap fill", {0.80, 0.80, 0.80}},
+    {"Internal infill", {0.69, 0.19, 0.16}},
+    {"Solid infill", {0.59, 0.33, 0.80}},
+    {"Top solid infill", {0.94, 0.25, 0.25}},
+    {"Bridge infill", {0.30, 0.50, 0.73}},
+    {"Skirt/Brim", {0.00, 0.53, 0.43}},
+    {"Skirt", {0.00, 0.53, 0.43}},
+    {"Support material", {0.20, 0.75, 0.20}},
+    {"Ironing", {1.00, 0.55, 0.41}},
+    {"Outer wall", {1.00, 0.49, 0.22}},
+    {"Inner wall", {1.00, 0.90, 0.30}},
+    {"Overhang wall", {0.12, 0.12, 1.00}},
+    {"Gap infill", {0.80, 0.80, 0.80}},
+    {"Sparse infill", {0.69, 0.19, 0.16}},
+    {"Internal solid infill", {0.59, 0.33, 0.80}},
+    {"Top surface", {0.94, 0.25, 0.25}},
+    {"Bridge", {0.30, 0.50, 0.73}},
     {"Support", {0.20, 0.75, 0.20}},
+    {"contour", {1.00, 0.49, 0.22}},
+    {"hatch", {0.59, 0.33, 0.80}},
+    {"upskin", {0.94, 0.25, 0.25}},
+    {"downskin", {0.12, 0.12, 1.00}},
+    {"thin wall", {0.20, 0.75, 0.20}},
 };
 constexpr Colour kUnknownColour = {0.5, 0.5, 0.5};
 
@@ -73,9 +88,8 @@ struct Range {
 Range RangeOf(const GcodeLayer& layer, const Quantity& quantity) {
   if (layer.beads.empty()) return {};
   const auto [least, most] = std::minmax_element(
-      layer.beads.begin(), layer.beads.end(), [&](const BeadRun& a, const BeadRun& b) {
-        return quantity.of(a) < quantity.of(b);
-      });
+      layer.beads.begin(), layer.beads.end(),
+      [&](const BeadRun& a, const BeadRun& b) { return quantity.of(a) < quantity.of(b); });
   return {quantity.of(*least), quantity.of(*most)};
 }
 

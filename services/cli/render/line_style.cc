@@ -19,7 +19,10 @@ LineStyle StyleOf(std::string_view label) {
   std::vector<std::string_view> words;
   for (const std::string_view word : Split(label, " ")) words.push_back(Trim(word));
   for (size_t i = 1; i < words.size(); ++i) {
-    if (words[i] == "W") style.power_w = NumberOf(words[i - 1]);
+    if (words[i] == "W" && style.power_w == 0) {
+      style.power_w = NumberOf(words[i - 1]);
+      style.kind = Trim(label.substr(0, static_cast<size_t>(words[i - 1].data() - label.data())));
+    }
     if (words[i] == "mm/s") style.speed_mm_s = NumberOf(words[i - 1]);
     if (words[i - 1] == "every") style.point_distance_um = NumberOf(words[i]);
     if (words[i - 1] == "of") style.point_time_us = NumberOf(words[i]);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <string_view>
 
 namespace slicefarm::cli {
 
 /// How a laser draws the lines of one id of a CLI file.
 struct LineStyle {
+  std::string kind;       ///< "contour", "upskin" ...: the label's words before the power
   double power_w = 0;     ///< 0: not known
   double speed_mm_s = 0;  ///< 0: not known
   double point_distance_um = 0;  ///< of pulsed lasers; 0: a continuous line

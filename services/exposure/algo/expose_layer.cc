@@ -10,6 +10,7 @@
 #include "common/model/region_check.h"
 #include "services/exposure/algo/expose_region.h"
 #include "services/exposure/algo/scan/block_order.h"
+#include "services/exposure/algo/scan/melted_sample.h"
 
 namespace slicefarm::exposure {
 namespace {
@@ -56,6 +57,7 @@ absl::Status AppendSection(const ObjectSection& section, int32_t layer, const Ob
                                 .shift = ShiftOf(section.object, copies)},
                                options, at, cancel, result.cuts);
     if (!groups.ok()) return groups.status();
+    result.melted.Add(SampleMelted(*groups, region.outlines, options, layer));
     if (!groups->empty()) at = groups->back().points.back();
     std::move(groups->begin(), groups->end(), std::back_inserter(result.groups));
   }

@@ -96,6 +96,45 @@ TEST(ExposeLayer, TheRegionIsCovered) {
   }
 }
 
+/// From one contour's width on, through those where there is room for one more line but not for
+/// two. In each layer: hatch along the wall is worst.
+TEST(ExposeLayer, WallsOfAnyWidthAreMelted) {
+  for (const char* width : {"0.085", "0.12", "0.17", "0.2", "0.239", "0.25", "0.31", "0.33",
+                            "0.345", "0.36", "0.4", "0.48", "0.6"}) {
+    const std::string text = std::string("(0 0, 10 0, 10 ") + width + ", 0 " + width + ")";
+    const MultiPolygon wall = MakePolygonsOrDie(text.c_str());
+    for (const ScanStrategy strategy : kStrategies) {
+      for (const double angle : {0.0, 5.0, 30.0, 90.0}) {
+        ExposureOptions options;
+        options.strategy = strategy;
+        options.hatch_angle_deg = angle;
+        options.layer_rotation_deg = 0;
+        MeltedRaster raster(wall, 4'700);
+        const ExposedLayer layer = ExposeOrDie(wall, options, 3);
+        for (const ExposureGroup& group : layer.groups)
+          group.ForEachLine(
+              [&](std::span<const Point> line) { raster.Add(line, options.spot_nm); });
+        EXPECT_GE(raster.Share(1), 0.995)
+            << text << ' ' << static_cast<int>(strategy) << ' ' << angle;
+      }
+    }
+  }
+}
+
+/// What is measured of a layer agrees with a raster.
+TEST(ExposeLayer, TellsHowMuchIsMelted) {
+  const MultiPolygon part = MakePolygonsOrDie(kPart);
+  ExposureOptions options;
+  EXPECT_GE(ExposeOrDie(part, options, 7).melted.Melted(), 0.995);
+  options.contours = 0;
+  options.hatch_distance_nm = 160'000;
+  options.overlap_nm = 0;
+  MeltedSample sum;
+  for (int32_t layer = 0; layer < 20; ++layer) sum.Add(ExposeOrDie(part, options, layer).melted);
+  EXPECT_NEAR(sum.Melted(), 0.5, 0.03);
+  EXPECT_NEAR(sum.MeanJmm2(), 0.5 * 200 / 800 / 0.08, 0.1);
+}
+
 /// Rings beside a cut keep a hatch distance apart: nothing is exposed twice but the turns' insides
 /// and the links.
 TEST(ExposeLayer, RingsExposeCutsOnce) {

@@ -12,6 +12,7 @@
 #include "common/geometry/offset/clean_offset.h"
 #include "services/exposure/algo/scan/block_order.h"
 #include "services/exposure/algo/scan/hatch.h"
+#include "services/exposure/algo/scan/inside.h"
 #include "services/exposure/algo/scan/layer_shift.h"
 #include "services/exposure/algo/scan/outline_check.h"
 #include "services/exposure/algo/scan/ring_scan.h"
@@ -45,6 +46,8 @@ class RegionScan {
       : region_(region), options_(options), at_(from), cancel_(cancel), counts_(counts) {}
 
   absl::StatusOr<std::vector<ExposureGroup>> Scan() {
+    if (options_.thin_walls || HatchTrim(options_) > 0)
+      narrow_ = NarrowParts(region_.outlines, NarrowDepth(options_));
     if (options_.contours_first) AddContours();
     if (absl::Status status = AddThinWalls(); !status.ok()) return status;
     if (absl::Status status = AddInside(); !status.ok()) return status;
@@ -94,8 +97,8 @@ class RegionScan {
   }
 
   absl::Status AddThinWalls() {
-    if (!options_.thin_walls || options_.beam_compensation_nm <= 0) return absl::OkStatus();
-    const auto lines = ThinWallLines(region_.outlines, options_.beam_compensation_nm, cancel_);
+    if (!options_.thin_walls) return absl::OkStatus();
+    const auto lines = MiddleLines(region_.outlines, narrow_, LineLevels(options_), cancel_);
     if (!lines.ok()) return lines.status();
     ExposureGroup group = NewGroup(ExposureKind::kThinWall);
     for (const Polyline& line : *lines) group.AddLine(line);
@@ -107,28 +110,35 @@ class RegionScan {
     const MultiPolygon area = FastOffset(region_.outlines, -InsideInset(options_));
     if (area.empty()) return absl::OkStatus();
     if (region_.neighbours.above.empty() && region_.neighbours.below.empty())
-      return AddArea(area, ExposureKind::kHatch);
+      return AddArea({area, {}, narrow_}, ExposureKind::kHatch);
     const SkinAreas skins =
         PartSkins(area, region_.section, region_.neighbours, options_.skin_overlap_nm);
-    if (absl::Status status = AddArea(skins.core, ExposureKind::kHatch); !status.ok())
+    if (absl::Status status = AddArea({skins.core, area, narrow_}, ExposureKind::kHatch);
+        !status.ok())
       return status;
-    if (absl::Status status = AddArea(skins.downskin, ExposureKind::kDownskin); !status.ok())
+    if (absl::Status status = AddArea({skins.downskin, area, narrow_}, ExposureKind::kDownskin);
+        !status.ok())
       return status;
-    return AddArea(skins.upskin, ExposureKind::kUpskin);
+    return AddArea({skins.upskin, area, narrow_}, ExposureKind::kUpskin);
   }
 
-  absl::Status AddArea(const MultiPolygon& area, ExposureKind kind) {
+  /// An area, and what it is part of, if it is not all.
+  absl::Status AddArea(HatchRegion region, ExposureKind kind) {
     if (absl::Status status = cancel_.Check(); !status.ok()) return status;
     ExposureGroup group = NewGroup(kind);
     if (IsRings(options_.strategy)) {
       if (absl::Status status =
-              ScanByRings(area, options_, region_.layer, at_, cancel_, group, counts_);
+              ScanByRings(region.area, options_, region_.layer, at_, cancel_, group, counts_);
           !status.ok())
         return status;
     } else {
       const double angle = AngleOf(options_, region_.layer);
       const Point shift = GridShift(region_.layer, angle, options_);
-      auto points = Hatch(Moved(area, Point{} - shift), angle, options_, at_ - shift);
+      region = {Moved(std::move(region.area), Point{} - shift),
+                Moved(std::move(region.whole), Point{} - shift),
+                Moved(std::move(region.narrow), Point{} - shift),
+                static_cast<double>(HatchTrim(options_))};
+      auto points = Hatch(region, angle, options_, at_ - shift);
       if (!points.ok()) return points.status();
       for (Point& p : *points) p = p + shift;
       group.points = *std::move(points);
@@ -143,6 +153,7 @@ class RegionScan {
   Point at_;
   const CancelToken& cancel_;
   CutCounts& counts_;
+  MultiPolygon narrow_;  ///< where lines along the outline alone melt what is inside
   std::vector<ExposureGroup> groups_;
 };
 

@@ -72,6 +72,7 @@ class Counter {
 ExposureReport ReportOf(const ExposedLayer& layer, std::span<const ExposureOptions> regions) {
   ExposureReport report;
   report.cuts = layer.cuts;
+  report.melted = layer.melted;
   report.area_mm2 = layer.area_mm2;
   report.volume_mm3 = layer.area_mm2 * ToMm(static_cast<double>(layer.frame.height_nm));
   Counter counter(report);

@@ -30,6 +30,9 @@ std::vector<std::string> MeshWarnings(const MeshReport& mesh) {
   if (mesh.degenerate_faces > 0) {
     warn(Count(mesh.degenerate_faces, "face") + " without area left out");
   }
+  if (mesh.repeated_faces > 0) {
+    warn(Count(mesh.repeated_faces, "face") + " that the file has twice left out");
+  }
   if (mesh.volume_mm3 < 0) warn("the whole mesh is inside out");
   if (mesh.open_loops_closed > 0) {
     warn(absl::StrFormat("%s closed over gaps of up to %.3f mm",

@@ -20,6 +20,7 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
   mesh.non_manifold_edges = 2;
   mesh.flipped_faces = 3;
   mesh.degenerate_faces = 4;
+  mesh.repeated_faces = 1;
   mesh.volume_mm3 = -1;
   mesh.open_loops_closed = 5;
   mesh.largest_gap_closed_mm = 0.25;
@@ -32,7 +33,8 @@ TEST(MeshWarnings, SaysWhatIsWrong) {
       ElementsAre(
           "a.stl: the surface is not closed: 1 edge with one face only",
           "a.stl: 2 edges with more than two faces", "a.stl: 3 faces turned the wrong way round",
-          "a.stl: 4 faces without area left out", "a.stl: the whole mesh is inside out",
+          "a.stl: 4 faces without area left out", "a.stl: 1 face that the file has twice left out",
+          "a.stl: the whole mesh is inside out",
           "a.stl: 5 open outlines closed over gaps of up to 0.250 mm",
           "a.stl: 1 open outline of 12.3 mm together could not be closed and are not printed",
           "a.stl: cracks of up to 0.098 mm were closed (slice_closing_radius)",

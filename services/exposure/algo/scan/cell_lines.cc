@@ -61,12 +61,12 @@ struct Family {
   std::vector<CellLine> lines = {};
 };
 
-absl::Status FillStripes(const MultiPolygon& region, const ExposureOptions& options,
+absl::Status FillStripes(const HatchRegion& region, const ExposureOptions& options,
                          Family& family) {
   const CellRow stripes{static_cast<double>(options.stripe_width_nm),
                         static_cast<double>(options.overlap_nm) / 2};
   const double least = static_cast<double>(options.minimum_vector_nm);
-  auto pieces = CutScanLines(region, family.frame, family.grid);
+  auto pieces = CutTrimmedLines(region, family.frame, family.grid);
   if (!pieces.ok()) return pieces.status();
   family.lines.reserve(pieces->size());
   for (const ScanPiece& piece : *pieces) {
@@ -80,12 +80,12 @@ absl::Status FillStripes(const MultiPolygon& region, const ExposureOptions& opti
 }
 
 /// Rows and columns are those of the family's own frame.
-absl::Status FillIslands(const MultiPolygon& region, const ExposureOptions& options,
+absl::Status FillIslands(const HatchRegion& region, const ExposureOptions& options,
                          Family& family) {
   const CellRow islands{static_cast<double>(options.island_width_nm),
                         static_cast<double>(options.overlap_nm) / 2};
   const double least = static_cast<double>(options.minimum_vector_nm);
-  auto pieces = CutScanLines(region, family.frame, family.grid);
+  auto pieces = CutTrimmedLines(region, family.frame, family.grid);
   if (!pieces.ok()) return pieces.status();
   family.lines.reserve(pieces->size());
   for (const ScanPiece& piece : *pieces) {
@@ -132,7 +132,7 @@ void AppendBlocks(Family& family, bool alternate, LineBlocks& blocks) {
 
 }  // namespace
 
-absl::StatusOr<LineBlocks> CellBlocks(const MultiPolygon& region, double angle_deg,
+absl::StatusOr<LineBlocks> CellBlocks(const HatchRegion& region, double angle_deg,
                                       const ExposureOptions& options) {
   const bool stripes = options.strategy == ScanStrategy::kStripes;
   const double pitch = static_cast<double>(options.hatch_distance_nm);

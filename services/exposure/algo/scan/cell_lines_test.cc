@@ -12,7 +12,7 @@ LineBlocks Blocks(const char* text, ScanStrategy strategy) {
   ExposureOptions options;
   options.strategy = strategy;
   options.stripe_width_nm = options.island_width_nm = 2'000'000;
-  auto blocks = CellBlocks(MakePolygonsOrDie(text), 0, options);
+  auto blocks = CellBlocks({MakePolygonsOrDie(text)}, 0, options);
   EXPECT_TRUE(blocks.ok());
   return *std::move(blocks);
 }

@@ -5,7 +5,7 @@
 
 namespace slicefarm::exposure {
 
-absl::StatusOr<std::vector<Point>> Hatch(const MultiPolygon& region, double angle_deg,
+absl::StatusOr<std::vector<Point>> Hatch(const HatchRegion& region, double angle_deg,
                                          const ExposureOptions& options, Point from) {
   auto blocks = options.strategy == ScanStrategy::kHatch
                     ? SerpentineBlocks(region, angle_deg, options)

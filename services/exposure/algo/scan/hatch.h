@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "common/geometry/polygon.h"
 #include "common/model/options/exposure_options.h"
+#include "services/exposure/algo/scan/scan_lines.h"
 
 namespace slicefarm::exposure {
 
@@ -21,7 +21,7 @@ namespace slicefarm::exposure {
 ///           (exposure_options_wire.h).
 /// Errors:   REQUEST_TOO_LARGE, as CutScanLines.
 /// Cost:     O(n + k log k), k lines.
-absl::StatusOr<std::vector<Point>> Hatch(const MultiPolygon& region, double angle_deg,
+absl::StatusOr<std::vector<Point>> Hatch(const HatchRegion& region, double angle_deg,
                                          const ExposureOptions& options, Point from);
 
 }  // namespace slicefarm::exposure

@@ -20,7 +20,7 @@ constexpr double kRadians = std::numbers::pi / 180;
 
 std::vector<Point> HatchOrDie(const MultiPolygon& region, double angle_deg,
                               const ExposureOptions& options) {
-  auto points = Hatch(region, angle_deg, options, {});
+  auto points = Hatch({region}, angle_deg, options, {});
   EXPECT_TRUE(points.ok()) << points.status();
   return points.ok() ? *std::move(points) : std::vector<Point>{};
 }

@@ -23,15 +23,6 @@ std::optional<StrayVector> FindStrayOf(const ExposureGroup& group, const BorderG
 
 }  // namespace
 
-Coord InsideInset(const ExposureOptions& options) {
-  const bool rings = IsRings(options.strategy);
-  Coord inset = options.beam_compensation_nm;
-  if (options.contours > 0)
-    inset += (options.contours - 1) * options.contour_distance_nm +
-             (rings ? options.contour_distance_nm : options.hatch_offset_nm);
-  return rings ? inset - (options.hatch_distance_nm - options.ring_overlap_nm) / 2 : inset;
-}
-
 std::optional<StrayVector> FindStray(std::span<const ExposureGroup> groups,
                                      const MultiPolygon& outline, const ExposureOptions& options) {
   if (groups.empty()) return std::nullopt;

@@ -9,11 +9,6 @@
 
 namespace slicefarm::exposure {
 
-/// From the outline to where rings or hatch begin. Ends of hatch lines lie hatch_offset from the
-/// innermost contour, rings contour_distance, as they run along it; they keep half a distance from
-/// their border, less half of what those beside a cut overlap.
-Coord InsideInset(const ExposureOptions& options);
-
 /// A vector that lies where none may.
 struct StrayVector {
   ExposureKind kind = ExposureKind::kHatch;

@@ -42,6 +42,56 @@ std::vector<FrameEdge> FrameEdges(const MultiPolygon& region, const LineAxes& fr
   return edges;
 }
 
+void Trim(double trim_nm, std::vector<ScanPiece>& pieces) {
+  std::erase_if(pieces, [&](const ScanPiece& piece) { return piece.u1 - piece.u0 <= trim_nm; });
+  for (ScanPiece& piece : pieces) {
+    const double trim = std::min(trim_nm, (piece.u1 - piece.u0) / 4);
+    piece.u0 += trim;
+    piece.u1 -= trim;
+  }
+}
+
+/// What is in both, by line, then along it; so are they.
+std::vector<ScanPiece> InBoth(const std::vector<ScanPiece>& some,
+                              const std::vector<ScanPiece>& others) {
+  std::vector<ScanPiece> both;
+  both.reserve(some.size());
+  const auto ends_before = [](const ScanPiece& a, const ScanPiece& b) {
+    return a.line != b.line ? a.line < b.line : a.u1 < b.u1;
+  };
+  for (size_t i = 0, k = 0; i < some.size() && k < others.size();) {
+    const ScanPiece &a = some[i], &b = others[k];
+    if (a.line == b.line && std::max(a.u0, b.u0) < std::min(a.u1, b.u1))
+      both.push_back({a.line, std::max(a.u0, b.u0), std::min(a.u1, b.u1)});
+    if (ends_before(a, b))
+      ++i;
+    else
+      ++k;
+  }
+  return both;
+}
+
+/// What of the pieces is in none of the others; both by line, then along it.
+std::vector<ScanPiece> Without(const std::vector<ScanPiece>& others,
+                               const std::vector<ScanPiece>& pieces) {
+  std::vector<ScanPiece> left;
+  left.reserve(pieces.size());
+  size_t first = 0;
+  for (ScanPiece piece : pieces) {
+    const auto is_before = [&](const ScanPiece& other) {
+      return other.line != piece.line ? other.line < piece.line : other.u1 <= piece.u0;
+    };
+    while (first < others.size() && is_before(others[first])) ++first;
+    for (size_t i = first; i < others.size() && others[i].line == piece.line; ++i) {
+      if (others[i].u0 >= piece.u1) break;
+      if (others[i].u0 > piece.u0) left.push_back({piece.line, piece.u0, others[i].u0});
+      piece.u0 = std::max(piece.u0, others[i].u1);
+    }
+    if (piece.u0 < piece.u1) left.push_back(piece);
+  }
+  return left;
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
@@ -83,6 +133,24 @@ absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
       if (place[0] < place[1]) pieces.push_back({line, place[0], place[1]});
   }
   return pieces;
+}
+
+absl::StatusOr<std::vector<ScanPiece>> CutTrimmedLines(const HatchRegion& region,
+                                                       const LineAxes& frame,
+                                                       const LineGrid& grid) {
+  auto pieces = CutScanLines(region.area, frame, grid);
+  if (!pieces.ok()) return pieces;
+  if (region.trim_nm > 0 && region.whole.empty()) Trim(region.trim_nm, *pieces);
+  if (region.trim_nm > 0 && !region.whole.empty()) {
+    auto whole = CutScanLines(region.whole, frame, grid);
+    if (!whole.ok()) return whole;
+    Trim(region.trim_nm, *whole);
+    pieces = InBoth(*pieces, *whole);
+  }
+  if (region.narrow.empty()) return pieces;
+  const auto narrow = CutScanLines(region.narrow, frame, grid);
+  if (!narrow.ok()) return narrow;
+  return Without(*narrow, *pieces);
 }
 
 }  // namespace slicefarm::exposure

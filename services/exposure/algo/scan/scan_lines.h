@@ -34,4 +34,22 @@ inline constexpr int64_t kMaxScanPieces = 50'000'000;
 absl::StatusOr<std::vector<ScanPiece>> CutScanLines(const MultiPolygon& region,
                                                     const LineAxes& frame, const LineGrid& grid);
 
+/// A region to be hatched, and where its lines end before its border.
+struct HatchRegion {
+  MultiPolygon area;
+  /// What the area is part of; empty: the area itself. Lines end before the border of this alone.
+  MultiPolygon whole = {};
+  /// No lines here.
+  MultiPolygon narrow = {};
+  /// Along the line; of pieces shorter than four times as much a quarter of their length, and those
+  /// not longer than it are left out.
+  double trim_nm = 0;
+};
+
+/// The pieces of CutScanLines, trimmed where they meet the border of the whole, without those parts
+/// that lie where no lines are to be.
+/// Errors, cost: as CutScanLines.
+absl::StatusOr<std::vector<ScanPiece>> CutTrimmedLines(const HatchRegion& region,
+                                                       const LineAxes& frame, const LineGrid& grid);
+
 }  // namespace slicefarm::exposure

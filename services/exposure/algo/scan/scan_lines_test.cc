@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "common/base/error.h"
 #include "common/geometry/boolean/random_islands_test.h"
@@ -64,6 +66,43 @@ TEST(CutScanLines, RefusesTooMany) {
   const auto pieces = CutScanLines(MakePolygonsOrDie("(0 0, 1000 0, 1000 1000, 0 1000)"),
                                    LineAxes(0), {.pitch_nm = 10});
   EXPECT_EQ(DetailOf(pieces.status()).reason, Reason::kRequestTooLarge);
+}
+
+using Ends = std::vector<std::pair<double, double>>;
+
+/// Of the line through the middle of the region's height, in mm.
+Ends MiddleOf(const HatchRegion& region) {
+  const auto pieces =
+      CutTrimmedLines(region, LineAxes::OfDegrees(0), {.pitch_nm = 100e6, .phase = 0.05});
+  EXPECT_TRUE(pieces.ok());
+  Ends ends;
+  for (const ScanPiece& piece : *pieces) ends.push_back({piece.u0 / 1e6, piece.u1 / 1e6});
+  return ends;
+}
+
+TEST(CutTrimmedLines, EndBeforeTheBorderOfTheWholeAlone) {
+  const MultiPolygon whole =
+      MakePolygonsOrDie("(0 0, 20 0, 20 10, 0 10); (30 0, 40 0, 40 10, 30 10)");
+  const MultiPolygon part = MakePolygonsOrDie("(0 0, 8 0, 8 10, 0 10); (18 0, 35 0, 35 10, 18 10)");
+  EXPECT_EQ(MiddleOf({.area = whole, .trim_nm = 1e6}), (Ends{{1, 19}, {31, 39}}));
+  EXPECT_EQ(MiddleOf({.area = part, .whole = whole, .trim_nm = 1e6}),
+            (Ends{{1, 8}, {18, 19}, {31, 35}}));
+  EXPECT_EQ(MiddleOf({.area = part, .whole = whole}), (Ends{{0, 8}, {18, 35}}));
+}
+
+TEST(CutTrimmedLines, ShortPiecesLoseAQuarterAtEitherEndAndTheShortestGo) {
+  const MultiPolygon area = MakePolygonsOrDie(
+      "(0 0, 4 0, 4 10, 0 10); (10 0, 12 0, 12 10, 10 10); (20 0, 21 0, 21 10, 20 10)");
+  EXPECT_EQ(MiddleOf({.area = area, .trim_nm = 1.5e6}), (Ends{{1, 3}, {10.5, 11.5}}));
+}
+
+TEST(CutTrimmedLines, NothingInNarrowParts) {
+  const MultiPolygon area =
+      MakePolygonsOrDie("(0 0, 20 0, 20 10, 0 10); (30 0, 40 0, 40 10, 30 10)");
+  const MultiPolygon narrow = MakePolygonsOrDie(
+      "(-1 0, 2 0, 2 10, -1 10); (5 0, 6 0, 6 10, 5 10); (18 0, 33 0, 33 10, 18 10)");
+  EXPECT_EQ(MiddleOf({.area = area, .narrow = narrow}), (Ends{{2, 5}, {6, 18}, {33, 40}}));
+  EXPECT_EQ(MiddleOf({.area = area, .narrow = area}), Ends{});
 }
 
 }  // namespace

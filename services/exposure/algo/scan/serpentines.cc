@@ -58,11 +58,11 @@ class PieceTable {
 
 }  // namespace
 
-absl::StatusOr<LineBlocks> SerpentineBlocks(const MultiPolygon& region, double angle_deg,
+absl::StatusOr<LineBlocks> SerpentineBlocks(const HatchRegion& region, double angle_deg,
                                             const ExposureOptions& options) {
   const LineAxes frame = LineAxes::OfDegrees(angle_deg);
   const LineGrid grid{.pitch_nm = static_cast<double>(options.hatch_distance_nm)};
-  auto pieces = CutScanLines(region, frame, grid);
+  auto pieces = CutTrimmedLines(region, frame, grid);
   if (!pieces.ok()) return pieces.status();
   std::erase_if(*pieces, [&](const ScanPiece& piece) {
     return piece.u1 - piece.u0 < static_cast<double>(options.minimum_vector_nm);

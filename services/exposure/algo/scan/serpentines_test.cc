@@ -8,7 +8,7 @@ namespace slicefarm::exposure::serpentines_test {
 namespace {
 
 LineBlocks Blocks(const char* text) {
-  auto blocks = SerpentineBlocks(MakePolygonsOrDie(text), 0, {});
+  auto blocks = SerpentineBlocks({MakePolygonsOrDie(text)}, 0, {});
   EXPECT_TRUE(blocks.ok());
   return *std::move(blocks);
 }

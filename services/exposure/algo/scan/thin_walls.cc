@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ constexpr Coord kRegrownNm = 1'000;
 /// do those that join them.
 constexpr double kKeptNm = 1'000;
 constexpr double kJoinedNm = 500;
+/// How far around narrow parts an outline is looked at, in depths.
+constexpr Coord kAround = 3;
 /// A wall is at least this many times as long as the spot's half width.
 constexpr double kLeastLength = 4;
 
@@ -36,7 +39,8 @@ MultiPolygon Doubtful(const MultiPolygon& outline, Coord inset_nm) {
   return doubtful;
 }
 
-MultiPolygon ThinParts(const MultiPolygon& outline, Coord inset_nm) {
+MultiPolygon ThinParts(const MultiPolygon& islands, Coord inset_nm) {
+  const MultiPolygon outline = Doubtful(islands, inset_nm);
   if (outline.empty()) return {};
   const MultiPolygon thick =
       OffsetTwice(outline, -inset_nm, inset_nm + kRegrownNm, {.miter_limit = 10});
@@ -89,15 +93,12 @@ std::vector<Polyline> Chained(std::vector<Polyline> lines, double reach, const B
   return chains;
 }
 
-}  // namespace
-
-absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline, Coord inset_nm,
-                                                    const CancelToken& cancel) {
-  const MultiPolygon thin = ThinParts(Doubtful(outline, inset_nm), inset_nm);
-  if (thin.empty()) return std::vector<Polyline>{};
-  const auto pieces = ScanPieces(thin, DecomposeMethod::kBian, 0, cancel);
+/// Lines of one part that is thin all over, joined; `border`: of what may be exposed.
+absl::StatusOr<std::vector<Polyline>> LinesOfPart(const PolygonWithHoles& part, Coord inset_nm,
+                                                  const BorderGrid& border,
+                                                  const CancelToken& cancel) {
+  const auto pieces = ScanPieces({part}, DecomposeMethod::kBian, 0, cancel);
   if (!pieces.ok()) return pieces.status();
-  const BorderGrid border(outline, kKeptNm);
   std::vector<Polyline> lines;
   for (const Polygon& piece : pieces->pieces) {
     const Spine spine = SpineOf(PlaceOf(piece, static_cast<double>(pieces->scale)));
@@ -110,6 +111,45 @@ absl::StatusOr<std::vector<Polyline>> ThinWallLines(const MultiPolygon& outline,
     return Length(wall) < kLeastLength * static_cast<double>(inset_nm);
   });
   return walls;
+}
+
+absl::Status AppendLevel(const MultiPolygon& outline, const LineLevel& level,
+                         const CancelToken& cancel, std::vector<Polyline>& lines) {
+  const MultiPolygon open = level.melted_nm > 0 ? FastOffset(outline, -level.melted_nm) : outline;
+  const Coord inset_nm = level.line_nm - level.melted_nm;
+  const MultiPolygon thin = ThinParts(open, inset_nm);
+  if (thin.empty()) return absl::OkStatus();
+  const BorderGrid border(open, kKeptNm);
+  for (const PolygonWithHoles& part : thin) {
+    auto walls = LinesOfPart(part, inset_nm, border, cancel);
+    if (!walls.ok()) return walls.status();
+    std::move(walls->begin(), walls->end(), std::back_inserter(lines));
+  }
+  return absl::OkStatus();
+}
+
+/// The outline around its narrow parts, so far that where it is cut nothing is narrow.
+MultiPolygon Around(const MultiPolygon& narrow, const MultiPolygon& outline, Coord depth_nm) {
+  return Intersection(outline, Offset(narrow, kAround * depth_nm, {.join = Join::kSquare}));
+}
+
+}  // namespace
+
+MultiPolygon NarrowParts(const MultiPolygon& outline, Coord depth_nm) {
+  return depth_nm > 0 ? ThinParts(outline, depth_nm) : MultiPolygon{};
+}
+
+absl::StatusOr<std::vector<Polyline>> MiddleLines(const MultiPolygon& outline,
+                                                  const MultiPolygon& narrow,
+                                                  std::span<const LineLevel> levels,
+                                                  const CancelToken& cancel) {
+  std::vector<Polyline> lines;
+  if (levels.empty() || narrow.empty()) return lines;
+  const MultiPolygon around = Around(narrow, outline, levels.back().line_nm);
+  for (const LineLevel& level : levels)
+    if (absl::Status status = AppendLevel(around, level, cancel, lines); !status.ok())
+      return status;
+  return lines;
 }
 
 }  // namespace slicefarm::exposure

@@ -11,20 +11,22 @@
 namespace slicefarm::exposure::thin_walls_test {
 namespace {
 
+constexpr LineLevel kContour[] = {{0, 40'000}};
+
 std::vector<Polyline> Walls(const MultiPolygon& outline) {
-  auto walls = ThinWallLines(outline, 40'000, {});
+  auto walls = MiddleLines(outline, NarrowParts(outline, 40'000), kContour, {});
   EXPECT_TRUE(walls.ok()) << walls.status();
   return walls.ok() ? *std::move(walls) : std::vector<Polyline>{};
 }
 
-TEST(ThinWallLines, OneLineForAStraightWall) {
+TEST(MiddleLines, OneLineForAStraightWall) {
   const auto walls = Walls(MakePolygonsOrDie("(0 0, 10 0, 10 0.05, 0 0.05)"));
   ASSERT_EQ(walls.size(), 1u);
   for (const Point p : walls[0]) EXPECT_EQ(p.y, 25'000);
   EXPECT_NEAR(Length(walls[0]), 10e6, 0.1e6);
 }
 
-TEST(ThinWallLines, ARibOnABodyGetsOneAndTheBodyNone) {
+TEST(MiddleLines, ARibOnABodyGetsOneAndTheBodyNone) {
   const auto walls =
       Walls(MakePolygonsOrDie("(0 0, 10 0, 10 5, 5.03 5, 5.03 9, 4.97 9, 4.97 5, 0 5)"));
   ASSERT_EQ(walls.size(), 1u);
@@ -35,7 +37,7 @@ TEST(ThinWallLines, ARibOnABodyGetsOneAndTheBodyNone) {
   EXPECT_NEAR(Length(walls[0]), 4e6, 0.1e6);
 }
 
-TEST(ThinWallLines, AThinRingIsFollowedAllTheWay) {
+TEST(MiddleLines, AThinRingIsFollowedAllTheWay) {
   Polyline circle;
   for (int i = 0; i < 60; ++i)
     circle.push_back(
@@ -52,7 +54,7 @@ TEST(ThinWallLines, AThinRingIsFollowedAllTheWay) {
   EXPECT_NEAR(length, 2 * M_PI * 4.97e6, 1.5e6);
 }
 
-TEST(ThinWallLines, ThickPartsAndCornersHaveNone) {
+TEST(MiddleLines, ThickPartsAndCornersHaveNone) {
   EXPECT_TRUE(Walls(MakePolygonsOrDie("(0 0, 10 0, 10 5, 0 5)")).empty());
   EXPECT_TRUE(Walls(MakePolygonsOrDie("(0 0, 10 0, 5 9)")).empty());
   EXPECT_TRUE(Walls({}).empty());

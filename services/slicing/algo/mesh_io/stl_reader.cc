@@ -21,6 +21,7 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 constexpr size_t kHeaderBytes = 84;
 constexpr size_t kTriangleBytes = 50;
 constexpr size_t kNormalBytes = 12;
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr size_t kTrianglesPerPoll = 1 << 16;
 
 uint32_t ClaimedTriangles(std::string_view bytes) {
@@ -76,6 +77,12 @@ absl::Status TriangleError(CoordinateFault fault, size_t triangle) {
   return MakeError(absl::StatusCode::kInvalidArgument, FaultReason(fault),
                    fmt::format("{} (triangle {})", FaultText(fault), triangle),
                    {{"triangle", std::to_string(triangle)}});
+}
+
+/// Editors of texts put a mark before them.
+std::string_view WithoutMark(std::string_view text) {
+  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
+  return text;
 }
 
 bool EqualsIgnoringCase(std::string_view word, std::string_view lower) {
@@ -179,7 +186,7 @@ bool IsBinaryStl(std::string_view bytes) {
 
 bool LooksLikeAsciiStl(std::string_view bytes) {
   constexpr size_t kProbeBytes = 4096;
-  const std::string_view probe = bytes.substr(0, kProbeBytes);
+  const std::string_view probe = WithoutMark(bytes).substr(0, kProbeBytes);
   if (!EqualsIgnoringCase(Words(probe).Next(), "solid")) return false;
   // Binary exporters write `solid` too, but then a zero byte or two follow soon.
   return probe.find('\0') == std::string_view::npos;
@@ -205,7 +212,7 @@ absl::StatusOr<RawMesh> ReadBinaryStl(std::string_view bytes, double coordinate_
 
 absl::StatusOr<RawMesh> ReadAsciiStl(std::string_view bytes, double coordinate_limit,
                                      const CancelToken& cancel) {
-  AsciiParser parser(bytes, coordinate_limit);
+  AsciiParser parser(WithoutMark(bytes), coordinate_limit);
   for (size_t line = 0;; ++line) {
     if (line % kTrianglesPerPoll == 0 && cancel.Cancelled()) return cancel.Check();
     const absl::StatusOr<bool> more = parser.Step();

@@ -114,10 +114,18 @@ TEST(AsciiStl, AcceptsWhatExportersWrite) {
   for (char& c : upper) c = static_cast<char>(std::toupper(c));
   std::string mac = Facet(kCorners);
   for (char& c : mac) c = c == '\n' ? '\r' : c;
+  std::string mixed = Facet(kCorners);  // CR, LF, CR LF by turns
+  for (size_t at = 0, line = 0; (at = mixed.find('\n', at)) != std::string::npos; ++line) {
+    const std::string end = line % 3 == 0 ? "\r" : line % 3 == 1 ? "\n" : "\r\n";
+    mixed.replace(at, 1, end);
+    at += end.size();
+  }
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"CrLf", crlf},
       {"UpperCase", upper},
       {"CarriageReturns", mac},
+      {"MixedLineEnds", mixed},
+      {"Utf8Mark", "\xEF\xBB\xBF" + Facet(kCorners)},
       {"Exponents", Facet("vertex 0e0 0 -0.0E+00\nvertex 1.0e+000 0 0\nvertex 0 1000E-3 0\n")},
       {"BlankLines", "\n\n" + Facet("\n" + std::string(kCorners) + "\n   \n")},
       {"NoNormal",
@@ -178,6 +186,7 @@ TEST(StlDetection, TellsTheFlavours) {
   EXPECT_FALSE(LooksLikeAsciiStl(solid_header));
   EXPECT_TRUE(LooksLikeAsciiStl(ToAsciiStl(Box())));
   EXPECT_TRUE(LooksLikeAsciiStl("\n  SOLID\n"));
+  EXPECT_TRUE(LooksLikeAsciiStl("\xEF\xBB\xBFsolid x\n"));
   EXPECT_FALSE(LooksLikeAsciiStl("solidly\n"));
 }
 

@@ -44,13 +44,20 @@ std::optional<double> ParseNumber(std::string_view word) {
 }
 
 LineReader::LineReader(std::string_view text, int64_t max_line_bytes, bool joins)
-    : text_(text),
-      max_line_bytes_(static_cast<size_t>(max_line_bytes)),
-      joins_(joins),
-      terminator_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
+    : text_(text), max_line_bytes_(static_cast<size_t>(max_line_bytes)), joins_(joins) {
+  next_lf_ = std::min(text_.find('\n'), text_.size());
+  next_cr_ = std::min(text_.find('\r'), text_.size());
+}
 
-size_t LineReader::LineEnd(size_t begin) const {
-  return std::min(text_.find(terminator_, begin), text_.size());
+size_t LineReader::LineEnd(size_t begin) {
+  // Kept from line to line: a text without any of one of the two is searched for it once.
+  if (next_lf_ < begin) next_lf_ = std::min(text_.find('\n', begin), text_.size());
+  if (next_cr_ < begin) next_cr_ = std::min(text_.find('\r', begin), text_.size());
+  return std::min(next_lf_, next_cr_);
+}
+
+size_t LineReader::After(size_t end) const {
+  return end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
 }
 
 absl::StatusOr<std::optional<std::string_view>> LineReader::Next() {
@@ -59,12 +66,11 @@ absl::StatusOr<std::optional<std::string_view>> LineReader::Next() {
   const size_t begin = at_;
   size_t end = LineEnd(begin);
   const auto joined = [&] {
-    const size_t last = end > begin && text_[end - 1] == '\r' ? end - 1 : end;
-    return joins_ && last > begin && text_[last - 1] == '\\' && end < text_.size() &&
+    return joins_ && end > begin && text_[end - 1] == '\\' && end < text_.size() &&
            end - begin <= max_line_bytes_;
   };
   while (joined()) {
-    end = LineEnd(end + 1);
+    end = LineEnd(After(end));
     ++next_number_;
   }
   if (end - begin > max_line_bytes_) {
@@ -75,7 +81,7 @@ absl::StatusOr<std::optional<std::string_view>> LineReader::Next() {
                       {"got", std::to_string(end - begin)},
                       {"line", std::to_string(number_)}});
   }
-  at_ = end + 1;
+  at_ = end < text_.size() ? After(end) : end;
   return text_.substr(begin, end - begin);
 }
 

@@ -27,7 +27,7 @@ class Words {
 /// infinity; too small: zero.
 std::optional<double> ParseNumber(std::string_view word);
 
-/// Goes through a text line by line. Lines end in LF, CR LF, or (in a text without any LF) CR.
+/// Goes through a text line by line. Each line ends in LF, CR LF or CR, whatever the others do.
 class LineReader {
  public:
   /// `max_line_bytes`: longer lines are refused. `joins`: a line that ends in a backslash goes on
@@ -46,13 +46,15 @@ class LineReader {
 
  private:
   /// End of the line that starts at `begin`, its terminator excluded.
-  size_t LineEnd(size_t begin) const;
+  size_t LineEnd(size_t begin);
+  /// Where the line after the one with that end begins.
+  size_t After(size_t end) const;
 
   std::string_view text_;
   size_t max_line_bytes_;
   bool joins_;
-  char terminator_;
   size_t at_ = 0;
+  size_t next_lf_ = 0, next_cr_ = 0;  ///< the first at or after the line's begin, once looked for
   int64_t number_ = 0;
   int64_t next_number_ = 1;
 };

@@ -55,6 +55,8 @@ TEST(LineReader, KnowsAllLineEnds) {
   EXPECT_THAT(LinesOf("a\nb\n"), ElementsAre("1:a", "2:b"));
   EXPECT_THAT(LinesOf("a\r\nb\r\nc"), ElementsAre("1:a", "2:b", "3:c"));
   EXPECT_THAT(LinesOf("a\rb\r\rc"), ElementsAre("1:a", "2:b", "3:", "4:c"));
+  EXPECT_THAT(LinesOf("a\rb\r\nc\nd\r"), ElementsAre("1:a", "2:b", "3:c", "4:d"));
+  EXPECT_THAT(LinesOf("a\n\rb\n"), ElementsAre("1:a", "2:", "3:b"));
   EXPECT_THAT(LinesOf(""), ElementsAre());
   EXPECT_THAT(LinesOf("\n"), ElementsAre("1:"));
 }
@@ -62,6 +64,7 @@ TEST(LineReader, KnowsAllLineEnds) {
 TEST(LineReader, JoinsContinuedLinesAndKeepsCounting) {
   EXPECT_THAT(LinesOf("a \\\nb\nc", true), ElementsAre("1:a", "3:c"));
   EXPECT_THAT(LinesOf("a \\\r\nb\r\nc", true), ElementsAre("1:a", "3:c"));
+  EXPECT_THAT(LinesOf("a \\\rb\rc", true), ElementsAre("1:a", "3:c"));
   EXPECT_THAT(LinesOf("a \\\nb\nc", false), ElementsAre("1:a", "2:b", "3:c"));
   EXPECT_THAT(LinesOf("a\\", true), ElementsAre("1:a"));
 }

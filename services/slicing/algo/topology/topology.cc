@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "services/slicing/algo/placement/placement.h"
 #include "services/slicing/algo/topology/edge_fans.h"
 #include "services/slicing/algo/topology/face_orientation.h"
 #include "services/slicing/algo/topology/mesh_measure.h"
-#include "services/slicing/algo/placement/placement.h"
 
 namespace slicefarm::slicing {
 namespace {
@@ -17,6 +17,40 @@ namespace {
 int64_t DropCollapsedFaces(std::vector<Triangle>& triangles) {
   return static_cast<int64_t>(std::erase_if(
       triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }));
+}
+
+/// Keeps the first of faces with the same corners in the same sense; returns how many were dropped.
+/// A sheet of two faces back to back stays. Cost: O(n log n).
+int64_t DropRepeatedFaces(std::vector<Triangle>& triangles) {
+  struct Key {
+    Triangle corners;  ///< the least one first
+    uint32_t face = 0;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> keys(triangles.size());
+  for (uint32_t face = 0; face < keys.size(); ++face) {
+    Triangle corners = triangles[face];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    keys[face] = {corners, face};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> repeated(triangles.size());
+  for (size_t i = 1; i < keys.size(); ++i)
+    repeated[keys[i].face] = keys[i].corners == keys[i - 1].corners;
+  uint32_t face = 0;
+  return static_cast<int64_t>(
+      std::erase_if(triangles, [&](const Triangle&) { return repeated[face++]; }));
+}
+
+/// The edges, without repeated faces; their number is added to `repeated`. Such a face makes edges
+/// with more than two faces, or with two that run the same way.
+EdgeTable EdgesOfDistinct(IndexedMesh& mesh, int64_t& repeated) {
+  EdgeTable table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
+  if (table.fan_count() == 0 && table.conflicts == 0) return table;
+  const int64_t dropped = DropRepeatedFaces(mesh.triangles);
+  if (dropped == 0) return table;
+  repeated += dropped;
+  return BuildEdgeTable(mesh.triangles, mesh.vertices.size());
 }
 
 /// Sets of faces. Source: Galler and Fischer 1964, with paths halved; a root is the least face of
@@ -65,12 +99,12 @@ absl::StatusOr<ConnectedMesh> Connect(IndexedMesh mesh, const CancelToken& cance
   if (mesh.triangles.empty())
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kMeshEmpty,
                      "all triangles of the mesh are degenerate; are the units right?");
+  if (cancel.Cancelled()) return cancel.Check();
+  EdgeTable table = EdgesOfDistinct(mesh, connected.repeated_faces);
+  if (cancel.Cancelled()) return cancel.Check();
   connected.degenerate_faces +=
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                     [&](const Triangle& t) { return HasNoArea(mesh, t); });
-  if (cancel.Cancelled()) return cancel.Check();
-  EdgeTable table = BuildEdgeTable(mesh.triangles, mesh.vertices.size());
-  if (cancel.Cancelled()) return cancel.Check();
   connected.open_edges = table.open_edges;
   connected.non_manifold_edges = table.fan_count();
   connected.bodies = CountBodies(table);
@@ -98,6 +132,7 @@ MeshReport ReportOf(const ConnectedMesh& mesh, Point shift) {
   report.non_manifold_edges = mesh.non_manifold_edges;
   report.flipped_faces = mesh.flipped_faces;
   report.degenerate_faces = mesh.degenerate_faces;
+  report.repeated_faces = mesh.repeated_faces;
   report.volume_mm3 = VolumeMm3(mesh.mesh);
   const auto [min, max] = ExtentOf(mesh.mesh);
   const auto mm = [](Coord nm) { return ToMm(static_cast<double>(nm)); };

@@ -10,8 +10,8 @@
 
 namespace slicefarm::slicing {
 
-/// A mesh whose faces know their neighbours. Faces with two equal corners are gone, faces that ran
-/// against their body are turned. A face with three corners on one line stays: it has no area, but
+/// A mesh whose faces know their neighbours. Faces with two equal corners are gone, and so are those
+/// that are there twice; faces that ran against their body are turned. A face with three corners on one line stays: it has no area, but
 /// it joins its neighbours.
 struct ConnectedMesh {
   IndexedMesh mesh;
@@ -22,7 +22,9 @@ struct ConnectedMesh {
   // As the file had it, for the report:
   int64_t triangles = 0;
   int64_t degenerate_faces = 0;
+  int64_t repeated_faces = 0;  ///< with the corners of another one, in the same sense
   int64_t flipped_faces = 0;
+  // Once those are gone:
   int64_t open_edges = 0;
   int64_t non_manifold_edges = 0;
   int64_t bodies = 0;  ///< connected over edges; parts that meet in a vertex only count apart

@@ -22,26 +22,38 @@ RawMesh WithFace(RawMesh mesh, const Triangle& face) {
   return mesh;
 }
 
+/// The same face from another corner on.
+Triangle Turned(const Triangle& face) { return {face[1], face[2], face[0]}; }
+
 struct Case {
   std::string name;
   RawMesh mesh;
-  int64_t bodies, open, non_manifold, flipped, degenerate;
+  int64_t bodies, open, non_manifold, flipped, degenerate, repeated;
   bool closed;
 };
 
 TEST(Connect, ReportsWhatTheMeshIsLike) {
   const std::vector<Case> cases = {
-      {"Cube", Cube(0, 0, 0), 1, 0, 0, 0, 0, true},
-      {"Torus", TorusMesh({}), 1, 0, 0, 0, 0, true},
-      {"OpenCube", WithoutTriangle(Cube(0, 0, 0), 5), 1, 3, 0, 0, 0, false},
-      {"TwoCubes", Joined(Cube(0, 0, 0), Cube(20, 0, 0)), 2, 0, 0, 0, 0, true},
-      {"TouchingInACorner", Joined(Cube(0, 0, 0), Cube(10, 10, 10)), 2, 0, 0, 0, 0, true},
-      {"TouchingInAnEdge", Joined(Cube(0, 0, 0), Cube(10, 10, 0)), 1, 0, 1, 0, 0, true},
-      {"TheSameCubeTwice", Joined(Cube(0, 0, 0), Cube(0, 0, 0)), 1, 0, 18, 0, 0, true},
-      {"FlippedFace", WithFlippedFace(Cube(0, 0, 0), 7), 1, 0, 0, 1, 0, true},
-      {"InsideOut", TurnedInsideOut(Cube(0, 0, 0)), 1, 0, 0, 0, 0, true},
-      {"CollapsedFace", WithFace(Cube(0, 0, 0), {1, 1, 5}), 1, 0, 0, 0, 1, true},
-      {"ExtraFace", WithFace(Cube(0, 0, 0), {0, 1, 7}), 1, 2, 1, 0, 0, false},
+      {"Cube", Cube(0, 0, 0), 1, 0, 0, 0, 0, 0, true},
+      {"Torus", TorusMesh({}), 1, 0, 0, 0, 0, 0, true},
+      {"OpenCube", WithoutTriangle(Cube(0, 0, 0), 5), 1, 3, 0, 0, 0, 0, false},
+      {"TwoCubes", Joined(Cube(0, 0, 0), Cube(20, 0, 0)), 2, 0, 0, 0, 0, 0, true},
+      {"TouchingInACorner", Joined(Cube(0, 0, 0), Cube(10, 10, 10)), 2, 0, 0, 0, 0, 0, true},
+      {"TouchingInAnEdge", Joined(Cube(0, 0, 0), Cube(10, 10, 0)), 1, 0, 1, 0, 0, 0, true},
+      {"TheSameCubeTwice", Joined(Cube(0, 0, 0), Cube(0, 0, 0)), 1, 0, 0, 0, 0, 12, true},
+      {"FlippedFace", WithFlippedFace(Cube(0, 0, 0), 7), 1, 0, 0, 1, 0, 0, true},
+      {"InsideOut", TurnedInsideOut(Cube(0, 0, 0)), 1, 0, 0, 0, 0, 0, true},
+      {"CollapsedFace", WithFace(Cube(0, 0, 0), {1, 1, 5}), 1, 0, 0, 0, 1, 0, true},
+      {"AFaceTwice", WithFace(Cube(0, 0, 0), Turned(Cube(0, 0, 0).triangles[4])), 1, 0, 0, 0, 0, 1,
+       true},
+      {"AFaceThreeTimes",
+       WithFace(WithFace(Cube(0, 0, 0), Cube(0, 0, 0).triangles[9]), Cube(0, 0, 0).triangles[9]), 1,
+       0, 0, 0, 0, 2, true},
+      {"OneFaceTwice", RawMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, {{0, 1, 2}, {2, 0, 1}}}, 1, 3, 0,
+       0, 0, 1, false},
+      {"BackToBack", RawMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}, {{0, 1, 2}, {2, 1, 0}}}, 1, 0, 0, 0,
+       0, 0, true},
+      {"ExtraFace", WithFace(Cube(0, 0, 0), {0, 1, 7}), 1, 2, 1, 0, 0, 0, false},
   };
   for (const Case& c : cases) {
     const auto mesh = Connect(*PlaceMesh(c.mesh), {});
@@ -52,6 +64,7 @@ TEST(Connect, ReportsWhatTheMeshIsLike) {
     EXPECT_EQ(mesh->non_manifold_edges, c.non_manifold) << c.name;
     EXPECT_EQ(mesh->flipped_faces, c.flipped) << c.name;
     EXPECT_EQ(mesh->degenerate_faces, c.degenerate) << c.name;
+    EXPECT_EQ(mesh->repeated_faces, c.repeated) << c.name;
     EXPECT_EQ(mesh->closed, c.closed) << c.name;
   }
 }

@@ -1,0 +1,51 @@
+#include "services/exposure/algo/scan/inside.h"
+
+#include <algorithm>
+
+namespace slicefarm::exposure {
+namespace {
+
+/// Of the innermost contour.
+Coord LastContour(const ExposureOptions& options) {
+  return options.beam_compensation_nm +
+         std::max(options.contours - 1, 0) * options.contour_distance_nm;
+}
+
+}  // namespace
+
+Coord InsideInset(const ExposureOptions& options) {
+  const bool rings = IsRings(options.strategy);
+  Coord inset = LastContour(options);
+  if (options.contours > 0)
+    inset += rings ? options.contour_distance_nm : options.hatch_offset_nm - HatchTrim(options);
+  return rings ? inset - (options.hatch_distance_nm - options.ring_overlap_nm) / 2 : inset;
+}
+
+Coord HatchTrim(const ExposureOptions& options) {
+  if (options.contours == 0 || IsRings(options.strategy)) return 0;
+  return std::min(options.hatch_offset_nm, options.spot_nm / 2);
+}
+
+Coord NarrowDepth(const ExposureOptions& options) {
+  if (HatchTrim(options) > 0) return InsideInset(options) + HatchTrim(options);
+  const auto levels = LineLevels(options);
+  return levels.empty() ? 0 : levels.back().line_nm;
+}
+
+std::vector<LineLevel> LineLevels(const ExposureOptions& options) {
+  std::vector<LineLevel> levels;
+  const auto add = [&](Coord melted, Coord line) {
+    if (line > melted) levels.push_back({melted, line});
+  };
+  const Coord half_spot = options.spot_nm / 2;
+  add(0, options.beam_compensation_nm);
+  for (int32_t i = 1; i < options.contours; ++i) {
+    const Coord line = options.beam_compensation_nm + i * options.contour_distance_nm;
+    add(line - options.contour_distance_nm + half_spot, line);
+  }
+  if (options.contours > 0 && IsRings(options.strategy))
+    add(LastContour(options) + half_spot, InsideInset(options));
+  return levels;
+}
+
+}  // namespace slicefarm::exposure
