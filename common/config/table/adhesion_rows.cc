@@ -55,6 +55,7 @@ JobSettings BrimRow(JobSettings settings) {
   SetWidths(beading.first_layer_width_nm, settings);
   beading.generator = WallGenerator::kArachne;
   beading.perimeters = kAllLines;
+  beading.one_on_bed = false;
   // A brim has no narrower places: a wider line there would lie on what it keeps away from.
   beading.min_feature_nm = beading.min_bead_width_nm = beading.first_layer_width_nm / 2;
   beading.gap_fill = true;

@@ -24,12 +24,14 @@ JobSettings Resolved(const std::vector<std::pair<std::string, std::string>>& giv
 TEST(BrimRow, IsAllLinesOfTheFirstLayersWidth) {
   const JobSettings job = Resolved({{"first_layer_extrusion_width", "0.6"},
                                     {"perimeters", "2"},
+                                    {"only_one_perimeter_first_layer", "1"},
                                     {"perimeter_generator", "classic"},
                                     {"fill_density", "15%"}});
   const JobSettings row = BrimRow(job);
   EXPECT_EQ(row.beading[0].external_width_nm, 600'000);
   EXPECT_EQ(row.beading[0].inner_width_nm, 600'000);
   EXPECT_GT(row.beading[0].perimeters, 200 / 0.6 / 2) << "the widest brim there may be";
+  EXPECT_FALSE(row.beading[0].one_on_bed);
   EXPECT_EQ(row.beading[0].generator, WallGenerator::kArachne);
   EXPECT_EQ(row.infill[0].density, 1);
   EXPECT_TRUE(row.ordering.walls[0].towards_holes);

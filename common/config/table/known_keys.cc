@@ -36,7 +36,6 @@ constexpr KnownKey kSwitches[] = {
     {"gcode_comments", kNotYet, "0", true},
     {"infill_extruder", kNotYet, "1", true},
     {"interlocking_beam", kNotYet, "0", true},
-    {"only_one_perimeter_first_layer", kNotYet, "0", true, true, true},
     {"ooze_prevention", kNotYet, "0", true},
     {"overhangs", kNotYet, "0", true},
     {"perimeter_extruder", kNotYet, "1", true},

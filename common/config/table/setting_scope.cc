@@ -120,6 +120,7 @@ constexpr std::string_view kOfRegions[] = {
     "link_rings",
     "mark_delay",
     "minimum_vector",
+    "only_one_perimeter_first_layer",
     "over_bridge_speed",
     "overhang_speed_0",
     "overhang_speed_1",

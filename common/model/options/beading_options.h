@@ -17,6 +17,7 @@ inline constexpr int32_t kBeadingHaloLayers = 2;
 struct BeadingOptions {
   WallGenerator generator = WallGenerator::kArachne;  ///< perimeter_generator
   int32_t perimeters = 3;                             ///< perimeters
+  bool one_on_bed = false;                            ///< only_one_perimeter_first_layer
   Coord external_width_nm = 450'000;                  ///< external_perimeter_extrusion_width
   Coord inner_width_nm = 450'000;                     ///< perimeter_extrusion_width
   Coord first_layer_width_nm = 450'000;  ///< first_layer_extrusion_width, for all walls of layer 0

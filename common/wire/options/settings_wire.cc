@@ -216,6 +216,7 @@ absl::StatusOr<SlicingOptions> FromProto(const v1::SlicingOptions& proto) {
 v1::BeadingOptions ToProto(const BeadingOptions& options) {
   v1::BeadingOptions proto;
   proto.set_perimeters(options.perimeters);
+  proto.set_one_on_bed(options.one_on_bed);
   proto.set_external_width_nm(options.external_width_nm);
   proto.set_inner_width_nm(options.inner_width_nm);
   proto.set_first_layer_width_nm(options.first_layer_width_nm);
@@ -240,6 +241,7 @@ absl::StatusOr<BeadingOptions> FromProto(const v1::BeadingOptions& proto) {
   if (absl::Status status = Check(proto); !status.ok()) return status;
   BeadingOptions options;
   options.perimeters = proto.perimeters();
+  options.one_on_bed = proto.one_on_bed();
   options.external_width_nm = proto.external_width_nm();
   options.inner_width_nm = proto.inner_width_nm();
   options.first_layer_width_nm = proto.first_layer_width_nm();

@@ -153,12 +153,13 @@ PlanningOptions DistinctPlanning() {
 
 BeadingOptions DistinctBeading() {
   BeadingOptions options;
-  auto& [generator, perimeters, external_width, inner_width, first_layer_width, gap_fill,
-         min_gap_width, max_gap_width, thin_walls, transition_length, transition_angle,
+  auto& [generator, perimeters, one_on_bed, external_width, inner_width, first_layer_width,
+         gap_fill, min_gap_width, max_gap_width, thin_walls, transition_length, transition_angle,
          transition_deviation, distribution_count, min_feature, min_bead_width, max_bead_width,
          lock_outer_width, wall_class] = options;
   generator = WallGenerator::kClassic;
   perimeters = 201;
+  one_on_bed = true;
   external_width = 202;
   inner_width = 203;
   first_layer_width = 204;
@@ -321,8 +322,8 @@ MotionOptions DistinctMotion() {
          extrusion_multiplier, filament_density, filament_cost, filament_type, filament_colour,
          filament_settings_id, printer_model, temperature, first_layer_temperature, bed_temperature,
          first_layer_bed_temperature, chamber_temperature, chamber_least, emit_temperatures, tool,
-         nozzle_heating, bed_heating, progress, z_offset, start_gcode,
-         end_gcode, before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
+         nozzle_heating, bed_heating, progress, z_offset, start_gcode, end_gcode,
+         before_layer_gcode, layer_gcode, layer_settings, labels, between_objects_gcode,
          max_print_height, arc_fitting, resolution, material_field] = options;
   flavor = GcodeFlavor::kKlipper;
   limits = DistinctLimits();
@@ -500,6 +501,7 @@ constexpr char kDistinct[] = R"pb(
     max_bead_width_nm: 215
     lock_outer_width: true
     wall_class: 217
+    one_on_bed: true
   }
   infill {
     top_solid_layers: 301

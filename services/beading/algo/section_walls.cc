@@ -35,12 +35,13 @@ class IslandWaller {
     const Coord inner = place.on_bed ? options.first_layer_width_nm : options.inner_width_nm;
     if (absl::Status ok = CheckWidths(place.on_bed, external, inner, height); !ok.ok()) return ok;
     IslandWaller waller;
-    waller.plan_ = WallPlan::Make(options.perimeters, external, inner, height);
+    const bool only_one = place.on_bed && options.one_on_bed;
+    const int32_t perimeters = only_one ? std::min(options.perimeters, 1) : options.perimeters;
+    waller.plan_ = WallPlan::Make(perimeters, external, inner, height);
     waller.plan_.gap_fill = options.gap_fill;
-    waller.plan_.thin_walls =
-        options.thin_walls || options.generator == WallGenerator::kArachne;
+    waller.plan_.thin_walls = options.thin_walls || options.generator == WallGenerator::kArachne;
     waller.gap_options_ = {options.min_gap_width_nm, options.max_gap_width_nm, height};
-    if (options.generator == WallGenerator::kArachne && options.perimeters > 0)
+    if (options.generator == WallGenerator::kArachne && perimeters > 0)
       waller.UseArachne(place, options);
     return waller;
   }
@@ -60,8 +61,8 @@ class IslandWaller {
   void UseArachne(const SectionPlace& place, const BeadingOptions& options) {
     const auto band = static_cast<double>(options.transition_deviation_nm);
     arachne_.emplace(options, plan_, gap_options_,
-                     [&neighbours = place.neighbours, index = place.index, band](
-                         double x, double y, double radius_nm) {
+                     [&neighbours = place.neighbours, index = place.index, band](double x, double y,
+                                                                                 double radius_nm) {
                        return neighbours.MeanRadius(index, kBeadingHaloLayers, x, y, radius_nm,
                                                     band);
                      });
@@ -75,8 +76,7 @@ class IslandWaller {
 /// Regions that are walled as one.
 using Group = std::vector<const Region*>;
 
-std::vector<Group> GroupsOf(const ObjectSection& section,
-                            std::span<const BeadingOptions> regions) {
+std::vector<Group> GroupsOf(const ObjectSection& section, std::span<const BeadingOptions> regions) {
   const auto key = [&](const Region& region) {
     const int32_t wall_class = regions[static_cast<size_t>(region.settings)].wall_class;
     return std::tuple(region.role, region.tool, wall_class);
@@ -137,8 +137,7 @@ absl::StatusOr<SectionResult> WallSection(const SectionPlace& place,
   result.walled.height_nm = section.height_nm;
   for (const Group& group : GroupsOf(section, regions)) {
     const Region& first = *group.front();
-    const auto waller =
-        IslandWaller::Make(place, regions[static_cast<size_t>(first.settings)]);
+    const auto waller = IslandWaller::Make(place, regions[static_cast<size_t>(first.settings)]);
     if (!waller.ok()) return waller.status();
     for (const PolygonWithHoles& outline : OutlinesOf(group, section)) {
       absl::StatusOr<IslandBeads> walls = waller->Wall(outline, cancel, result.plain_islands);

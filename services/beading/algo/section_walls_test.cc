@@ -23,9 +23,10 @@ ObjectSection Halves() {
   return section;
 }
 
-WalledSection Walled(const ObjectSection& section, const std::vector<BeadingOptions>& regions) {
+WalledSection Walled(const ObjectSection& section, const std::vector<BeadingOptions>& regions,
+                     bool on_bed = false) {
   const NeighbourOutlines neighbours({&OutlineOf(section)});
-  auto result = WallSection({section, false, neighbours, 0}, regions, {});
+  auto result = WallSection({section, on_bed, neighbours, 0}, regions, {});
   EXPECT_TRUE(result.ok()) << result.status();
   return result->walled;
 }
@@ -34,11 +35,10 @@ TEST(WallSection, WallsRunOnWhereOnlyTheInfillChanges) {
   const WalledSection walled = Walled(Halves(), {{}, {}});
   ASSERT_EQ(walled.islands.size(), 1u);
   EXPECT_EQ(walled.islands[0].walls.size(), 3u);
-  EXPECT_EQ(walled.islands[0].walls, Walled({0, 3, 9, 200'000,
-                                             {{Role::kPart, 0, 0, Halves().whole}}, {}, 0, {}, {}},
-                                            {{}})
-                                         .islands[0]
-                                         .walls);
+  EXPECT_EQ(walled.islands[0].walls,
+            Walled({0, 3, 9, 200'000, {{Role::kPart, 0, 0, Halves().whole}}, {}, 0, {}, {}}, {{}})
+                .islands[0]
+                .walls);
   ASSERT_EQ(walled.islands[0].fill_areas.size(), 2u);
   for (int32_t row : {0, 1}) {
     const FillArea& area = walled.islands[0].fill_areas[static_cast<size_t>(row)];
@@ -47,8 +47,8 @@ TEST(WallSection, WallsRunOnWhereOnlyTheInfillChanges) {
         Intersection(area.area, Halves().regions[static_cast<size_t>(row)].outlines);
     EXPECT_NEAR(Mm2(area.area), Mm2(inside), 1e-6);
   }
-  EXPECT_NEAR(Mm2(walled.islands[0].fill_areas[0].area),
-              Mm2(walled.islands[0].fill_areas[1].area), 1e-6);
+  EXPECT_NEAR(Mm2(walled.islands[0].fill_areas[0].area), Mm2(walled.islands[0].fill_areas[1].area),
+              1e-6);
 }
 
 TEST(WallSection, RegionsWithOtherWallsGetTheirOwn) {
@@ -63,6 +63,23 @@ TEST(WallSection, RegionsWithOtherWallsGetTheirOwn) {
       EXPECT_EQ(wall.settings, static_cast<int32_t>(i));
     ASSERT_EQ(walled.islands[i].fill_areas.size(), 1u);
     EXPECT_EQ(walled.islands[i].fill_areas[0].settings, static_cast<int32_t>(i));
+  }
+}
+
+TEST(WallSection, OneWallOnTheBed) {
+  for (const WallGenerator generator : {WallGenerator::kArachne, WallGenerator::kClassic}) {
+    BeadingOptions options;
+    options.generator = generator;
+    options.one_on_bed = true;
+    const std::vector<BeadingOptions> regions(2, options);
+    const WalledSection first = Walled(Halves(), regions, true);
+    const WalledSection other = Walled(Halves(), regions, false);
+    EXPECT_EQ(first.islands[0].walls.size(), 1u);
+    EXPECT_EQ(other.islands[0].walls.size(), 3u);
+    EXPECT_GT(Mm2(first.islands[0].fill_areas[0].area), Mm2(other.islands[0].fill_areas[0].area));
+
+    options.perimeters = 0;
+    EXPECT_TRUE(Walled(Halves(), {options, options}, true).islands[0].walls.empty());
   }
 }
 
