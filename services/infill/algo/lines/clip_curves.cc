@@ -11,7 +11,7 @@
 namespace slicefarm::infill {
 namespace {
 
-constexpr Coord kSquareNm = 1'000'000;
+constexpr Coord kClipSquareNm = 1'000'000;
 
 /// A curve may run exactly through a corner or along an edge. So that neighbours agree on its side,
 /// curves are moved by less than a nanometre, in a direction that hardly an edge has. The test of
@@ -30,7 +30,7 @@ struct Meeting {
 
 class Clipper {
  public:
-  explicit Clipper(const MultiPolygon& region) : region_(region), edges_(region, kSquareNm) {}
+  explicit Clipper(const MultiPolygon& region) : region_(region), edges_(region, kClipSquareNm) {}
 
   void Clip(const Curve& curve) {
     current_ = {};
