@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/measure.h"
+#include "common/geometry/text_format.h"
 
 namespace slicefarm::boolean_test {
 namespace {
@@ -64,6 +65,21 @@ TEST(Boolean, ResultsAreCanonical) {
   const MultiPolygon a = Square(0, 0, 10), b = Square(5, 5, 10), c = Square(40, 0, 1);
   MultiPolygon ab = Union(Union(a, b), c), ba = Union(c, Union(b, a));
   EXPECT_EQ(ab, ba);
+}
+
+// Clipper lists the hole that b widens as an island of its own, of a negative area.
+TEST(Difference, KeepsAHoleThatBWidens) {
+  const MultiPolygon a = MakePolygonsOrDie(
+      "(-8.768464 -14.708185, 40.491988 6.201635, 25.549430 41.404093, 22.570245 42.607765)"
+      "(22.444898 41.476541, 22.931037 41.466094, 23.412365 41.397124)");
+  const MultiPolygon b = MakePolygonsOrDie(
+      "(18.432873 37.299429, 22.444898 41.476541, 22.931037 41.466094, 23.412365 41.397124, "
+      "22.570245 "
+      "42.607765) ; (34.678465 3.733941, 37.740767 6.165082, 34.871029 4.893700)");
+  const MultiPolygon left = Difference(a, b);
+  for (const PolygonWithHoles& island : left) EXPECT_GT(SignedArea(island.outer), 0);
+  EXPECT_NEAR(Area(left), Area(a) - Area(Intersection(a, b)), 1e9);
+  EXPECT_NEAR(Area(Intersection(left, b)), 0, 1e9);
 }
 
 }  // namespace

@@ -1,5 +1,10 @@
 #include "common/geometry/boolean/clipper_convert.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "common/geometry/measure.h"
+
 namespace slicefarm::internal {
 namespace {
 
@@ -15,7 +20,63 @@ void AppendIslands(const ClipperLib::PolyNode& parent, MultiPolygon& out) {
   }
 }
 
+/// Whether an island's rings have the sense that the tree says, and its holes can lie in it.
+bool IsPlausible(const PolygonWithHoles& island) {
+  if (SignedArea(island.outer) < 0) return false;
+  const Box box = Bounds(island.outer);
+  return std::ranges::all_of(island.holes, [&](const Polygon& hole) {
+    const Box inner = Bounds(hole);
+    return SignedArea(hole) <= 0 && inner.min.x >= box.min.x && inner.min.y >= box.min.y &&
+           inner.max.x <= box.max.x && inner.max.y <= box.max.y;
+  });
+}
+
+/// Where the most of a ring's corners lie that are not on the other ring.
+bool LiesIn(const Polygon& ring, const Polygon& outer) {
+  int64_t inside = 0;
+  for (const Point corner : ring) {
+    const Side side = Locate(corner, outer);
+    inside += side == Side::kInside ? 1 : side == Side::kOutside ? -1 : 0;
+  }
+  return inside > 0;
+}
+
+/// The innermost island around a hole; null: none.
+PolygonWithHoles* IslandAround(const Polygon& hole, MultiPolygon& islands) {
+  PolygonWithHoles* around = nullptr;
+  double least = 0;
+  for (PolygonWithHoles& island : islands) {
+    const double area = SignedArea(island.outer);
+    if ((around != nullptr && area >= least) || !Bounds(island.outer).Intersects(Bounds(hole)) ||
+        !LiesIn(hole, island.outer))
+      continue;
+    around = &island;
+    least = area;
+  }
+  return around;
+}
+
+void AppendRings(const ClipperLib::PolyNode& parent, std::vector<Polygon>& rings) {
+  for (const ClipperLib::PolyNode* ring : parent.Childs) {
+    rings.push_back(FromPath(ring->Contour));
+    AppendRings(*ring, rings);
+  }
+}
+
 }  // namespace
+
+MultiPolygon FromRings(std::vector<Polygon> rings) {
+  MultiPolygon islands;
+  const auto holes = std::ranges::stable_partition(
+      rings, [](const Polygon& ring) { return SignedArea(ring) > 0; });
+  for (auto ring = rings.begin(); ring != holes.begin(); ++ring)
+    islands.push_back({std::move(*ring), {}});
+  for (Polygon& hole : holes)
+    if (PolygonWithHoles* around = IslandAround(hole, islands); around != nullptr)
+      around->holes.push_back(std::move(hole));
+  Canonicalize(islands);
+  return islands;
+}
 
 ClipperLib::Path ToPath(const std::vector<Point>& points) {
   ClipperLib::Path path;
@@ -38,6 +99,11 @@ void AppendRings(const MultiPolygon& polygons, ClipperLib::Paths& paths) {
 MultiPolygon FromTree(const ClipperLib::PolyNode& root) {
   MultiPolygon polygons;
   AppendIslands(root, polygons);
+  if (!std::ranges::all_of(polygons, IsPlausible)) {
+    std::vector<Polygon> rings;
+    AppendRings(root, rings);
+    return FromRings(std::move(rings));
+  }
   Canonicalize(polygons);
   return polygons;
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
 
@@ -24,6 +27,20 @@ TEST(FromTree, KeepsIslandsInHolesApart) {
   MultiPolygon want = nested;
   Canonicalize(want);
   EXPECT_EQ(islands, want);
+}
+
+TEST(FromRings, GivesHolesToTheInnermostIslandAround) {
+  const MultiPolygon nested = MakePolygonsOrDie(
+      "(0 0, 90 0, 90 90, 0 90) (10 10, 80 10, 80 80, 10 80) ;"
+      "(20 20, 70 20, 70 70, 20 70) (20 20, 60 30, 60 60, 30 60) ; (100 0, 110 0, 110 10)");
+  std::vector<Polygon> rings;
+  ForEachRing(nested, [&](const Polygon& ring) { rings.push_back(ring); });
+  MultiPolygon want = nested;
+  Canonicalize(want);
+  for (size_t turn = 0; turn < rings.size(); ++turn) {
+    std::rotate(rings.begin(), rings.begin() + 1, rings.end());
+    EXPECT_EQ(FromRings(rings), want) << turn;
+  }
 }
 
 TEST(ToPath, RoundTripsTheLargestCoordinates) {

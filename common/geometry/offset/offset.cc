@@ -1,5 +1,9 @@
 #include "common/geometry/offset/offset.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "common/geometry/boolean/by_island.h"
 #include "common/geometry/boolean/clipper_convert.h"
 #include "common/geometry/offset/offset_curve.h"
@@ -42,6 +46,11 @@ MultiPolygon Outside(const ClipperLib::Paths& curves) {
   return internal::FromTree(tree);
 }
 
+/// Nothing else has a corner where the frame has its own.
+bool IsFrame(const ClipperLib::Path& ring, const ClipperLib::Path& frame) {
+  return std::find(ring.begin(), ring.end(), frame[0]) != ring.end();
+}
+
 /// The same, as the holes of its complement in a frame: Clipper is the more robust there for curves
 /// of rings that shrink (as ClipperOffset does it).
 MultiPolygon Inside(const ClipperLib::Paths& curves) {
@@ -56,7 +65,12 @@ MultiPolygon Inside(const ClipperLib::Paths& curves) {
   clipper.ReverseSolution(true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNegative, ClipperLib::pftNegative);
-  return tree.ChildCount() == 1 ? internal::FromTree(*tree.Childs[0]) : MultiPolygon();
+  if (tree.ChildCount() == 1) return internal::FromTree(*tree.Childs[0]);
+  // What should be below the frame is beside it: Clipper has forgotten where it lies.
+  std::vector<Polygon> rings;
+  for (const ClipperLib::PolyNode* ring = tree.GetFirst(); ring != nullptr; ring = ring->GetNext())
+    if (!IsFrame(ring->Contour, frame)) rings.push_back(internal::FromPath(ring->Contour));
+  return internal::FromRings(std::move(rings));
 }
 
 MultiPolygon OffsetTogether(const MultiPolygon& polygons, Coord distance_nm,
