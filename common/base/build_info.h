@@ -11,9 +11,10 @@ std::string_view Version();
 /// stay reproducible.
 std::string_view ReleaseDate();
 
-/// 16 hex digits of a digest over the product's source files (cmake/build_info.cmake): the same
-/// wherever the same source was built, with or without a repository around it. Builds with the same
-/// id give the same bytes.
+/// 16 hex digits of a digest over what decides a job's result: the sources of the stages, compiler
+/// and libraries (cmake/build_info.cmake). The same wherever the same source was built by the same
+/// tools, with or without a repository around it. Builds with the same id give the same bytes, and
+/// understand each other.
 std::string_view BuildId();
 
 }  // namespace slicefarm

@@ -1,8 +1,8 @@
 #include "common/stage/task.h"
 
 #include <string>
-#include <type_traits>
 
+#include "absl/hash/hash.h"
 #include "common/base/error.h"
 
 namespace slicefarm {
@@ -29,13 +29,19 @@ int64_t LaserResult::ProgramBytes() const {
   return bytes;
 }
 
-bool SameOutput(const TaskResult& a, const TaskResult& b) {
-  return std::visit(
-      [&](const auto& first) {
-        const auto* second = std::get_if<std::remove_cvref_t<decltype(first)>>(&b);
-        return second != nullptr && first.SameOutput(*second);
-      },
-      a);
+size_t FdmResult::Print() const {
+  size_t print = programs.size();
+  for (const LayerProgram& program : programs)
+    print = absl::HashOf(print, program.frame.index, program.pass, program.gcode, program.code_at,
+                         program.stats.TimeS(), program.stats.FilamentMm());
+  return print;
+}
+
+size_t LaserResult::Print() const {
+  size_t print = programs.size();
+  for (const ExposedProgram& program : programs)
+    print = absl::HashOf(print, program.frame.index, program.text, program.report.TimeS());
+  return print;
 }
 
 ProcessSet ProcessRunners::processes() const {
@@ -49,9 +55,9 @@ ProcessSet ProcessRunners::processes() const {
 absl::StatusOr<TaskResult> ProcessRunners::RunTask(const StageCall& call, const Task& task) const {
   for (const TaskRunner* runner : runners_)
     if (runner->processes().Has(ProcessOf(task))) return runner->RunTask(call, task);
-  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                   "no jobs of process " + std::string(ProcessName(ProcessOf(task))) +
-                       " are made here");
+  return MakeError(
+      absl::StatusCode::kInternal, Reason::kInternal,
+      "no jobs of process " + std::string(ProcessName(ProcessOf(task))) + " are made here");
 }
 
 }  // namespace slicefarm

@@ -50,7 +50,7 @@ struct FdmResult {
   std::vector<FillUse> fills;  ///< by layer, of all copies; within a layer see AddUse
   StageTimes times;
 
-  bool SameOutput(const FdmResult& other) const { return programs == other.programs; }
+  size_t Print() const;
   int64_t ProgramBytes() const;
 };
 
@@ -68,7 +68,7 @@ struct LaserResult {
   std::vector<ExposedProgram> programs;
   StageTimes times;
 
-  bool SameOutput(const LaserResult& other) const { return programs == other.programs; }
+  size_t Print() const;
   int64_t ProgramBytes() const;
 };
 
@@ -93,8 +93,11 @@ inline const StageTimes& TimesOf(const TaskResult& result) {
   return std::visit([](const auto& of) -> const StageTimes& { return of.times; }, result);
 }
 
-/// Whether two runs of a task came out the same; times may differ.
-bool SameOutput(const TaskResult& a, const TaskResult& b);
+/// A number that two runs of a task have in common if their programs are the same; times may
+/// differ. Good within this process only. Cost: O(bytes).
+inline size_t PrintOf(const TaskResult& result) {
+  return std::visit([](const auto& of) { return of.Print(); }, result);
+}
 
 /// What a result adds to the job's program.
 inline int64_t ProgramBytesOf(const TaskResult& result) {

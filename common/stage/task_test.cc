@@ -36,19 +36,22 @@ TEST(Task, TellsItsProcessAndLayers) {
   EXPECT_EQ(ProcessOf(Task(LaserTask())), Process::kLaser);
 }
 
-TEST(Task, ResultsAreTheSameIfTheirProgramsAre) {
+TEST(Task, ResultsHaveTheSamePrintIfTheirProgramsAreTheSame) {
   FdmResult a;
-  a.programs.resize(1);
+  a.programs.resize(2);
   FdmResult b = a;
   b.times.infill_s = 1;
-  EXPECT_TRUE(SameOutput(a, b));
+  EXPECT_EQ(PrintOf(a), PrintOf(b));
   b.programs[0].gcode = "G1";
-  EXPECT_FALSE(SameOutput(a, b));
-  EXPECT_FALSE(SameOutput(FdmResult(), LaserResult()));
+  EXPECT_NE(PrintOf(a), PrintOf(b));
+  a.programs[1].gcode = "G1";
+  EXPECT_NE(PrintOf(a), PrintOf(b)) << "of another layer";
   LaserResult c;
   c.programs.resize(1);
-  EXPECT_TRUE(SameOutput(c, c));
-  EXPECT_FALSE(SameOutput(c, LaserResult()));
+  LaserResult d = c;
+  EXPECT_EQ(PrintOf(c), PrintOf(d));
+  d.programs[0].report.jump_time_s = 1;
+  EXPECT_NE(PrintOf(c), PrintOf(d));
 }
 
 TEST(Task, TimesAddUp) {

@@ -145,4 +145,13 @@ absl::Status WriteFile(const std::string& path, std::string_view bytes) {
   return file->Commit();
 }
 
+absl::Status WriteFile(const std::string& path, const SpooledText& text) {
+  auto file = OutputFile::Create(path);
+  if (!file.ok()) return file.status();
+  const absl::Status status =
+      text.ForEachBlock([&](std::string_view bytes) { return file->Write(bytes); });
+  if (!status.ok()) return status;
+  return file->Commit();
+}
+
 }  // namespace slicefarm::cli

@@ -6,6 +6,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "common/base/spooled_text.h"
 
 namespace slicefarm::cli {
 
@@ -50,5 +51,6 @@ absl::Status CheckWritable(const std::string& path);
 
 /// Create, Write, Commit.
 absl::Status WriteFile(const std::string& path, std::string_view bytes);
+absl::Status WriteFile(const std::string& path, const SpooledText& text);
 
 }  // namespace slicefarm::cli

@@ -23,7 +23,7 @@ absl::StatusOr<std::string> GcodeBy(const coordinator::JobPipeline& pipeline,
                      if (layers_done) layers_done(progress.layers_done);
                    });
   if (!output.ok()) return output.status();
-  return std::move(output->program);
+  return output->program.Whole();
 }
 
 std::string Computed() {
@@ -42,8 +42,7 @@ SliceInput TextBox() {
 }
 
 absl::StatusOr<std::string> GcodeOf(const SlicingStage& slicing, const PlanningStage& planning,
-                                    const MotionStage& motion,
-                                    coordinator::Dispatcher& dispatcher,
+                                    const MotionStage& motion, coordinator::Dispatcher& dispatcher,
                                     const std::function<void(int32_t)>& layers_done) {
   const coordinator::FdmProcess process(slicing, planning, motion);
   return GcodeBy(coordinator::JobPipeline({&process}, dispatcher), layers_done);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/rpc/client/health.h"
 #include "common/rpc/server/unreadable_request.h"
 
 namespace slicefarm::rpc {
@@ -65,6 +66,8 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
     return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
                      "cannot listen on " + options.listen, {{"address", options.listen}});
   }
+  if (auto* health = server->GetHealthCheckService())
+    health->SetServingStatus(ServiceOfThisBuild(), true);
   if (queued != nullptr) queued->ServeFrom(queue->queue());
   return std::unique_ptr<Server>(new Server(std::move(server), std::move(queue), port));
 }

@@ -1,16 +1,13 @@
 #include <fmt/core.h>
-#include <grpcpp/generic/generic_stub.h>
-#include <grpcpp/support/byte_buffer.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "common/base/error.h"
 #include "common/rpc/client/channel.h"
-#include "common/rpc/client/client_call.h"
+#include "common/rpc/client/health.h"
 #include "common/rpc/security/client_security.h"
 #include "services/cli/commands/commands.h"
 #include "services/cli/console.h"
@@ -29,40 +26,21 @@ absl::Status NotServing(const std::string& address) {
                    fmt::format("{} is not serving", address));
 }
 
-/// grpc.health.v1.HealthCheckResponse with status = SERVING. The request for the whole server is
-/// the empty message. Debian packages no stubs for the two.
-bool IsServing(grpc::ByteBuffer& response) {
-  std::vector<grpc::Slice> slices;
-  if (!response.Dump(&slices).ok()) return false;
-  std::string bytes;
-  for (const grpc::Slice& slice : slices) {
-    bytes.append(reinterpret_cast<const char*>(slice.begin()), slice.size());
-  }
-  return bytes == "\x08\x01";
-}
-
 ExitCode CheckHealth(const HealthOptions& options, Interrupt& interrupt) {
   const auto connection = rpc::Secured({}, options.security, options.address);
   if (!connection.ok()) return Fail(connection.status());
-  grpc::GenericStub stub(rpc::MakeChannel(options.address, *connection));
-  rpc::ClientCall call({std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
-                        interrupt.Token()});
-  const grpc::ByteBuffer request(nullptr, 0);
-  const auto reader = stub.PrepareUnaryCall(call.context(), "/grpc.health.v1.Health/Check",
-                                            request, call.queue());
-  reader->StartCall();
-  grpc::ByteBuffer response;
-  grpc::Status status;
-  reader->Finish(&response, &status, nullptr);
-  call.Await();
-  if (absl::Status outcome = call.Outcome(status); !outcome.ok()) {
+  const auto serving =
+      rpc::IsServing(rpc::MakeChannel(options.address, *connection), /*service=*/"",
+                     {std::chrono::milliseconds(static_cast<int64_t>(options.timeout_s * 1000)),
+                      interrupt.Token()});
+  if (const absl::Status outcome = serving.status(); !outcome.ok()) {
     const ErrorDetail detail = DetailOf(outcome);
     return Fail(MakeError(outcome.code(), detail.reason,
                           fmt::format("{}: {}{}", options.address, std::string(outcome.message()),
                                       rpc::ConnectionHint(outcome, options.security)),
                           detail.metadata));
   }
-  if (!IsServing(response)) return Fail(NotServing(options.address));
+  if (!*serving) return Fail(NotServing(options.address));
   Print("serving\n");
   return ExitCode::kOk;
 }

@@ -38,6 +38,7 @@ class FakeReplica final : public v1::Worker::Service {
   /// What ranges come to. REQUIRES: no call is in flight.
   void OnWork(std::function<grpc::Status()> answer) { work_ = std::move(answer); }
 
+  rpc::Server& server() { return *server_; }
   void Kill() { server_.reset(); }
   void Restart() { Start(address_); }
 

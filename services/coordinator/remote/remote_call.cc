@@ -15,12 +15,26 @@ absl::Status BadAnswer(std::string_view stage, const absl::Status& why) {
       {{"stage", std::string(stage)}});
 }
 
-absl::Status OutcomeOf(std::string_view stage, const RemoteOptions& options, absl::Status status) {
-  if (!absl::IsDeadlineExceeded(status)) return status;
-  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
-                   fmt::format("{} did not answer within {:.0f} s", stage,
-                               std::chrono::duration<double>(options.deadline).count()),
-                   {{"stage", std::string(stage)}});
+int64_t PointsIn(std::span<const SlicedLayer> layers) {
+  int64_t points = 0;
+  for (const SlicedLayer& layer : layers)
+    for (const ObjectSection& section : layer.sections)
+      for (const Region& region : section.regions)
+        points += static_cast<int64_t>(PointCount(region.outlines));
+  return points;
+}
+
+absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
+                       absl::Status status) {
+  if (absl::IsDeadlineExceeded(status))
+    return LostCall(stage, fmt::format("did not answer within {:.0f} s",
+                                       std::chrono::duration<double>(deadline).count()));
+  // A server that is there says why it is not to be had: gRPC alone gives no details.
+  bool told = false;
+  status.ForEachPayload([&](auto, const auto&) { told = true; });
+  if (absl::IsUnavailable(status) && !told)
+    return LostCall(stage, "was lost: " + std::string(status.message()));
+  return status;
 }
 
 }  // namespace slicefarm::coordinator

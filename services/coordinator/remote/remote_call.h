@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "absl/status/status.h"
@@ -14,16 +16,29 @@ namespace slicefarm::coordinator {
 
 /// Bounds of a remote stage's calls.
 struct RemoteOptions {
-  /// Of one try. A replica that has not answered by then counts as away.
+  /// Of one try with next to no work. A replica that has not answered by then counts as away; one
+  /// whose machine or process is gone does so earlier, by its connection.
   std::chrono::milliseconds deadline{300'000};
+  /// Of outlines: for so many, a try may take once more as long.
+  int64_t points_a_deadline = 15'000'000;
+
+  std::chrono::milliseconds DeadlineFor(int64_t points) const {
+    const double times = 1 + static_cast<double>(points) / static_cast<double>(points_a_deadline);
+    return std::chrono::duration_cast<std::chrono::milliseconds>(deadline * times);
+  }
 };
+
+/// Of the outlines that a call is about.
+int64_t PointsIn(std::span<const SlicedLayer> layers);
 
 /// A server that answers what cannot be read or does not fit: Internal, because the input is not at
 /// fault.
 absl::Status BadAnswer(std::string_view stage, const absl::Status& why);
 
-/// `status` of a call; Unavailable if it ended at our deadline, which says nothing of the input.
-absl::Status OutcomeOf(std::string_view stage, const RemoteOptions& options, absl::Status status);
+/// `status` of a call; LostCall if it ended at our deadline or with its connection, which says
+/// nothing of the input.
+absl::Status OutcomeOf(std::string_view stage, std::chrono::milliseconds deadline,
+                       absl::Status status);
 
 template <typename Stub, typename Request, typename Response>
 using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>> (Stub::*)(
@@ -31,22 +46,23 @@ using Prepare = std::unique_ptr<grpc::ClientAsyncReaderWriter<Request, Response>
 
 /// Makes a call of a method with streams both ways on one of `replicas`: `write(stream)` sends the
 /// request, `read(stream)` takes the answer and drops what an earlier try left. `prepare` is the
-/// stub's PrepareAsync method. The result is the server's word where it gave one.
+/// stub's PrepareAsync method, `deadline` that of a try. The result is the server's word where it
+/// gave one.
 template <typename Stub, typename Request, typename Response, typename Write, typename Read>
-absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
+absl::Status StreamOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,
                         const StageCall& call, std::string_view stage,
                         Prepare<Stub, Request, Response> prepare, const Write& write,
                         const Read& read) {
   return replicas.Call(call.cancel, [&](const std::shared_ptr<grpc::Channel>& channel) {
     rpc::StreamCall<Request, Response> stream(
-        {options.deadline, call.cancel, ChildSpan(call.trace, stage)},
+        {deadline, call.cancel, ChildSpan(call.trace, stage)},
         [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); });
     const absl::Status written = write(stream);
-    if (!stream.alive()) return OutcomeOf(stage, options, stream.Finish());
+    if (!stream.alive()) return OutcomeOf(stage, deadline, stream.Finish());
     if (!written.ok()) return stream.Abandon(written);
     stream.WritesDone();
     const absl::Status answer = read(stream);
-    return OutcomeOf(stage, options,
+    return OutcomeOf(stage, deadline,
                      answer.ok() ? stream.Finish() : stream.Abandon(BadAnswer(stage, answer)));
   });
 }
@@ -55,7 +71,7 @@ absl::Status StreamOver(ReplicaSource& replicas, const RemoteOptions& options,
 /// left, `take(response)` takes an answer.
 template <typename Stub, typename Request, typename Response, typename Begin, typename Write,
           typename Take>
-absl::Status DuplexOver(ReplicaSource& replicas, const RemoteOptions& options,
+absl::Status DuplexOver(ReplicaSource& replicas, std::chrono::milliseconds deadline,
                         const StageCall& call, std::string_view stage,
                         Prepare<Stub, Request, Response> prepare, const Begin& begin,
                         const Write& write, const Take& take) {
@@ -63,13 +79,13 @@ absl::Status DuplexOver(ReplicaSource& replicas, const RemoteOptions& options,
     begin();
     absl::Status taken;
     rpc::DuplexCall<Request, Response> stream(
-        {options.deadline, call.cancel, ChildSpan(call.trace, stage)},
+        {deadline, call.cancel, ChildSpan(call.trace, stage)},
         [&](auto* context, auto* queue) { return (Stub(channel).*prepare)(context, queue); },
         [&](const Response& response) { return taken = take(response); });
     const absl::Status written = write(stream);
     if (!written.ok() && stream.alive()) return stream.Abandon(written);
     const absl::Status outcome = stream.Finish();
-    return taken.ok() ? OutcomeOf(stage, options, outcome) : BadAnswer(stage, taken);
+    return taken.ok() ? OutcomeOf(stage, deadline, outcome) : BadAnswer(stage, taken);
   });
 }
 

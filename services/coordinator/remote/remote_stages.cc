@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/model/limits.h"
 #include "common/rpc/client/client_call.h"
 #include "common/wire/layers/exposure_wire.h"
 #include "common/wire/layers/layer_wire.h"
@@ -24,6 +25,9 @@
 
 namespace slicefarm::coordinator {
 namespace {
+
+/// Before it is read, nobody can tell how many outlines a mesh has: a small file may have the most.
+int64_t MostPoints() { return limits::kMaxPointsPerJob; }
 
 constexpr char kSlicing[] = "slicing";
 constexpr char kPlanning[] = "planning";
@@ -91,7 +95,8 @@ absl::StatusOr<SlicedJob> RemoteSlicing::Slice(const StageCall& call, SliceInput
   SlicedJob job;
   int32_t layer_count = 0;
   const absl::Status status = StreamOver(
-      replicas_, options_, call, kSlicing, &v1::Slicing::Stub::PrepareAsyncSlice,
+      replicas_, options_.DeadlineFor(MostPoints()), call, kSlicing,
+      &v1::Slicing::Stub::PrepareAsyncSlice,
       [&](auto& stream) { return WriteFiles(stream, call, input, options); },
       [&](auto& stream) { return ReadJob(stream, &job, &layer_count); });
   if (!status.ok()) return status;
@@ -107,7 +112,8 @@ absl::StatusOr<std::vector<PlatePlace>> RemoteArranging::PutOnPlates(
     const StageCall& call, SliceInput input, const SlicingOptions& options) const {
   std::vector<PlatePlace> places;
   const absl::Status status = StreamOver(
-      replicas_, options_, call, kSlicing, &v1::Slicing::Stub::PrepareAsyncPutOnPlates,
+      replicas_, options_.DeadlineFor(MostPoints()), call, kSlicing,
+      &v1::Slicing::Stub::PrepareAsyncPutOnPlates,
       [&](auto& stream) { return WriteFiles(stream, call, input, options); },
       [&](auto& stream) { return ReadAll<v1::PlatePlace>(stream, &places); });
   if (!status.ok()) return status;
@@ -149,8 +155,8 @@ absl::StatusOr<JobPlan> RemotePlanning::Plan(const StageCall& call, const Sliced
     return AllFromProto(response.end().copies(), "copies", &plan.copies);
   };
   const absl::Status status =
-      DuplexOver(replicas_, options_, call, kPlanning, &v1::Planning::Stub::PrepareAsyncPlanJob,
-                 begin, write, take);
+      DuplexOver(replicas_, options_.DeadlineFor(PointsIn(job.layers)), call, kPlanning,
+                 &v1::Planning::Stub::PrepareAsyncPlanJob, begin, write, take);
   if (!status.ok()) return status;
   if (!ended || plan.layers.size() != job.layers.size() || plan.copies.size() != job.copies.size())
     return BadAnswer(kPlanning, Malformed("layer", "not a plan for each layer and copy"));
@@ -162,7 +168,8 @@ absl::StatusOr<std::vector<WalledLayer>> RemoteBeading::Bead(
     std::span<const BeadingOptions> regions) const {
   std::vector<WalledLayer> walled;
   const absl::Status status = StreamOver(
-      replicas_, options_, call, kBeading, &v1::Beading::Stub::PrepareAsyncBeadLayers,
+      replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kBeading,
+      &v1::Beading::Stub::PrepareAsyncBeadLayers,
       [&](auto& stream) {
         absl::Status started = WriteStart<v1::BeadRequest>(
             stream, BeadStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
@@ -185,23 +192,24 @@ absl::StatusOr<std::vector<FilledLayer>> RemoteInfill::Fill(
     absl::Status status = WriteStart<v1::FillRequest>(
         stream, FillStart{call, {regions.begin(), regions.end()}, neighbourhood.range});
     if (!status.ok()) return status;
-    status = WriteEach<v1::FillRequest>(
-        stream, neighbourhood.layers, [](const SlicedLayer& layer, v1::FillRequest* request) {
-          return ToProto(layer, request->mutable_neighbour());
-        });
+    status = WriteEach<v1::FillRequest>(stream, neighbourhood.layers,
+                                        [](const SlicedLayer& layer, v1::FillRequest* request) {
+                                          return ToProto(layer, request->mutable_neighbour());
+                                        });
     if (!status.ok()) return status;
     auto plan = plans.begin();
     return WriteEach<v1::FillRequest>(
         stream, walled, [&](const WalledLayer& layer, v1::FillRequest* request) {
-          absl::Status put = AllToProto((plan++)->infill, "infill",
-                                        request->mutable_layer()->mutable_infill());
+          absl::Status put =
+              AllToProto((plan++)->infill, "infill", request->mutable_layer()->mutable_infill());
           put.Update(ToProto(layer, request->mutable_layer()->mutable_layer()));
           return put;
         });
   };
   const absl::Status status =
-      StreamOver(replicas_, options_, call, kInfill, &v1::Infill::Stub::PrepareAsyncFillLayers,
-                 write, [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
+      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kInfill,
+                 &v1::Infill::Stub::PrepareAsyncFillLayers, write,
+                 [&](auto& stream) { return ReadAll<v1::FilledLayer>(stream, &filled); });
   if (!status.ok()) return status;
   return ForRange(std::move(filled), neighbourhood.range, kInfill);
 }
@@ -223,9 +231,9 @@ absl::StatusOr<std::vector<OrderedLayer>> RemoteOrdering::Order(
           return status;
         });
   };
-  const absl::Status status =
-      StreamOver(replicas_, options_, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
-                 write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
+  const absl::Status status = StreamOver(
+      replicas_, options_.deadline, call, kOrdering, &v1::Ordering::Stub::PrepareAsyncOrderLayers,
+      write, [&](auto& stream) { return ReadAll<v1::OrderedLayer>(stream, &ordered); });
   if (!status.ok()) return status;
   return ForRange(std::move(ordered), RangeOf(layers), kOrdering);
 }
@@ -243,9 +251,9 @@ absl::StatusOr<std::vector<LayerProgram>> RemoteMotion::Program(
           return ToProto(layer, request->mutable_layer());
         });
   };
-  const absl::Status status =
-      StreamOver(replicas_, options_, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
-                 write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
+  const absl::Status status = StreamOver(
+      replicas_, options_.deadline, call, kMotion, &v1::Motion::Stub::PrepareAsyncProgramLayers,
+      write, [&](auto& stream) { return ReadAll<v1::LayerProgram>(stream, &programs); });
   if (!status.ok()) return status;
   const absl::Status fits = CheckProgramsOfRange(programs, RangeOf(layers));
   if (!fits.ok()) return BadAnswer(kMotion, fits);
@@ -263,7 +271,7 @@ absl::StatusOr<ProgramEnvelope> RemoteMotion::Envelope(const StageCall& call,
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
     const auto stub = v1::Motion::NewStub(channel);
     return OutcomeOf(
-        kMotion, options_,
+        kMotion, options_.deadline,
         rpc::UnaryCall({options_.deadline, call.cancel, ChildSpan(call.trace, kMotion)}, request,
                        &response,
                        [&](auto&&... arguments) { return stub->AsyncFrameProgram(arguments...); }));
@@ -280,17 +288,17 @@ absl::StatusOr<std::vector<ExposedProgram>> RemoteExposure::Expose(
   std::vector<ExposedProgram> programs;
   const auto write = [&](auto& stream) {
     absl::Status started = WriteStart<v1::ExposeRequest>(
-        stream,
-        ExposeStart{call, settings, neighbourhood.range, {copies.begin(), copies.end()}});
+        stream, ExposeStart{call, settings, neighbourhood.range, {copies.begin(), copies.end()}});
     if (!started.ok()) return started;
     return WriteEach<v1::ExposeRequest>(stream, neighbourhood.layers,
                                         [](const SlicedLayer& layer, v1::ExposeRequest* request) {
                                           return ToProto(layer, request->mutable_layer());
                                         });
   };
-  const absl::Status status = StreamOver(
-      replicas_, options_, call, kExposure, &v1::Exposure::Stub::PrepareAsyncExposeLayers, write,
-      [&](auto& stream) { return ReadAll<v1::ExposedProgram>(stream, &programs); });
+  const absl::Status status =
+      StreamOver(replicas_, options_.DeadlineFor(PointsIn(neighbourhood.layers)), call, kExposure,
+                 &v1::Exposure::Stub::PrepareAsyncExposeLayers, write,
+                 [&](auto& stream) { return ReadAll<v1::ExposedProgram>(stream, &programs); });
   if (!status.ok()) return status;
   return ForRange(std::move(programs), neighbourhood.range, kExposure);
 }
@@ -306,7 +314,7 @@ absl::StatusOr<ExposureEnvelope> RemoteExposure::Envelope(const StageCall& call,
   const absl::Status status = replicas_.Call(call.cancel, [&](const auto& channel) {
     const auto stub = v1::Exposure::NewStub(channel);
     return OutcomeOf(
-        kExposure, options_,
+        kExposure, options_.deadline,
         rpc::UnaryCall(
             {options_.deadline, call.cancel, ChildSpan(call.trace, kExposure)}, request, &response,
             [&](auto&&... arguments) { return stub->AsyncFrameExposure(arguments...); }));

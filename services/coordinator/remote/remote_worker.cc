@@ -55,8 +55,9 @@ absl::StatusOr<Result> RemoteWorker::Ask(const StageCall& call, const WorkStart&
     return ReadEach<v1::WorkResponse>(
         stream, [&](v1::WorkResponse& response) { return Take(response, &result); });
   };
-  const absl::Status status = StreamOver(replicas_, options_, call, kWorker,
-                                         &v1::Worker::Stub::PrepareAsyncWorkRange, write, read);
+  const absl::Status status =
+      StreamOver(replicas_, options_.DeadlineFor(PointsIn(layers)), call, kWorker,
+                 &v1::Worker::Stub::PrepareAsyncWorkRange, write, read);
   if (!status.ok()) return status;
   return result;
 }
@@ -75,8 +76,7 @@ absl::StatusOr<FdmResult> RemoteWorker::Run(const StageCall& call, const FdmTask
   return result;
 }
 
-absl::StatusOr<LaserResult> RemoteWorker::Run(const StageCall& call,
-                                              const LaserTask& task) const {
+absl::StatusOr<LaserResult> RemoteWorker::Run(const StageCall& call, const LaserTask& task) const {
   const WorkStart start{
       call, *task.settings, task.range, {}, {task.copies.begin(), task.copies.end()}, {}};
   absl::StatusOr<LaserResult> result = Ask<LaserResult>(call, start, task.layers);

@@ -1,5 +1,7 @@
 #include "services/coordinator/remote/replica_source.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -21,6 +23,14 @@ bool IsReplicasFault(const absl::Status& status) {
   return absl::IsUnavailable(status) || absl::IsPermissionDenied(status) ||
          absl::IsUnauthenticated(status) || DetailOf(status).reason == Reason::kBuildMismatch;
 }
+
+absl::Status LostCall(std::string_view stage, std::string_view how) {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable,
+                   fmt::format("{} {}", stage, how),
+                   {{"stage", std::string(stage)}, {"lost", "call"}});
+}
+
+bool WasLost(const absl::Status& status) { return DetailOf(status).metadata.contains("lost"); }
 
 bool IsOverloaded(const absl::Status& status) {
   return absl::IsResourceExhausted(status) && DetailOf(status).reason == Reason::kOverloaded;

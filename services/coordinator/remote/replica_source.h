@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -41,6 +42,12 @@ class SingleReplica : public ReplicaSource {
 /// True if the status says that this server cannot take the call, or not from us, while another one
 /// may.
 bool IsReplicasFault(const absl::Status& status);
+
+/// Says of a call that it was under way when nothing more was heard of its server: the connection
+/// broke, or no answer came in time. Whoever sees it again may think that the call is what the
+/// servers die of.
+absl::Status LostCall(std::string_view stage, std::string_view how);
+bool WasLost(const absl::Status& status);
 
 /// True if the server is there and takes no more calls for now.
 bool IsOverloaded(const absl::Status& status);

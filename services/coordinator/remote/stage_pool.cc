@@ -9,6 +9,7 @@
 #include "absl/strings/str_join.h"
 #include "common/base/error.h"
 #include "common/rpc/client/channel.h"
+#include "common/rpc/client/health.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -18,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 /// How soon a waiting call sees that a replica has become reachable, or that it is not wanted any
 /// more.
 constexpr std::chrono::milliseconds kPoll{20};
+constexpr std::chrono::milliseconds kGreetingPatience{1'000};
 
 bool IsReady(grpc::Channel& channel) {
   return channel.GetState(/*try_to_connect=*/true) == GRPC_CHANNEL_READY;
@@ -89,6 +91,7 @@ void StagePool::Update(const std::vector<std::string>& addresses) {
 absl::Status StagePool::Call(const CancelToken& cancel, const Attempt& attempt) {
   std::set<std::string> tried;
   absl::Status status;
+  int lost = 0;
   for (int tries = 0; tries < options_.tries;) {
     const absl::StatusOr<std::shared_ptr<Replica>> replica = AwaitPick(cancel, tried);
     if (!replica.ok()) return replica.status();
@@ -102,6 +105,7 @@ absl::Status StagePool::Call(const CancelToken& cancel, const Attempt& attempt) 
     }
     if (!IsReplicasFault(status)) return status;
     Failed(**replica, status);
+    if (WasLost(status) && ++lost >= options_.lost_tries) return status;
     tried.insert((*replica)->address);
     ++tries;
   }
@@ -174,6 +178,23 @@ bool StagePool::AwaitReady(std::chrono::milliseconds patience) {
     AwaitChange();
   }
   return true;
+}
+
+bool StagePool::OfThisBuild() {
+  Members replicas;
+  {
+    const std::lock_guard lock(mutex_);
+    replicas = replicas_;
+  }
+  bool others = false;
+  for (const auto& replica : replicas) {
+    if (!IsReady(*replica->channel)) continue;
+    const auto fits = rpc::IsServing(replica->channel, rpc::ServiceOfThisBuild(),
+                                     {.deadline = kGreetingPatience});
+    if (fits.ok() && *fits) return true;
+    others = others || fits.ok() || absl::IsNotFound(fits.status());
+  }
+  return !others;
 }
 
 std::vector<std::string> StagePool::Addresses() const {

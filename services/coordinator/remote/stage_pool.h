@@ -18,6 +18,9 @@ namespace slicefarm::coordinator {
 
 struct StagePoolOptions {
   int tries = 3;  ///< of one call, on different replicas as far as there are
+  /// Of these, on replicas that began with it and were not heard of any more: they may have died of
+  /// it.
+  int lost_tries = 2;
   /// How long a replica that failed is passed over while another one is there.
   std::chrono::milliseconds rest{1'000};
   /// How long a call waits for any replica to be reachable: longer than one takes to start again.
@@ -40,6 +43,10 @@ class StagePool : public ReplicaSource {
 
   /// Waits until a replica can be reached, at most for the given time; tells whether one can.
   bool AwaitReady(std::chrono::milliseconds patience);
+
+  /// Asks the replicas that can be reached who they are. False: those that answer are all of
+  /// another build, or about to stop. Takes a second if one does not answer.
+  bool OfThisBuild();
 
   /// The addresses at the moment, reachable or not.
   std::vector<std::string> Addresses() const;

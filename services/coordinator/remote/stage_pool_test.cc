@@ -122,6 +122,33 @@ TEST_F(StagePoolTest, GivesUpAfterThreeTries) {
   EXPECT_EQ(tries, 3);
 }
 
+// It may be what they die of.
+TEST_F(StagePoolTest, ACallThatIsLostTwiceIsNotMadeAgain) {
+  FakeReplica a, b;
+  StagePool& pool = Pool({a.address(), b.address()});
+  int tries = 0;
+  const absl::Status status = pool.Call({}, [&](const auto&) {
+    ++tries;
+    return LostCall("test", "was lost");
+  });
+  EXPECT_EQ(tries, 2);
+  EXPECT_TRUE(WasLost(status)) << status;
+  EXPECT_TRUE(absl::IsUnavailable(status));
+  EXPECT_FALSE(WasLost(absl::UnavailableError("not there")));
+}
+
+TEST_F(StagePoolTest, KnowsReplicasOfItsBuild) {
+  FakeReplica a, b;
+  StagePool& pool = Pool({a.address(), b.address()});
+  EXPECT_TRUE(pool.AwaitReady(seconds(60)));
+  EXPECT_TRUE(pool.OfThisBuild());
+  a.server().TurnAway();
+  b.server().TurnAway();
+  EXPECT_FALSE(pool.OfThisBuild()) << "those that stop answer as those of another build";
+  Pool({});
+  EXPECT_TRUE(pool_->OfThisBuild()) << "nobody says otherwise";
+}
+
 TEST_F(StagePoolTest, TriesAnotherBuildElsewhere) {
   FakeReplica a, b;
   StagePool& pool = Pool({a.address(), b.address()});

@@ -14,7 +14,6 @@ constexpr int64_t kUpgradePauseUs = 5'000'000;
 constexpr int64_t kDiskFullRetryUs = 10'000'000;
 constexpr int64_t kMaxRetryUs = 60'000'000;
 constexpr int64_t kFirstRestUs = 1'000'000;
-constexpr int64_t kMaxRestUs = 600'000'000;
 
 /// True if the services that are needed are not there; for some time there may be others in their
 /// places that do not know this coordinator.
@@ -35,11 +34,22 @@ bool WorkersDied(const absl::Status& status) {
   return cause != detail.metadata.end() && cause->second == ReasonName(Reason::kUnavailable);
 }
 
+/// True if the stage that saw the whole job was not heard of any more: twice in this run already.
+bool CallWasLost(const absl::Status& status) {
+  return absl::IsUnavailable(status) && DetailOf(status).metadata.contains("lost");
+}
+
+/// How often a job whose run ended with this error is run again.
+int32_t MostRetries(const absl::Status& error) {
+  if (WorkersDied(error) || CallWasLost(error)) return 1;
+  return IsAway(error) ? kMaxRetries : 0;
+}
+
 /// Meanwhile the coordinators can do the work of others. Jobs that ran beside each other rest for
 /// different times, so that the one they died of is alone some day.
 int64_t RestUs(const JobRecord& job) {
-  const int doublings = std::clamp(job.lost_runs - kSuspectRuns, 0, 20);
-  return std::min(kMaxRestUs, kFirstRestUs << doublings) * (8 + job.number % 8) / 8;
+  const int doublings = std::clamp(job.lost_runs - kSuspectRuns, 0, kMaxLostRuns);
+  return (kFirstRestUs << doublings) * (8 + job.number % 8) / 8;
 }
 
 }  // namespace
@@ -68,7 +78,7 @@ JobUpdate Conclusion(const JobRecord& job, const RunWishes& wishes, const absl::
     update.claimable_from_us = now_us + kUpgradePauseUs;  // which takes its time, and ends
   } else if (DetailOf(error).reason == Reason::kJobPoisoned && job.lost_runs < kMaxLostRuns) {
     update.claimable_from_us = now_us + RestUs(job);
-  } else if (job.retries < (WorkersDied(error) ? 1 : IsAway(error) ? kMaxRetries : 0)) {
+  } else if (job.retries < MostRetries(error)) {
     update.claimable_from_us = now_us + PauseUs(job.retries);
     update.retry = true;
   } else {

@@ -10,7 +10,7 @@
 namespace slicefarm::coordinator {
 
 /// A job that lost so many runs has killed its coordinators, as far as can be told.
-inline constexpr int32_t kMaxLostRuns = 20;
+inline constexpr int32_t kMaxLostRuns = 10;
 
 /// What a run that ended with `error` makes of its job, as it was claimed. Pure.
 ///
@@ -21,10 +21,10 @@ inline constexpr int32_t kMaxLostRuns = 20;
 ///   a store failed                                        QUEUED, in 0.5 s, ever later, up to 60 s
 ///   services are of another build                         QUEUED, in 5 s, however often
 ///   services are not there                                QUEUED, in 0.5 s, ever later, five times
-///   the workers of a range died, each time                the same, but once: it may have been
-///                                                         something else that they died of
-///   JOB_POISONED: coordinators may die of it              QUEUED, in 1 s, ever later, up to 10
-///                                                         minutes, until 20 runs are lost
+///   the workers of a range died, each time, or a stage    the same, but once: it may have been
+///   of the whole job was lost, twice                      something else that they died of
+///   JOB_POISONED: coordinators may die of it              QUEUED, in 1 s, ever later, until 10
+///                                                         runs are lost
 ///   anything else                                         FAILED
 ///
 /// "Ever later": twice as long each time.

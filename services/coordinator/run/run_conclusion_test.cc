@@ -18,6 +18,10 @@ absl::Status StoreFailed() {
   return MakeError(absl::StatusCode::kInternal, Reason::kStoreFailed, "disk I/O error");
 }
 
+absl::Status LostStage() {
+  return MakeError(absl::StatusCode::kUnavailable, Reason::kUnavailable, "slicing was lost",
+                   {{"lost", "call"}});
+}
 absl::Status RangePoisoned(const std::string& cause) {
   return MakeError(absl::StatusCode::kInternal, Reason::kRangePoisoned, "", {{"cause", cause}});
 }
@@ -73,8 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ARangeFailsItsWorkers", RangePoisoned("INTERNAL"), 0, 0, kFailed, 0},
         Case{"ThirdCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 1'000'000, 3},
         Case{"NinthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 64'000'000, 9},
-        Case{"NineteenthCoordinatorDies", JobPoisoned(), 9, 0, kQueued, 600'000'000, 19},
-        Case{"TwentiethCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 20},
+        Case{"TenthCoordinatorDies", JobPoisoned(), 0, 0, kFailed, 0, 10},
+        Case{"AStageIsLost", LostStage(), 0, 0, kQueued, 500'000},
+        Case{"AStageIsLostAgain", LostStage(), 1, 0, kFailed, 0},
         Case{"InputAtFault", absl::InvalidArgumentError("bad mesh"), 0, 0, kFailed, 0}),
     [](const auto& info) { return info.param.name; });
 

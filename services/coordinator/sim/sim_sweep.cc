@@ -69,7 +69,7 @@ class WaitingBlobs : public BlobStore {
     return Unused();
   }
   absl::StatusOr<BlobStatus> Finish(const std::string&, int64_t) override { return Unused(); }
-  absl::StatusOr<std::string> Put(std::string_view) override { return Unused(); }
+  absl::StatusOr<std::string> PutText(const SpooledText&) override { return Unused(); }
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string&) override { return Unused(); }
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string&) override {
     return Unused();

@@ -47,12 +47,16 @@ struct Dispatcher::Job {
   const FanOut::JobId id;
   const StageCall& call;
   const std::span<const Task> tasks;
-  std::vector<TaskResult> results = std::vector<TaskResult>(tasks.size());
+  const TakeResult& take;
+  std::map<int32_t, size_t> prints = {};      ///< of results that may come again, by range
   std::map<FanOut::Ticket, Flag> calls = {};  ///< in flight, those of runners that left included
+  size_t taken = 0;                           ///< results
   int32_t layers_done = 0;
   int64_t program_bytes = 0;
   bool over = false;
   absl::Status status = absl::OkStatus();
+
+  bool Whole() const { return taken == tasks.size(); }
 };
 
 /// What a slot is to do next.
@@ -129,16 +133,17 @@ DispatchCounts Dispatcher::Counts() const {
   return fan_out_.Counts();
 }
 
-absl::StatusOr<std::vector<TaskResult>> Dispatcher::Execute(
-    const StageCall& call, std::span<const Task> tasks,
-    const std::function<void(int32_t)>& layers_done) {
+absl::Status Dispatcher::Execute(const StageCall& call, std::span<const Task> tasks,
+                                 const TakeResult& take,
+                                 const std::function<void(int32_t)>& layers_done) {
   Lock lock(mutex_);
   const Process process = tasks.empty() ? Process::kFdm : ProcessOf(tasks.front());
-  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant, process), call, tasks};
+  Job job{fan_out_.Add(static_cast<int32_t>(tasks.size()), call.claimant, process), call, tasks,
+          take};
   jobs_[job.id] = &job;
   work_.notify_all();
   int32_t told = 0;
-  while (!job.over && (!fan_out_.AllDone(job.id) || told < job.layers_done)) {
+  while (!job.over && (!job.Whole() || told < job.layers_done)) {
     if (told == job.layers_done) AwaitEnd(lock, job);
     if (told == job.layers_done) continue;
     told = job.layers_done;
@@ -151,14 +156,13 @@ absl::StatusOr<std::vector<TaskResult>> Dispatcher::Execute(
   // The tasks are the caller's: every call has to be over before they may go.
   for (const auto& [ticket, stop] : job.calls) stop->store(true);
   changed_.wait(lock, [&] { return job.calls.empty(); });
-  if (!job.status.ok()) return job.status;
-  return std::move(job.results);
+  return job.status;
 }
 
 /// Returns when something about the job may have changed.
 void Dispatcher::AwaitEnd(Lock& lock, Job& job) {
   changed_.wait_for(lock, kPoll);
-  if (job.over || fan_out_.AllDone(job.id)) return;
+  if (job.over || job.Whole()) return;
   lock.unlock();
   absl::Status wanted = job.call.cancel.Check();
   lock.lock();
@@ -182,7 +186,7 @@ void Dispatcher::Serve(Member& member) {
     const absl::Status wanted = assignment->call.cancel.Check();
     const bool failed = !result.ok() && wanted.ok();
     lock.lock();
-    Report(member, *assignment, wanted, std::move(result));
+    Report(lock, member, *assignment, wanted, std::move(result));
     assignment.reset();
     failures = failed ? failures + 1 : 0;
     if (failed) Rest(lock, member, failures);
@@ -231,15 +235,15 @@ std::optional<Dispatcher::Assignment> Dispatcher::Take(Member& member) {
   return assignment;
 }
 
-/// `wanted`: not OK if the job or this copy of the range was cancelled meanwhile.
-void Dispatcher::Report(const Member& member, const Assignment& assignment,
+/// `wanted`: not OK if the job or this copy of the range was cancelled meanwhile. The job lives as
+/// long as its call is among those in flight.
+void Dispatcher::Report(Lock& lock, const Member& member, const Assignment& assignment,
                         const absl::Status& wanted, absl::StatusOr<TaskResult> result) {
   Job& job = *assignment.job;
-  job.calls.erase(assignment.grant.ticket);
   if (job.over) {
     // Nothing is wanted of it any more.
   } else if (result.ok()) {
-    Accept(job, assignment, *std::move(result));
+    Accept(lock, assignment, *std::move(result));
   } else if (wanted.ok()) {
     Reject(job, member, assignment, result.status());
   } else if (assignment.stop->load()) {
@@ -247,25 +251,36 @@ void Dispatcher::Report(const Member& member, const Assignment& assignment,
   } else {
     End(job, wanted);
   }
+  job.calls.erase(assignment.grant.ticket);
   changed_.notify_all();
 }
 
-void Dispatcher::Accept(Job& job, const Assignment& assignment, TaskResult result) {
+/// Hands the first result of a range on. Of one that may come again, its print is kept, to be
+/// compared.
+void Dispatcher::Accept(Lock& lock, const Assignment& assignment, TaskResult result) {
+  Job& job = *assignment.job;
+  const int32_t range = assignment.grant.range;
   const auto accepted = fan_out_.Succeeded(assignment.grant, clock_.Seconds());
   if (!accepted.first) {
-    if (!SameOutput(job.results[assignment.grant.range], result)) fan_out_.Differed();
+    const auto first = job.prints.find(range);
+    if (first != job.prints.end() && first->second != PrintOf(result)) fan_out_.Differed();
     return;
   }
   for (const FanOut::Ticket ticket : accepted.superfluous) {
     if (const auto call = job.calls.find(ticket); call != job.calls.end())
       call->second->store(true);
   }
-  const int32_t range = assignment.grant.range;
+  if (!accepted.superfluous.empty()) job.prints[range] = PrintOf(result);
   job.program_bytes += ProgramBytesOf(result);
   if (job.program_bytes > options_.most_program_bytes)
     return End(job, LimitError(Reason::kRequestTooLarge, "bytes of the job's program",
                                options_.most_program_bytes, job.program_bytes));
-  job.results[range] = std::move(result);
+  lock.unlock();
+  absl::Status taken = job.take(static_cast<size_t>(range), std::move(result));
+  lock.lock();
+  if (job.over) return;
+  if (!taken.ok()) return End(job, std::move(taken));
+  ++job.taken;
   job.layers_done += LayersOf(job.tasks[range]).size();
 }
 

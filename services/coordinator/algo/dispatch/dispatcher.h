@@ -11,8 +11,8 @@
 #include "common/base/stopwatch.h"
 #include "common/model/limits.h"
 #include "services/coordinator/algo/dispatch/fan_out.h"
-#include "services/coordinator/algo/dispatch/task_executor.h"
 #include "services/coordinator/algo/dispatch/runner_set.h"
+#include "services/coordinator/algo/dispatch/task_executor.h"
 
 namespace slicefarm::coordinator {
 
@@ -21,7 +21,7 @@ struct DispatcherOptions {
   /// A slot whose call failed rests this long, twice as long each further time, up to the maximum.
   std::chrono::milliseconds min_rest{20};
   std::chrono::milliseconds max_rest{1000};
-  /// A job whose results come to more ends: they are held until all are there.
+  /// A job whose results come to more ends.
   int64_t most_program_bytes = limits::kMaxProgramBytes;
 };
 
@@ -33,8 +33,8 @@ struct DispatcherOptions {
 /// Errors: a stage's own where it says that the input is at fault (INVALID_ARGUMENT, OUT_OF_RANGE);
 /// RANGE_POISONED naming the layers where a range failed too often; REQUEST_TOO_LARGE where the
 /// results come to more bytes than a program may have; CANCELLED. BUILD_MISMATCH is
-/// the runner's fault and no try of the range. With no runner for their process, Execute waits for one to
-/// join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
+/// the runner's fault and no try of the range. With no runner for their process, Execute waits for
+/// one to join. Thread-safe. REQUIRES: no Execute runs any more when it is destroyed.
 class Dispatcher : public TaskExecutor, public RunnerSet {
  public:
   explicit Dispatcher(const DispatcherOptions& options = {});
@@ -43,9 +43,8 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   RunnerId Join(Runner runner) override;
   void Leave(RunnerId id) override;
 
-  absl::StatusOr<std::vector<TaskResult>> Execute(
-      const StageCall& call, std::span<const Task> tasks,
-      const std::function<void(int32_t)>& layers_done) override;
+  absl::Status Execute(const StageCall& call, std::span<const Task> tasks, const TakeResult& take,
+                       const std::function<void(int32_t)>& layers_done) override;
   int Slots(Process process) const override;
 
   DispatchCounts Counts() const;
@@ -61,9 +60,9 @@ class Dispatcher : public TaskExecutor, public RunnerSet {
   void Rest(Lock& lock, const Member& member, int failures);
   bool Ready(Lock& lock, const Member& member);
   std::optional<Assignment> Take(Member& member);
-  void Report(const Member& member, const Assignment& assignment, const absl::Status& wanted,
-              absl::StatusOr<TaskResult> result);
-  void Accept(Job& job, const Assignment& assignment, TaskResult result);
+  void Report(Lock& lock, const Member& member, const Assignment& assignment,
+              const absl::Status& wanted, absl::StatusOr<TaskResult> result);
+  void Accept(Lock& lock, const Assignment& assignment, TaskResult result);
   void Reject(Job& job, const Member& member, const Assignment& assignment,
               const absl::Status& error);
   void End(Job& job, absl::Status status);

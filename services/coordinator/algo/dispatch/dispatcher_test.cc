@@ -75,6 +75,22 @@ DispatcherOptions Quick() {
   return options;
 }
 
+/// All results, in the order of the tasks.
+absl::StatusOr<std::vector<TaskResult>> Results(Dispatcher& dispatcher, const StageCall& call,
+                                                const std::vector<Task>& tasks,
+                                                const std::function<void(int32_t)>& layers_done) {
+  std::vector<TaskResult> results(tasks.size());
+  std::vector<std::atomic<int>> times(tasks.size());
+  const auto take = [&](size_t task, TaskResult result) {
+    results[task] = std::move(result);
+    EXPECT_EQ(++times[task], 1) << "task " << task << " is taken once";
+    return absl::OkStatus();
+  };
+  if (absl::Status made = dispatcher.Execute(call, tasks, take, layers_done); !made.ok())
+    return made;
+  return results;
+}
+
 testing::AssertionResult IsWhole(const absl::StatusOr<std::vector<TaskResult>>& results,
                                  const std::vector<Task>& tasks) {
   if (!results.ok()) return testing::AssertionFailure() << results.status();
@@ -96,16 +112,32 @@ TEST(Dispatcher, RunsAllRangesInOrder) {
   EXPECT_EQ(dispatcher.Slots(Process::kFdm), 5);
   const auto tasks = Tasks(50);
   std::vector<int32_t> done;
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, [&](int32_t n) { done.push_back(n); }), tasks));
+  EXPECT_TRUE(
+      IsWhole(Results(dispatcher, {}, tasks, [&](int32_t n) { done.push_back(n); }), tasks));
   ASSERT_FALSE(done.empty());
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
   EXPECT_EQ(done.back(), 500);
   EXPECT_EQ(dispatcher.Counts().done, 50);
 }
 
+// The job ends when its last result is taken, not before.
+TEST(Dispatcher, AnErrorOfWhoTakesTheResultsEndsTheJob) {
+  Dispatcher dispatcher(Quick());
+  dispatcher.Join(RunnerOf("a", Good, 3));
+  for (const size_t bad : {size_t{0}, size_t{7}, size_t{19}}) {
+    const auto take = [&](size_t task, const TaskResult&) {
+      if (task != bad) return absl::OkStatus();
+      std::this_thread::yield();
+      return MakeError(absl::StatusCode::kResourceExhausted, Reason::kDiskFull, "full");
+    };
+    EXPECT_EQ(DetailOf(dispatcher.Execute({}, Tasks(20), take, nullptr)).reason, Reason::kDiskFull)
+        << bad;
+  }
+}
+
 TEST(Dispatcher, NothingToDoIsDone) {
   Dispatcher dispatcher;
-  const auto results = dispatcher.Execute({}, {}, nullptr);
+  const auto results = Results(dispatcher, {}, {}, nullptr);
   ASSERT_TRUE(results.ok());
   EXPECT_TRUE(results->empty());
 }
@@ -114,7 +146,7 @@ TEST(Dispatcher, WaitsForARunner) {
   Dispatcher dispatcher;
   const auto tasks = Tasks(4);
   std::thread later([&] { dispatcher.Join(RunnerOf("late", Good)); });
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   later.join();
 }
 
@@ -125,7 +157,7 @@ TEST(Dispatcher, InputErrorsEndTheJobAtOnce) {
     ++calls;
     return MakeError(absl::StatusCode::kInvalidArgument, Reason::kOutOfRange, "too wide");
   }));
-  const auto results = dispatcher.Execute({}, Tasks(5), nullptr);
+  const auto results = Results(dispatcher, {}, Tasks(5), nullptr);
   EXPECT_TRUE(absl::IsInvalidArgument(results.status()));
   EXPECT_EQ(DetailOf(results.status()).reason, Reason::kOutOfRange);
   EXPECT_EQ(calls, 1);
@@ -137,8 +169,8 @@ TEST(Dispatcher, AProgramHasABound) {
   options.most_program_bytes = 1'000;
   Dispatcher dispatcher(options);
   dispatcher.Join(RunnerOf("a", Good, 2, "ten bytes!"));
-  EXPECT_TRUE(dispatcher.Execute({}, Tasks(10), nullptr).ok());
-  const absl::Status status = dispatcher.Execute({}, Tasks(11), nullptr).status();
+  EXPECT_TRUE(Results(dispatcher, {}, Tasks(10), nullptr).ok());
+  const absl::Status status = Results(dispatcher, {}, Tasks(11), nullptr).status();
   EXPECT_EQ(DetailOf(status).reason, Reason::kRequestTooLarge) << status;
   EXPECT_EQ(DetailOf(status).metadata.at("limit"), "1000");
 }
@@ -150,7 +182,7 @@ TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   };
   dispatcher.Join(RunnerOf("a", body));
   dispatcher.Join(RunnerOf("b", body));
-  const auto results = dispatcher.Execute({}, Tasks(5), nullptr);
+  const auto results = Results(dispatcher, {}, Tasks(5), nullptr);
   const ErrorDetail detail = DetailOf(results.status());
   EXPECT_EQ(detail.reason, Reason::kRangePoisoned);
   EXPECT_EQ(detail.metadata.at("layer_first"), "20");
@@ -159,7 +191,7 @@ TEST(Dispatcher, PoisonedRangeNamesItsLayers) {
   EXPECT_EQ(dispatcher.Counts().poisoned, 1);
 
   const auto tasks = Tasks(2);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks)) << "the next job is well";
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks)) << "the next job is well";
 }
 
 TEST(Dispatcher, ABrokenRunnerCostsOnlyTries) {
@@ -167,7 +199,7 @@ TEST(Dispatcher, ABrokenRunnerCostsOnlyTries) {
   dispatcher.Join(RunnerOf("broken", Unavailable, 1));
   dispatcher.Join(RunnerOf("good", Good, 1));
   const auto tasks = Tasks(30);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
 }
 
 TEST(Dispatcher, AnUnreachableRunnerGetsNothing) {
@@ -184,7 +216,7 @@ TEST(Dispatcher, AnUnreachableRunnerGetsNothing) {
   dispatcher.Join(std::move(dead));
   dispatcher.Join(RunnerOf("good", Good));
   const auto tasks = Tasks(30);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   EXPECT_EQ(calls, 0);
 }
 
@@ -204,7 +236,7 @@ TEST(Dispatcher, SecondAnswersThatDifferAreCounted) {
       dispatcher.Join(RunnerOf("later", Good, 1, second));
     });
     const auto tasks = Tasks(1);
-    EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+    EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
     later.join();
     EXPECT_EQ(dispatcher.Counts().differing, second == "same" ? 0 : 1);
   }
@@ -217,7 +249,7 @@ TEST(Dispatcher, AStuckRunnerIsHedged) {
   // As long as it takes until the stuck runner has a range of some job.
   while (dispatcher.Counts().hedged == 0) {
     const auto tasks = Tasks(6);
-    ASSERT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+    ASSERT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   }
 }
 
@@ -231,7 +263,7 @@ TEST(Dispatcher, CancelReachesTheCalls) {
   dispatcher.Join(RunnerOf("a", body, 2));
   StageCall call;
   call.cancel = CancelToken([&] { return started > 1; });
-  const absl::Status status = dispatcher.Execute(call, Tasks(9), nullptr).status();
+  const absl::Status status = Results(dispatcher, call, Tasks(9), nullptr).status();
   EXPECT_TRUE(absl::IsCancelled(status)) << status;
 }
 
@@ -250,7 +282,7 @@ TEST(Dispatcher, LeavingGivesTheRangesToOthers) {
     dispatcher.Join(RunnerOf("good", Good));
   });
   const auto tasks = Tasks(5);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   mover.join();
   EXPECT_EQ(dispatcher.Slots(Process::kFdm), 1);
 }
@@ -265,7 +297,7 @@ TEST(Dispatcher, ARunnerOfAnotherBuildCostsARangeNoTries) {
   dispatcher.Join(RunnerOf("a", misfit));
   dispatcher.Join(RunnerOf("b", misfit));
   const auto tasks = Tasks(2);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   EXPECT_EQ(dispatcher.Counts().poisoned, 0);
 }
 
@@ -284,7 +316,7 @@ TEST(Dispatcher, JobsShareTheRunners) {
     StageCall call;
     call.job_id = id;
     call.cancel = CancelToken(poll);
-    EXPECT_TRUE(IsWhole(dispatcher.Execute(call, tasks, nullptr), tasks));
+    EXPECT_TRUE(IsWhole(Results(dispatcher, call, tasks, nullptr), tasks));
   };
   std::atomic<int> seen = 0;
   const auto joined = [&](int bit) {
@@ -333,7 +365,7 @@ TEST(Dispatcher, EveryJobEndsWholeUnderChurn) {
     jobs.emplace_back([&, j] {
       for (int round = 0; round < 10; ++round) {
         const auto tasks = Tasks(10 + j * 7);
-        EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, churn), tasks));
+        EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, churn), tasks));
       }
     });
   }
@@ -363,9 +395,9 @@ TEST(Dispatcher, JobsWaitForRunnersOfTheirProcess) {
     lasers[static_cast<size_t>(i)] = task;
   }
   absl::StatusOr<std::vector<TaskResult>> scanned;
-  std::thread waits([&] { scanned = dispatcher.Execute({}, lasers, nullptr); });
+  std::thread waits([&] { scanned = Results(dispatcher, {}, lasers, nullptr); });
   const auto tasks = Tasks(20);
-  EXPECT_TRUE(IsWhole(dispatcher.Execute({}, tasks, nullptr), tasks));
+  EXPECT_TRUE(IsWhole(Results(dispatcher, {}, tasks, nullptr), tasks));
   dispatcher.Join({.name = "laser", .tasks = std::make_shared<FakeLaser>(), .await_ready = {}});
   waits.join();
   ASSERT_TRUE(scanned.ok()) << scanned.status();

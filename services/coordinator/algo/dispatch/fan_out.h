@@ -70,9 +70,9 @@ class FanOut {
   void Differed() { ++counts_.differing; }
   void RunnerGone(RunnerId runner);
 
+  bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
   /// Of jobs of these processes.
   bool AnyQueued(ProcessSet can = ProcessSet::All()) const;
-  bool AllDone(JobId job) const { return jobs_.at(job).scheduler.AllDone(); }
   int Tries(JobId job, int32_t range) const { return jobs_.at(job).scheduler.Tries(range); }
   DispatchCounts Counts() const;
 

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/stage/task.h"
@@ -14,12 +13,16 @@ class TaskExecutor {
  public:
   virtual ~TaskExecutor() = default;
 
-  /// Results are in the order of `tasks`, which are all of one process. `layers_done` is told, from
-  /// any thread but one call at a time, how many layers are finished. Errors: the first task's that
-  /// cannot be made, or Cancelled.
-  virtual absl::StatusOr<std::vector<TaskResult>> Execute(
-      const StageCall& call, std::span<const Task> tasks,
-      const std::function<void(int32_t)>& layers_done) = 0;
+  /// Takes the result of a task; an error ends the job with it.
+  using TakeResult = std::function<absl::Status(size_t task, TaskResult result)>;
+
+  /// Makes `tasks`, which are all of one process. `take` gets the result of each of them once, as
+  /// soon as it is there, from any thread and several at a time. `layers_done` is told, from any
+  /// thread but one call at a time, how many layers are finished. Neither is called after the
+  /// return. Errors: the first task's that cannot be made; those of `take`; Cancelled.
+  virtual absl::Status Execute(const StageCall& call, std::span<const Task> tasks,
+                               const TakeResult& take,
+                               const std::function<void(int32_t)>& layers_done) = 0;
 
   /// How many tasks of a process can be worked on at once: what a job is cut for.
   virtual int Slots(Process process) const = 0;

@@ -10,9 +10,9 @@
 namespace slicefarm::coordinator {
 namespace {
 
-absl::StatusOr<std::vector<TaskResult>> RunTasks(
-    const StageCall& call, const PlannedJob& job, Process process, TaskExecutor& executor,
-    const std::function<void(PipelineProgress)>& progress) {
+absl::Status RunTasks(const StageCall& call, PlannedJob& job, Process process,
+                      TaskExecutor& executor,
+                      const std::function<void(PipelineProgress)>& progress) {
   const int32_t total = job.LayerCount();
   const auto tell = [&](int32_t done) {
     if (progress) progress({.layers_total = total, .layers_done = done});
@@ -22,7 +22,10 @@ absl::StatusOr<std::vector<TaskResult>> RunTasks(
   ScopedSpan span(call.spans, "ranges");
   span.Set("layers", absl::StrCat(total));
   span.Set("ranges", absl::StrCat(tasks.size()));
-  return executor.Execute(call, tasks, tell);
+  const auto take = [&](size_t task, TaskResult result) {
+    return job.Take(task, std::move(result));
+  };
+  return executor.Execute(call, tasks, take, tell);
 }
 
 }  // namespace
@@ -33,13 +36,13 @@ absl::StatusOr<JobOutput> JobPipeline::Run(
   const Process kind = input.settings.process;
   const auto process = std::ranges::find(processes_, kind, &JobProcess::process);
   if (process == processes_.end())
-    return MakeError(absl::StatusCode::kFailedPrecondition, Reason::kProcessUnavailable,
-                     absl::StrCat("jobs of process ", std::string(ProcessName(kind)), " are not made here"));
+    return MakeError(
+        absl::StatusCode::kFailedPrecondition, Reason::kProcessUnavailable,
+        absl::StrCat("jobs of process ", std::string(ProcessName(kind)), " are not made here"));
   const auto job = (*process)->Plan(call, std::move(input));
   if (!job.ok()) return job.status();
-  auto results = RunTasks(call, **job, kind, executor_, progress);
-  if (!results.ok()) return results.status();
-  return (*job)->Assemble(call, *std::move(results));
+  if (absl::Status made = RunTasks(call, **job, kind, executor_, progress); !made.ok()) return made;
+  return (*job)->Assemble(call);
 }
 
 }  // namespace slicefarm::coordinator

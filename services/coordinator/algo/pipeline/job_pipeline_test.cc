@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
+#include <string>
 
 #include "absl/strings/str_cat.h"
 #include "common/base/error.h"
@@ -25,7 +27,7 @@ class NamedLayers : public FdmRunner {
 class Counted : public PlannedJob {
  public:
   int32_t LayerCount() const override { return 10; }
-  std::vector<Task> Tasks(int /*slots*/) const override {
+  std::vector<Task> Tasks(int /*slots*/) override {
     std::vector<Task> tasks;
     for (int32_t i = 0; i < 10; ++i) {
       FdmTask task;
@@ -34,12 +36,18 @@ class Counted : public PlannedJob {
     }
     return tasks;
   }
-  absl::StatusOr<JobOutput> Assemble(const StageCall&, std::vector<TaskResult> results) override {
+  absl::Status Take(size_t task, TaskResult result) override {
+    texts_[task] = std::get<FdmResult>(result).programs[0].gcode;
+    return absl::OkStatus();
+  }
+  absl::StatusOr<JobOutput> Assemble(const StageCall&) override {
     JobOutput output;
-    for (const TaskResult& result : results)
-      output.program += std::get<FdmResult>(result).programs[0].gcode;
+    for (const std::string& text : texts_) output.program.Add(text);
     return output;
   }
+
+ private:
+  std::array<std::string, 10> texts_;
 };
 
 class CountedProcess : public JobProcess {
@@ -70,7 +78,7 @@ TEST_F(JobPipelineTest, PutsResultsTogetherInTheirOrder) {
     done.push_back(p.layers_done);
   });
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->program, "0 1 2 3 4 5 6 7 8 9 ");
+  EXPECT_EQ(*output->program.Whole(), "0 1 2 3 4 5 6 7 8 9 ");
   EXPECT_EQ(done.front(), 0);
   EXPECT_EQ(done.back(), 10);
 }

@@ -6,13 +6,11 @@
 namespace slicefarm::coordinator {
 namespace {
 
-/// What a layer costs besides its points, in points.
-constexpr int64_t kLayerCost = 100;
 /// For how many slots to cut while no worker has joined yet.
 constexpr int kSlotsToCome = 8;
 
-int64_t WorkIn(const SlicedLayer& layer) {
-  int64_t cost = kLayerCost;
+int64_t WorkIn(const SlicedLayer& layer, const RangeSplitOptions& options) {
+  int64_t cost = options.layer_points;
   for (const ObjectSection& section : layer.sections) {
     for (const Region& region : section.regions)
       cost += static_cast<int64_t>(PointCount(region.outlines));
@@ -25,7 +23,8 @@ int64_t WorkIn(const SlicedLayer& layer) {
 std::vector<LayerRange> SplitIntoRanges(std::span<const SlicedLayer> layers, int slots,
                                         const RangeSplitOptions& options) {
   std::vector<int64_t> costs(layers.size());
-  std::transform(layers.begin(), layers.end(), costs.begin(), WorkIn);
+  std::transform(layers.begin(), layers.end(), costs.begin(),
+                 [&](const SlicedLayer& layer) { return WorkIn(layer, options); });
   const int shares = 2 * (slots > 0 ? slots : kSlotsToCome);
   int64_t remaining = std::accumulate(costs.begin(), costs.end(), int64_t{0});
 

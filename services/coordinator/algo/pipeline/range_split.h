@@ -11,6 +11,7 @@ struct RangeSplitOptions {
   int32_t min_layers = 8;        ///< below, a call costs more than it is worth
   int32_t max_layers = 128;      ///< above, too much is lost with a worker
   int64_t max_points = 100'000;  ///< of the outlines; bounds what a slot holds in memory
+  int64_t layer_points = 100;    ///< what a layer costs besides its own
 };
 
 /// Cuts a job into contiguous ranges for `slots` workers: each takes 1 / (2 slots) of the outline

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <utility>
 
 #include "common/geometry/text_format.h"
 
@@ -63,6 +65,14 @@ TEST(SplitIntoRanges, ComplexLayersMakeShorterRanges) {
   layers.insert(layers.end(), tail.begin(), tail.end());
   const auto ranges = SplitIntoRanges(layers, 1);
   EXPECT_LT(ranges.front().size(), 32);
+}
+
+TEST(SplitIntoRanges, LayersThatEachHaveALongTextMakeShorterRanges) {
+  const auto layers = Layers(600);
+  for (const auto& [layer_points, most] : {std::pair{100, 128}, {1'500, 66}, {20'000, 5}}) {
+    const auto sizes = Sizes(SplitIntoRanges(layers, 1, {.layer_points = layer_points}));
+    EXPECT_EQ(*std::ranges::max_element(sizes), most) << layer_points;
+  }
 }
 
 TEST(SplitIntoRanges, CoversAllLayersOnce) {

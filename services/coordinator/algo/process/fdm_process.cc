@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -22,6 +20,7 @@
 #include "services/coordinator/algo/pipeline/mesh_warnings.h"
 #include "services/coordinator/algo/pipeline/pass_facts.h"
 #include "services/coordinator/algo/pipeline/range_split.h"
+#include "services/coordinator/algo/process/fdm_programs.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -55,9 +54,9 @@ std::vector<std::string> FieldNotesOf(const JobSettings& settings) {
 absl::Status AddToPlate(std::vector<SlicedLayer>& layers, JobPlan& plan) {
   for (PlateAddition& addition : plan.additions) {
     if (addition.layer < 0 || addition.layer >= std::ssize(layers))
-      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                       absl::StrCat("planning added to layer ", addition.layer, " of ",
-                                    layers.size()));
+      return MakeError(
+          absl::StatusCode::kInternal, Reason::kInternal,
+          absl::StrCat("planning added to layer ", addition.layer, " of ", layers.size()));
     const auto layer = static_cast<size_t>(addition.layer);
     std::ranges::move(addition.paths, std::back_inserter(plan.layers[layer].paths));
     if (addition.regions.empty()) continue;
@@ -97,107 +96,15 @@ std::vector<CopyName> NamesOf(const std::vector<std::string>& objects,
   return names;
 }
 
-absl::Status CheckPrograms(const std::vector<FdmResult>& results, size_t layer_count) {
-  int32_t next = 0;
-  int32_t pass = -1;
-  for (const FdmResult& result : results) {
-    for (const LayerProgram& program : result.programs) {
-      const int32_t index = program.frame.index;
-      const bool next_pass = index == next - 1 && program.pass > pass;
-      if (index != next && !next_pass)
-        return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                         absl::StrCat("layer ", next, " came back as ", index));
-      next = index + 1;
-      pass = program.pass;
-    }
-  }
-  if (next == static_cast<int32_t>(layer_count)) return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                   absl::StrCat(next, " of ", layer_count, " layers came back"));
-}
+/// Of G-code, about what a point of an outline comes to.
+constexpr int64_t kBytesAPoint = 40;
 
-/// All programs in the order of printing: by pass, then bottom up.
-std::vector<LayerProgram> InOrder(std::vector<FdmResult> results) {
-  std::vector<LayerProgram> programs;
-  for (FdmResult& result : results)
-    std::ranges::move(result.programs, std::back_inserter(programs));
-  std::ranges::stable_sort(programs, {}, &LayerProgram::pass);
-  return programs;
-}
-
-/// An object that ends between two planes may leave outlines at its top that no bead fits into. A
-/// pass ends with the last layer that has beads; empty layers below it stay. Errors:
-/// InvalidArgument (NOTHING_TO_PRINT) if there is none at all.
-absl::Status DropEmptyTops(std::vector<LayerProgram>& programs) {
-  std::vector<LayerProgram> kept;
-  std::map<int32_t, size_t> last;  // of a pass, with beads
-  const auto is_empty = [](const LayerProgram& program) {
-    return program.stats.ExtrudedMm() == 0;
-  };
-  for (size_t i = 0; i < programs.size(); ++i)
-    if (!is_empty(programs[i])) last[programs[i].pass] = i;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    const auto end = last.find(programs[i].pass);
-    if (end != last.end() && i <= end->second) kept.push_back(std::move(programs[i]));
-  }
-  programs = std::move(kept);
-  if (!programs.empty()) return absl::OkStatus();
-  return MakeError(
-      absl::StatusCode::kInvalidArgument, Reason::kNothingToPrint,
-      "no layer has a bead: the outlines are too thin for one, or the settings ask for "
-      "none (perimeters, fill_density, solid layers)");
-}
-
-LayerSummary Summarize(const LayerProgram& program) {
-  return {.frame = program.frame,
-          .pass = program.pass,
-          .entry = program.entry,
-          .exit = program.exit,
-          .time_s = program.stats.TimeS(),
-          .empty = program.stats.ExtrudedMm() == 0,
-          .edges = program.edges,
-          .filament_mm = program.stats.FilamentMm()};
-}
-
-ProgramSummary Summarize(const std::vector<LayerProgram>& programs) {
-  ProgramSummary summary;
-  for (const LayerProgram& program : programs) {
-    summary.layers.push_back(Summarize(program));
-    summary.total.Add(program.stats);
-  }
-  return summary;
-}
-
-/// A layer's G-code with what its places were kept free for.
-void AddLayer(const LayerProgram& program, std::span<const std::string> code, std::string& gcode) {
-  const std::string_view text = program.gcode;
-  size_t done = 0;
-  for (size_t i = 0; i < std::min(code.size(), program.code_at.size()); ++i) {
-    const auto at = static_cast<size_t>(program.code_at[i]);
-    gcode.append(text.substr(done, at - done)).append(code[i]);
-    done = at;
-  }
-  gcode.append(text.substr(done));
-}
-
-/// Prologue, prefixes and programs, epilogue. Each part is freed as soon as it is copied.
-std::string WholeProgram(ProgramEnvelope frame, std::vector<LayerProgram> programs) {
-  size_t size = frame.prologue.size() + frame.epilogue.size();
-  for (const std::string& prefix : frame.layer_prefixes) size += prefix.size();
-  for (const std::string& code : frame.layer_code) size += code.size();
-  for (const LayerProgram& program : programs) size += program.gcode.size();
-  std::string gcode;
-  gcode.reserve(size);
-  gcode += frame.prologue;
-  for (size_t i = 0; i < programs.size(); ++i) {
-    if (i < frame.layer_prefixes.size()) gcode += frame.layer_prefixes[i];
-    const size_t first = std::min(i * kCodesOfALayer, frame.layer_code.size());
-    const size_t count = std::min<size_t>(kCodesOfALayer, frame.layer_code.size() - first);
-    AddLayer(programs[i], std::span(frame.layer_code).subspan(first, count), gcode);
-    std::string().swap(programs[i].gcode);
-  }
-  gcode += frame.epilogue;
-  return gcode;
+/// Texts that each layer has do not make a range's programs longer than others.
+RangeSplitOptions SplitOptionsOf(const JobSettings& settings) {
+  const MotionOptions& motion = settings.motion;
+  RangeSplitOptions options;
+  options.layer_points += std::ssize(motion.before_layer_gcode + motion.layer_gcode) / kBytesAPoint;
+  return options;
 }
 
 /// Nothing if all islands got the walls that were asked for.
@@ -252,13 +159,14 @@ std::vector<CopySummary> SummarizeCopies(std::vector<CopyName> names,
 class FdmJob : public PlannedJob {
  public:
   FdmJob(const MotionStage& motion, JobSettings settings, std::string settings_text,
-         JobReport report)
+         JobReport report, std::unique_ptr<SpoolFile> spool)
       : motion_(motion),
         settings_(std::move(settings)),
         settings_text_(std::move(settings_text)),
-        report_(std::move(report)) {}
+        report_(std::move(report)),
+        spool_(std::move(spool)) {}
 
-  absl::Status Take(SlicedJob sliced, JobPlan plan) {
+  absl::Status Begin(SlicedJob sliced, JobPlan plan) {
     layers_ = std::move(sliced.layers);
     DropSeamParts(layers_);
     plan_ = std::move(plan);
@@ -272,12 +180,12 @@ class FdmJob : public PlannedJob {
 
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
-  std::vector<Task> Tasks(int slots) const override {
+  std::vector<Task> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
     const std::span<const LayerPlan> plans = plan_.layers;
     const int32_t halo = HaloLayers(settings_);
     std::vector<Task> tasks;
-    for (const LayerRange& range : SplitIntoRanges(layers, slots)) {
+    for (const LayerRange& range : SplitIntoRanges(layers, slots, SplitOptionsOf(settings_))) {
       const LayerRange grown = WithHalo(layers, range, halo);
       const auto at = [](int32_t index) { return static_cast<size_t>(index); };
       tasks.push_back(FdmTask{.range = range,
@@ -287,26 +195,36 @@ class FdmJob : public PlannedJob {
                               .facts = &facts_,
                               .settings = &settings_});
     }
+    ranges_.resize(tasks.size());
     return tasks;
   }
 
-  absl::StatusOr<JobOutput> Assemble(const StageCall& call,
-                                     std::vector<TaskResult> results) override {
+  absl::Status Take(size_t task, TaskResult result) override {
+    auto& made = std::get<FdmResult>(result);
+    Range& range = ranges_[task];
+    auto spooled = Spooled(std::move(made.programs), *spool_);
+    if (!spooled.ok()) return spooled.status();
+    range.programs = *std::move(spooled);
+    range.rest = std::move(made);
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
     const auto layer_count = layers_.size();
     layers_ = {};
-    std::vector<FdmResult> ranges;
+    plan_ = {};
+    std::vector<SpooledProgram> all;
     std::vector<LayerWarning> warnings;
-    for (TaskResult& result : results) {
-      ranges.push_back(std::get<FdmResult>(std::move(result)));
-      report_.stage_times.Add(ranges.back().times);
-      std::ranges::copy(ranges.back().warnings, std::back_inserter(warnings));
-      for (const FillUse& use : ranges.back().fills) AddUse(use, 1, report_.fills);
+    for (Range& range : ranges_) {
+      std::ranges::move(range.programs, std::back_inserter(all));
+      report_.stage_times.Add(range.rest.times);
+      std::ranges::copy(range.rest.warnings, std::back_inserter(warnings));
+      for (const FillUse& use : range.rest.fills) AddUse(use, 1, report_.fills);
     }
-    if (absl::Status whole = CheckPrograms(ranges, layer_count); !whole.ok()) return whole;
-    std::vector<LayerProgram> programs = InOrder(std::move(ranges));
-    if (absl::Status printable = DropEmptyTops(programs); !printable.ok()) return printable;
+    const auto programs = InPrintOrder(std::move(all), layer_count);
+    if (!programs.ok()) return programs.status();
 
-    ProgramSummary summary = Summarize(programs);
+    ProgramSummary summary = Summarize(*programs);
     summary.thumbnails = std::move(thumbnails_);
     summary.copies = SummarizeCopies(std::move(facts_.copies), std::move(copies_));
     summary.settings_text = std::move(settings_text_);
@@ -320,14 +238,23 @@ class FdmJob : public PlannedJob {
     FillIn(report_, summary, *frame, settings_.motion);
     if (std::string warning = WallWarning(warnings); !warning.empty())
       report_.warnings.push_back(std::move(warning));
-    return JobOutput{WholeProgram(*std::move(frame), std::move(programs)), std::move(report_)};
+    return JobOutput{WholeProgram(*std::move(frame), *programs, std::move(spool_)),
+                     std::move(report_)};
   }
 
  private:
+  /// What a task came to.
+  struct Range {
+    std::vector<SpooledProgram> programs;
+    FdmResult rest;  ///< without programs
+  };
+
   const MotionStage& motion_;
   const JobSettings settings_;
   std::string settings_text_;
   JobReport report_;
+  std::unique_ptr<SpoolFile> spool_;
+  std::vector<Range> ranges_;  ///< by task
   std::vector<SlicedLayer> layers_;
   JobPlan plan_;
   JobFacts facts_;
@@ -358,15 +285,18 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> FdmProcess::Plan(const StageCall& ca
   });
   if (!plan.ok()) return plan.status();
   report.seams = plan->seams;
-  std::ranges::move(BedWarnings(plan->additions, settings.planning.bed, sliced->copies,
-                                sliced->object_names),
-                    std::back_inserter(report.warnings));
+  std::ranges::move(
+      BedWarnings(plan->additions, settings.planning.bed, sliced->copies, sliced->object_names),
+      std::back_inserter(report.warnings));
   report.notes = std::move(plan->notes);
   std::ranges::move(FieldNotesOf(settings), std::back_inserter(report.notes));
-  auto job = std::make_unique<FdmJob>(motion_, std::move(input.settings),
-                                      std::move(input.settings_text), std::move(report));
-  if (absl::Status taken = job->Take(*std::move(sliced), *std::move(plan)); !taken.ok())
-    return taken;
+  auto spool = SpoolFile::Make(spool_directory_);
+  if (!spool.ok()) return spool.status();
+  auto job =
+      std::make_unique<FdmJob>(motion_, std::move(input.settings), std::move(input.settings_text),
+                               std::move(report), *std::move(spool));
+  if (absl::Status begun = job->Begin(*std::move(sliced), *std::move(plan)); !begun.ok())
+    return begun;
   return job;
 }
 

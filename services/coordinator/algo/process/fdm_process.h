@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "services/coordinator/algo/process/job_process.h"
 
 namespace slicefarm::coordinator {
@@ -8,9 +11,14 @@ namespace slicefarm::coordinator {
 ///   1 slicing   2 planning   3 ranges with halo (range_split.h)   4 tasks   5 frame and assembly
 class FdmProcess : public JobProcess {
  public:
-  /// The stages must outlive it.
-  FdmProcess(const SlicingStage& slicing, const PlanningStage& planning, const MotionStage& motion)
-      : slicing_(slicing), planning_(planning), motion_(motion) {}
+  /// The stages must outlive it. `spool_directory`: where programs wait for each other
+  /// (SpoolFile::Make).
+  FdmProcess(const SlicingStage& slicing, const PlanningStage& planning, const MotionStage& motion,
+             std::string spool_directory = "")
+      : slicing_(slicing),
+        planning_(planning),
+        motion_(motion),
+        spool_directory_(std::move(spool_directory)) {}
 
   Process process() const override { return Process::kFdm; }
   absl::StatusOr<std::unique_ptr<PlannedJob>> Plan(const StageCall& call,
@@ -20,6 +28,7 @@ class FdmProcess : public JobProcess {
   const SlicingStage& slicing_;
   const PlanningStage& planning_;
   const MotionStage& motion_;
+  const std::string spool_directory_;
 };
 
 }  // namespace slicefarm::coordinator

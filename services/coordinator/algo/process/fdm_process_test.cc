@@ -7,9 +7,9 @@
 #include <set>
 
 #include "absl/strings/str_cat.h"
+#include "common/base/error.h"
 #include "common/geometry/measure.h"
 #include "common/geometry/text_format.h"
-#include "common/base/error.h"
 #include "common/stage/slice_input_test.h"
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
@@ -123,8 +123,7 @@ class FakeRanges : public FdmRunner {
   static std::string TextOf(const SlicedLayer& layer, const LayerPlan& plan, int32_t pass) {
     std::string text = absl::StrCat("layer ", layer.frame.index, " at ", ToText(plan.entry));
     for (const ObjectSection& section : layer.sections)
-      if (section.object == kPlate)
-        absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
+      if (section.object == kPlate) absl::StrAppend(&text, ", plate ", ToMm(section.height_nm));
     if (!plan.paths.empty()) absl::StrAppend(&text, ", paths ", plan.paths.size());
     if (pass > 0) absl::StrAppend(&text, ", pass ", pass);
     return text + "\n";
@@ -185,13 +184,13 @@ class FdmProcessTest : public testing::Test {
 };
 
 TEST_F(FdmProcessTest, PrintingEndsWithTheLastLayerThatHasBeads) {
-  const std::string expected = Run("x-x")->program;
+  const std::string expected = *Run("x-x")->program.Whole();
   EXPECT_THAT(expected, HasSubstr("empty"));
   for (const char* bytes : {"x-x-", "x-x0", "x-x-0-", "x-x---------------"}) {
     for (const int slots : {1, 2, 4}) {
       const auto output = Run(bytes, slots);
       ASSERT_TRUE(output.ok()) << output.status();
-      EXPECT_EQ(output->program, expected) << bytes;
+      EXPECT_EQ(*output->program.Whole(), expected) << bytes;
       EXPECT_EQ(output->report.layer_count, 3) << bytes;
     }
   }
@@ -206,7 +205,7 @@ TEST_F(FdmProcessTest, OutlinesThatNoBeadFitsIntoAreAnError) {
 TEST_F(FdmProcessTest, PutsTheProgramTogether) {
   const auto output = Run("x0x");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->program,
+  EXPECT_EQ(*output->program.Whole(),
             "begin thing 0/1 1\n"
             "2: layer 0 at 0 0\n"
             "empty 0: "
@@ -219,7 +218,7 @@ TEST_F(FdmProcessTest, PassesFollowEachOtherAndEndWhereTheirBeadsDo) {
   planning_.one_by_one = true;
   const auto output = Run("x0x-");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->program,
+  EXPECT_EQ(*output->program.Whole(),
             "begin thing 0/2 thing 1/2 1\n"
             "2: layer 0 at 0 0\n"
             "empty 0: "
@@ -238,9 +237,9 @@ TEST_F(FdmProcessTest, AdditionsOfPlanningReachTheirLayers) {
   planning_.additions = {brim, skirt};
   const auto output = Run("xxx");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_THAT(output->program, HasSubstr("layer 0 at 0 0, plate 0.3\n"));
-  EXPECT_THAT(output->program, HasSubstr("layer 1 at 1 0\n"));
-  EXPECT_THAT(output->program, HasSubstr("layer 2 at 2 0, paths 2\n"));
+  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 0 at 0 0, plate 0.3\n"));
+  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 1 at 1 0\n"));
+  EXPECT_THAT(*output->program.Whole(), HasSubstr("layer 2 at 2 0, paths 2\n"));
 }
 
 TEST_F(FdmProcessTest, ALayerMayHaveSeveralAdditions) {
@@ -252,7 +251,8 @@ TEST_F(FdmProcessTest, ALayerMayHaveSeveralAdditions) {
   planning_.additions = {low, high};
   const auto output = Run("xxx");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_THAT(output->program, HasSubstr("layer 1 at 1 0, plate 0.2, plate 0.3, paths 2\n"));
+  EXPECT_THAT(*output->program.Whole(),
+              HasSubstr("layer 1 at 1 0, plate 0.2, plate 0.3, paths 2\n"));
 }
 
 TEST_F(FdmProcessTest, AdditionsToLayersThatAreNotThereAreAnError) {
@@ -289,10 +289,9 @@ TEST_F(FdmProcessTest, ReportsWhatItCameTo) {
   EXPECT_DOUBLE_EQ(report.filament.volume_mm3, 15);
   EXPECT_DOUBLE_EQ(report.filament.mass_g, 15 * 1.24e-3);
   EXPECT_DOUBLE_EQ(report.stage_times.infill_s, 1);
-  EXPECT_THAT(report.warnings,
-              ElementsAre("of the settings", HasSubstr("1 edge"),
-                          AllOf(HasSubstr("3 islands got walls of constant width"),
-                                testing::EndsWith("in layers 1"))));
+  EXPECT_THAT(report.warnings, ElementsAre("of the settings", HasSubstr("1 edge"),
+                                           AllOf(HasSubstr("3 islands got walls of constant width"),
+                                                 testing::EndsWith("in layers 1"))));
 }
 
 TEST_F(FdmProcessTest, SumsUpWhatInfillComesTo) {
@@ -326,7 +325,7 @@ TEST_F(FdmProcessTest, SameBytesForAnyNumberOfSlots) {
     ASSERT_TRUE(one.ok());
     for (const int slots : {2, 3, 8, 64}) {
       const auto many = Run(layers, slots);
-      EXPECT_EQ(many->program, one->program) << slots;
+      EXPECT_EQ(*many->program.Whole(), *one->program.Whole()) << slots;
       EXPECT_EQ(many->report.fills, one->report.fills) << slots;
     }
   }

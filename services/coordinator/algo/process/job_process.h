@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/spooled_text.h"
 #include "common/model/exposed_layer.h"
 #include "common/model/filament_use.h"
 #include "common/model/job_plan.h"
@@ -29,11 +30,11 @@ struct JobReport {
   int32_t layer_count = 0;
   double object_height_mm = 0;
   double print_time_s = 0;
-  PrintTimes times;  ///< of FDM: what print_time_s is spent on
+  PrintTimes times;      ///< of FDM: what print_time_s is spent on
   double travel_mm = 0;  ///< between layers included
   FilamentUse filament;
-  std::vector<FillUse> fills;  ///< of all copies, one a kind: see AddUse
-  SeamQuality seams;  ///< of loops of objects, whatever their copies
+  std::vector<FillUse> fills;              ///< of all copies, one a kind: see AddUse
+  SeamQuality seams;                       ///< of loops of objects, whatever their copies
   std::optional<ExposureReport> exposure;  ///< of lasers
   StageTimes stage_times;
   std::vector<std::string> warnings;  ///< such as what a mesh lacks
@@ -41,7 +42,7 @@ struct JobReport {
 };
 
 struct JobOutput {
-  std::string program;  ///< for the machine: G-code, or a file of the settings' output_format
+  SpooledText program;  ///< for the machine: G-code, or a file of the settings' output_format
   JobReport report;
 };
 
@@ -54,12 +55,16 @@ class PlannedJob {
 
   /// All work that is left, cut for so many slots; the result of the job does not depend on the
   /// cut. They point into this object.
-  virtual std::vector<Task> Tasks(int slots) const = 0;
+  virtual std::vector<Task> Tasks(int slots) = 0;
 
-  /// The tasks' results, in their order, put together. Called once, when no task runs any more.
-  /// Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; those of stages that see the whole.
-  virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call,
-                                             std::vector<TaskResult> results) = 0;
+  /// Takes the result of one of them, once; from any thread, several at a time. What is long goes
+  /// to a spool. Errors: DISK_FULL, STORE_FAILED.
+  virtual absl::Status Take(size_t task, TaskResult result) = 0;
+
+  /// The tasks' results, in the tasks' order, put together. Called once, when all of them were
+  /// taken. Errors: INTERNAL if layers are missing; NOTHING_TO_PRINT; those of stages that see the
+  /// whole.
+  virtual absl::StatusOr<JobOutput> Assemble(const StageCall& call) = 0;
 };
 
 /// How the jobs of one process become tasks: DESIGN section 1, "A process". One class a process;

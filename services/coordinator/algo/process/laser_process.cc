@@ -19,18 +19,27 @@ namespace {
 absl::Status CheckLayer(const ExposureOutput& output, size_t layers) {
   if (output.format != OutputFormat::kDxf || static_cast<size_t>(output.layer) < layers)
     return absl::OkStatus();
-  return MakeError(absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
-                   absl::StrCat("output_layer = ", output.layer, ": the part has layers 0 to ",
-                                layers - 1),
-                   {{"setting", "output_layer"}, {"value", absl::StrCat(output.layer)},
-                    {"min", "0"}, {"max", absl::StrCat(layers - 1)}});
+  return MakeError(
+      absl::StatusCode::kInvalidArgument, Reason::kSettingOutOfRange,
+      absl::StrCat("output_layer = ", output.layer, ": the part has layers 0 to ", layers - 1),
+      {{"setting", "output_layer"},
+       {"value", absl::StrCat(output.layer)},
+       {"min", "0"},
+       {"max", absl::StrCat(layers - 1)}});
 }
 
-absl::Status CheckPrograms(const std::vector<ExposedProgram>& programs, size_t layers) {
+/// A layer's part of the file, whose text is in a spool.
+struct SpooledExposure {
+  ExposedProgram program;  ///< without its text
+  SpoolFile::Place text;
+};
+
+absl::Status CheckPrograms(const std::vector<SpooledExposure>& programs, size_t layers) {
   for (size_t i = 0; i < programs.size(); ++i)
-    if (programs[i].frame.index != static_cast<int32_t>(i))
-      return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
-                       absl::StrCat("layer ", i, " came back as ", programs[i].frame.index));
+    if (programs[i].program.frame.index != static_cast<int32_t>(i))
+      return MakeError(
+          absl::StatusCode::kInternal, Reason::kInternal,
+          absl::StrCat("layer ", i, " came back as ", programs[i].program.frame.index));
   if (programs.size() == layers) return absl::OkStatus();
   return MakeError(absl::StatusCode::kInternal, Reason::kInternal,
                    absl::StrCat(programs.size(), " of ", layers, " layers came back"));
@@ -38,19 +47,20 @@ absl::Status CheckPrograms(const std::vector<ExposedProgram>& programs, size_t l
 
 class LaserJob : public PlannedJob {
  public:
-  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report,
-           SlicedJob sliced)
+  LaserJob(const ExposureStage& exposure, JobSettings settings, JobReport report, SlicedJob sliced,
+           std::unique_ptr<SpoolFile> spool)
       : exposure_(exposure),
         settings_(std::move(settings)),
         report_(std::move(report)),
         layers_(std::move(sliced.layers)),
-        object_names_(std::move(sliced.object_names)) {
+        object_names_(std::move(sliced.object_names)),
+        spool_(std::move(spool)) {
     for (const PlacedCopy& copy : sliced.copies) copies_.push_back({copy.object, copy.shift, 0});
   }
 
   int32_t LayerCount() const override { return static_cast<int32_t>(layers_.size()); }
 
-  std::vector<Task> Tasks(int slots) const override {
+  std::vector<Task> Tasks(int slots) override {
     const std::span<const SlicedLayer> layers = layers_;
     const int32_t halo = HaloLayers(settings_);
     std::vector<Task> tasks;
@@ -62,16 +72,27 @@ class LaserJob : public PlannedJob {
                                 .copies = copies_,
                                 .settings = &settings_});
     }
+    ranges_.resize(tasks.size());
     return tasks;
   }
 
-  absl::StatusOr<JobOutput> Assemble(const StageCall& call,
-                                     std::vector<TaskResult> results) override {
-    std::vector<ExposedProgram> programs;
-    for (TaskResult& task : results) {
-      auto& result = std::get<LaserResult>(task);
-      report_.stage_times.Add(result.times);
-      std::ranges::move(result.programs, std::back_inserter(programs));
+  absl::Status Take(size_t task, TaskResult result) override {
+    auto& made = std::get<LaserResult>(result);
+    ranges_[task].times = made.times;
+    for (ExposedProgram& program : made.programs) {
+      const auto place = spool_->Add(program.text);
+      if (!place.ok()) return place.status();
+      std::string().swap(program.text);
+      ranges_[task].programs.push_back({std::move(program), *place});
+    }
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<JobOutput> Assemble(const StageCall& call) override {
+    std::vector<SpooledExposure> programs;
+    for (Range& range : ranges_) {
+      report_.stage_times.Add(range.times);
+      std::ranges::move(range.programs, std::back_inserter(programs));
     }
     if (absl::Status whole = CheckPrograms(programs, layers_.size()); !whole.ok()) return whole;
     const ExposureSummary summary = FillIn(programs);
@@ -84,16 +105,22 @@ class LaserJob : public PlannedJob {
     });
     if (!frame.ok()) return frame.status();
     const ScopedSpan span(call.spans, "assembly");
-    return JobOutput{WholeFile(*frame, std::move(programs)), std::move(report_)};
+    return JobOutput{WholeFile(*std::move(frame), programs), std::move(report_)};
   }
 
  private:
+  /// What a task came to.
+  struct Range {
+    std::vector<SpooledExposure> programs;
+    StageTimes times;
+  };
+
   /// Sums up the layers, in their order.
-  ExposureSummary FillIn(const std::vector<ExposedProgram>& programs) {
+  ExposureSummary FillIn(const std::vector<SpooledExposure>& programs) {
     ExposureReport& sum = report_.exposure.emplace();
-    for (const ExposedProgram& program : programs) sum.Add(program.report);
-    const LayerFrame& first = programs.front().frame;
-    const LayerFrame& last = programs.back().frame;
+    for (const SpooledExposure& spooled : programs) sum.Add(spooled.program.report);
+    const LayerFrame& first = programs.front().program.frame;
+    const LayerFrame& last = programs.back().program.frame;
     report_.layer_count = static_cast<int32_t>(programs.size());
     report_.print_time_s = sum.TimeS();
     report_.travel_mm = sum.jump_mm;
@@ -102,19 +129,11 @@ class LaserJob : public PlannedJob {
             object_names_};
   }
 
-  /// Each part is freed as soon as it is copied.
-  static std::string WholeFile(const ExposureEnvelope& frame,
-                               std::vector<ExposedProgram> programs) {
-    size_t size = frame.header.size() + frame.footer.size();
-    for (const ExposedProgram& program : programs) size += program.text.size();
-    std::string file;
-    file.reserve(size);
-    file += frame.header;
-    for (ExposedProgram& program : programs) {
-      file += program.text;
-      std::string().swap(program.text);
-    }
-    file += frame.footer;
+  SpooledText WholeFile(ExposureEnvelope frame, const std::vector<SpooledExposure>& programs) {
+    SpooledText file(std::move(spool_));
+    file.Add(std::move(frame.header));
+    for (const SpooledExposure& spooled : programs) file.Add(spooled.text);
+    file.Add(std::move(frame.footer));
     return file;
   }
 
@@ -124,6 +143,8 @@ class LaserJob : public PlannedJob {
   const std::vector<SlicedLayer> layers_;
   const std::vector<std::string> object_names_;
   std::vector<Copy> copies_;
+  std::unique_ptr<SpoolFile> spool_;
+  std::vector<Range> ranges_;  ///< by task
 };
 
 }  // namespace
@@ -143,8 +164,10 @@ absl::StatusOr<std::unique_ptr<PlannedJob>> LaserProcess::Plan(const StageCall& 
   report.warnings = std::move(input.warnings);
   for (const MeshReport& mesh : report.meshes)
     std::ranges::move(MeshWarnings(mesh), std::back_inserter(report.warnings));
+  auto spool = SpoolFile::Make(spool_directory_);
+  if (!spool.ok()) return spool.status();
   return std::make_unique<LaserJob>(exposure_, std::move(input.settings), std::move(report),
-                                    *std::move(sliced));
+                                    *std::move(sliced), *std::move(spool));
 }
 
 }  // namespace slicefarm::coordinator

@@ -96,7 +96,7 @@ class LaserProcessTest : public testing::Test {
 TEST_F(LaserProcessTest, PutsTheFileTogether) {
   const auto output = Run("x-x");
   ASSERT_TRUE(output.ok()) << output.status();
-  EXPECT_EQ(output->program, "thing 3 2 0-3: 0x2 1x2 2x2 end");
+  EXPECT_EQ(*output->program.Whole(), "thing 3 2 0-3: 0x2 1x2 2x2 end");
 }
 
 TEST_F(LaserProcessTest, ReportsWhatItCameTo) {
@@ -118,7 +118,8 @@ TEST_F(LaserProcessTest, SameBytesForAnyNumberOfSlots) {
   const std::string layers = std::string(200, 'x') + "--" + std::string(50, 'x');
   const auto one = Run(layers, 1);
   ASSERT_TRUE(one.ok()) << one.status();
-  for (const int slots : {2, 5, 32}) EXPECT_EQ(Run(layers, slots)->program, one->program) << slots;
+  for (const int slots : {2, 5, 32})
+    EXPECT_EQ(*Run(layers, slots)->program.Whole(), *one->program.Whole()) << slots;
 }
 
 TEST_F(LaserProcessTest, NothingToScanIsAnError) {

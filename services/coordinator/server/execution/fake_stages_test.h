@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
@@ -7,8 +8,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "common/geometry/text_format.h"
 #include "common/base/error.h"
+#include "common/geometry/text_format.h"
 #include "common/stage/plates.h"
 #include "common/stage/task.h"
 
@@ -162,6 +163,7 @@ class FakeRanges : public FdmRunner {
       LayerProgram program;
       program.frame.index = i;
       program.gcode = absl::StrCat("G1 X", i, "\n");
+      program.gcode.resize(std::max(program.gcode.size(), bytes_a_layer_.load()), ' ');
       program.stats.features[0] = {1, 2, 3, 4};
       result.programs.push_back(std::move(program));
     }
@@ -184,6 +186,7 @@ class FakeRanges : public FdmRunner {
     changed_.wait(lock, [this] { return waiting_; });
   }
   int cancelled() const { return cancelled_; }
+  std::atomic<size_t> bytes_a_layer_ = 0;  ///< at least
 
  private:
   mutable std::mutex mutex_;

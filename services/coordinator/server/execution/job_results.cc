@@ -15,15 +15,15 @@ JobUpdate Success(JobResult result) {
 
 }  // namespace
 
-absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, RunOutput output,
+absl::StatusOr<JobUpdate> JobResults::Keep(const ResolvedJob& job, const RunOutput& output,
                                            const std::string& result_tenant) {
   const auto blobs = blobs_.Of(result_tenant);
   if (!blobs.ok()) return blobs.status();
-  JobResult result = std::move(output.result);
+  JobResult result = output.result;
   result.tenant = result_tenant;
   if (job.request.mode == JobMode::kPrint) {
-    result.gcode_size = static_cast<int64_t>(output.gcode.size());
-    auto gcode = (*blobs)->Put(output.gcode);
+    result.gcode_size = output.program.size();
+    auto gcode = (*blobs)->PutText(output.program);
     if (!gcode.ok()) return gcode.status();
     result.gcode_sha256 = *std::move(gcode);
   }

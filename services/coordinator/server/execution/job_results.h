@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/spooled_text.h"
 #include "services/coordinator/algo/pipeline/cost.h"
 #include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/store/blobs/blob_stores.h"
@@ -13,7 +14,7 @@ namespace slicefarm::coordinator {
 
 /// What a run came to, before it is kept.
 struct RunOutput {
-  std::string gcode;
+  SpooledText program;
   std::string report_json;
   JobResult result;  ///< without digests, size and cost
 };
@@ -36,7 +37,7 @@ class JobResults {
 
   /// Keeps the artifacts among the tenant's blobs; what is left is to write the update, which ends
   /// the job as SUCCEEDED. Errors: those of the blob store.
-  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, RunOutput output,
+  absl::StatusOr<JobUpdate> Keep(const ResolvedJob& job, const RunOutput& output,
                                  const std::string& result_tenant);
 
   /// Ends the job with the result that the same work came to before, at today's rates. nullopt:

@@ -8,10 +8,10 @@
 #include "services/coordinator/algo/job_trace.h"
 #include "services/coordinator/algo/pipeline/report_json.h"
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/observe/job_log.h"
-#include "services/coordinator/server/execution/job_meshes.h"
-#include "services/coordinator/server/observe/job_traces.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/execution/job_meshes.h"
+#include "services/coordinator/server/observe/job_log.h"
+#include "services/coordinator/server/observe/job_traces.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -22,7 +22,7 @@ RunOutput OutputOf(JobOutput output, const ResolvedJob& job, std::string_view bu
   run.report_json = ReportJson(report, {.settings_without_effect = job.plate.no_effect,
                                         .settings_digest = job.settings_digest,
                                         .build_id = std::string(build_id)});
-  run.gcode = std::move(output.program);
+  run.program = std::move(output.program);
   run.result.print_time_s = report.print_time_s;
   run.result.filament_mm = report.filament.length_mm;
   run.result.filament_g = report.filament.mass_g;
@@ -124,7 +124,8 @@ absl::StatusOr<bool> JobRun::Compute() {
 
 absl::StatusOr<bool> JobRun::Keep() {
   std::optional<ScopedSpan> keeping(std::in_place, &spans_, "artifacts");
-  auto update = environment_.results.Keep(*resolved_, *std::move(output_), result_tenant_);
+  auto update = environment_.results.Keep(*resolved_, *output_, result_tenant_);
+  output_.reset();
   if (!update.ok()) return update.status();
   keeping.reset();
   update->trace_sha256 = KeepTrace("ok");
@@ -166,6 +167,7 @@ void JobRun::Progress(PipelineProgress progress) {
 absl::StatusOr<bool> JobRun::Conclude(const absl::Status& error) {
   JobUpdate update = Conclusion(job_, *wishes_, error, progress_.told(), environment_.now_us());
   const std::string reason(ReasonName(DetailOf(error).reason));
+  met_other_build_ = DetailOf(error).reason == Reason::kBuildMismatch;
   environment_.log.Warn("job not done", Fields({{"state", std::string(JobStateName(update.state))},
                                                 {"seconds", clock_.Seconds()},
                                                 {"code", absl::StatusCodeToString(error.code())},

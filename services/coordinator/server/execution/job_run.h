@@ -6,16 +6,16 @@
 #include <string>
 #include <string_view>
 
-#include "common/rpc/observe/json_log.h"
 #include "common/base/span_log.h"
 #include "common/base/stopwatch.h"
+#include "common/rpc/observe/json_log.h"
 #include "services/coordinator/algo/pipeline/job_pipeline.h"
 #include "services/coordinator/run/progress_gate.h"
 #include "services/coordinator/run/run_steps.h"
 #include "services/coordinator/run/run_wishes.h"
+#include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/execution/byte_budget.h"
 #include "services/coordinator/server/execution/job_feed.h"
-#include "services/coordinator/server/api/job_request.h"
 #include "services/coordinator/server/execution/job_results.h"
 
 namespace slicefarm::coordinator {
@@ -34,6 +34,9 @@ struct RunEnvironment {
   rpc::JsonLog log;
   /// Told what the stages took for each job that was computed.
   std::function<void(const StageTimes&)> computed = [](const StageTimes&) {};
+  /// Whether the stages that all jobs need are of this build: asked before a job is claimed, once a
+  /// run has met others.
+  std::function<bool()> stages_fit = [] { return true; };
 };
 
 /// One claimed job, from the claim to what it came to: takes the steps of RunSteps.
@@ -45,6 +48,9 @@ class JobRun {
   JobRun(RunEnvironment& environment, JobRecord job);
 
   void Run();
+
+  /// True of a run that ended because stages are of another build.
+  bool met_other_build() const { return met_other_build_; }
 
   const Lease& lease() const { return lease_; }
   const std::string& action_digest() const { return job_.action_digest; }
@@ -72,6 +78,7 @@ class JobRun {
   std::optional<ResolvedJob> resolved_;  ///< from FindCached to Compute
   std::optional<RunOutput> output_;      ///< from Compute to Keep
   ProgressGate progress_;
+  bool met_other_build_ = false;
   Stopwatch clock_;
   SpanLog spans_;
   const int64_t begin_us_ = spans_.NowUs();

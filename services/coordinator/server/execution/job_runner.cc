@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/observe/job_log.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/observe/job_log.h"
 
 namespace slicefarm::coordinator {
 namespace {
@@ -79,6 +79,8 @@ void JobRunner::Serve(Priority at_least) {
     }
     if (const auto run = Claim(at_least)) {
       run->Run();
+      if (run->met_other_build() && !met_other_build_.exchange(true))
+        environment_.log.Warn("stages are of another build: no job begins until they fit", {});
       std::lock_guard lock(mutex_);
       leases_.Remove(run->lease());
       continue;
@@ -115,8 +117,18 @@ bool JobRunner::Adopt(JobRecord& job) {
   return true;
 }
 
+/// A run that meets stages of another build has read its meshes and left a trace for nothing, so in
+/// an upgrade one for each thread is enough.
+bool JobRunner::StagesFit() {
+  if (!met_other_build_) return true;
+  if (!environment_.stages_fit()) return false;
+  met_other_build_ = false;
+  return true;
+}
+
 std::unique_ptr<JobRun> JobRunner::Claim(Priority at_least) {
   std::lock_guard claiming(claim_mutex_);
+  if (!StagesFit()) return nullptr;
   const int64_t now_us = NowUs();
   auto job =
       environment_.jobs.Claim(options_.owner, now_us, leases_.UntilUs(now_us), Busy(), at_least);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -53,12 +54,14 @@ class JobRunner {
   void Tidy();
   int32_t EndOverdue();
   std::set<std::string> Busy();
+  bool StagesFit();
   std::unique_ptr<JobRun> Claim(Priority at_least);
   bool Adopt(JobRecord& job);
   int64_t NowUs() const { return environment_.now_us(); }
 
   RunEnvironment environment_;
   const JobRunnerOptions options_;
+  std::atomic<bool> met_other_build_ = false;  ///< a run did, and stages were not seen to fit since
   std::mutex claim_mutex_;  ///< one claim at a time, so that each knows what the last one took
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
+#include <fstream>
+#include <mutex>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
@@ -15,10 +18,10 @@
 #include "services/coordinator/algo/dispatch/dispatcher.h"
 #include "services/coordinator/algo/process/fdm_process.h"
 #include "services/coordinator/run/run_conclusion.h"
-#include "services/coordinator/server/execution/failing_job_store_test.h"
-#include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/server/api/job_intake.h"
 #include "services/coordinator/server/api/jobs_wire.h"
+#include "services/coordinator/server/execution/failing_job_store_test.h"
+#include "services/coordinator/server/execution/fake_stages_test.h"
 #include "services/coordinator/store/jobs/sql_job_store.h"
 
 namespace slicefarm::coordinator::job_runner_test {
@@ -48,7 +51,8 @@ class JobRunnerTest : public testing::Test {
     options.poll = options.renew = std::chrono::milliseconds(10);
     auto runner = std::make_unique<JobRunner>(
         RunEnvironment{failing_, *blobs_, results_, pipeline_, mesh_memory_, feed_, Clock(),
-                       "build", ResultSharing::kOff, rpc::JsonLog("test")},
+                       "build", ResultSharing::kOff, rpc::JsonLog("test"), [](const StageTimes&) {},
+                       [this] { return ++asked_, stages_fit_.load(); }},
         options);
     EXPECT_TRUE(runner->Start().ok());
     return runner;
@@ -134,6 +138,8 @@ class JobRunnerTest : public testing::Test {
   JobResults results_{failing_, *blobs_, {}};
   JobFeed feed_;
   FullQueues full_queues_{Clock()};
+  std::atomic<bool> stages_fit_ = true;
+  std::atomic<int> asked_ = 0;  ///< whether they fit
   std::atomic<int64_t> now_us_ = 1'000 * kSecondUs;
 };
 
@@ -250,6 +256,54 @@ TEST_F(JobRunnerTest, MeshesThatAreSlicedMakeRoomForOthers) {
   EXPECT_EQ(AwaitEnd(other).state, JobState::kFailed);
   ranges_->LetGo();
   EXPECT_EQ(AwaitEnd(held).state, JobState::kSucceeded);
+}
+
+TEST_F(JobRunnerTest, NoJobBeginsAsLongAsStagesAreOfAnotherBuild) {
+  slicing_.mismatches_ = 1;
+  stages_fit_ = false;
+  const auto runner = Runner();
+  const std::string met = Submit("?");
+  runner->Wake();
+  while (asked_ == 0) std::this_thread::yield();
+  const std::string other = Submit("xx");
+  runner->Wake();
+  Pass(60 * kSecondUs);
+  for (const int until = asked_ + 5; asked_ < until;) std::this_thread::yield();
+  EXPECT_EQ(jobs_->Get(other)->state, JobState::kQueued);
+  EXPECT_EQ(slicing_.runs(), 1) << "the run that met them";
+  stages_fit_ = true;
+  EXPECT_EQ(AwaitEnd(other).state, JobState::kSucceeded);
+  EXPECT_EQ(AwaitEnd(met).state, JobState::kSucceeded);
+}
+
+/// Of this process, in bytes: what it has and the most that it had since the last call of
+/// ForgetMost.
+int64_t Memory(const std::string& what) {
+  std::ifstream status("/proc/self/status");
+  for (std::string key; status >> key;) {
+    int64_t kib = 0;
+    if (key == what && status >> kib) return kib << 10;
+  }
+  return 0;
+}
+bool ForgetMost() {
+  return static_cast<bool>(std::ofstream("/proc/self/clear_refs") << "5" << std::flush);
+}
+
+TEST_F(JobRunnerTest, AProgramNeedNotFitIntoMemory) {
+  constexpr int kLayers = 1'000;
+  constexpr int64_t kBytesALayer = 128 << 10;
+  ranges_->bytes_a_layer_ = kBytesALayer;
+  if (!ForgetMost()) GTEST_SKIP() << "this system does not tell how much memory was taken";
+  const int64_t before = Memory("VmRSS:");
+  const auto runner = Runner();
+  const std::string id = Submit(std::string(kLayers, 'x'));
+  runner->Wake();
+  const JobRecord job = AwaitEnd(id);
+  ASSERT_EQ(job.state, JobState::kSucceeded);
+  EXPECT_GT(job.result->gcode_size, kLayers * kBytesALayer);
+  // Two slots have a range each, of 128 layers at most, and what was there before.
+  EXPECT_LT(Memory("VmHWM:") - before, kLayers * kBytesALayer / 2);
 }
 
 TEST_F(JobRunnerTest, AJobThatWaitsEndsAtItsDeadline) {

@@ -18,9 +18,9 @@ int64_t SteadyUs() {
       .count();
 }
 
-std::optional<LaserProcess> LaserOver(const JobStages& stages) {
+std::optional<LaserProcess> LaserOver(const JobStages& stages, const std::string& spool_dir) {
   if (stages.exposure == nullptr) return std::nullopt;
-  return LaserProcess(stages.slicing, *stages.exposure);
+  return LaserProcess(stages.slicing, *stages.exposure, spool_dir);
 }
 
 }  // namespace
@@ -29,8 +29,12 @@ absl::StatusOr<std::unique_ptr<Coordinator>> Coordinator::Open(CoordinatorOption
                                                                const JobStages& stages,
                                                                TaskExecutor& executor,
                                                                const rpc::JsonLog& log) {
-  auto stores = OpenStores(options.stores);
+  auto stores = OpenStores(options.stores, options.runner.jobs + 1);  // one may be INTERACTIVE
   if (!stores.ok()) return stores.status();
+  if (options.spool_dir.empty() && !options.stores.state_dir.empty())
+    options.spool_dir = options.stores.state_dir + "/tmp";
+  // Better now than with each job.
+  if (const auto spool = SpoolFile::Make(options.spool_dir); !spool.ok()) return spool.status();
   return std::unique_ptr<Coordinator>(
       new Coordinator(std::move(options), *std::move(stores), stages, executor, log));
 }
@@ -43,19 +47,21 @@ Coordinator::Coordinator(CoordinatorOptions options, Stores stores, const JobSta
       jobs_(*stores_.jobs, Registry()),
       runs_(*stores_.runs, Registry()),
       blobs_(*stores_.blobs, Registry()),
+      run_blobs_(stores_.run_blobs ? *stores_.run_blobs : *stores_.blobs, Registry()),
       stage_seconds_(Registry()),
-      fdm_(stages.slicing, stages.planning, stages.motion),
-      laser_(LaserOver(stages)),
+      fdm_(stages.slicing, stages.planning, stages.motion, options_.spool_dir),
+      laser_(LaserOver(stages, options_.spool_dir)),
       pipeline_(Processes(), executor),
-      results_(runs_, blobs_, options_.rates),
+      results_(runs_, run_blobs_, options_.rates),
       disk_(options_.stores.state_dir, options_.min_free_bytes),
       full_queues_(SteadyUs),
       callers_(options_.tenants, options_.calls, NowUs),
       intake_(jobs_, blobs_, disk_, full_queues_, options_.build_id, options_.sharing, NowUs,
               pipeline_.processes()),
-      runner_(RunEnvironment{runs_, blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
+      runner_(RunEnvironment{runs_, run_blobs_, results_, pipeline_, mesh_memory_, feed_, NowUs,
                              options_.build_id, options_.sharing, log,
-                             [this](const StageTimes& times) { stage_seconds_.Observe(times); }},
+                             [this](const StageTimes& times) { stage_seconds_.Observe(times); },
+                             options_.stages_fit},
               options_.runner),
       meshes_service_(callers_, blobs_, disk_, full_queues_, options_.transfers),
       jobs_service_(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,12 +24,17 @@ namespace slicefarm::coordinator {
 
 struct CoordinatorOptions {
   StoreOptions stores;
+  /// Where the programs of running jobs wait to be put together; empty: with the state in a
+  /// directory, or where the system has temporary files.
+  std::string spool_dir = {};
   JobRunnerOptions runner;
   Rates rates = {};
   WebhooksNow webhooks = [none = std::make_shared<const WebhookPolicy>()] { return none; };
   WebhookSender::Options webhook_sender = {};
   int64_t min_free_bytes = 0;  ///< of the disk of stores.state_dir
   std::string build_id;
+  /// Whether the stages that all jobs need are of this build, asked after a run that met others.
+  std::function<bool()> stages_fit = [] { return true; };
   TransferOptions transfers = {};
   WatchOptions watches = {};
   CallLimits calls = {};
@@ -86,6 +92,7 @@ class Coordinator {
   MeteredJobStore jobs_;
   MeteredJobStore runs_;
   MeteredBlobStores blobs_;
+  MeteredBlobStores run_blobs_;
   StageSeconds stage_seconds_;
   FdmProcess fdm_;
   std::optional<LaserProcess> laser_;

@@ -108,6 +108,10 @@ void AddCoordinatorFlags(CLI::App& app, CoordinatorFlags* flags) {
                  "Seconds after which other coordinators take over from one that is silent")
       ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
+  app.add_option("--spool", flags->spool_dir,
+                 "Directory for the programs of running jobs while they are made; default: in "
+                 "--state-dir, or where the system has temporary files")
+      ->check(CLI::ExistingDirectory);
   app.add_option("--keep-jobs", flags->keep_jobs_days,
                  "Days after which ended jobs are removed; 0: never")
       ->check(CLI::NonNegativeNumber)

@@ -15,11 +15,12 @@ namespace slicefarm::coordinator {
 struct CoordinatorFlags {
   rpc::ServeFlags serve;
   StoreOptions stores;
+  std::string spool_dir;  ///< empty: CoordinatorOptions::spool_dir says
   std::string slicing;
   std::string planning;
   std::string motion;
   std::string exposure;  ///< empty: no jobs of lasers
-  std::string workers;  ///< fused; or the three below
+  std::string workers;   ///< fused; or the three below
   std::string beading;
   std::string infill;
   std::string ordering;

@@ -107,10 +107,16 @@ int Run(rpc::ServerProgram& program, const CoordinatorFlags& flags) {
     return 1;
   CoordinatorOptions options{
       .stores = flags.stores,
+      .spool_dir = flags.spool_dir,
       .runner = flags.runner_options(),
       .rates = *rates,
       .min_free_bytes = flags.min_free_mib << 20,
       .build_id = std::string(BuildId()),
+      .stages_fit =
+          [&] {
+            return slicing_pool.OfThisBuild() && planning_pool.OfThisBuild() &&
+                   motion_pool.OfThisBuild();
+          },
       .maintenance = flags.maintenance(),
       .sharing = flags.share_cache ? ResultSharing::kOn : ResultSharing::kOff,
       .metrics = &program.metrics().registry()};

@@ -26,12 +26,16 @@ struct Stores {
   /// The same ones, as those who run them see them: whatever callers ask for, leases are renewed.
   std::unique_ptr<JobStore> runs;
   std::unique_ptr<BlobStores> blobs;
+  /// The same ones, as those who run jobs see them: whatever is being uploaded and downloaded, a
+  /// result that was computed is kept. Null where transfers hold nothing that runs need.
+  std::unique_ptr<BlobStores> run_blobs;
   std::unique_ptr<ProfileStore> profiles;
   std::unique_ptr<WebhookStore> webhooks;
 };
 
-/// Errors: those of the stores; Unavailable if another process uses the directory.
-absl::StatusOr<Stores> OpenStores(const StoreOptions& options);
+/// `runs`: how many jobs run at the same time. Errors: those of the stores; Unavailable if another
+/// process uses the directory.
+absl::StatusOr<Stores> OpenStores(const StoreOptions& options, int runs);
 
 /// What other coordinators do to the jobs; null where there are none.
 std::unique_ptr<JobChanges> ListenForChanges(const StoreOptions& options,

@@ -39,7 +39,7 @@ void AwaitBlocked(SqlConnection& db, int64_t calls) {
 // Or else a few slow calls of one tenant would cost everybody the runs of their jobs.
 TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   const std::string database = SharedPostgres().NewDatabase();
-  const auto stores = OpenStores({.state_dir = "", .postgres = database});
+  const auto stores = OpenStores({.state_dir = "", .postgres = database}, /*runs=*/3);
   ASSERT_TRUE(stores.ok()) << stores.status();
   ASSERT_TRUE(stores->jobs->Create(Job("run"), kNow).ok());
   const auto claimed = stores->runs->Claim("owner", kNow, kUntil);
@@ -63,6 +63,32 @@ TEST(Stores, CallersWhoTakeAllConnectionsKeepNoLeaseWaiting) {
   EXPECT_TRUE(held.ok() && held->size() == 1) << held.status();
   EXPECT_TRUE(lock.Commit().ok());
   for (std::thread& caller : callers) caller.join();
+}
+
+// Or else what was computed would be thrown away, for want of a connection to keep it by.
+TEST(Stores, TransfersThatTakeAllConnectionsKeepNoResultWaiting) {
+  const std::string database = SharedPostgres().NewDatabase();
+  const auto stores = OpenStores({.state_dir = "", .postgres = database}, /*runs=*/3);
+  ASSERT_TRUE(stores.ok()) << stores.status();
+  const std::string mesh(64, 'a');  // a digest
+  ASSERT_TRUE((*stores->blobs->Of(""))->Append(mesh, 0, "v").ok());
+
+  const auto locker = PostgresConnection::Open(database);
+  const auto watcher = PostgresConnection::Open(database);
+  ASSERT_TRUE(locker.ok() && watcher.ok());
+  ASSERT_TRUE((*locker)->Execute("SET idle_in_transaction_session_timeout = 0").ok());
+  SqlTransaction lock(**locker);
+  ASSERT_TRUE((*locker)->Execute("SELECT 1 FROM blobs FOR UPDATE").ok());
+  std::vector<std::thread> uploads;
+  for (int i = 0; i < PostgresDatabase::kConnections; ++i) {
+    uploads.emplace_back(
+        [&] { EXPECT_TRUE((*stores->blobs->Of(""))->Append(mesh, 0, "vw").ok()); });
+  }
+  AwaitBlocked(**watcher, PostgresDatabase::kConnections);
+  const auto kept = (*stores->run_blobs->Of(""))->Put("a result");
+  EXPECT_TRUE(kept.ok()) << kept.status();
+  EXPECT_TRUE(lock.Commit().ok());
+  for (std::thread& upload : uploads) upload.join();
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ TEST_F(CoordinatorMetricsTest, ShowsWhoIsBusy) {
   ranges_->Hold();
   std::thread job([&] {
     const std::vector<Task> tasks(1);
-    EXPECT_TRUE(dispatcher_.Execute({}, tasks, {}).ok());
+    const auto take = [](size_t, const TaskResult&) { return absl::OkStatus(); };
+    EXPECT_TRUE(dispatcher_.Execute({}, tasks, take, {}).ok());
   });
   ranges_->AwaitCall();
   EXPECT_EQ(Value("slicefarm_worker_slots", {{"state", "busy"}}), 1);

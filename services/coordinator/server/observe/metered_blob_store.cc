@@ -33,13 +33,13 @@ class MeteredBlobStores::Metered : public BlobStore {
   }
   absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
                                     std::string_view bytes) override {
-    return Written(store_->Append(digest, offset, bytes), bytes);
+    return Written(store_->Append(digest, offset, bytes), std::ssize(bytes));
   }
   absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override {
     return store_->Finish(digest, size);
   }
-  absl::StatusOr<std::string> Put(std::string_view bytes) override {
-    return Written(store_->Put(bytes), bytes);
+  absl::StatusOr<std::string> PutText(const SpooledText& text) override {
+    return Written(store_->PutText(text), text.size());
   }
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override {
     return Opened(store_->Open(digest));
@@ -66,8 +66,8 @@ class MeteredBlobStores::Metered : public BlobStore {
 
  private:
   template <typename Result>
-  Result Written(Result result, std::string_view bytes) {
-    if (result.ok()) all_.written_.Increment(static_cast<double>(bytes.size()));
+  Result Written(Result result, int64_t bytes) {
+    if (result.ok()) all_.written_.Increment(static_cast<double>(bytes));
     return result;
   }
   template <typename Result>

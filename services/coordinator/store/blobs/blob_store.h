@@ -5,9 +5,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/base/spooled_text.h"
 
 namespace slicefarm::coordinator {
 
@@ -63,8 +65,14 @@ class BlobStore {
   /// and the upload is dropped.
   virtual absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) = 0;
 
-  /// Keeps `bytes`, and gives their digest.
-  virtual absl::StatusOr<std::string> Put(std::string_view bytes) = 0;
+  /// Keeps the text, and gives its digest. In memory is a block at a time. Errors also: the
+  /// spool's.
+  virtual absl::StatusOr<std::string> PutText(const SpooledText& text) = 0;
+
+  /// The same with what is in memory.
+  absl::StatusOr<std::string> Put(std::string bytes) {
+    return PutText(SpooledText(std::move(bytes)));
+  }
 
   /// The content is checked against its name: once while the process lives, and again if the blob
   /// was written since. Errors: BLOB_NOT_FOUND; BLOB_DIGEST_MISMATCH (DATA_LOSS) if the bytes have

@@ -72,6 +72,38 @@ TEST_P(BlobStoreTest, GivesBackWhatWasPut) {
   EXPECT_EQ(store_->Status(digest_)->committed_size, static_cast<int64_t>(bytes_.size()));
 }
 
+/// A text of several pieces of a database.
+SpooledText LongText() {
+  auto spool = *SpoolFile::Make("");
+  const SpoolFile::Place place = *spool->Add(std::string(1'500'000, 'y'));
+  SpooledText text(std::move(spool));
+  text.Add(std::string("begin"));
+  for (int i = 0; i < 3; ++i) text.Add(place);
+  text.Add(std::string("end"));
+  return text;
+}
+
+TEST_P(BlobStoreTest, GivesBackTextsThatDoNotFitIntoMemory) {
+  const SpooledText text = LongText();
+  const std::string whole = *text.Whole();
+  const auto digest = store_->PutText(text);
+  ASSERT_TRUE(digest.ok()) << digest.status();
+  EXPECT_EQ(*digest, Sha256Hex(whole));
+  EXPECT_EQ(*store_->PutText(text), *digest);
+  EXPECT_TRUE(*store_->Get(*digest) == whole);
+  EXPECT_EQ(store_->Status(*digest)->committed_size, text.size());
+}
+
+TEST_P(BlobStoreTest, ATextThatCannotBeReadIsNoBlob) {
+  SpooledText text(*SpoolFile::Make(""));
+  text.Add(std::string(100, 'x'));
+  text.Add(SpoolFile::Place{0, 100});  // the spool has nothing
+  EXPECT_EQ(DetailOf(store_->PutText(text).status()).reason, Reason::kStoreFailed);
+  int blobs = 0;
+  EXPECT_TRUE(store_->ForEach([&](const BlobEntry&) { ++blobs; }).ok());
+  EXPECT_EQ(blobs, 0);
+}
+
 TEST_P(BlobStoreTest, SurvivesBeingOpenedAgain) {
   ASSERT_TRUE(store_->Put(bytes_).ok());
   ASSERT_TRUE(store_->Append(Sha256Hex("abc"), 0, "ab").ok());

@@ -51,11 +51,20 @@ std::optional<CheckedBlobs::Print> PrintOf(const std::filesystem::path& path) {
   return CheckedBlobs::Print{static_cast<int64_t>(size), since.count()};
 }
 
-absl::Status WriteDurably(const std::string& path, std::string_view bytes) {
+/// Returns the digest.
+absl::StatusOr<std::string> WriteDurably(const std::string& path, const SpooledText& text) {
   const auto file = PosixFile::OpenToWrite(path);
   if (!file.ok()) return file.status();
-  if (absl::Status written = file->WriteAt(0, bytes); !written.ok()) return written;
-  return file->Sync();
+  Sha256 sha;
+  int64_t offset = 0;
+  absl::Status written = text.ForEachBlock([&](std::string_view bytes) {
+    sha.Add(bytes);
+    const int64_t at = std::exchange(offset, offset + std::ssize(bytes));
+    return file->WriteAt(at, bytes);
+  });
+  if (written.ok()) written = file->Sync();
+  if (!written.ok()) return written;
+  return sha.Hex();
 }
 
 class FileReader : public BlobReader {
@@ -252,20 +261,21 @@ absl::StatusOr<bool> DirectoryBlobStore::HasGood(const std::string& digest) {
   return true;
 }
 
-absl::StatusOr<std::string> DirectoryBlobStore::Put(std::string_view bytes) {
-  const std::string digest = Sha256Hex(bytes);
+/// A file whose bytes are on disk becomes the blob, unless that is there.
+absl::Status DirectoryBlobStore::Adopt(const std::string& file, const std::string& digest) {
   Lock lock(MutexOf(digest));
   const auto here = HasGood(digest);
   if (!here.ok()) return here.status();
-  if (*here) return digest;
+  return *here ? RemoveFile(file) : Complete(file, digest);
+}
+
+absl::StatusOr<std::string> DirectoryBlobStore::PutText(const SpooledText& text) {
   const std::string path = absl::StrCat(root_, "/tmp/", next_tmp_++);
-  absl::Status written = WriteDurably(path, bytes);
-  if (written.ok()) written = Complete(path, digest);
-  if (!written.ok()) {
-    RemoveFile(path).IgnoreError();
-    return written;
-  }
-  return digest;
+  const auto digest = WriteDurably(path, text);
+  const absl::Status kept = digest.ok() ? Adopt(path, *digest) : digest.status();
+  if (kept.ok()) return digest;
+  RemoveFile(path).IgnoreError();
+  return kept;
 }
 
 /// Puts a damaged blob aside, unless a good one has taken its place since it was read.

@@ -30,7 +30,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
                                     std::string_view bytes) override;
   absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
-  absl::StatusOr<std::string> Put(std::string_view bytes) override;
+  absl::StatusOr<std::string> PutText(const SpooledText& text) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;
@@ -52,6 +52,7 @@ class DirectoryBlobStore : public BlobStore {
   absl::Status Corrupt(const std::string& digest, const std::string& got);
   absl::Status Settle(const std::string& folder);
   absl::Status Complete(const std::string& file, const std::string& digest);
+  absl::Status Adopt(const std::string& file, const std::string& digest);
 
   const std::string root_;
   std::array<std::mutex, 16> mutexes_;  ///< one write to a blob at a time

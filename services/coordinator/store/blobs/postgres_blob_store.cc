@@ -11,7 +11,7 @@
 namespace slicefarm::coordinator {
 namespace {
 
-constexpr int64_t kPieceBytes = 1 << 20;
+constexpr int64_t kPieceBytes = SpooledText::kBlockBytes;
 constexpr int32_t kListed = 1000;  ///< blobs a query
 
 /// Of a row.
@@ -182,8 +182,12 @@ absl::StatusOr<BlobStatus> PostgresBlobStore::Finish(const std::string& digest, 
   return status;
 }
 
-absl::StatusOr<std::string> PostgresBlobStore::Put(std::string_view bytes) {
-  const std::string digest = Sha256Hex(bytes);
+/// The text is gone through twice: its digest is the key of its pieces.
+absl::StatusOr<std::string> PostgresBlobStore::PutText(const SpooledText& text) {
+  Sha256 sha;
+  const auto add = [&](std::string_view bytes) { return sha.Add(bytes), absl::OkStatus(); };
+  if (absl::Status read = text.ForEachBlock(add); !read.ok()) return read;
+  const std::string digest = sha.Hex();
   const auto session = database_->Write();
   if (!session.ok()) return session.status();
   SqlConnection& db = **session;
@@ -197,13 +201,13 @@ absl::StatusOr<std::string> PostgresBlobStore::Put(std::string_view bytes) {
   if (*got != digest) {  // nothing, a part of it, or a damaged one
     SqlQuery clear(db, "DELETE FROM blob_pieces WHERE tenant = ? AND digest = ?");
     if (absl::Status done = clear.Bind(tenant_, digest).Run(); !done.ok()) return done;
-    for (size_t at = 0; at < bytes.size(); at += kPieceBytes) {
-      absl::Status done =
-          AddPiece(db, key, static_cast<int64_t>(at), bytes.substr(at, kPieceBytes));
-      if (!done.ok()) return done;
-    }
+    int64_t at = 0;
+    const absl::Status added = text.ForEachBlock([&](std::string_view bytes) {
+      return AddPiece(db, key, std::exchange(at, at + std::ssize(bytes)), bytes);
+    });
+    if (!added.ok()) return added;
   }
-  absl::Status done = SetStatus(db, key, {static_cast<int64_t>(bytes.size()), true});
+  absl::Status done = SetStatus(db, key, {text.size(), true});
   if (!done.ok()) return done;
   if (done = transaction.Commit(); !done.ok()) return done;
   return digest;

@@ -23,7 +23,7 @@ class PostgresBlobStore : public BlobStore {
   absl::StatusOr<BlobStatus> Append(const std::string& digest, int64_t offset,
                                     std::string_view bytes) override;
   absl::StatusOr<BlobStatus> Finish(const std::string& digest, int64_t size) override;
-  absl::StatusOr<std::string> Put(std::string_view bytes) override;
+  absl::StatusOr<std::string> PutText(const SpooledText& text) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> Open(const std::string& digest) override;
   absl::StatusOr<std::unique_ptr<BlobReader>> OpenUnchecked(const std::string& digest) override;
   absl::StatusOr<std::string> Get(const std::string& digest) override;

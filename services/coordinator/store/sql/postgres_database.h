@@ -21,9 +21,9 @@ class PostgresDatabase : public SqlDatabase {
   static absl::StatusOr<std::unique_ptr<PostgresDatabase>> Open(const std::string& conninfo,
                                                                 int max_connections = kConnections);
 
-  /// As many connections again to the same database, for those whom these are not to keep waiting.
-  std::unique_ptr<PostgresDatabase> More() const {
-    return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo_, max_connections_));
+  /// Other connections to the same database, for those whom these are not to keep waiting.
+  std::unique_ptr<PostgresDatabase> More(int max_connections = kConnections) const {
+    return std::unique_ptr<PostgresDatabase>(new PostgresDatabase(conninfo_, max_connections));
   }
 
   absl::StatusOr<SqlSession> Read() override { return Take(); }
@@ -31,13 +31,12 @@ class PostgresDatabase : public SqlDatabase {
 
  private:
   PostgresDatabase(std::string conninfo, int max_connections)
-      : conninfo_(std::move(conninfo)), max_connections_(max_connections), free_(max_connections) {}
+      : conninfo_(std::move(conninfo)), free_(max_connections) {}
 
   absl::StatusOr<SqlSession> Take();
   void GiveBack(std::unique_ptr<PostgresConnection> connection);
 
   const std::string conninfo_;
-  const int max_connections_;
   std::mutex mutex_;
   std::condition_variable given_back_;
   int free_;  ///< how many more may be taken

@@ -1,0 +1,90 @@
+#include "common/base/spooled_text.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <utility>
+
+namespace slicefarm {
+namespace {
+
+/// Gathers pieces to blocks.
+class Blocks {
+ public:
+  explicit Blocks(const SpooledText::Visit& visit)
+      : visit_(visit), block_(static_cast<size_t>(SpooledText::kBlockBytes)) {}
+
+  /// `size` bytes; `fill(offset, bytes)` puts those from `offset` on in place.
+  template <typename Fill>
+  absl::Status Take(int64_t size, const Fill& fill) {
+    for (int64_t done = 0; done < size;) {
+      const int64_t count = std::min(size - done, SpooledText::kBlockBytes - used_);
+      absl::Status filled = fill(done, std::span(block_).subspan(Index(used_), Index(count)));
+      if (!filled.ok()) return filled;
+      done += count;
+      used_ += count;
+      if (used_ < SpooledText::kBlockBytes) continue;
+      if (absl::Status visited = Flush(); !visited.ok()) return visited;
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status Flush() {
+    if (used_ == 0) return absl::OkStatus();
+    return visit_({block_.data(), Index(std::exchange(used_, 0))});
+  }
+
+ private:
+  static size_t Index(int64_t n) { return static_cast<size_t>(n); }
+
+  const SpooledText::Visit& visit_;
+  std::vector<char> block_;
+  int64_t used_ = 0;
+};
+
+}  // namespace
+
+void SpooledText::Add(std::string text) {
+  if (text.empty()) return;
+  size_ += std::ssize(text);
+  pieces_.emplace_back(std::move(text));
+}
+
+void SpooledText::Add(SpoolFile::Place place) {
+  if (place.size == 0) return;
+  size_ += place.size;
+  pieces_.emplace_back(place);
+}
+
+absl::Status SpooledText::ForEachBlock(const Visit& visit) const {
+  Blocks blocks(visit);
+  for (const auto& piece : pieces_) {
+    absl::Status taken;
+    if (const auto* text = std::get_if<std::string>(&piece)) {
+      taken = blocks.Take(std::ssize(*text), [&](int64_t offset, std::span<char> bytes) {
+        std::memcpy(bytes.data(), text->data() + offset, bytes.size());
+        return absl::OkStatus();
+      });
+    } else {
+      const auto& place = std::get<SpoolFile::Place>(piece);
+      taken = blocks.Take(place.size, [&](int64_t offset, std::span<char> bytes) {
+        return spool_->ReadAt(place.offset + offset, bytes);
+      });
+    }
+    if (!taken.ok()) return taken;
+  }
+  return blocks.Flush();
+}
+
+absl::StatusOr<std::string> SpooledText::Whole() const {
+  std::string text;
+  text.reserve(static_cast<size_t>(size_));
+  const absl::Status read = ForEachBlock([&](std::string_view bytes) {
+    text += bytes;
+    return absl::OkStatus();
+  });
+  if (!read.ok()) return read;
+  return text;
+}
+
+}  // namespace slicefarm

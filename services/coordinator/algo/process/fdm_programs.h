@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "common/base/spooled_text.h"
+#include "common/model/layer.h"
+#include "common/model/program_summary.h"
+
+namespace slicefarm::coordinator {
+
+/// A layer's program whose text is in a spool, so that a job may have more of it than fits into
+/// memory.
+struct SpooledProgram {
+  LayerProgram program;  ///< without its text
+  SpoolFile::Place text;
+};
+
+/// Errors: the spool's.
+absl::StatusOr<std::vector<SpooledProgram>> Spooled(std::vector<LayerProgram> programs,
+                                                    SpoolFile& spool);
+
+/// All programs in the order of printing: by pass, then bottom up. `programs` come in the order of
+/// their layers. Errors: INTERNAL unless there are programs of `layer_count` layers, each with the
+/// passes that its predecessor has or fewer; NOTHING_TO_PRINT if none has a bead.
+absl::StatusOr<std::vector<SpooledProgram>> InPrintOrder(std::vector<SpooledProgram> programs,
+                                                         size_t layer_count);
+
+/// What the frame of the job is made of.
+ProgramSummary Summarize(const std::vector<SpooledProgram>& programs);
+
+/// Prologue, prefixes and programs, epilogue. The spool is that of the programs.
+SpooledText WholeProgram(ProgramEnvelope frame, const std::vector<SpooledProgram>& programs,
+                         std::unique_ptr<const SpoolFile> spool);
+
+}  // namespace slicefarm::coordinator
