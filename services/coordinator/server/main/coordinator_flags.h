@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "common/rpc/server/serve.h"
@@ -19,7 +20,7 @@ struct CoordinatorFlags {
   std::string planning;
   std::string motion;
   std::string exposure;  ///< empty: no jobs of lasers
-  std::string workers;  ///< fused; or the three below
+  std::string workers;   ///< fused; or the three below
   std::string beading;
   std::string infill;
   std::string ordering;
@@ -38,6 +39,9 @@ struct CoordinatorFlags {
   SplitStages::Names split_names() const;
   JobRunnerOptions runner_options() const;
   Maintenance::Options maintenance() const;
+  /// How long jobs that run may go on after SIGTERM: what they leave of --drain suffices to hand
+  /// them back, and to end calls.
+  std::chrono::milliseconds drain_of_jobs() const;
 };
 
 /// Also checks that either workers or all split stages are given.
