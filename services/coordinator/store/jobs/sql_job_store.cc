@@ -63,7 +63,7 @@ absl::StatusOr<bool> HasOpen(SqlConnection& db, const std::string& tenant, int64
 
 /// More jobs than all coordinators are about to make at a time. Who has room for so many needs no
 /// lock to be counted.
-constexpr int64_t kManyJobs = 10'000;
+constexpr int64_t kManyJobs = 2'500;
 
 /// Jobs of a tenant that is near its bound are made one after the other: calls that count at the
 /// same time do not see what the others make.
