@@ -132,9 +132,6 @@ TEST_F(ClusterTest, ADatabaseThatIsAwayAtTheStartIsWaitedFor) {
   postgres_.Kill();
   // It serves, which its constructor waits for, once the database is back.
   std::thread starting([this] { Start(b_, "b"); });
-  ChildProcess ended("slicefarm-coordinator", Arguments({"--postgres", database_, "--name", "c"}));
-  ended.Signal(SIGTERM);
-  EXPECT_EQ(ended.Wait(), 0) << "that it waits keeps it from ending";
   postgres_.Start();
   starting.join();
   ExpectTheSame(AwaitEnd(*b_, SubmitTo(*b_)));
